@@ -42,13 +42,11 @@ Nothing else is taken:
   $ rtpwd --version
   0.1.0
 
-Help begins with what the command is for (the line of usage above it differs between Pythons):
+Help holds what the command is for, and examples (the words around them differ between Pythons):
 
-  $ rtpwd --help | grep -A 4 '^Print'
+  $ rtpwd --help | grep '^Print'
   Print the working directory in the RTC Tree.
-
-  It is the value of RTCSH_CWD, which rtcwd sets, or / when there is none. Nothing is contacted.
-
+  $ rtpwd --help | grep -A 1 '^examples'
   examples:
     rtpwd
 
