@@ -3,9 +3,10 @@
 idl/PACKAGE/FILE.idl becomes PACKAGE/FILE_idl.py (what a client needs) and PACKAGE/FILE_poa.py (skeletons, for those who
 serve objects); PACKAGE/MODULE.py and PACKAGE/MODULE__POA.py gather the files that contribute to an IDL module. To add an
 interface, edit or drop in an .idl file, run this command and commit everything; tests/test_idl_stubs.py fails until then.
-DIR is where the packages are written, by default beside this file. The same .idl always gives the same bytes.
+DIR is where the packages are written, by default beside this file.
 
-It needs omniidl 4.3 (pip install jeteve-omniorb, or the OS package omniidl). What it writes runs on omniORBpy 4.2 too.
+It needs omniidl (pip install jeteve-omniorb, or the OS package omniidl); 4.2.5 and 4.3.3 write the
+same bytes, which run on either version of omniORBpy.
 """
 import os
 import re
@@ -75,7 +76,7 @@ def compile_idl(package, name, files):
 
 
 def client_part(text):
-    """Generated text without its skeletons: a client has no use for them, and they cost a third of the import."""
+    """Generated text without its skeletons: a client has no use for them (0.4 ms of 3.4)."""
     return OPEN_POA.sub("", SKELETON.sub("", text))
 
 
@@ -120,7 +121,8 @@ def generate(directory=HERE):
 
 def main(arguments):
     if len(arguments) > 1 or arguments[:1] in (["-h"], ["--help"]):
-        sys.exit(__doc__)
+        print(__doc__)
+        sys.exit(len(arguments) > 1 and 2)
     try:
         generate(*arguments)
     except (NoOmniidl, subprocess.CalledProcessError) as error:
