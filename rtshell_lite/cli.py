@@ -196,7 +196,8 @@ class _Parser(argparse.ArgumentParser):
     def _value(action, rest):
         if not rest or action.nargs == 0:
             return []
-        if action.nargs == "?" and not re.match(r"[0-9.]+$", rest[0]):  # --wait PATH: no number, so not its value
+        # --wait PATH, --shell PATH: a word that cannot be the option's value is not taken for it
+        if action.nargs == "?" and not (rest[0] in action.choices if action.choices else re.match(r"[0-9.]+$", rest[0])):
             return []
         return [rest.pop(0)]
 

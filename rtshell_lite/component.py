@@ -177,3 +177,46 @@ def _until(node, ref, transition, now, wait, code):
         time.sleep(POLL)
         now = state_in(node, ref)
     return now
+
+
+# ---- exit -----------------------------------------------------------------------------------------------------
+
+def exit_all(paths, wait=None, dry_run=False):
+    """LightweightRTObject::exit of the component at each path: a line or an errors.Error for each.
+
+    With `wait` (seconds) also wait until the name is unbound, which a component's manager does up to a second later.
+    """
+    def one(node):
+        if dry_run:
+            return "rtexit " + shell_word(str(node.path))
+        _exit(node)
+        if wait is not None:
+            _until_unbound(node, wait)
+        return "%s: exited" % node.path
+    return tree.on_components(paths, one)
+
+
+def _exit(node):
+    try:
+        code = str(node.call("exit"))
+    except (errors.Silent, errors.Refused):
+        raise
+    except errors.Unreachable:
+        # the last component of a process takes the process with it, and the reply may be lost
+        if tree.look([node])[0].kind != "zombie":
+            raise
+        return
+    if code != "RTC_OK":
+        raise errors.Refused(str(node.path), "does not exit (%s)" % code)
+
+
+def _until_unbound(node, wait):
+    limit = time.monotonic() + wait
+    while True:
+        try:
+            tree.resolve(node.path)
+        except errors.NotFound:
+            return
+        if time.monotonic() > limit:
+            raise errors.Unreachable(str(node.path), "has exited, but its name is still bound after %gs" % wait)
+        time.sleep(POLL)

@@ -3,7 +3,7 @@ import collections
 
 from rtshell_lite import component, errors, orb, rpc, tree
 from rtshell_lite.path import ROOT, Name, Path
-from rtshell_lite.text import from_wire, printable, to_wire
+from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 
 # One port. `name` is the full name (ConsoleIn0.out), `type` DataInPort, DataOutPort, CorbaPort or Port, `properties` a dict,
 # `owner` the reference of its component or None, `node` the Node it was found on.
@@ -245,15 +245,38 @@ def joining(found):
     return [c for c in found[0].connectors if any(orb.identity(ref) in others for ref in c.ports if ref is not None)]
 
 
+def check(found, given):
+    """Raise Refused with the reasons when the Ports `found` do not match, with these properties (a dict)."""
+    reasons = mismatches(found, given)
+    if reasons:
+        raise errors.Refused(between(found), "; ".join(reasons))
+
+
+def refuse_duplicate(found, name, connector_id):
+    """Raise Refused when the first port is joined with any of the others already, or has a connection so named."""
+    for connector in found[0].connectors:
+        for what, wanted, value in (("id", connector_id, connector.id), ("name", name, connector.name)):
+            if wanted and wanted == value:
+                raise errors.Refused(label(found[0]), "has a connection with %s %s already" % (what, printable(value)))
+    for connector in joining(found):
+        raise errors.Refused(between(found), "already connected (id %s)" % printable(connector.id))
+
+
+def command(found, name, connector_id, given):
+    """The rtcon command for a connection, ready for a shell."""
+    words = ["rtcon"] + ["-n", name] * bool(name) + ["-i", connector_id] * bool(connector_id)
+    for item in sorted(given.items()):
+        words += ["-p", "%s=%s" % item]
+    return " ".join(shell_word(word) for word in words + [label(each) for each in found])
+
+
 def connect(found, name="", connector_id="", given=None):
     """Connect the Ports `found` (one or more, in this order) and return the Connector made.
 
     Raises Refused with the reasons when they do not match or the components refuse, and Unreachable.
     """
     given = given or {}
-    reasons = mismatches(found, given)
-    if reasons:
-        raise errors.Refused(between(found), "; ".join(reasons))
+    check(found, given)
     from rtshell_lite.idl_stubs.component import RTC
     name = name or short_name(found[0].name, found[0].node.path.names[-1].id) + "_".join(
         short_name(each.name, each.node.path.names[-1].id) for each in found[1:])
@@ -299,3 +322,21 @@ def disconnect(each, connector):
         if connector_id not in [c.connector_id for c in left]:
             return
     raise errors.Refused(label(each), "cannot remove connection %s (%s)" % (printable(connector.id), code))
+
+
+def disconnect_all(pairs, dry_run=False):
+    """`disconnect` for each (Port, Connector): a line or an errors.Error for each; a connector of two own ports goes once."""
+    results, seen = [], set()
+    for each, connector in pairs:
+        if connector.id in seen:
+            continue
+        seen.add(connector.id)
+        if dry_run:
+            results.append("rtdis -i %s %s" % (shell_word(connector.id), shell_word(label(each))))
+            continue
+        try:
+            disconnect(each, connector)
+            results.append("%s: removed connection %s" % (label(each), printable(connector.id)))
+        except errors.Error as e:
+            results.append(e)
+    return results

@@ -96,7 +96,7 @@ def resolve(path):
 
 def _resolved(server, path):
     try:
-        ref = server.call("resolve", _wire_names(path.names))
+        ref = server.call("resolve", wire_names(path.names))
     except errors.Refused as e:
         if e.name in ("NotFound", "CannotProceed", "InvalidName"):
             raise _why_not_found(path)
@@ -124,7 +124,8 @@ def _why_not_found(path):
     return errors.Misspelt(str(path), close[0]) if close else errors.NotFound(str(path))
 
 
-def _wire_names(names):
+def wire_names(names):
+    """A CosNaming::Name of Names."""
     import CosNaming
     return [CosNaming.NameComponent(to_wire(name.id), to_wire(name.kind)) for name in names]
 
@@ -233,7 +234,7 @@ def children(node):
     for name in _names(node):
         path = node.path.child(name)
         jobs.append(rpc.Job(server, str(path), lambda path=path: _classified(
-            path, orb.call(str(path), context, "resolve", _wire_names(path.names[-1:])))))
+            path, orb.call(str(path), context, "resolve", wire_names(path.names[-1:])))))
     found = [child for child in rpc.gather(jobs) if not isinstance(child, errors.Refused)]  # unbound since the list was made
     for failure in found:
         if isinstance(failure, errors.Error):
@@ -288,11 +289,3 @@ def _walk(node, depth, seen):
     for child in below:
         for found in _walk(child, depth - 1, seen):
             yield found
-
-
-def match(pattern, ignore_case=False):
-    """A function name → bool for a shell pattern of `*` (any text) and `?` (one character) on the whole of a name."""
-    import re
-    parts = {"*": ".*", "?": "."}
-    expression = "".join(parts.get(c) or re.escape(c) for c in pattern)
-    return re.compile(expression + r"\Z", re.DOTALL | (re.IGNORECASE if ignore_case else 0)).match
