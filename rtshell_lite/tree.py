@@ -57,7 +57,10 @@ class Node:
 
     def call(self, operation, *args, **more):
         """Call an operation of its object; errors name its path."""
-        return orb.call(str(self.path), self.typed, operation, *args, **more)
+        try:
+            return orb.call(str(self.path), self.typed, operation, *args, **more)
+        except errors.ConnectionRefused as e:
+            raise errors.NoNameServer(*e.args) if self.kind == "server" else e
 
     def __repr__(self):
         return "<%s %s>" % (self.kind, self.path)
