@@ -139,14 +139,15 @@ class Tally:
         return self.statuses.pop() if not self.done and len(self.statuses) == 1 else errors.Partial.status
 
 
-def each(things, act):
-    """Call act(thing) for each, tell the failures, go on; returns the exit status."""
+def report(args, results):
+    """Tell the results of changes, each an errors.Error or a line; returns the exit status.
+
+    A line says what was done, for --verbose; after --dry-run it is a command that would do it, for stdout.
+    """
     tally = Tally()
-    for thing in things:
-        try:
-            tally.add(act(thing))
-        except errors.Error as e:
-            tally.add(e)
+    for result in results:
+        if tally.add(result) and result:
+            (print if args.dry_run else detail)(result)
     return tally.status()
 
 
@@ -156,7 +157,7 @@ class _Parser(argparse.ArgumentParser):
     """argparse with options anywhere, numbers below zero as arguments, no abbreviations, and our errors."""
 
     def error(self, message):
-        raise errors.Usage(message)
+        raise errors.Usage(message.replace(": -- ", ": "))
 
     def parse_args(self, argv):
         options, words = self._sorted(argv)
@@ -195,7 +196,8 @@ class _Parser(argparse.ArgumentParser):
     def _value(action, rest):
         if not rest or action.nargs == 0:
             return []
-        if action.nargs == "?" and not re.match(r"[0-9.]+$", rest[0]):  # --wait PATH: no number, so not its value
+        # --wait PATH, --shell PATH: a word that cannot be the option's value is not taken for it
+        if action.nargs == "?" and not (rest[0] in action.choices if action.choices else re.match(r"[0-9.]+$", rest[0])):
             return []
         return [rest.pop(0)]
 
@@ -269,14 +271,5 @@ def json_output(parser):
 
 
 def null(parser):
-    """-0: paths as raw bytes, each ended by NUL."""
-    parser.add_argument("-0", "--null", action="store_true", help="full paths, unescaped, each ended by a NUL byte")
-
-
-def print_path(where, end_with_null):
-    """Print one path as -0 asks or as a line."""
-    if not end_with_null:
-        print(where)
-        return
-    sys.stdout.flush()
-    sys.stdout.buffer.write(str(where).encode("utf-8", "surrogateescape") + b"\0")
+    """-0."""
+    parser.add_argument("-0", "--null", action="store_true", help="full paths, each ended by a NUL byte (for xargs -0)")

@@ -69,6 +69,10 @@ class ConnectionRefused(Unreachable):
     """{}: connection refused"""
 
 
+class NoNameServer(ConnectionRefused):
+    """{}: connection refused; is the name server running?"""
+
+
 class Refused(Error):
     """{}: {}"""
 

@@ -165,6 +165,13 @@ def call(where, ref, operation, *args, seconds=None):
     return result
 
 
+def ask(where, ref, operation, *args):
+    """`call` for an object that may live in another process than the one whose lane this is."""
+    if rpc.lane_of(endpoint(ref)):
+        return call(where, ref, operation, *args)
+    return rpc.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args))
+
+
 def is_alive(where, ref):
     """True when the object of `ref` exists. Raises Gone when it does not or nobody listens there, Silent, Unreachable."""
     if call(where, ref, "_non_existent"):

@@ -24,7 +24,8 @@ Job = collections.namedtuple("Job", "endpoint where call")  # (host, port) or an
 class _Peer:
     """One remote process while it is being asked."""
 
-    def __init__(self):
+    def __init__(self, endpoint):
+        self.endpoint = endpoint
         self.todo = collections.deque()
         self.open = set()
         self.heard = time.monotonic()
@@ -40,6 +41,11 @@ def in_lane():
     return hasattr(_lane, "peer")
 
 
+def lane_of(endpoint):
+    """True on a thread that makes the calls to the process at `endpoint`."""
+    return in_lane() and _lane.peer.endpoint == endpoint
+
+
 def alive(limit=None):
     """Say that the peer of this lane answered, and that its next answer may take `limit` seconds (default: the timeout)."""
     peer = getattr(_lane, "peer", None)
@@ -49,8 +55,13 @@ def alive(limit=None):
 
 
 def ask(endpoint, where, call):
-    """Run one call and return its value or raise its error."""
+    """Run one call and return its value or raise its error.
+
+    From a lane of another process, silence is raised as Unreachable: it says nothing about the process of that lane.
+    """
     value, = gather([Job(endpoint, where, call)])
+    if isinstance(value, errors.Silent) and in_lane():
+        raise errors.Unreachable(*value.args)
     if isinstance(value, Exception):
         raise value
     return value
@@ -61,7 +72,7 @@ def gather(jobs):
     jobs = list(jobs)
     values, peers, done = [None] * len(jobs), {}, queue.Queue()
     for i, job in enumerate(jobs):
-        peer = peers.setdefault(job.endpoint, _Peer())
+        peer = peers.get(job.endpoint) or peers.setdefault(job.endpoint, _Peer(job.endpoint))
         peer.todo.append((i, job))
         peer.open.add(i)
     for peer in peers.values():

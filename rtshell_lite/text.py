@@ -71,6 +71,11 @@ def _meant(found):
     return chr(n + 0xDC00 if byte and n >= 0x80 else n)  # chr() raises ValueError beyond Unicode
 
 
+def shell_word(s):
+    """`s` as one word of a POSIX shell command."""
+    return s if re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII) else "'" + s.replace("'", "'\"'\"'") + "'"
+
+
 def width():
     """Columns of the terminal, 80 where there is none (shutil, which is slow to import, is not needed for that)."""
     for fd in (1, 2, 0):
@@ -88,6 +93,8 @@ def width():
 
 def cells(s):
     """How many columns of a terminal `s` fills: East Asian wide characters take two, combining ones none."""
+    if "\x1b" in s:  # our own colour: text from elsewhere is escaped before
+        s = re.sub("\x1b\\[[0-9;]*m", "", s)
     if all(c < "\u0300" for c in s):
         return len(s)
     import unicodedata

@@ -1,0 +1,4 @@
+"""Mock RT Components: real CORBA servants that answer as OpenRTM-aist does, for tests and for trying commands.
+
+`python3 -m mock_components --list` shows the worlds that can be started.
+"""

@@ -1,0 +1,94 @@
+"""`python3 -m mock_components WORLD [ARGUMENT …]`: start a world; `… ctl PATH COMMAND …`: talk to a running one."""
+import argparse
+import os
+import signal
+import sys
+import threading
+
+
+def arguments():
+    parser = argparse.ArgumentParser(
+        prog="python3 -m mock_components", formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="Start a world of mock components; it ends with its standard input, SIGTERM or SIGINT.",
+        epilog="python3 -m mock_components ctl PATH help     what a running world can be asked")
+    parser.add_argument("world", nargs="?", help="see --list")
+    parser.add_argument("arguments", nargs="*", help="of the world")
+    parser.add_argument("--list", action="store_true", help="list the worlds")
+    parser.add_argument("--nameserver", metavar="HOST:PORT", help="default: first of RTCTREE_NAMESERVERS, else localhost")
+    parser.add_argument("--context", metavar="FORMAT", default="test.host_cxt/%n.rtc",
+                        help="names to bind, like naming.formats of OpenRTM (default: %(default)s)".replace("%n", "%%n"))
+    parser.add_argument("--port", type=int, default=0, help="IIOP port (default: any)")
+    parser.add_argument("--control", metavar="PATH", default=os.environ.get("MOCK_CONTROL"),
+                        help="Unix socket for ctl (default: MOCK_CONTROL)")
+    parser.add_argument("--flavour", default="py2", help="cpp11, cpp12, cpp2, py2 (default), java, rtorb")
+    parser.add_argument("--rate", type=float, default=1000.0, help="of execution contexts, in Hz (default: 1000)")
+    parser.add_argument("--async", dest="sync", action="store_false", help="transitions answer at once")
+    return parser
+
+
+class Options:
+    """What components may differ in; worlds override single ones."""
+
+    def __init__(self, **values):
+        self.__dict__.update(values)
+
+    def but(self, **changes):
+        return Options(**dict(self.__dict__, **changes))
+
+
+def main(argv):
+    if argv[:1] == ["ctl"]:
+        from . import control
+        if len(argv) < 3 or argv[2] == "help":
+            print(control.HELP)
+            return 0 if argv[2:] else 2
+        return control.ask(argv[1], argv[2:])
+    parser = arguments()
+    args = parser.parse_args(argv)
+    from . import flavour, worlds
+    if args.list:
+        for name, world in worlds.WORLDS.items():
+            print("%-10s %s" % (name, world.__doc__))
+        return 0
+    if args.world not in worlds.WORLDS:
+        parser.error("no such world: %s (see --list)" % args.world)
+    if args.flavour not in flavour.NAMES:
+        parser.error("no such flavour: " + args.flavour)
+    return play(args, worlds, flavour.Flavour(args.flavour))
+
+
+def play(args, worlds, flavour):
+    """Set up the world, say so, and stay until told to go."""
+    from . import control, naming, process
+    finish = threading.Event()
+    for number in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(number, lambda *_: finish.set())
+    here = process.Process(args.port)
+    here.ledger.own_thread()
+    server = args.nameserver or os.environ.get("RTCTREE_NAMESERVERS", "localhost").split(";")[0]
+    options = Options(context=args.context, rate=args.rate, sync=args.sync, contexts=1, running=True)
+    stage = worlds.Stage(here, naming.Naming(here.orb, server), flavour, options)
+    worlds.WORLDS[args.world](stage, *args.arguments)
+    here.ledger.reset()
+    if args.control:
+        here.thread(control.serve(args.control, control.Commands(stage, finish)))
+    print("ready", len(stage.components), flush=True)
+    if stage.after_ready:
+        stage.after_ready()
+    threading.Thread(target=wait_for_end_of_input, args=(finish,), daemon=True).start()
+    finish.wait()
+    stage.names.unbind_all()
+    if args.control:
+        os.unlink(args.control)
+    sys.stdout.flush()
+    os._exit(0)
+
+
+def wait_for_end_of_input(finish):
+    while os.read(0, 4096):
+        pass
+    finish.set()
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,174 @@
+"""The components that can be played: what their profiles say, and what they do while active."""
+import time
+
+from rtshell_lite.idl_stubs.component import RTC
+
+from . import values
+from .rtc import Component
+
+SEQUENCE_TYPES = ("Octet", "Short", "Long", "Float", "Double", "OctetSeq", "ShortSeq", "LongSeq", "FloatSeq", "DoubleSeq")
+
+CONFIG_SAMPLE = {
+    "default": {"double_param0": "0.99", "double_param1": "-0.99", "int_param0": "0", "int_param1": "1",
+                "str_param0": "default", "str_param1": "default set in conf file",
+                "vector_param0": "0.0,0.1,0.2,0.3,0.4,0.5,0.6"},
+    "mode0": {"double_param0": "3.141592653589793238462643383279", "double_param1": "2.718281828459045235360287471352",
+              "int_param0": "12345", "int_param1": "98765", "str_param0": "mode0", "str_param1": "foo",
+              "vector_param0": "0.0,0.1,0.2,0.3,0.4"},
+    "mode1": {"double_param0": "297992458", "double_param1": "2.97992458e+8", "int_param0": "-999", "int_param1": "999",
+              "str_param0": "mode1", "str_param1": "AIST", "vector_param0": "1,2,3,4,5,6,7,8,9"},
+    "__widget__": {"double_param0": "slider.0.1", "double_param1": "text", "int_param0": "slider.10",
+                   "int_param1": "spin", "str_param0": "radio", "str_param1": "text", "vector_param0": "text"},
+    "__constraints__": {"double_param0": "0<=x<=100", "double_param1": "", "int_param0": "0<=x<=150",
+                        "int_param1": "0<=x<=1000", "str_param0": "(default,mode0,mode1,foo,bar,radio)",
+                        "str_param1": "", "vector_param0": ""},
+}
+MOTOR_ID = {"default": {"motor_id": "0"}, "__widget__": {"motor_id": "text"}, "__type__": {"motor_id": "int"}}
+SCANNER = {
+    "default": {"port_opts": "type=serial,device=/dev/ttyACM0,timeout=1", "start_angle": "-1.57", "end_angle": "1.57",
+                "cluster_count": "1", "high_sens": "0"},
+    "fast": {"port_opts": "type=serial,device=/dev/ttyACM0,timeout=1", "start_angle": "-0.5", "end_angle": "0.5",
+             "cluster_count": "4", "high_sens": "0"},
+    "__constraints__": {"cluster_count": "x >= 1", "high_sens": "(0,1)"},
+}
+
+
+class Sender(Component):
+    """Counts, and sends the number, stamped with the time, on all OutPorts."""
+
+    busy = True
+
+    def on_activated(self, handle):
+        self.number = 0
+        return RTC.RTC_OK
+
+    def on_execute(self, handle):
+        self.number += 1
+        for port in self.ports:
+            if port.port_type == "DataOutPort":
+                port.write(values.make(port.type_name, self.number, self.spec.stamps))
+            elif port.port_type == "DataInPort":
+                port.read()
+        return RTC.RTC_OK
+
+
+class Reader(Component):
+    """Fetches on all InPorts."""
+
+    busy = True
+
+    def on_execute(self, handle):
+        for port in self.ports:
+            port.read()
+        return RTC.RTC_OK
+
+
+class Failing(Component):
+    """Goes to the Error state in its first cycle."""
+
+    busy = True
+
+    def on_execute(self, handle):
+        return RTC.RTC_ERROR
+
+
+class Unwilling(Component):
+    """Goes to the Error state instead of becoming active."""
+
+    def on_activated(self, handle):
+        return RTC.RTC_ERROR
+
+
+class Slow(Component):
+    """Changes its state later than callers wait."""
+
+    DELAY = 0.8
+
+    def on_activated(self, handle):
+        time.sleep(self.DELAY)
+        return RTC.RTC_OK
+
+    on_deactivated = on_reset = on_activated
+
+
+class Stuck(Component):
+    """Never comes back from a change of state."""
+
+    def on_activated(self, handle):
+        time.sleep(3600)
+        return RTC.RTC_OK
+
+    on_deactivated = on_reset = on_activated
+
+
+class Spec:
+    """What tells one type of component from another. `vendor` stands for implementations with a common author."""
+
+    def __init__(self, type_name, description, ports=(), sets=None, active_set="default", play=Component,
+                 category="example", implementation_id=None, vendor=None, version=None, activity=None, stamps=False,
+                 config_file=""):
+        self.type_name = type_name
+        self.description = description
+        self.port_list = ports
+        self.set_list = sets or {}
+        self.active_set = active_set
+        self.play = play
+        self.category = category
+        self.implementation_id = implementation_id or type_name
+        self.vendor = vendor
+        self.version = version
+        self.activity = activity
+        self.stamps = stamps
+        self.config_file = config_file
+
+    def author(self, flavour):
+        """(vendor, version)"""
+        vendor, version = flavour.author
+        by_language = self.vendor.get(flavour.language) if isinstance(self.vendor, dict) else self.vendor
+        return by_language or vendor, self.version or version
+
+    def ports(self, flavour):
+        """(kind, name, type name or interfaces) of each port."""
+        ports = []
+        for kind, name, what in self.port_list:
+            ports.append((kind, name, [(what,) + flavour.service] if kind == "service" else what))
+        return ports
+
+    def sets(self, flavour):
+        return self.set_list
+
+    def activity_type(self, flavour):
+        return (self.activity or "PERIODIC") if flavour.kind else "DataFlowComponent"
+
+
+_PAIR = {"Python": "Shinji Kurihara, AIST"}
+
+SPECS = {spec.type_name: spec for spec in (
+    Spec("ConsoleIn", "Console input component", [("out", "out", "TimedLong")], play=Sender, stamps=True),
+    Spec("ConsoleOut", "Console output component", [("in", "in", "TimedLong")], play=Reader),
+    Spec("SequenceOutComponent", "Sequence OutPort component", [("out", name, "Timed" + name) for name in SEQUENCE_TYPES],
+         play=Sender, implementation_id="SeqOut"),
+    Spec("SequenceInComponent", "Sequence InPort component", [("in", name, "Timed" + name) for name in SEQUENCE_TYPES],
+         play=Reader, implementation_id="SeqIn"),
+    Spec("ConfigSample", "Configuration example component", sets=CONFIG_SAMPLE, active_set="mode1", version="1.0",
+         vendor={"C++": "Noriaki Ando, AIST"}, activity="DataFlowComponent", config_file="configsample.conf"),
+    Spec("Motor", "Motor component", [("in", "in", "TimedFloat"), ("out", "out", "TimedLong")], sets=MOTOR_ID,
+         play=Sender, vendor=_PAIR, activity="SPORADIC"),
+    Spec("Sensor", "Sensor component", [("in", "in", "TimedLong"), ("out", "out", "TimedFloat")], play=Sender,
+         vendor=_PAIR, activity="SPORADIC"),
+    Spec("Controller", "Controller component", [("in", "in", "TimedFloat"), ("out", "out", "TimedFloat")], play=Sender,
+         vendor=_PAIR, activity="SPORADIC"),
+    Spec("MyServiceProvider", "MyService Provider Sample component", [("service", "MyService", "provided")]),
+    Spec("MyServiceConsumer", "MyService Consumer Sample component", [("service", "MyService", "required")]),
+    Spec("Hokuyo_AIST", "Laser scanner", [("out", "ranges", "TimedLongSeq"), ("out", "errors", "TimedString"),
+                                          ("service", "control", "provided")],
+         sets=SCANNER, play=Sender, category="Sensor", vendor="Geoffrey Biggs, AIST", version="1.0", stamps=True),
+    Spec("Clusterer", "Groups the readings of a laser scanner", [("in", "ranges", "TimedLongSeq"),
+                                                                 ("out", "clusters", "TimedDoubleSeq")],
+         play=Sender, category="Perception", vendor="Geoffrey Biggs, AIST", version="2.1"),
+    Spec("Mock", "Does nothing", [("in", "in", "TimedLong"), ("out", "out", "TimedLong")], category="test"),
+    Spec("Err", "Goes to Error in its first cycle", [("out", "out", "TimedLong")], play=Failing, category="test"),
+    Spec("ErrStart", "Goes to Error instead of Active", play=Unwilling, category="test"),
+    Spec("Slow", "Changes its state after 0.8 s", [("out", "out", "TimedLong")], play=Slow, category="test"),
+    Spec("Stuck", "Never completes a change of state", play=Stuck, category="test"),
+)}

@@ -1,0 +1,140 @@
+"""The configuration of a component: its sets of parameters, one of them active."""
+from omniORB import CORBA
+from rtshell_lite.idl_stubs.component import SDOPackage, SDOPackage__POA
+
+from .properties import is_text, nvlist
+
+
+def error(name, description):
+    """An SDO exception or, if the name is not one of theirs, a system exception."""
+    if hasattr(SDOPackage, name):
+        return getattr(SDOPackage, name)(description)
+    return getattr(CORBA, name)(0, CORBA.COMPLETED_NO)
+
+
+class Configuration(SDOPackage__POA.Configuration):
+    """Sets are kept in order of registration; a set whose id starts with `_` is data about the others."""
+
+    def __init__(self, flavour, sets, active):
+        self.flavour = flavour
+        self.sets = {"default": {}}
+        for name, values in sets.items():
+            self.sets[name] = dict(values)
+        self.active = active
+        self.last_active = active
+        self.added = set()
+
+    def profile(self):
+        """The `conf.…` properties of the component's profile."""
+        pairs = []
+        for name, values in self.sets.items():
+            pairs += [("conf.%s.%s" % (name, key), value) for key, value in values.items()]
+            if not values and name == "default":
+                pairs.append(("conf.default", ""))
+        return pairs
+
+    def _as_set(self, name):
+        return SDOPackage.ConfigurationSet(name, "", nvlist(self.sets[name].items()))
+
+    def _changed(self):
+        """Until a set is activated again, none is active."""
+        if not self.flavour.keeps_active:
+            self.active = None
+
+    def _where(self, operation):
+        return "Configuration%s%s()" % (self.flavour.scope, operation)
+
+    # reading
+
+    def get_configuration_sets(self):
+        return [self._as_set(name) for name in self.sets]
+
+    def get_configuration_set(self, config_id):
+        if config_id == "" and self.flavour.empty_set_id != "InternalError":
+            raise error(self.flavour.empty_set_id, "")
+        if config_id not in self.sets:
+            raise error("InternalError", self.flavour.no_set)
+        return self._as_set(config_id)
+
+    def get_active_configuration_set(self):
+        if self.active is None:
+            cpp = self.flavour.scope == "::"
+            raise error("NotAvailable", "" if cpp else "NotAvailable: " + self._where("get_active_configuration_set"))
+        return self._as_set(self.active)
+
+    def get_configuration_parameters(self):
+        return []
+
+    def get_configuration_parameter_values(self):
+        return []
+
+    def get_configuration_parameter_value(self, name):
+        if name == "":
+            raise error("InvalidParameter", "Name is empty.")
+        if self.flavour.parameter_value == "null":
+            return CORBA.Any(CORBA.TC_null, None)
+        raise CORBA.BAD_PARAM(0, CORBA.COMPLETED_MAYBE)
+
+    # changing
+
+    def set_configuration_parameter(self, name, value):
+        return True
+
+    def set_configuration_set_values(self, config):
+        if config.id == "":
+            raise error("InvalidParameter", "ID is empty.")
+        if config.id not in self.sets and not self.flavour.set_creates:
+            return False
+        self._merge(self.sets.setdefault(config.id, {}), config.configuration_data)
+        self._changed()
+        return True
+
+    def add_configuration_set(self, config):
+        if config.id in self.sets:
+            return False
+        self._merge(self.sets.setdefault(config.id, {}), config.configuration_data)
+        self.added.add(config.id)
+        self._changed()
+        return True
+
+    def remove_configuration_set(self, config_id):
+        if config_id == "":
+            raise error("InvalidParameter", "ID is empty.")
+        if config_id == self.active or config_id not in self.added:
+            return False
+        self.added.remove(config_id)
+        del self.sets[config_id]
+        self._changed()
+        return True
+
+    def activate_configuration_set(self, config_id):
+        if config_id == "":
+            raise error("InvalidParameter", "ID is empty.")
+        if config_id not in self.sets or config_id.startswith("_"):
+            raise error(self.flavour.bad_activate, self._where("activate_configuration_set"))
+        self.active = self.last_active = config_id
+        return True
+
+    def _merge(self, values, data):
+        for item in data:
+            if is_text(item.value):
+                values[item.name] = item.value.value()
+            elif self.flavour.converts_values:
+                values[item.name] = str(item.value.value())
+
+    # device, services and organisations: accepted, of no effect
+
+    def set_device_profile(self, profile):
+        return True
+
+    def add_service_profile(self, profile):
+        return False
+
+    def remove_service_profile(self, service_id):
+        return False
+
+    def add_organization(self, organization):
+        return True
+
+    def remove_organization(self, organization_id):
+        return False

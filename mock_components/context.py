@@ -1,0 +1,251 @@
+"""Execution contexts: the life cycle of their components, driven by a thread that sleeps unless there is work."""
+import threading
+import time
+
+from omniORB import CORBA
+from rtshell_lite.idl_stubs.component import OpenRTM__POA, RTC, RTC__POA
+
+from .properties import nvlist
+
+QUICKEST = 0.02         # seconds: no component runs more often, whatever rate its context claims
+TRANSITION_TIMEOUT = 0.5
+
+
+class Member:
+    """A component in a context: its state there, and the state asked for."""
+
+    def __init__(self, reference, servant, handle):
+        self.reference = reference
+        self.component = servant or reference
+        self.busy = servant.busy if servant else True
+        self.handle = handle
+        self.state = RTC.INACTIVE_STATE
+        self.wanted = None
+
+
+class Behaviour:
+    """All that an execution context does, whatever its type id."""
+
+    def __init__(self, process, flavour, rate, running=True, sync=True):
+        self.process = process
+        self.flavour = flavour
+        self.rate = rate
+        self.running = running
+        self.sync = sync
+        self.owner = None
+        self.members = []
+        self.participants = []
+        self.changed = threading.Condition()
+        self.thread = None
+        self.born = time.monotonic()
+        self.dead = False
+
+    # what others see
+
+    def is_running(self):
+        return self.running
+
+    def get_rate(self):
+        return self.rate
+
+    def get_kind(self):
+        return RTC.PERIODIC
+
+    def get_profile(self):
+        pairs = [("type", "PeriodicExecutionContext"), ("rate", "%g" % self.rate)]
+        if self.flavour.modern:
+            pairs = [("sync_transition", "YES" if self.sync else "NO"),
+                     ("transition_timeout", "%g" % TRANSITION_TIMEOUT)] + pairs
+        if self.flavour.context_name:
+            pairs.append(("name", ""))
+        return RTC.ExecutionContextProfile(self.get_kind(), self.rate, self.owner, list(self.participants), nvlist(pairs))
+
+    def get_component_state(self, comp):
+        member = self._find(comp)
+        return member.state if member else RTC.CREATED_STATE
+
+    # what others ask for
+
+    def start(self):
+        return self._run(True)
+
+    def stop(self):
+        return self._run(False)
+
+    def set_rate(self, rate):
+        if rate <= 0 and not self.flavour.any_rate:
+            return RTC.BAD_PARAMETER
+        self.rate = rate
+        self._wake()
+        return RTC.RTC_OK
+
+    def activate_component(self, comp):
+        return self._change(comp, RTC.INACTIVE_STATE, RTC.ACTIVE_STATE)
+
+    def deactivate_component(self, comp):
+        return self._change(comp, RTC.ACTIVE_STATE, RTC.INACTIVE_STATE)
+
+    def reset_component(self, comp):
+        return self._change(comp, RTC.ERROR_STATE, RTC.INACTIVE_STATE)
+
+    def add_component(self, comp):
+        if comp is None:
+            return RTC.BAD_PARAMETER
+        handle = comp.attach_context(self.reference)
+        if not self._find(comp):
+            self.members.append(Member(comp, self.process.local_servant(comp), handle))
+        self.participants.append(comp)
+        return RTC.RTC_OK
+
+    def remove_component(self, comp):
+        member = self._find(comp)
+        if not member:
+            return RTC.BAD_PARAMETER
+        self.process.thread(self._remove, member)
+        return RTC.RTC_OK
+
+    # how it goes on inside
+
+    def own(self, reference, servant, handle):
+        """Take the component that this context belongs to."""
+        self.owner = reference
+        self.members.append(Member(reference, servant, handle))
+
+    def close(self):
+        """The component has ended."""
+        self.dead = True
+        self._wake()
+
+    def fail(self, comp):
+        """Put a component into the Error state."""
+        member = self._find(comp)
+        self._enter(member, RTC.ERROR_STATE, "on_aborting")
+
+    def _find(self, comp):
+        return next((m for m in self.members if comp is not None and m.reference._is_equivalent(comp)), None)
+
+    def _run(self, running):
+        if self.running == running:
+            return RTC.PRECONDITION_NOT_MET
+        self.running = running
+        for member in list(self.members):
+            self._tell(member, "on_startup" if running else "on_shutdown")
+        self._wake()
+        return RTC.RTC_OK
+
+    def _wake(self):
+        with self.changed:
+            if self.thread is None and not self.dead:
+                self.thread = self.process.thread(self._loop)
+            self.changed.notify_all()
+
+    def _change(self, comp, state, wanted):
+        if comp is None and self.flavour.nil_component == "BAD_PARAM":
+            raise CORBA.BAD_PARAM(0x41540000, CORBA.COMPLETED_NO)
+        member = self._find(comp)
+        if member is None:
+            return RTC.BAD_PARAMETER
+        if member.state != state:
+            return RTC.PRECONDITION_NOT_MET
+        if self.flavour.transition == "at once":
+            self._transit(member, wanted)
+            return RTC.RTC_OK
+        member.wanted = wanted
+        self._wake()
+        if self.flavour.transition == "queue":
+            return self._poll(member) if state == RTC.ACTIVE_STATE else RTC.RTC_OK
+        return self._wait(member, state, wanted) if self.sync else RTC.RTC_OK
+
+    def _wait(self, member, state, wanted):
+        """Until the state has changed: half a second, and at least a period."""
+        period = 1.0 / self.rate
+        limit = TRANSITION_TIMEOUT if TRANSITION_TIMEOUT > period else period * 1.1
+        with self.changed:
+            self.changed.wait_for(lambda: member.state != state, limit)
+        if member.state == wanted:
+            return RTC.RTC_OK
+        return RTC.RTC_ERROR if member.state == state else RTC.PRECONDITION_NOT_MET
+
+    def _poll(self, member):
+        """C++ 1.1 looks every ten periods whether the component has stopped, a thousand times."""
+        for _ in range(1000):
+            time.sleep(10.0 / self.rate)
+            if member.state != RTC.ACTIVE_STATE:
+                return RTC.RTC_OK
+        return RTC.RTC_ERROR
+
+    def _remove(self, member):
+        time.sleep(min(1.0 / self.rate, 0.3))
+        self.members.remove(member)
+        self.participants = [p for p in self.participants if not p._is_equivalent(member.reference)]
+        member.component.detach_context(member.handle)
+        self._wake()
+
+    # the thread
+
+    def _loop(self):
+        while not self.dead:
+            with self.changed:
+                self.changed.wait_for(lambda: self.dead or self._asked() or self._active())
+            self._sleep_to_cycle()
+            for member in list(self.members):
+                if member.wanted is not None and self._may_change():
+                    self._transit(member, member.wanted)
+                elif self.running and member.state == RTC.ACTIVE_STATE and member.busy:
+                    self._execute(member)
+
+    def _may_change(self):
+        return self.running or self.flavour.stopped == "done"
+
+    def _asked(self):
+        return self._may_change() and any(m.wanted is not None for m in self.members)
+
+    def _active(self):
+        return self.running and any(m.busy and m.state == RTC.ACTIVE_STATE for m in self.members)
+
+    def _sleep_to_cycle(self):
+        period = 1.0 / self.rate
+        if period < QUICKEST:
+            if self._asked():
+                return
+            period = QUICKEST
+        with self.changed:
+            self.changed.wait_for(lambda: self.dead, period - (time.monotonic() - self.born) % period)
+
+    def _transit(self, member, wanted):
+        name = {RTC.ACTIVE_STATE: "on_activated",
+                RTC.INACTIVE_STATE: "on_deactivated" if member.state == RTC.ACTIVE_STATE else "on_reset"}[wanted]
+        done = self._tell(member, name)
+        if done == RTC.RTC_OK:
+            self._enter(member, wanted)
+        else:
+            self._enter(member, RTC.ERROR_STATE, "on_aborting")
+
+    def _execute(self, member):
+        if self._tell(member, "on_execute") != RTC.RTC_OK:
+            self._enter(member, RTC.ERROR_STATE, "on_aborting")
+
+    def _enter(self, member, state, callback=None):
+        with self.changed:
+            member.state = state
+            member.wanted = None
+            self.changed.notify_all()
+        if callback:
+            self._tell(member, callback)
+
+    def _tell(self, member, callback):
+        try:
+            return getattr(member.component, callback)(member.handle)
+        except CORBA.SystemException:
+            return RTC.RTC_ERROR
+
+
+class PeriodicContext(Behaviour, RTC__POA.ExecutionContextService):
+    """An ordinary context."""
+
+
+class ExtTrigContext(Behaviour, OpenRTM__POA.ExtTrigExecutionContextService):
+    """The type that C++ 1.1 gives to every context."""
+
+    def tick(self):
+        self._wake()

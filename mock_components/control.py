@@ -1,0 +1,147 @@
+"""The control channel: a Unix socket on which tests ask a running mock what it has seen, and tell it to misbehave."""
+import os
+import signal
+import socket
+import sys
+
+from rtshell_lite.idl_stubs.component import RTC
+
+from . import values
+
+HELP = """\
+calls [COMPONENT]          one `count operation` line per operation received from outside
+highwater                  most calls from outside that were in flight at a time
+reset                      forget calls, high-water mark, faults and hangs
+received COMPONENT:PORT [N]  how many values an InPort has got and the last one; waits up to 10 s for N
+sent COMPONENT:PORT        how many values an OutPort has written
+write COMPONENT:PORT NUMBER  let an OutPort send a value made of that number
+connectors COMPONENT:PORT  id and name of each connection
+state COMPONENT            its state in its first context
+error COMPONENT            put it into the Error state
+fail OPERATION [N] [KIND]  the Nth next call of it ends badly: a system exception such as TRANSIENT (default),
+                           COMM_FAILURE, UNKNOWN or TIMEOUT; HANG (no answer); DIE (the process ends)
+hang COMPONENT SECONDS     its calls wait that long; 0 lets them go
+components                 instance names
+pid                        process id
+stop                       SIGSTOP itself
+die                        end at once, names left bound
+exit                       end in good order, names unbound"""
+
+
+class Commands:
+    """A method per command; each returns the lines to print."""
+
+    def __init__(self, stage, finish):
+        self.stage = stage
+        self.ledger = stage.process.ledger
+        self.finish = finish
+
+    def calls(self, component=None):
+        return self.ledger.report(component)
+
+    def highwater(self):
+        return [str(self.ledger.highwater)]
+
+    def reset(self):
+        self.ledger.reset()
+
+    def received(self, port, count=0):
+        port = self.stage.port(port)
+        with port.process.arrived:
+            if not port.process.arrived.wait_for(lambda: port.received >= int(count), 10):
+                raise ValueError("only %d values received" % port.received)
+        return ["%d %s" % (port.received, shown(port.last))]
+
+    def sent(self, port):
+        return [str(self.stage.port(port).sent)]
+
+    def write(self, port, number):
+        port = self.stage.port(port)
+        port.write(values.make(port.type_name, float(number)))
+
+    def connectors(self, port):
+        return ["%s %s" % (p.connector_id, p.name) for p in list(self.stage.port(port).profiles.values())]
+
+    def state(self, component):
+        component = self.stage.components[component]
+        return [str(component.owned[0].get_component_state(component.reference))[:-len("_STATE")]]
+
+    def error(self, component):
+        component = self.stage.components[component]
+        component.owned[0].fail(component.reference)
+
+    def fail(self, operation, nth=1, kind="TRANSIENT"):
+        self.ledger.fail(operation, int(nth), kind)
+
+    def hang(self, component, seconds):
+        self.ledger.hang(component, float(seconds))
+
+    def components(self):
+        return sorted(self.stage.components)
+
+    def pid(self):
+        return [str(os.getpid())]
+
+    def stop(self):
+        return lambda: os.kill(os.getpid(), signal.SIGSTOP)
+
+    def die(self):
+        return self.stage.process.die
+
+    def exit(self):
+        return self.finish.set
+
+
+def shown(value):
+    """The data of a received value, without its time."""
+    return "-" if value is None else repr(value.data)
+
+
+def serve(path, commands):
+    """Answer commands, one a connection, for as long as the process lives."""
+    if os.path.exists(path):
+        os.unlink(path)
+    listener = socket.socket(socket.AF_UNIX)
+    listener.bind(path)
+    listener.listen(8)
+    return lambda: _answer_all(listener, commands)
+
+
+def _answer_all(listener, commands):
+    while True:
+        try:
+            connection = listener.accept()[0]
+        except OSError:
+            return
+        commands.stage.process.thread(_answer, connection, commands)
+
+
+def _answer(connection, commands):
+    with connection, connection.makefile("rw") as stream:
+        words = stream.readline().rstrip("\n").split("\0")
+        after = None
+        try:
+            if words[0].startswith("_") or not callable(getattr(commands, words[0], None)) or words[0] == "finish":
+                raise ValueError("no such command: " + words[0])
+            lines = getattr(commands, words[0])(*words[1:]) or []
+            if callable(lines):
+                lines, after = [], lines
+            stream.write("ok\n" + "".join(line + "\n" for line in lines))
+        except (KeyError, StopIteration):
+            stream.write("error\nno such component or port\n")
+        except (TypeError, ValueError, AttributeError) as error:
+            stream.write("error\n%s\n" % error)
+        stream.flush()
+        connection.shutdown(socket.SHUT_WR)
+    if after:
+        after()
+
+
+def ask(path, words):
+    """Send one command to a running mock, print the answer; returns the exit status."""
+    with socket.socket(socket.AF_UNIX) as connection:
+        connection.connect(path)
+        connection.sendall(("\0".join(words) + "\n").encode())
+        status, _, text = connection.makefile().read().partition("\n")
+    (sys.stdout if status == "ok" else sys.stderr).write(text)
+    return 0 if status == "ok" else 1

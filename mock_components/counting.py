@@ -1,0 +1,101 @@
+"""What a mock notes about the calls that it receives, and the faults it was told to show."""
+import collections
+import os
+import threading
+import time
+
+from omniORB import CORBA
+
+FOR_EVER = 3600
+
+
+class Ledger:
+    """Calls by owner and operation, calls in flight, and the faults still to come."""
+
+    def __init__(self):
+        self.lock = threading.Condition()
+        self.local = threading.local()
+        self.calls = collections.Counter()      # (owner, operation) -> calls
+        self.in_flight = 0
+        self.highwater = 0
+        self.faults = []                        # [operation, calls to go, kind]
+        self.holds = {}                         # owner -> time until which its calls wait
+
+    def own_thread(self):
+        """Calls made by this thread come from the mock itself: they are not counted."""
+        self.local.depth = 1
+
+    def begin(self, owner, operation):
+        """A call has arrived: count it, then let it hang or fail if that was asked for."""
+        depth = getattr(self.local, "depth", 0)
+        self.local.depth = depth + 1
+        if depth:
+            return
+        with self.lock:
+            self.calls[owner, operation] += 1
+            self.in_flight += 1
+            self.highwater = max(self.highwater, self.in_flight)
+            kind = self._fault(operation)
+        try:
+            self._hold(owner)
+            if kind:
+                self._fail(kind)
+        except Exception:
+            self.end()
+            raise
+
+    def end(self):
+        self.local.depth -= 1
+        if not self.local.depth:
+            with self.lock:
+                self.in_flight -= 1
+
+    def fail(self, operation, nth=1, kind="TRANSIENT"):
+        """Let the nth next call of the operation end badly."""
+        if kind not in ("HANG", "DIE") and not hasattr(CORBA, kind):
+            raise ValueError("no such failure: " + kind)
+        with self.lock:
+            self.faults.append([operation, nth, kind])
+
+    def hang(self, owner, seconds):
+        """Let all calls of one component wait; 0 lets them go."""
+        with self.lock:
+            self.holds[owner] = time.monotonic() + seconds
+            self.lock.notify_all()
+
+    def reset(self):
+        with self.lock:
+            self.calls.clear()
+            self.faults = []
+            self.holds.clear()
+            self.highwater = self.in_flight
+            self.lock.notify_all()
+
+    def report(self, owner=None):
+        """Sorted `count operation` lines, of one component or of all."""
+        totals = collections.Counter()
+        with self.lock:
+            for (who, operation), count in self.calls.items():
+                if owner is None or who == owner:
+                    totals[operation] += count
+        return ["%d %s" % (totals[operation], operation) for operation in sorted(totals)]
+
+    def _fault(self, operation):
+        for fault in self.faults:
+            if fault[0] == operation:
+                fault[1] -= 1
+        due = [fault for fault in self.faults if fault[1] <= 0]
+        self.faults = [fault for fault in self.faults if fault[1] > 0]
+        return due[0][2] if due else None
+
+    def _hold(self, owner):
+        with self.lock:
+            self.lock.wait_for(lambda: time.monotonic() >= self.holds.get(owner, 0),
+                               max(0, self.holds.get(owner, 0) - time.monotonic()))
+
+    def _fail(self, kind):
+        if kind == "HANG":
+            time.sleep(FOR_EVER)
+        if kind == "DIE":
+            os._exit(1)
+        raise getattr(CORBA, kind)(0, CORBA.COMPLETED_MAYBE)

@@ -1,0 +1,206 @@
+"""Data ports: what they publish, agree upon and carry."""
+from omniORB import CORBA
+from rtshell_lite.idl_stubs.component import RTC
+
+from . import transport, values
+from .port import Port
+from .properties import get, is_text, put, text
+
+FAN_LIMIT = 100
+
+
+class DataPort(Port):
+    """What InPorts and OutPorts share."""
+
+    side = port_type = key = None
+
+    def __init__(self, component, name, type_name):
+        self.type_name = type_name
+        self.data_type = component.flavour.data_type(type_name)
+        Port.__init__(self, component, name)
+
+    def component_keys(self, with_names):
+        """The properties that the port leaves in the component's profile."""
+        names = ["dataport"] + ([self.short_name] if with_names else [])
+        return ["port.%s.%s" % (self.side, name) for name in names]
+
+    def properties(self):
+        flavour = self.flavour
+        pairs = [("port.port_type", self.port_type), ("dataport.data_type", self.data_type)]
+        pairs += self.modes()
+        if flavour.marshaling:
+            pairs.append(("dataport.marshaling_types", "cdr"))
+        pairs += [("dataport.dataflow_type", flavour.dataflow), ("dataport.interface_type", flavour.interfaces)]
+        if flavour.modern:
+            pairs += [("dataport.interface_option." + name, "") for name in flavour.interfaces.split(",")]
+            pairs.append(("data_type", self.data_type))
+        return pairs
+
+    # connecting
+
+    def prepare(self, profile):
+        if not get(profile.properties, "dataport.serializer.cdr.endian"):
+            put(profile.properties, "dataport.serializer.cdr.endian", "little,big")
+
+    def publish(self, profile):
+        if len(self.profiles) >= int(get(profile.properties, "dataport." + self.fan, str(FAN_LIMIT))):
+            return RTC.PRECONDITION_NOT_MET
+        flow, interface = agreed(profile)
+        if flow == "duplex" or flow not in self.flavour.dataflow.split(","):
+            return RTC.BAD_PARAMETER
+        if interface not in self.flavour.interfaces.split(","):
+            return RTC.BAD_PARAMETER
+        if values.little_endian(profile) is None:
+            return getattr(RTC, self.flavour.bad_endian)
+        if interface == "direct":
+            return self._direct(profile)
+        self._merge_keys(profile)
+        if flow == self.served:
+            self._serve(profile, interface)
+        if self.flavour.reference == "kept":
+            profile.properties.sort(key=lambda item: not is_text(item.value))
+        return RTC.RTC_OK
+
+    def subscribe(self, profile):
+        flow, interface = agreed(profile)
+        if not self._marshaling_known(profile):
+            return RTC.RTC_ERROR
+        if flow == self.served or interface == "direct":
+            return RTC.RTC_OK
+        ior = get(profile.properties, "dataport.%s.%s_ior" % (transport.KEYS[interface], self.other_side))
+        try:
+            reference = ior and self.process.orb.string_to_object(ior)
+        except CORBA.SystemException:
+            reference = None
+        if not reference:
+            return RTC.BAD_PARAMETER
+        return self.use(profile, interface, reference)
+
+    def rewrite(self, profile):
+        """Object references do not survive being passed on in every implementation."""
+        fate = self.flavour.reference
+        refs = [item for item in profile.properties if item.value.typecode().kind() == CORBA.tk_objref]
+        if fate == "kept":
+            return
+        for item in refs:
+            if fate == "text":
+                item.value = text("<OpenRTM._objref_%s object at 0x7f0000000000>" % self.interface)
+            else:
+                profile.properties.remove(item)
+
+    def _marshaling_known(self, profile):
+        asked = get(profile.properties, "dataport.marshaling_type", "cdr")
+        return asked == "cdr" or not self.flavour.marshaling or self.side == "inport"
+
+    def _direct(self, profile):
+        near = all(self.process.local_servant(port) for port in profile.ports)
+        return RTC.RTC_OK if near else getattr(RTC, self.flavour.direct_far)
+
+    def _merge_keys(self, profile):
+        if self.flavour.merged_keys == "data_type":
+            put(profile.properties, "dataport.%s.data_type" % self.side, self.data_type)
+        elif self.flavour.merged_keys == "empty":
+            put(profile.properties, "dataport.%s" % self.side, "")
+
+    def _serve(self, profile, interface):
+        """Publish the object that this port offers to the others."""
+        carrier = self.carrier(profile, interface)
+        self.transports[profile.connector_id] = carrier
+        key = "dataport.%s.%s" % (transport.KEYS[interface], self.side)
+        put(profile.properties, key + "_ior", self.process.orb.object_to_string(carrier.reference))
+        if self.flavour.reference != "never":
+            put(profile.properties, key + "_ref", transport.reference_any(carrier.reference))
+
+
+class OutPort(DataPort):
+    """Sends by itself (push) or hands out (pull)."""
+
+    side, other_side, port_type = "outport", "inport", "DataOutPort"
+    served, fan, interface = "pull", "fan_out", "OutPortCdr"
+
+    def __init__(self, component, name, type_name):
+        DataPort.__init__(self, component, name, type_name)
+        self.last = values.make(type_name, 0)
+        self.sent = 0
+
+    def modes(self):
+        pairs = [("dataport.subscription_type", self.flavour.subscriptions)]
+        if self.flavour.modern:
+            pairs.append(("dataport.io_mode", self.flavour.subscriptions))
+        return pairs
+
+    def properties(self):
+        pairs = DataPort.properties(self)
+        if self.flavour.data_value:
+            pairs.append(("dataport.data_value", CORBA.Any(values.typecode(self.type_name), self.last)))
+        return pairs
+
+    def write(self, value):
+        """Send a value to all connections, or keep it for those that fetch."""
+        self.last = value
+        self.sent += 1
+        for connector_id, carrier in list(self.transports.items()):
+            if not carrier.write(values.encode(self.type_name, value, carrier.little)):
+                self.process.thread(self.disconnect, connector_id)
+
+    def carrier(self, profile, interface):
+        return transport.Provider(self, profile, interface)
+
+    def use(self, profile, interface, reference):
+        mode = get(profile.properties, "dataport.subscription_type", "flush").lower()
+        rate = get(profile.properties, "dataport.publisher.push_rate") or get(profile.properties, "dataport.push_rate")
+        if mode not in ("flush", "new", "periodic"):
+            return RTC.RTC_ERROR
+        if mode == "periodic" and not positive(rate) and (rate or self.flavour.periodic_rate):
+            return RTC.RTC_ERROR
+        pause = 1 / float(rate) if mode == "periodic" and rate else 0
+        self.transports[profile.connector_id] = transport.Sender(self, profile, interface, reference, mode, pause)
+        return RTC.RTC_OK
+
+
+class InPort(DataPort):
+    """Receives, or fetches when its component reads."""
+
+    side, other_side, port_type = "inport", "outport", "DataInPort"
+    served, fan, interface = "push", "fan_in", "InPortCdr"
+
+    def __init__(self, component, name, type_name):
+        DataPort.__init__(self, component, name, type_name)
+        self.received = 0
+        self.last = None
+
+    def modes(self):
+        return [("dataport.subscription_type", "Any")]
+
+    def carrier(self, profile, interface):
+        return transport.Receiver(self, profile, interface)
+
+    def use(self, profile, interface, reference):
+        self.transports[profile.connector_id] = transport.Fetcher(self, profile, interface, reference)
+        return RTC.RTC_OK
+
+    def take(self, data, little):
+        """A payload has come in."""
+        self.last = values.decode(self.type_name, data, little)
+        with self.process.arrived:
+            self.received += 1
+            self.process.arrived.notify_all()
+
+    def read(self):
+        """Fetch from all connections that are to be fetched from."""
+        for carrier in list(self.transports.values()):
+            carrier.fetch()
+
+
+def agreed(profile):
+    """Data-flow and interface type of a connector; only the former may be written in any case."""
+    return (get(profile.properties, "dataport.dataflow_type").lower(),
+            get(profile.properties, "dataport.interface_type"))
+
+
+def positive(number):
+    """Whether a text is a number above zero."""
+    try:
+        return float(number) > 0
+    except ValueError:
+        return False

@@ -1,0 +1,73 @@
+"""Binding names in a name server as OpenRTM components do."""
+from omniORB import CORBA
+import CosNaming
+
+
+class Naming:
+    """One name server, and the names bound in it."""
+
+    def __init__(self, orb, address):
+        host, _, port = address.partition(":")
+        uri = "corbaloc:iiop:1.2@%s:%s/NameService" % (host, port or "2809")
+        self.root = orb.string_to_object(uri)._narrow(CosNaming.NamingContext)
+        self.bound = []
+
+    def bind(self, name, reference):
+        """Bind a list of (id, kind) pairs, replacing what was there and making missing contexts."""
+        name = [CosNaming.NameComponent(*part) for part in name]
+        try:
+            self.root.rebind(name, reference)
+        except CosNaming.NamingContext.NotFound:
+            self.contexts(name[:-1])
+            self.root.rebind(name, reference)
+        self.bound.append(name)
+
+    def contexts(self, name):
+        """The naming context of that name, made with those above it where missing."""
+        for end in range(1, len(name) + 1):
+            try:
+                self.root.bind_new_context(name[:end])
+            except CosNaming.NamingContext.AlreadyBound:
+                pass
+        return self.root.resolve(name)._narrow(CosNaming.NamingContext) if name else self.root
+
+    def bind_context(self, name, context):
+        """Bind a context under a second name."""
+        name = [CosNaming.NameComponent(*part) for part in name]
+        self.root.rebind_context(name, context)
+        self.bound.append(name)
+
+    def unbind(self, name):
+        """Remove one name; that it is gone already is no matter."""
+        name = [CosNaming.NameComponent(*part) for part in name]
+        try:
+            self.root.unbind(name)
+        except (CORBA.Exception, CosNaming.NamingContext.NotFound):
+            pass
+
+    def unbind_all(self):
+        for name in self.bound:
+            self.unbind([(part.id, part.kind) for part in name])
+
+
+def parse(path):
+    """A path split as OpenRTM does: at every slash, and each element at its last dot."""
+    parts = []
+    for element in path.split("/"):
+        before, dot, kind = element.rpartition(".")
+        parts.append((before, kind) if dot else (element, ""))
+    return parts
+
+
+def expand(formats, instance_name, profile):
+    """The names that a `naming.formats` value gives a component."""
+    values = {"n": instance_name, "t": profile["type_name"], "m": profile["type_name"], "v": profile["version"],
+              "V": profile["vendor"], "c": profile["category"], "i": profile["implementation_id"], "h": "test",
+              "M": "manager", "p": "1", "%": "%"}
+    names = []
+    for one in formats.split(","):
+        out, chars = "", iter(one.strip())
+        for char in chars:
+            out += values.get(next(chars, "%"), "") if char == "%" else char
+        names.append(out)
+    return names

@@ -1,0 +1,37 @@
+"""Name-value lists: what profiles carry in their `properties`."""
+from omniORB import CORBA, tcInternal
+from rtshell_lite.idl_stubs.component import SDOPackage
+
+_STRING = tcInternal.createTypeCode((tcInternal.tv_string, 0))
+
+
+def text(value):
+    """A string in an any; a value that is an any already stays itself."""
+    return value if isinstance(value, CORBA.Any) else CORBA.Any(_STRING, value)
+
+
+def nvlist(pairs):
+    """(name, value) pairs as an NVList."""
+    return [SDOPackage.NameValue(name, text(value)) for name, value in pairs]
+
+
+def is_text(value):
+    """Whether an any holds a string."""
+    return value.typecode().kind() == CORBA.tk_string
+
+
+def get(properties, name, default=""):
+    """The string of that name, or `default`."""
+    for item in properties:
+        if item.name == name and is_text(item.value):
+            return item.value.value()
+    return default
+
+
+def put(properties, name, value):
+    """Set a value in place, or append it."""
+    for item in properties:
+        if item.name == name:
+            item.value = text(value)
+            return
+    properties.append(SDOPackage.NameValue(name, text(value)))

@@ -1,0 +1,221 @@
+"""An RT Component: profile, contexts, ports and configuration behind one CORBA object."""
+from omniORB import CORBA
+from rtshell_lite.idl_stubs.component import OpenRTM__POA, RTC, SDOPackage
+
+from . import configuration, context, dataport, naming, serviceport
+from .properties import nvlist
+
+LINGER = 0.7            # seconds that the name of an ended component stays bound
+
+
+class Component(OpenRTM__POA.DataFlowComponent):
+    """A component that does nothing of its own; those with behaviour derive from it."""
+
+    busy = False        # whether an active one has work in every cycle
+    FIRST_PARTICIPATING = 1000
+
+    def __init__(self, process, spec, instance_name, flavour, options):
+        self.process = process
+        self.spec = spec
+        self.instance_name = instance_name
+        self.flavour = flavour
+        self.options = options
+        self.type_name = spec.type_name
+        self.names = naming.expand(options.context, instance_name, self.identity())
+        self.reference = process.serve(self, instance_name)
+        self.owned = []
+        self.participating = []         # None where a context has left
+        self.ended = None               # called when the component has ended
+        for _ in range(options.contexts):
+            self.own_context()
+        self.configuration = configuration.Configuration(flavour, spec.sets(flavour), spec.active_set)
+        self.configuration_ref = process.serve(self.configuration, instance_name)
+        self.ports = [self._port(port) for port in spec.ports(flavour)]
+        self.key = flavour.component_key and flavour.component_key.format(spec.category, instance_name)
+        if self.key:
+            process.serve_key(self, self.key)
+
+    def own_context(self):
+        kind = context.ExtTrigContext if self.flavour.ext_trig else context.PeriodicContext
+        cxt = kind(self.process, self.flavour, self.options.rate, self.options.running, self.options.sync)
+        cxt.reference = self.process.serve(cxt, self.instance_name)
+        cxt.own(self.reference, self, len(self.owned))
+        self.owned.append(cxt)
+
+    def _port(self, port):
+        kind = {"in": dataport.InPort, "out": dataport.OutPort, "service": serviceport.ServicePort}[port[0]]
+        return kind(self, *port[1:])
+
+    def port(self, name):
+        """The port of that short name."""
+        return next(port for port in self.ports if port.short_name == name)
+
+    # profiles
+
+    def identity(self):
+        vendor, version = self.spec.author(self.flavour)
+        return {"implementation_id": self.spec.implementation_id, "type_name": self.type_name,
+                "description": self.spec.description, "version": version, "vendor": vendor,
+                "category": self.spec.category}
+
+    def properties(self):
+        """The pairs of the component profile, in about the order in which components give them."""
+        flavour, options = self.flavour, self.options
+        endpoint = self.process.endpoint
+        pairs = list(self.identity().items())
+        pairs += [("activity_type", self.spec.activity_type(flavour)), ("max_instance", "10"),
+                  ("language", flavour.language), ("lang_type", flavour.lang_type)]
+        if flavour.kind:
+            pairs.append(("kind", "DataFlowComponent"))
+        pairs += self.configuration.profile()
+        pairs += [("instance_name", self.instance_name), ("openrtm.name", "OpenRTM-aist-" + flavour.version),
+                  ("openrtm.version", flavour.version), ("os.name", "Linux"), ("os.release", "6.1.0"),
+                  ("os.version", "#1 SMP"), ("os.arch", "x86_64"), ("os.hostname", "test"),
+                  ("corba." + flavour.endpoint_key, endpoint), ("corba.id", "omniORB")]
+        if flavour.modern:
+            pairs += [("corba.endpoints_ipv4", endpoint), ("corba.endpoints_ipv6", ""),
+                      ("exec_cxt.sync_transition", "YES" if options.sync else "NO"),
+                      ("exec_cxt.transition_timeout", "0.5"), ("manager.instance_name", "manager")]
+        pairs += [("exec_cxt.periodic.type", "PeriodicExecutionContext"),
+                  ("exec_cxt.periodic.rate", "%g" % options.rate), ("naming.enable", "YES"), ("naming.type", "corba"),
+                  ("naming.formats", options.context), ("naming.names", ",".join(self.names)),
+                  ("logger.enable", "YES"), ("logger.log_level", "INFO"), ("config.version", flavour.version),
+                  ("config_file", self.spec.config_file)]
+        pairs += self._port_properties()
+        observer = "IDL:OpenRTM/ComponentObserver:1.0" if flavour.observer else ""
+        pairs += [("sdo.service.provider.available_services", ""), ("sdo.service.provider.enabled_services", "ALL"),
+                  ("sdo.service.consumer.available_services", observer),
+                  ("sdo.service.consumer.enabled_services", "ALL")]
+        if self.spec.active_set != "default":
+            pairs.append(("configuration.active_config", self.spec.active_set))
+        return pairs
+
+    def _port_properties(self):
+        names = []
+        for port in self.ports:
+            names += port.component_keys(self.flavour.port_keys == "name")
+        return [(name, "") for name in dict.fromkeys(names)] or [("port", "")]
+
+    def get_component_profile(self):
+        for port in self.ports:
+            port.prune_for_component()
+        profile = self.identity()
+        return RTC.ComponentProfile(
+            self.instance_name, profile["type_name"], profile["description"], profile["version"], profile["vendor"],
+            profile["category"], [port.profile() for port in self.ports], None, nvlist(self.properties()))
+
+    def get_ports(self):
+        return [port.reference for port in self.ports]
+
+    # contexts
+
+    def get_owned_contexts(self):
+        return [cxt.reference for cxt in self.owned]
+
+    def get_participating_contexts(self):
+        return [cxt for cxt in self.participating if cxt is not None]
+
+    def _context(self, handle):
+        contexts, index = [cxt.reference for cxt in self.owned], handle
+        if handle >= self.FIRST_PARTICIPATING:
+            contexts, index = self.participating, handle - self.FIRST_PARTICIPATING
+        return contexts[index] if 0 <= index < len(contexts) else None
+
+    def get_context(self, handle):
+        return self._context(handle)
+
+    def get_context_handle(self, cxt):
+        for handle, own in enumerate(self.owned):
+            if own.reference._is_equivalent(cxt):
+                return handle
+        for index, other in enumerate(self.participating):
+            if other is not None and other._is_equivalent(cxt):
+                return self.FIRST_PARTICIPATING + index
+        return -1
+
+    def is_alive(self, cxt):
+        return cxt is not None and self.get_context_handle(cxt) != -1
+
+    def attach_context(self, cxt):
+        self.participating.append(cxt)
+        return self.FIRST_PARTICIPATING + len(self.participating) - 1
+
+    def detach_context(self, handle):
+        index = handle - self.FIRST_PARTICIPATING
+        if not 0 <= index < len(self.participating) or self.participating[index] is None:
+            return RTC.BAD_PARAMETER
+        self.participating[index] = None
+        return RTC.RTC_OK
+
+    # life cycle
+
+    def initialize(self):
+        """As the real ones do: builds its contexts once more. No tool should call this."""
+        self.own_context()
+        return RTC.RTC_OK
+
+    def finalize(self):
+        return RTC.PRECONDITION_NOT_MET
+
+    def exit(self):
+        """The objects are gone at once; the name stays for a while."""
+        for port in self.ports:
+            port.disconnect_all()
+            port.close()
+        for cxt in self.owned:
+            cxt.close()
+        for servant in [self, self.configuration] + self.ports + self.owned:
+            self.process.withdraw(servant)
+        if self.key:
+            self.process.withdraw_key(self.key)
+        if self.ended:
+            self.ended(self, LINGER)
+        return RTC.RTC_OK
+
+    def active(self):
+        return any(cxt.get_component_state(self.reference) == RTC.ACTIVE_STATE for cxt in self.owned)
+
+    def _fine(self, handle):
+        return RTC.RTC_OK
+
+    on_initialize = on_finalize = lambda self: RTC.RTC_OK
+    on_startup = on_shutdown = on_activated = on_deactivated = _fine
+    on_aborting = on_error = on_reset = on_execute = on_state_update = on_rate_changed = _fine
+
+    # SDO
+
+    def get_owned_organizations(self):
+        return []
+
+    def get_sdo_id(self):
+        return self.instance_name
+
+    def get_sdo_type(self):
+        return self.spec.description
+
+    def get_device_profile(self):
+        return SDOPackage.DeviceProfile("", "", "", "", [])
+
+    def get_service_profiles(self):
+        return []
+
+    def get_service_profile(self, service_id):
+        raise configuration.error(self.flavour.no_service_profile, "get_service_profile(): Not found")
+
+    def get_sdo_service(self, service_id):
+        raise configuration.error(self.flavour.no_sdo_service, "get_sdo_service(): Not found")
+
+    def get_configuration(self):
+        return self.configuration_ref
+
+    def get_monitoring(self):
+        raise SDOPackage.InterfaceNotImplemented("Exception: get_monitoring")
+
+    def get_organizations(self):
+        return []
+
+    def get_status_list(self):
+        return []
+
+    def get_status(self, name):
+        raise SDOPackage.InvalidParameter("get_status(): Not found")

@@ -1,0 +1,217 @@
+"""What carries the data of one connection: four classes, one for each end of push and pull."""
+import collections
+import threading
+import time
+
+from omniORB import CORBA, tcInternal
+from rtshell_lite.idl_stubs.dataport import OpenRTM, OpenRTM__POA, RTC as DataService, RTC__POA as DataService__POA
+
+from . import values
+from .properties import get
+
+# interface type -> the word in the property names; shared memory borrows that of corba_cdr
+KEYS = {"corba_cdr": "corba_cdr", "shared_memory": "corba_cdr", "data_service": "data_service",
+        "csp_channel": "csp_channel"}
+_GHOSTS = {"shared_memory": "IDL:OpenRTM/PortSharedMemory:1.0",
+           "csp_channel": "IDL:openrtm.aist.go.jp/CSP/InPortCsp:1.0"}
+_REFERENCE = tcInternal.createTypeCode((tcInternal.tv_objref, "IDL:omg.org/CORBA/Object:1.0", "Object"))
+
+
+_PUSH = {"corba_cdr": (OpenRTM.InPortCdr, "put"), "data_service": (DataService.DataPushService, "push")}
+_PULL = {"corba_cdr": (OpenRTM.OutPortCdr, "get"), "data_service": (DataService.DataPullService, "pull")}
+
+
+def operation(interface, reference, kinds):
+    """The operation of the far end that carries data; None for interfaces that are not played here."""
+    if interface not in kinds:
+        return None
+    kind, name = kinds[interface]
+    return getattr(reference._unchecked_narrow(kind), name)
+
+
+def reference_any(reference):
+    return CORBA.Any(_REFERENCE, reference)
+
+
+class Transport:
+    """One connection of one port."""
+
+    def __init__(self, port, profile, interface):
+        self.port = port
+        self.process = port.process
+        self.interface = interface
+        self.little = values.little_endian(profile)
+        self.servant = None
+
+    def serve(self, servants):
+        """Make the object that the far end calls; of interfaces not played here there is only a reference."""
+        if self.interface in _GHOSTS:
+            self.reference = self.process.ghost(_GHOSTS[self.interface])
+            return
+        self.servant = servants[self.interface](self)
+        self.reference = self.process.serve(self.servant, self.port.component.instance_name)
+
+    def close(self):
+        if self.servant:
+            self.process.withdraw(self.servant)
+
+    def write(self, data):
+        return True
+
+    def fetch(self):
+        pass
+
+
+class Receiver(Transport):
+    """An InPort's end of push: an object with put()."""
+
+    def __init__(self, port, profile, interface):
+        Transport.__init__(self, port, profile, interface)
+        self.serve({"corba_cdr": InPortCdr, "data_service": DataPushService})
+
+    def take(self, data):
+        try:
+            self.port.take(data, self.little)
+        except CORBA.MARSHAL:
+            if self.port.flavour.short_put == "MARSHAL":
+                raise
+
+
+class InPortCdr(OpenRTM__POA.InPortCdr):
+    def __init__(self, receiver):
+        self.receiver = receiver
+
+    def put(self, data):
+        self.receiver.take(data)
+        return OpenRTM.PORT_OK
+
+
+class DataPushService(DataService__POA.DataPushService):
+    def __init__(self, receiver):
+        self.receiver = receiver
+
+    def push(self, data):
+        self.receiver.take(data)
+        return DataService.PORT_OK
+
+
+class Sender(Transport):
+    """An OutPort's end of push: calls put() at once, or in a thread of its own upon news or at a rate."""
+
+    def __init__(self, port, profile, interface, reference, mode, pause):
+        Transport.__init__(self, port, profile, interface)
+        self.little = self.little or not port.flavour.obeys_big
+        self.put = operation(interface, reference, _PUSH)
+        self.mode = mode
+        self.policy = get(profile.properties, "dataport.publisher.push_policy", "new")
+        self.news = threading.Condition()
+        self.waiting = collections.deque(maxlen=8)
+        self.lost = self.closed = False
+        if mode != "flush":
+            self.process.thread(self._publish, pause)
+
+    def write(self, data):
+        if self.lost:
+            return False
+        if self.mode == "flush":
+            return self._send(data)
+        with self.news:
+            self.waiting.append(data)
+            self.news.notify_all()
+        return True
+
+    def close(self):
+        with self.news:
+            self.closed = True
+            self.news.notify_all()
+
+    def _send(self, data):
+        try:
+            if self.put:
+                self.put(data)
+        except CORBA.SystemException:
+            self.lost = True
+        return not self.lost
+
+    def _publish(self, pause):
+        """Send what is waiting (by default only the newest of it), then pause."""
+        while True:
+            with self.news:
+                self.news.wait_for(lambda: self.waiting or self.closed)
+                if self.closed:
+                    return
+                batch = list(self.waiting) if self.policy in ("all", "fifo") else [self.waiting.pop()]
+                self.waiting.clear()
+            if not all(self._send(data) for data in batch):
+                return
+            time.sleep(pause)
+
+
+class Provider(Transport):
+    """An OutPort's end of pull: an object with get(), and a ring buffer."""
+
+    def __init__(self, port, profile, interface):
+        Transport.__init__(self, port, profile, interface)
+        self.buffer = collections.deque(maxlen=int(get(profile.properties, "dataport.buffer.length", "8")))
+        self.policy = get(profile.properties, "dataport.buffer.read.empty_policy", "readback")
+        self.limit = float(get(profile.properties, "dataport.buffer.read.timeout", "1.0"))
+        self.news = threading.Condition()
+        self.last = None
+        self.serve({"corba_cdr": OutPortCdr, "data_service": DataPullService})
+
+    def write(self, data):
+        with self.news:
+            self.buffer.append(data)
+            self.news.notify_all()
+        return True
+
+    def get(self):
+        """(status name, data)"""
+        with self.news:
+            if not self.buffer and self.policy == "block" and self.port.flavour.empty_get != "BAD_PARAM":
+                if not self.news.wait_for(lambda: self.buffer, self.limit):
+                    return "BUFFER_TIMEOUT", b""
+            if self.buffer:
+                self.last = self.buffer.popleft()
+                return "PORT_OK", self.last
+        if self.port.flavour.empty_get == "BAD_PARAM":
+            raise CORBA.BAD_PARAM(0x41540000, CORBA.COMPLETED_MAYBE)
+        if self.last is None or self.policy == "do_nothing":
+            return "BUFFER_EMPTY", b""
+        return "PORT_OK", self.last
+
+
+class OutPortCdr(OpenRTM__POA.OutPortCdr):
+    def __init__(self, provider):
+        self.provider = provider
+
+    def get(self):
+        status, data = self.provider.get()
+        return getattr(OpenRTM, status), data
+
+
+class DataPullService(DataService__POA.DataPullService):
+    def __init__(self, provider):
+        self.provider = provider
+
+    def pull(self):
+        status, data = self.provider.get()
+        return getattr(DataService, status), data
+
+
+class Fetcher(Transport):
+    """An InPort's end of pull: calls get() whenever the component reads."""
+
+    def __init__(self, port, profile, interface, reference):
+        Transport.__init__(self, port, profile, interface)
+        self.get = operation(interface, reference, _PULL)
+
+    def fetch(self):
+        if not self.get:
+            return
+        try:
+            status, data = self.get()
+        except CORBA.SystemException:
+            return
+        if str(status) == "PORT_OK":
+            self.port.take(data, self.little)

@@ -1,0 +1,55 @@
+"""Values of the basic data types, and their CDR form."""
+import time
+
+import omniORB
+from rtshell_lite.idl_stubs.data import RTC
+
+from .properties import get
+
+LENGTH = 10             # of the sequences that the sequence examples send
+
+
+def typecode(type_name):
+    return getattr(RTC, "_tc_" + type_name)
+
+
+def make(type_name, number, stamped=False):
+    """The value of a Timed… type that goes with a number, a sequence holding numbers from there on."""
+    now = time.time()
+    tm = RTC.Time(int(now), int(now % 1 * 1e9)) if stamped else RTC.Time(0, 0)
+    kind = type_name[len("Timed"):]
+    if kind.endswith("Seq"):
+        numbers = [_one(kind[:-3], number + i) for i in range(LENGTH)]
+        data = bytes(numbers) if kind == "OctetSeq" else "".join(numbers) if kind == "CharSeq" else numbers
+    else:
+        data = _one(kind, number)
+    return getattr(RTC, type_name)(tm, data)
+
+
+def _one(kind, number):
+    number = float(number) if kind in ("Float", "Double") else int(number)
+    if kind == "Octet":
+        return number % 256
+    if kind == "Char":
+        return chr(ord("A") + number % 26)
+    if kind in ("String", "WString"):
+        return str(number)
+    if kind == "Boolean":
+        return bool(number % 2)
+    return number
+
+
+def encode(type_name, value, little):
+    return omniORB.cdrMarshal(typecode(type_name), value, little)
+
+
+def decode(type_name, data, little):
+    return omniORB.cdrUnmarshal(typecode(type_name), data, little)
+
+
+def little_endian(profile):
+    """The byte order of a connector: its first usable word; None if there is none."""
+    words = [word.strip() for word in get(profile.properties, "dataport.serializer.cdr.endian", "little").split(",")]
+    usable = [word for word in words if word in ("little", "big")]
+    return usable[0] == "little" if usable else None
+
