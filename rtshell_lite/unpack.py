@@ -138,7 +138,7 @@ def _command(source):
     python = sys.executable or "/usr/bin/env python3"
     if sys.executable and (re.search(r"\s", python) or len(os.fsencode(python)) > 120):
         raise errors.Error("%s: cannot be named in the first line of a script (blanks, or too long)" % python)
-    lines = source.decode("utf-8").splitlines(True)
-    first = ast.parse(source).body[1].lineno - 1  # the docstring is statement 0
+    lines = source.decode("utf-8").replace(FIND_LIBRARY, "").splitlines(True)
+    first = ast.parse("".join(lines)).body[1].lineno - 1  # the docstring is statement 0
     text = "".join(["#!%s\n" % python] + lines[1:first] + [FIND_LIBRARY] + lines[first:])
     return text.encode("utf-8")

@@ -2,6 +2,7 @@
 
 All is kept below .venv-tests/ and made anew when what it was made from has changed, or when it is broken.
 """
+import configparser
 import fcntl
 import glob
 import hashlib
@@ -18,7 +19,11 @@ SOURCES = ["setup.cfg", "pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md"
 
 
 class Failed(Exception):
-    pass
+    """Something that was tried did not work."""
+
+
+class Missing(Failed):
+    """There is no such Python on this machine."""
 
 
 def lock():
@@ -52,7 +57,7 @@ class Python:
 
 
 def find_python(asked):
-    """The interpreter for a version such as 3.11, or for a path. Raises Failed."""
+    """The interpreter for a version such as 3.11, or for a path. Raises Missing."""
     for path in _candidates(asked):
         try:
             python = Python(path)
@@ -60,14 +65,15 @@ def find_python(asked):
             continue
         if asked in (python.version, python.full) or asked == path:
             return python
-    raise Failed("Python %s is not here" % asked)
+    raise Missing("Python %s is not here" % asked)
 
 
 def _candidates(asked):
     if not re.match(r"3\.\d+(\.\d+)?$", asked):
         return [asked]
     versions = os.path.join(os.environ.get("PYENV_ROOT") or os.path.expanduser("~/.pyenv"), "versions")
-    installed = sorted(glob.glob("%s/%s*/bin/python3" % (glob.escape(versions), asked)))
+    installed = [path for path in sorted(glob.glob(os.path.join(glob.escape(versions), "*", "bin", "python3")))
+                 if (path.split(os.sep)[-3] + ".").startswith(asked + ".")]
     names = ["python" + ".".join(asked.split(".")[:2]), "python3"]
     return [sys.executable] + installed + list(filter(None, map(shutil.which, names)))
 
@@ -111,28 +117,47 @@ def _digest(names):
 
 def _builder(python):
     directory = os.path.join(STORE, "build-" + python.full)
-    return _environment(python, directory, "setuptools wheel", [["setuptools", "wheel"]], "setuptools, wheel")
+    return _environment(python, directory, "setuptools wheel", ["setuptools", "wheel"], "setuptools, wheel")
 
 
 # ---- environments ----
 
 def prepare(python, wheel):
-    """An environment with the wheel and, where there is one, omniORBpy: its interpreter and whether it has omniORB."""
+    """An environment with the wheel and, where there is one, omniORBpy; returns its interpreter."""
     directory = os.path.join(STORE, python.full)
-    with_omniorb = python.version != "3.6"  # no distribution of omniORBpy was ever made for it
-    need = wheel + "[omniorb]"  # what a user would type, so that the extra is tried as well
-    interpreter = _environment(python, directory, _extra(), [[need]], "omniORB" if with_omniorb else "rtshell_lite")
+    fetched = fetch_omniorb(python)
+    words = ["--no-index", wheel]
+    if fetched:  # what a user types, so that the extra is tried as well
+        words = ["--no-index", "--find-links", os.path.dirname(fetched), wheel + "[omniorb]"]
+    interpreter = _environment(python, directory, str(fetched), words, "omniORB" if fetched else "rtshell_lite")
     _refresh(interpreter, directory, wheel)
-    return interpreter, with_omniorb
+    return interpreter
+
+
+def fetch_omniorb(python):
+    """The file of omniORBpy for this Python, from the package index; None where none was ever made. Raises Failed."""
+    if python.version == "3.6":
+        return None
+    directory = os.path.join(STORE, "omniorb-" + python.full)
+    requirements = _extra()
+    marker = os.path.join(directory, "made-from")
+    if _content(marker) != "\n".join(requirements):
+        shutil.rmtree(directory, ignore_errors=True)
+        run([python.path, "-m", "pip", "download", "--disable-pip-version-check", "-q", "--no-deps", "-d", directory] +
+            requirements)
+        with open(marker, "w") as file:
+            file.write("\n".join(requirements))
+    return glob.glob(os.path.join(glob.escape(directory), "*.whl"))[0]
 
 
 def _extra():
-    """What setup.cfg names as omniORBpy: when it changes, environments are made anew."""
-    with open(os.path.join(ROOT, "setup.cfg"), encoding="utf-8") as file:
-        return file.read().partition("[options.extras_require]")[2].partition("\n[")[0]
+    """What setup.cfg names as omniORBpy, a line for each Python."""
+    config = configparser.ConfigParser()
+    config.read(os.path.join(ROOT, "setup.cfg"), encoding="utf-8")
+    return config["options.extras_require"]["omniorb"].strip().splitlines()
 
 
-def _environment(python, directory, requirement, installs, imports):
+def _environment(python, directory, requirement, words, imports):
     """Make a virtual environment unless it is there, was made from the same, and works."""
     interpreter = os.path.join(directory, "bin", "python")
     marker = os.path.join(directory, "made-from")
@@ -143,8 +168,7 @@ def _environment(python, directory, requirement, installs, imports):
     print("making an environment for Python %s" % python.full, flush=True)
     shutil.rmtree(directory, ignore_errors=True)
     run([python.path, "-m", "venv", directory])
-    for words in installs:
-        run([interpreter, "-m", "pip", "install", "--disable-pip-version-check", "-q"] + words)
+    run([interpreter, "-m", "pip", "install", "--disable-pip-version-check", "-q"] + words)
     run([interpreter, "-c", "import " + imports])
     with open(marker, "w") as file:
         file.write(wanted)

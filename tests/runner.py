@@ -43,17 +43,20 @@ class Job:
 
 # ---- jobs ----
 
-def all_jobs(python, setting, wheel, patterns):
-    return module_jobs(python, setting, wheel, patterns, test_modules()) + transcript_jobs(python, setting, patterns)
-
-
 def test_modules():
     return sorted(os.path.basename(path)[:-3] for path in glob.glob(os.path.join(glob.escape(HERE), "test_*.py")))
 
 
 def module_jobs(python, setting, wheel, patterns, modules):
+    environment = dict(os.environ, RTSHELL_WHEEL=wheel, PYTHONPATH=peers())
+    omniorb = environments.fetch_omniorb(python)
+    if omniorb:
+        environment["RTSHELL_OMNIORB_WHEEL"] = omniorb
+    if setting.commands:
+        environment["PATH"] = setting.commands + os.pathsep + os.environ["PATH"]
+
     def job(module):
-        return Job("%s %s" % (python.version, module), lambda: run_module(module, setting, wheel, patterns),
+        return Job("%s %s" % (python.version, module), lambda: run_module(module, setting.python, environment, patterns),
                    measures(module))
     return [job(module) for module in modules]
 
@@ -63,15 +66,12 @@ def measures(module):
         return any(line.startswith("ALONE =") for line in file)
 
 
-def run_module(module, setting, wheel, patterns):
-    environment = dict(os.environ, RTSHELL_WHEEL=wheel, PYTHONPATH=peers())
-    if setting.commands:
-        environment["PATH"] = setting.commands + os.pathsep + os.environ["PATH"]
+def run_module(module, python, environment, patterns):
     with tempfile.TemporaryDirectory(prefix="rt-") as directory:
         result = os.path.join(directory, "result")
         # Output goes to a file: a process that a test forgot would hold a pipe open.
         with open(os.path.join(directory, "output"), "w+", encoding="utf-8", errors="replace") as output:
-            process = subprocess.Popen([setting.python, os.path.join(HERE, "report.py"), result, module] + patterns,
+            process = subprocess.Popen([python, os.path.join(HERE, "report.py"), result, module] + patterns,
                                        stdin=subprocess.PIPE, stdout=output, stderr=output, env=environment,
                                        cwd=directory, start_new_session=True)
             why = wait(process)
@@ -208,34 +208,36 @@ def left_behind(marker):
 
 # ---- what to run ----
 
-def environments_for(versions, wheel, score):
-    """Pairs of a Python and a Setting; what cannot be had is a failure, unless it is only missing here."""
-    for version in versions:
+def jobs_for(version, wheel, args):
+    """All jobs on one Python."""
+    python = environments.find_python(version)
+    interpreter = environments.prepare(python, wheel)
+    setting = transcripts.Setting(interpreter, os.path.dirname(interpreter))
+    if args.accept:
+        return transcript_jobs(python, setting, args.pattern, True)
+    return module_jobs(python, setting, wheel, args.pattern, test_modules()) + \
+        transcript_jobs(python, setting, args.pattern)
+
+
+def packaging_jobs(version, wheel, args):
+    """The packaging tests on a Python as it is, with nothing installed for them."""
+    python = environments.find_python(version)
+    return module_jobs(python, transcripts.Setting(python.path), wheel, args.pattern, [PACKAGING])
+
+
+def gather_jobs(args, wheel, score):
+    """The jobs of all versions asked for; a Python that is not here is told as skipped."""
+    jobs = []
+    versions = FULL + PURE if args.all else args.python or [sys.executable]
+    wanted = [(jobs_for, version) for version in versions]
+    wanted += [(packaging_jobs, version) for version in ALL if args.all and version not in versions]
+    for make, version in wanted:
         try:
-            python = environments.find_python(version)
-        except environments.Failed as e:
-            score.add(version, [("all tests", "skip", str(e))])
-            continue
-        try:
-            interpreter, with_omniorb = environments.prepare(python, wheel)
+            jobs += make(version, wheel, args)
+        except environments.Missing as e:
+            score.add(version, [("all tests", "skip" if args.all else "fail", str(e))])
         except environments.Failed as e:
             score.add(version, [("environment", "fail", str(e))])
-            continue
-        if not with_omniorb:
-            print("Python %s: there is no omniORBpy for it; what needs it is skipped" % version)
-        yield python, transcripts.Setting(interpreter, os.path.dirname(interpreter))
-
-
-def packaging_jobs(versions, wheel, patterns, score):
-    """The packaging tests on bare Pythons: nothing is installed for them."""
-    jobs = []
-    for version in versions:
-        try:
-            python = environments.find_python(version)
-        except environments.Failed as e:
-            score.add(version, [("packaging", "skip", str(e))])
-            continue
-        jobs += module_jobs(python, transcripts.Setting(python.path), wheel, patterns, [PACKAGING])
     return jobs
 
 
@@ -251,22 +253,16 @@ def options():
 
 def main():
     args = options()
-    marker, score, jobs = mark(), Score(), []
+    marker, score = mark(), Score()
     held = environments.lock()
-    versions = FULL + PURE if args.all else args.python or [sys.executable]
     try:
         builder = sys.executable if sys.version_info >= (3, 7) else "3.11"
         wheel = environments.build_wheel(environments.find_python(builder))
     except environments.Failed as e:
-        print("the wheel cannot be built: %s" % e)
-        return 1
-    print("wheel: %s" % os.path.basename(wheel))
-    for python, setting in environments_for(versions, wheel, score):
-        jobs += transcript_jobs(python, setting, args.pattern, True) if args.accept else \
-            all_jobs(python, setting, wheel, args.pattern)
-    if args.all:
-        jobs += packaging_jobs([version for version in ALL if version not in versions], wheel, args.pattern, score)
-    run_jobs(jobs, score)
+        score.add("wheel", [("build", "fail", str(e))])
+        return score.close()
+    print("wheel: %s, %d kB" % (os.path.basename(wheel), os.path.getsize(wheel) // 1000))
+    run_jobs(gather_jobs(args, wheel, score), score)
     for line in left_behind(marker):
         score.add("processes", [("left behind", "fail", line)])
     held.close()
