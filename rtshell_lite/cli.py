@@ -206,7 +206,7 @@ def _parser(arguments, doc):
     summary, _, details = doc.strip().partition("\n\n")
     parser = _Parser(prog=os.path.basename(sys.argv[0]), description=summary, add_help=False, allow_abbrev=False,
                      epilog=(details + "\n\n" if details else "") + EXIT_STATUSES,
-                     formatter_class=argparse.RawDescriptionHelpFormatter)
+                     formatter_class=_formatter)
     arguments(parser)
     taken = parser._option_string_actions  # rtcryo has a -v of its own
     parser.add_argument(*[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
@@ -217,6 +217,11 @@ def _parser(arguments, doc):
     parser.add_argument("--version", action="version", version=__version__)
     parser.add_argument("-h", "--help", action="help", help="show this and exit")
     return parser
+
+
+def _formatter(prog):
+    # argparse makes one for every option; with its own idea of a width it would import shutil, 2 ms
+    return argparse.RawDescriptionHelpFormatter(prog, width=text.width() - 2)
 
 
 def _default_timeout():
