@@ -181,16 +181,20 @@ class _Parser(argparse.ArgumentParser):
         """One option as argparse reads it on every Python: clusters (-lR) apart, with its value, which may come from `rest`."""
         if word.startswith("--"):
             name, equals, _ = word.partition("=")
-            action = self._option_string_actions.get(name)
-            return [word] if equals or not action else [word] + self._value(action, rest)
-        action = self._option_string_actions.get(word[:2])
-        if action is None:
-            return [word]
+            action = self._known(name, word)
+            return [word] if equals else [word] + self._value(action, rest)
+        action = self._known(word[:2], word)
         if len(word) == 2:
             return [word] + self._value(action, rest)
         if action.nargs == 0:
             return [word[:2]] + self._option("-" + word[2:], rest)
         return [word]
+
+    def _known(self, name, word):
+        # not left to argparse: it takes abbreviations, and its way to forbid them breaks -n5 before Python 3.8
+        if name not in self._option_string_actions:
+            self.error("unrecognized arguments: " + text.printable(word))
+        return self._option_string_actions[name]
 
     @staticmethod
     def _value(action, rest):
@@ -204,7 +208,7 @@ class _Parser(argparse.ArgumentParser):
 
 def _parser(arguments, doc):
     summary, _, details = doc.strip().partition("\n\n")
-    parser = _Parser(prog=os.path.basename(sys.argv[0]), description=summary, add_help=False, allow_abbrev=False,
+    parser = _Parser(prog=os.path.basename(sys.argv[0]), description=summary, add_help=False,
                      epilog=(details + "\n\n" if details else "") + EXIT_STATUSES,
                      formatter_class=_formatter)
     arguments(parser)
