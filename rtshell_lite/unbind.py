@@ -66,7 +66,7 @@ def _unbind(path, dry_run, zombie=False):
         if e.name == "NotFound":
             raise errors.NotFound(str(path))
         raise
-    return "%s: deleted" % path
+    return str(path) + ": deleted"
 
 
 def _delete_context(node, recursive, dry_run, above=()):
