@@ -31,9 +31,7 @@ def _run(arguments, run, doc, argv):
     try:
         args = _parser(arguments, doc).parse_args(argv)
         _settle(args)
-        status = run(args) or 0
-        sys.stdout.flush()
-        return status
+        return run(args) or 0
     except errors.Error as e:
         return complain(e)
     except BrokenPipeError:  # the reader went away: not our error
@@ -85,8 +83,7 @@ def _leave(status):
     except BrokenPipeError:
         status = 141
     except OSError as e:
-        status = status or 1
-        complain(e)
+        status = status or complain(e)
     os._exit(status)
 
 
