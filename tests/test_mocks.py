@@ -12,6 +12,7 @@ import sys
 import tempfile
 import time
 import unittest
+import uuid
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 if ROOT not in sys.path:
@@ -227,6 +228,8 @@ class Measured:
                     self.assertEqual(self.world.ctl("error", "ConsoleIn0")[0], 0)
                 else:
                     self.assertEqual(str(getattr(context, operation + "_component")(component)), expected)
+                    if self.waits:
+                        self.assertEqual(context.get_component_state(component), after)
                 eventually(lambda: context.get_component_state(component) == after, "%s %s" % (operation, after))
 
     def test_strangers_in_a_context(self):
@@ -274,7 +277,9 @@ class Measured:
         self.assertIsNone(profile.parent)
         self.assertEqual([port.name for port in profile.port_profiles], ["ConsoleOut0.in"])
         properties = {item.name: item.value.value() for item in profile.properties}
-        self.assertEqual(properties["language"], self.language)
+        self.assertEqual((properties["language"], properties["lang_type"], properties["openrtm.version"],
+                          properties["sdo.service.consumer.available_services"]), self.language)
+        self.assertTrue(properties[self.endpoint].startswith("127.0.0.1:"))
         self.assertEqual(properties["naming.names"], "test.host_cxt/ConsoleOut0.rtc")
         if self.property_count:
             self.assertEqual(len(profile.properties), self.property_count)
@@ -314,6 +319,7 @@ class Measured:
                              asked + self.added[ports[0] is self.inp, flow])
             self.assertEqual(value(profile.properties, "dataport.serializer.cdr.endian"), "little,big")
             self.assertEqual([p.connector_id for p in self.inp.get_connector_profiles()], [profile.connector_id])
+            self.assertEqual(uuid.UUID(profile.connector_id).version, self.uuid)
             self.assertEqual(str(ports[0].disconnect(profile.connector_id)), "RTC_OK")
             self.assertEqual(self.inp.get_connector_profiles() + self.out.get_connector_profiles(), [])
 
@@ -434,6 +440,12 @@ class Measured:
                 (config.activate_configuration_set, "__widget__", self.bad_activate),
                 (config.activate_configuration_set, "", "InvalidParameter")):
             self.assertEqual(raised(function, argument), expected, argument)
+        self.assertEqual(raised(config.get_configuration_parameter_value, "x"), self.parameter)
+        for function, expected in ((config.get_configuration_set, self.no_set),
+                                   (config.activate_configuration_set, self.cannot_activate)):
+            with self.assertRaises(CORBA.UserException) as caught:
+                function("nosuch")
+            self.assertEqual(caught.exception.description, expected)
         self.assertEqual((config.get_configuration_parameters(), config.get_configuration_parameter_values()), ([], []))
         self.assertEqual(config.get_active_configuration_set().id, "mode1", "asking changed something")
 
@@ -516,7 +528,8 @@ def plain(start, interfaces):
 
 
 class Cpp11(Measured, unittest.TestCase):
-    flavour, language, author, property_count = "cpp11", "C++", ("Noriaki Ando, AIST", "1.0"), None
+    flavour, author, property_count = "cpp11", ("Noriaki Ando, AIST", "1.0"), None
+    language, endpoint, uuid, waits = ("C++", "compile", "1.1.2", ""), "corba.endpoint", 4, False
     nil_component, activate_stopped = "BAD_PARAMETER", ("RTC_OK", "INACTIVE_STATE")
     context_properties, ext_trig = ["type", "rate"], True
     out_properties = plain(OUT + ["dataport.subscription_type=flush,new,periodic"], "corba_cdr") + ["dataport.data_value"]
@@ -527,12 +540,14 @@ class Cpp11(Measured, unittest.TestCase):
     periodic, endian, marshaling, direct, double, half = "RTC_ERROR", "UNSUPPORTED", "RTC_OK", "BAD_PARAMETER", "RTC_OK", []
     short_put, empty, readback = "MARSHAL", "BUFFER_EMPTY", "PORT_OK"
     empty_id, bad_activate, number, set_creates = "InternalError", "InvalidParameter", "98765", True
+    no_set, cannot_activate, parameter = "Unknown exception", "Configuration::activate_configuration_set()", None
     service, service_sleeps = ("myservice0", "MyService"), True
     dead_port, dead_component = None, None
 
 
 class Cpp12(Cpp11):
     flavour = "cpp12"
+    language, endpoint, waits = ("C++", "compile", "1.2.2", ""), "corba.endpoints", True
     activate_stopped = ("RTC_OK", "ACTIVE_STATE")
     ext_trig = False
     out_properties = plain(OUT + ["dataport.subscription_type=flush,new,periodic"], "corba_cdr,direct,shared_memory")
@@ -543,6 +558,7 @@ class Cpp12(Cpp11):
 
 class Cpp2(Cpp12):
     flavour, author, property_count = "cpp2", ("AIST", "2.0.0"), 43
+    language = ("C++", "compile", "2.1.0", "")
     activate_stopped = ("RTC_ERROR", "INACTIVE_STATE")
     context_properties = ["sync_transition", "transition_timeout", "type", "rate", "name"]
     out_properties = modern(OUT + ["dataport.subscription_type=" + MODES, "dataport.io_mode=" + MODES], "push,pull",
@@ -557,7 +573,9 @@ class Cpp2(Cpp12):
 
 
 class Py2(Measured, unittest.TestCase):
-    flavour, language, author, property_count = "py2", "Python", ("Shinji Kurihara", "1.0"), 41
+    flavour, author, property_count = "py2", ("Shinji Kurihara", "1.0"), 41
+    language = ("Python", "script", "2.1.0", "IDL:OpenRTM/ComponentObserver:1.0")
+    endpoint, uuid, waits = "corba.endpoints", 1, True
     nil_component, activate_stopped = "BAD_PARAM", ("RTC_OK", "ACTIVE_STATE")
     context_properties, ext_trig = ["sync_transition", "transition_timeout", "type", "rate"], False
     out_properties = modern(OUT + ["dataport.subscription_type=" + MODES, "dataport.io_mode=" + MODES], "push,pull,duplex",
@@ -571,6 +589,8 @@ class Py2(Measured, unittest.TestCase):
     double, half = "PRECONDITION_NOT_MET", ["half"]
     short_put, empty, readback = "PORT_OK", "BAD_PARAM", "BAD_PARAM"
     empty_id, bad_activate, number, set_creates = "UNKNOWN", "InternalError", "5", False
+    no_set, cannot_activate = "No such ConfigurationSet", "Configuration.activate_configuration_set()"
+    parameter = "BAD_PARAM"
     service, service_sleeps = ("myservice0", "MyService"), False
     dead_port, dead_component = "TRANSIENT", "TRANSIENT"
 
@@ -596,6 +616,55 @@ class Worlds(unittest.TestCase):
         start = time.monotonic()
         self.assertEqual(str(context.activate_component(component)), "RTC_OK")
         self.assertTrue(time.monotonic() - start < 1.2)
+
+    def test_transitions_that_answer_at_once(self):
+        """C++ 1.1, and contexts with sync_transition NO, change later than they answer."""
+        for words in (("--flavour", "cpp11"), ("--async",)):
+            world = self.world("slow", *words)
+            component, context = world.component("Slow0"), world.context("Slow0")
+            self.assertEqual([str(context.activate_component(component)) for _ in range(2)], ["RTC_OK"] * 2)
+            self.assertEqual(context.get_component_state(component), RTC.INACTIVE_STATE)
+            eventually(lambda: context.get_component_state(component) == RTC.ACTIVE_STATE, "active in the end")
+
+    def test_rtorb(self):
+        """RtORB's bare names, one connection a port, no ids of others."""
+        world = self.world("two", "--flavour", "rtorb")
+        out, inp = world.port("ConsoleIn0", "out"), world.port("ConsoleOut0", "in")
+        profile = out.get_port_profile()
+        self.assertEqual((profile.name, value(profile.properties, "dataport.data_type")), ("out", "TimedLong"))
+        self.assertEqual(outcome(out.connect, connector([out, inp], "mine")), "PRECONDITION_NOT_MET")
+        self.assertEqual(outcome(out.connect, connector([out, inp], dataflow_type="pull")), "BAD_PARAMETER")
+        self.assertEqual([outcome(out.connect, connector([out, inp])) for _ in range(2)], ["RTC_OK", "RTC_ERROR"])
+        self.assertEqual(len(inp.get_connector_profiles()), 1)
+
+    def test_java(self):
+        """Java asks the other ports for doubles, and shows the last value."""
+        world = self.world("two", "--flavour", "java")
+        out, inp = world.port("ConsoleIn0", "out"), world.port("ConsoleOut0", "in")
+        codes = [outcome(out.connect, connector([out, inp])) for _ in range(2)]
+        self.assertEqual(codes, ["RTC_OK", "PRECONDITION_NOT_MET"])
+        world.ctl("write", "ConsoleIn0:out", "5")
+        self.assertEqual(value(out.get_port_profile().properties, "dataport.data_value").data, 5)
+
+    def test_port_connected_to_itself(self):
+        """It never answers again in C++ 2.x."""
+        world = self.world("two", "--flavour", "cpp2")
+        port = world.port("ConsoleIn0", "out")
+        omniORB.setClientCallTimeout(port, 200)
+        self.assertEqual(raised(port.connect, connector([port, port])), "TIMEOUT")
+        self.assertEqual(raised(port.get_port_profile), "TIMEOUT")
+        self.assertIsNone(raised(world.component("ConsoleOut0").get_ports))
+
+    def test_everything_runs(self):
+        """Every type that can be active is, and goes on; the robot's data goes round."""
+        world = self.world("robot")
+        for name in ("Sensor0", "Controller0", "Motor0", "Hokuyo_AIST0", "Clusterer0"):
+            self.assertEqual(str(world.context(name).activate_component(world.component(name))), "RTC_OK")
+        for port in ("Sensor0:in", "Controller0:in", "Motor0:in", "Clusterer0:ranges"):
+            self.assertEqual(world.ctl("received", port, "3")[0], 0)
+        for name in ("Sensor0", "Hokuyo_AIST0"):
+            self.assertEqual(str(world.context(name).deactivate_component(world.component(name))), "RTC_OK")
+        self.assertTrue(self.world("all").ready.startswith("ready "))
 
     def test_errors(self):
         world = self.world("error")
