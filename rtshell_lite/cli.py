@@ -83,7 +83,8 @@ def _leave(status):
     except BrokenPipeError:
         status = 141
     except OSError as e:
-        status = status or complain(e)
+        if not status:  # else it has been told
+            status = complain(e)
     os._exit(status)
 
 
@@ -168,21 +169,26 @@ class _Parser(argparse.ArgumentParser):
             if word == "--":
                 words += rest
                 break
-            if not word.startswith("-") or word == "-" or re.match(r"-\.?[0-9]", word):
+            if self._is_option(word):
+                options += self._option(word, rest)
+            else:
                 words.append(word)
-                continue
-            options += self._option(word, rest)
         return options, words
+
+    def _is_option(self, word):
+        if re.match(r"-\.?[0-9]", word):  # -5 is a number, -0 and -0R are options where there is a -0
+            return word[:2] in self._option_string_actions and not re.search("[0-9.]", word[2:])
+        return word.startswith("-") and word != "-"
 
     def _option(self, word, rest):
         """One option as argparse reads it on every Python: clusters (-lR) apart, with its value, which may come from `rest`."""
         if word.startswith("--"):
             name, equals, _ = word.partition("=")
             action = self._known(name, word)
-            return [word] if equals else [word] + self._value(action, rest)
+            return [word] if equals else self._with_value(word, action, rest, "=")
         action = self._known(word[:2], word)
         if len(word) == 2:
-            return [word] + self._value(action, rest)
+            return self._with_value(word, action, rest, "")
         if action.nargs == 0:
             return [word[:2]] + self._option("-" + word[2:], rest)
         return [word]
@@ -194,13 +200,14 @@ class _Parser(argparse.ArgumentParser):
         return self._option_string_actions[name]
 
     @staticmethod
-    def _value(action, rest):
+    def _with_value(word, action, rest, glue):
         if not rest or action.nargs == 0:
-            return []
+            return [word]
         # --wait PATH, --shell PATH: a word that cannot be the option's value is not taken for it
         if action.nargs == "?" and not (rest[0] in action.choices if action.choices else re.match(r"[0-9.]+$", rest[0])):
-            return []
-        return [rest.pop(0)]
+            return [word]
+        value = rest.pop(0)
+        return [word + glue + value] if value.startswith("-") else [word, value]  # argparse would take -n -x for two options
 
 
 def _parser(arguments, doc):

@@ -283,6 +283,13 @@ def _walk(node, depth, seen):
     except errors.Error as e:
         node.error = e
         return
-    for child in below:
-        for found in _walk(child, depth - 1, seen):
+    if node.kind == "root":  # name servers in parallel: several may be silent
+        parts = rpc.gather([rpc.Job(orb.endpoint(child.ref), str(child.path),
+                                    lambda child=child: list(_walk(child, depth - 1, set()))) for child in below])
+    else:
+        parts = (_walk(child, depth - 1, seen) for child in below)
+    for child, part in zip(below, parts):
+        if isinstance(part, errors.Error):
+            child.error, part = part, [child]
+        for found in part:
             yield found
