@@ -59,7 +59,7 @@ def main(argv):
 
 def play(args, worlds, flavour):
     """Set up the world, say so, and stay until told to go."""
-    from . import control, naming, process
+    from . import control, naming, process, stage as staging
     finish = threading.Event()
     for number in (signal.SIGTERM, signal.SIGINT):
         signal.signal(number, lambda *_: finish.set())
@@ -67,17 +67,19 @@ def play(args, worlds, flavour):
     here.ledger.own_thread()
     server = args.nameserver or os.environ.get("RTCTREE_NAMESERVERS", "localhost").split(";")[0]
     options = Options(context=args.context, rate=args.rate, sync=args.sync, contexts=1, running=True)
-    stage = worlds.Stage(here, naming.Naming(here.orb, server), flavour, options)
-    worlds.WORLDS[args.world](stage, *args.arguments)
-    here.ledger.reset()
-    if args.control:
-        here.thread(control.serve(args.control, control.Commands(stage, finish)))
-    print("ready", len(stage.components), flush=True)
-    if stage.after_ready:
-        stage.after_ready()
-    threading.Thread(target=wait_for_end_of_input, args=(finish,), daemon=True).start()
-    finish.wait()
-    stage.names.unbind_all()
+    stage = staging.Stage(here, naming.Naming(here.orb, server), flavour, options)
+    try:
+        worlds.WORLDS[args.world](stage, *args.arguments)
+        here.ledger.reset()
+        if args.control:
+            here.thread(control.serve(args.control, control.Commands(stage, finish)))
+        print("ready", len(stage.components), flush=True)
+        if stage.after_ready:
+            stage.after_ready()
+        threading.Thread(target=wait_for_end_of_input, args=(finish,), daemon=True).start()
+        finish.wait()
+    finally:
+        stage.names.unbind_all()
     if args.control:
         os.unlink(args.control)
     sys.stdout.flush()

@@ -23,6 +23,8 @@ CONFIG_SAMPLE = {
                         "int_param1": "0<=x<=1000", "str_param0": "(default,mode0,mode1,foo,bar,radio)",
                         "str_param1": "", "vector_param0": ""},
 }
+CONFIG_SAMPLE_CPP = {"__widget__": {"double_param0": "slider.10"},
+                     "__constraints__": {"str_param0": "(default,mode0,mode1)"}}
 MOTOR_ID = {"default": {"motor_id": "0"}, "__widget__": {"motor_id": "text"}, "__type__": {"motor_id": "int"}}
 SCANNER = {
     "default": {"port_opts": "type=serial,device=/dev/ttyACM0,timeout=1", "start_angle": "-1.57", "end_angle": "1.57",
@@ -102,15 +104,16 @@ class Stuck(Component):
 
 
 class Spec:
-    """What tells one type of component from another. `vendor` stands for implementations with a common author."""
+    """What tells one type of component from another; vendor and version, if not given, go with the flavour."""
 
-    def __init__(self, type_name, description, ports=(), sets=None, active_set="default", play=Component,
-                 category="example", implementation_id=None, vendor=None, version=None, activity=None, stamps=False,
-                 config_file=""):
+    def __init__(self, type_name, description, ports=(), sets=None, sets_cpp=None, active_set="default",
+                 play=Component, category="example", implementation_id=None, vendor=None, version=None, activity=None,
+                 stamps=False, config_file=""):
         self.type_name = type_name
         self.description = description
         self.port_list = ports
         self.set_list = sets or {}
+        self.sets_cpp = sets_cpp or {}
         self.active_set = active_set
         self.play = play
         self.category = category
@@ -135,7 +138,9 @@ class Spec:
         return ports
 
     def sets(self, flavour):
-        return self.set_list
+        """Configuration sets; the examples of C++ differ in a few values."""
+        changes = self.sets_cpp if flavour.language == "C++" else {}
+        return {name: dict(values, **changes.get(name, {})) for name, values in self.set_list.items()}
 
     def activity_type(self, flavour):
         return (self.activity or "PERIODIC") if flavour.kind else "DataFlowComponent"
@@ -150,8 +155,9 @@ SPECS = {spec.type_name: spec for spec in (
          play=Sender, implementation_id="SeqOut"),
     Spec("SequenceInComponent", "Sequence InPort component", [("in", name, "Timed" + name) for name in SEQUENCE_TYPES],
          play=Reader, implementation_id="SeqIn"),
-    Spec("ConfigSample", "Configuration example component", sets=CONFIG_SAMPLE, active_set="mode1", version="1.0",
-         vendor={"C++": "Noriaki Ando, AIST"}, activity="DataFlowComponent", config_file="configsample.conf"),
+    Spec("ConfigSample", "Configuration example component", sets=CONFIG_SAMPLE, sets_cpp=CONFIG_SAMPLE_CPP,
+         active_set="mode1", version="1.0", vendor={"C++": "Noriaki Ando, AIST"}, activity="DataFlowComponent",
+         config_file="configsample.conf"),
     Spec("Motor", "Motor component", [("in", "in", "TimedFloat"), ("out", "out", "TimedLong")], sets=MOTOR_ID,
          play=Sender, vendor=_PAIR, activity="SPORADIC"),
     Spec("Sensor", "Sensor component", [("in", "in", "TimedLong"), ("out", "out", "TimedFloat")], play=Sender,

@@ -7,6 +7,8 @@ import time
 from omniORB import CORBA
 
 FOR_EVER = 3600
+# the minor codes with which omniORB itself raises these
+MINORS = {"TRANSIENT": 0x41540002, "COMM_FAILURE": 0x41540007, "TIMEOUT": 0x41540008, "OBJECT_NOT_EXIST": 0x4f4d0001}
 
 
 class Ledger:
@@ -98,4 +100,4 @@ class Ledger:
             time.sleep(FOR_EVER)
         if kind == "DIE":
             os._exit(1)
-        raise getattr(CORBA, kind)(0, CORBA.COMPLETED_MAYBE)
+        raise getattr(CORBA, kind)(MINORS.get(kind, 0), CORBA.COMPLETED_MAYBE)

@@ -1,53 +1,62 @@
-"""Binding names in a name server as OpenRTM components do."""
+"""Binding names in a name server as OpenRTM components do. A name is a list of (id, kind) pairs."""
 from omniORB import CORBA
 import CosNaming
+
+
+def _name(pairs):
+    return [CosNaming.NameComponent(*pair) for pair in pairs]
 
 
 class Naming:
     """One name server, and the names bound in it."""
 
     def __init__(self, orb, address):
+        self.address = address
         host, _, port = address.partition(":")
         uri = "corbaloc:iiop:1.2@%s:%s/NameService" % (host, port or "2809")
         self.root = orb.string_to_object(uri)._narrow(CosNaming.NamingContext)
         self.bound = []
 
     def bind(self, name, reference):
-        """Bind a list of (id, kind) pairs, replacing what was there and making missing contexts."""
-        name = [CosNaming.NameComponent(*part) for part in name]
+        """Bind a name, replacing what was there and making missing contexts."""
         try:
-            self.root.rebind(name, reference)
+            self.root.rebind(_name(name), reference)
         except CosNaming.NamingContext.NotFound:
             self.contexts(name[:-1])
-            self.root.rebind(name, reference)
+            self.root.rebind(_name(name), reference)
         self.bound.append(name)
 
     def contexts(self, name):
         """The naming context of that name, made with those above it where missing."""
         for end in range(1, len(name) + 1):
             try:
-                self.root.bind_new_context(name[:end])
+                self.root.bind_new_context(_name(name[:end]))
             except CosNaming.NamingContext.AlreadyBound:
                 pass
-        return self.root.resolve(name)._narrow(CosNaming.NamingContext) if name else self.root
+        return self.resolve(name)._narrow(CosNaming.NamingContext) if name else self.root
 
     def bind_context(self, name, context):
         """Bind a context under a second name."""
-        name = [CosNaming.NameComponent(*part) for part in name]
-        self.root.rebind_context(name, context)
+        self.root.rebind_context(_name(name), context)
+        self.bound.append(name)
+
+    def resolve(self, name):
+        return self.root.resolve(_name(name))
+
+    def adopt(self, name):
+        """Unbind at the end a name that someone else has bound."""
         self.bound.append(name)
 
     def unbind(self, name):
-        """Remove one name; that it is gone already is no matter."""
-        name = [CosNaming.NameComponent(*part) for part in name]
+        """Remove one name; that it, or the server, is gone already is no matter."""
         try:
-            self.root.unbind(name)
-        except (CORBA.Exception, CosNaming.NamingContext.NotFound):
+            self.root.unbind(_name(name))
+        except CORBA.Exception:
             pass
 
     def unbind_all(self):
         for name in self.bound:
-            self.unbind([(part.id, part.kind) for part in name])
+            self.unbind(name)
 
 
 def parse(path):

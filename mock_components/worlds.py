@@ -1,61 +1,8 @@
 """The worlds: which components there are, how they are connected and bound. A function each; its docstring is its help."""
 import os
 import signal
-import subprocess
-import sys
 
-from rtshell_lite.idl_stubs.component import RTC
-
-from . import components, naming
-from .properties import nvlist
-
-PUSH = [("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
-        ("dataport.subscription_type", "flush")]
-
-
-class Stage:
-    """A world being set up: its process, its name server, its components."""
-
-    def __init__(self, process, names, flavour, options):
-        self.process = process
-        self.names = names
-        self.flavour = flavour
-        self.options = options
-        self.components = {}
-        self.after_ready = None         # called once `ready` has been printed
-
-    def add(self, type_name, instance_name=None, bind=True, **changes):
-        """Start a component, and bind it under the names that its naming.formats give."""
-        spec = changes.pop("spec", None) or components.SPECS[type_name]
-        flavour = changes.pop("flavour", self.flavour)
-        options = self.options.but(**changes)
-        instance_name = instance_name or type_name + "0"
-        component = spec.play(self.process, spec, instance_name, flavour, options)
-        component.ended = self._ended
-        self.components[instance_name] = component
-        if bind:
-            for name in component.names:
-                self.names.bind(naming.parse(name), component.reference)
-        return component
-
-    def connect(self, one, other, name=None, pairs=PUSH):
-        """Connect two ports, written `Instance:port`."""
-        ports = [self.port(one), self.port(other)]
-        profile = RTC.ConnectorProfile(name or "_".join(port.short_name for port in ports), "",
-                                       [port.reference for port in ports], nvlist(pairs))
-        code, _ = ports[0].connect(profile)
-        assert code == RTC.RTC_OK, (one, other, code)
-
-    def port(self, text):
-        instance_name, _, port = text.rpartition(":")
-        return self.components[instance_name].port(port)
-
-    def _ended(self, component, linger):
-        import threading
-        self.components.pop(component.instance_name, None)
-        unbind = threading.Timer(linger, lambda: [self.names.unbind(naming.parse(name)) for name in component.names])
-        unbind.daemon = True
-        unbind.start()
+from . import components, hostile, odd, orphans
 
 
 def two(stage):
@@ -89,10 +36,101 @@ def config(stage):
     stage.add("ConfigSample")
 
 
+def parts(stage):
+    """Sensor0, Controller0, Motor0, Hokuyo_AIST0, Clusterer0, not connected"""
+    for type_name in ("Sensor", "Controller", "Motor", "Hokuyo_AIST", "Clusterer"):
+        stage.add(type_name)
+
+
+def robot(stage):
+    """the same, connected: Sensor0 > Controller0 > Motor0 > Sensor0, Hokuyo_AIST0 > Clusterer0"""
+    parts(stage)
+    stage.connect("Sensor0:out", "Controller0:in")
+    stage.connect("Controller0:out", "Motor0:in")
+    stage.connect("Motor0:out", "Sensor0:in")
+    stage.connect("Hokuyo_AIST0:ranges", "Clusterer0:ranges")
+
+
+def everything(stage):
+    """one component of every type"""
+    for type_name in components.SPECS:
+        stage.add(type_name)
+
+
+def these(stage, *wanted):
+    """TYPE[:NAME] …: components of your choice"""
+    for one in wanted:
+        type_name, _, instance_name = one.partition(":")
+        stage.add(type_name, instance_name or None)
+
+
 def many(stage, count=200):
     """N components Mock0, Mock1, … (default 200)"""
     for number in range(int(count)):
         stage.add("Mock", "Mock%d" % number)
 
 
-WORLDS = {world.__name__: world for world in (two, linked, console, services, config, many)}
+def error(stage):
+    """Err0 (fails once active), ErrStart0 (fails to become active), Broken0 (in Error already)"""
+    stage.add("Err")
+    stage.add("ErrStart")
+    broken = stage.add("ConsoleIn", "Broken0")
+    broken.owned[0].fail(broken.reference)
+
+
+def slow(stage):
+    """Slow0 (changes state after 0.8 s), Stuck0 (never), Lazy0 (context of 1 Hz)"""
+    stage.add("Slow")
+    stage.add("Stuck")
+    stage.add("Mock", "Lazy0", rate=1.0)
+
+
+def stopped(stage):
+    """ConsoleIn0 with a stopped context, ConsoleOut0 with a running one"""
+    stage.add("ConsoleIn", running=False)
+    stage.add("ConsoleOut")
+
+
+def contexts(stage):
+    """Multi0 owns two contexts and takes part in that of Driver0"""
+    driver = stage.add("Mock", "Driver0")
+    multi = stage.add("Mock", "Multi0", contexts=2)
+    driver.owned[0].add_component(multi.reference)
+
+
+def orphan(stage):
+    """Orphan0, connected to Peer0 (`out` to `in`) whose process has been killed"""
+    orphans.leave_behind(stage, "Orphan0", stage.flavour)
+
+
+def fragile(stage):
+    """Fragile0, the same, and get_component_profile before get_port_profile ends its process"""
+    orphans.leave_behind(stage, "Fragile0", stage.flavour.but(dead_peer="die"))
+
+
+def hung(stage, count=1):
+    """N components Mock0, …, then the process stops (SIGSTOP): kill it with SIGKILL"""
+    many(stage, count)
+    stage.after_ready = lambda: os.kill(os.getpid(), signal.SIGSTOP)
+
+
+def zombie(stage, count=1):
+    """N components Mock0, …, then the process ends and leaves the names bound"""
+    many(stage, count)
+    stage.after_ready = stage.process.die
+
+
+def names(stage):
+    """names that are hard to print or to type, wrong objects, a loop, nested, empty and large contexts"""
+    odd.bind(stage)
+
+
+def cruel(stage):
+    """Hostile0.rtc: every string that it reports is hostile"""
+    hostile.add(stage)
+
+
+WORLDS = {world.__name__: world for world in (
+    two, linked, console, services, config, parts, robot, these, many, error, slow, stopped, contexts, orphan, fragile,
+    hung, zombie, names)}
+WORLDS.update({"all": everything, "hostile": cruel})
