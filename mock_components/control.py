@@ -4,8 +4,6 @@ import signal
 import socket
 import sys
 
-from rtshell_lite.idl_stubs.component import RTC
-
 from . import values
 
 HELP = """\

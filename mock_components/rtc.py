@@ -1,5 +1,4 @@
 """An RT Component: profile, contexts, ports and configuration behind one CORBA object."""
-from omniORB import CORBA
 from rtshell_lite.idl_stubs.component import OpenRTM__POA, RTC, SDOPackage
 
 from . import configuration, context, dataport, naming, serviceport

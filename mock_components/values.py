@@ -52,4 +52,3 @@ def little_endian(profile):
     words = [word.strip() for word in get(profile.properties, "dataport.serializer.cdr.endian", "little").split(",")]
     usable = [word for word in words if word in ("little", "big")]
     return usable[0] == "little" if usable else None
-

@@ -31,9 +31,7 @@ def _run(arguments, run, doc, argv):
     try:
         args = _parser(arguments, doc).parse_args(argv)
         _settle(args)
-        status = run(args) or 0
-        sys.stdout.flush()
-        return status
+        return run(args) or 0
     except errors.Error as e:
         return complain(e)
     except BrokenPipeError:  # the reader went away: not our error
@@ -85,8 +83,7 @@ def _leave(status):
     except BrokenPipeError:
         status = 141
     except OSError as e:
-        status = status or 1
-        complain(e)
+        status = status or complain(e)
     os._exit(status)
 
 
@@ -181,16 +178,20 @@ class _Parser(argparse.ArgumentParser):
         """One option as argparse reads it on every Python: clusters (-lR) apart, with its value, which may come from `rest`."""
         if word.startswith("--"):
             name, equals, _ = word.partition("=")
-            action = self._option_string_actions.get(name)
-            return [word] if equals or not action else [word] + self._value(action, rest)
-        action = self._option_string_actions.get(word[:2])
-        if action is None:
-            return [word]
+            action = self._known(name, word)
+            return [word] if equals else [word] + self._value(action, rest)
+        action = self._known(word[:2], word)
         if len(word) == 2:
             return [word] + self._value(action, rest)
         if action.nargs == 0:
             return [word[:2]] + self._option("-" + word[2:], rest)
         return [word]
+
+    def _known(self, name, word):
+        # not left to argparse: it takes abbreviations, and its way to forbid them breaks -n5 before Python 3.8
+        if name not in self._option_string_actions:
+            self.error("unrecognized arguments: " + text.printable(word))
+        return self._option_string_actions[name]
 
     @staticmethod
     def _value(action, rest):
@@ -204,9 +205,9 @@ class _Parser(argparse.ArgumentParser):
 
 def _parser(arguments, doc):
     summary, _, details = doc.strip().partition("\n\n")
-    parser = _Parser(prog=os.path.basename(sys.argv[0]), description=summary, add_help=False, allow_abbrev=False,
+    parser = _Parser(prog=os.path.basename(sys.argv[0]), description=summary, add_help=False,
                      epilog=(details + "\n\n" if details else "") + EXIT_STATUSES,
-                     formatter_class=argparse.RawDescriptionHelpFormatter)
+                     formatter_class=_formatter)
     arguments(parser)
     taken = parser._option_string_actions  # rtcryo has a -v of its own
     parser.add_argument(*[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
@@ -217,6 +218,11 @@ def _parser(arguments, doc):
     parser.add_argument("--version", action="version", version=__version__)
     parser.add_argument("-h", "--help", action="help", help="show this and exit")
     return parser
+
+
+def _formatter(prog):
+    # argparse makes one for every option; with its own idea of a width it would import shutil, 2 ms
+    return argparse.RawDescriptionHelpFormatter(prog, width=text.width() - 2)
 
 
 def _default_timeout():

@@ -1,7 +1,7 @@
 """What rtls and rtfind show of nodes: their kind at a glance, a row of figures, or JSON."""
 import collections
 
-from rtshell_lite import component, errors, ports, tree
+from rtshell_lite import errors, tree
 
 MARKS = {"zombie": "*", "silent": "?"}
 
@@ -59,6 +59,7 @@ def look(nodes, long=False):
 
 def figures(node):
     """The Figures of one component."""
+    from rtshell_lite import component, ports  # not needed, and not loaded, for names alone
     owned, participating = component.context_refs(node)  # tells whether the component itself is there
     try:
         state = component.merged([component.state_in(node, ref) for ref in owned + participating])

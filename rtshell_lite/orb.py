@@ -88,6 +88,18 @@ def narrow(ref, interface):
     return ref._unchecked_narrow(interface)
 
 
+def context(ref):
+    """`ref` as a CosNaming::NamingContext, on trust."""
+    from CosNaming import NamingContext
+    return narrow(ref, NamingContext)
+
+
+def naming_name(names):
+    """A CosNaming::Name for an iterable of (id, kind) texts."""
+    from CosNaming import NameComponent
+    return [NameComponent(to_wire(name), to_wire(kind)) for name, kind in names]
+
+
 def same(one, other):
     """True when two references denote one object, as far as can be told without a remote call."""
     return one is not None and other is not None and bool(one._is_equivalent(other))

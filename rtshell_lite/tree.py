@@ -11,7 +11,7 @@ import os
 
 from rtshell_lite import errors, orb, rpc
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse
-from rtshell_lite.text import from_wire, to_wire
+from rtshell_lite.text import from_wire
 
 # What a node can be. `silent` is a component or manager whose process does not answer, `unknown` any other object.
 KINDS = ("root", "server", "directory", "component", "manager", "zombie", "silent", "unknown")
@@ -46,14 +46,12 @@ class Node:
     def typed(self):
         """`ref` as a reference of the interface that its kind implies; the stubs are imported only here."""
         if self.kind in ("server", "directory"):
-            from CosNaming import NamingContext as interface
-        elif self.kind == "manager":
+            return orb.context(self.ref)
+        if self.kind == "manager":
             from rtshell_lite.idl_stubs.manager import RTM
-            interface = RTM.Manager
-        else:
-            from rtshell_lite.idl_stubs.component import OpenRTM
-            interface = OpenRTM.DataFlowComponent
-        return orb.narrow(self.ref, interface)
+            return orb.narrow(self.ref, RTM.Manager)
+        from rtshell_lite.idl_stubs.component import OpenRTM
+        return orb.narrow(self.ref, OpenRTM.DataFlowComponent)
 
     def call(self, operation, *args, **more):
         """Call an operation of its object; errors name its path."""
@@ -99,7 +97,7 @@ def resolve(path):
 
 def _resolved(server, path):
     try:
-        ref = server.call("resolve", wire_names(path.names))
+        ref = server.call("resolve", orb.naming_name(path.names))
     except errors.Refused as e:
         if e.name in ("NotFound", "CannotProceed", "InvalidName"):
             raise _why_not_found(path)
@@ -125,12 +123,6 @@ def _why_not_found(path):
     import difflib
     close = difflib.get_close_matches(str(path.names[-1]), names, 1)
     return errors.Misspelt(str(path), close[0]) if close else errors.NotFound(str(path))
-
-
-def wire_names(names):
-    """A CosNaming::Name of Names."""
-    import CosNaming
-    return [CosNaming.NameComponent(to_wire(name.id), to_wire(name.kind)) for name in names]
 
 
 def _classified(path, ref):
@@ -206,6 +198,8 @@ def component(path):
 
 def on_components(paths, function):
     """Call function(node) for the component at each path, in parallel; values in order, an errors.Error for what failed."""
+    orb.start()  # its failures are not the failure of a path
+
     def resolved(path):
         return rpc.Job(path.server, str(path), lambda: component(path))
     nodes = rpc.gather([resolved(path) for path in paths])
@@ -237,7 +231,7 @@ def children(node):
     for name in _names(node):
         path = node.path.child(name)
         jobs.append(rpc.Job(server, str(path), lambda path=path: _classified(
-            path, orb.call(str(path), context, "resolve", wire_names(path.names[-1:])))))
+            path, orb.call(str(path), context, "resolve", orb.naming_name(path.names[-1:])))))
     found = [child for child in rpc.gather(jobs) if not isinstance(child, errors.Refused)]  # unbound since the list was made
     for failure in found:
         if isinstance(failure, errors.Error):

@@ -61,7 +61,7 @@ def _unbind(path, dry_run, zombie=False):
         return "rtdel %s%s" % ("-z " if zombie else "", shell_word(str(path)))
     server = tree.resolve(Path(path.server, (), None, False))
     try:
-        server.call("unbind", tree.wire_names(path.names))
+        server.call("unbind", orb.naming_name(path.names))
     except errors.Refused as e:
         if e.name == "NotFound":
             raise errors.NotFound(str(path))

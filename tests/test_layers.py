@@ -11,7 +11,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LAYERS = [
     ["bin"],
     ["__main__"],
-    ["system", "plan", "graph", "listing", "shell", "unpack"],
+    ["system", "plan", "graph", "listing", "describe", "search", "unbind", "shell", "unpack"],
     ["component", "ports", "manager", "observer", "dataport", "datalog", "datatypes", "configuration"],
     ["tree"],
     ["orb", "cli", "installation"],
