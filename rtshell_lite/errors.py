@@ -1,4 +1,7 @@
-"""Every failure a command can report: the docstring is the message, `status` the exit status."""
+"""Every failure a command can report: the docstring is the message, `status` the exit status.
+
+`where`, the first argument of most, is the object as the user knows it: a path spelt for the terminal.
+"""
 
 
 class Error(Exception):
@@ -10,14 +13,24 @@ class Error(Exception):
         return self.__doc__.format(*self.args)
 
 
+class No(Error):
+    """{}: {}"""
+
+
+class MissingOmniORB(Error):
+    """omniORBpy is not installed; take python3-omniorb from the system's packages, or: pip install 'rtshell_lite[omniorb]'"""
+
+
 class Usage(Error):
     """{} (see --help)"""
 
     status = 2
 
 
-class MissingOmniORB(Error):
-    """omniORBpy is not installed: take it from the OS packages (python3-omniorb), or pip install 'rtshell_lite[omniorb]'"""
+class BadPath(Error):
+    """{}"""
+
+    status = 2
 
 
 class NotFound(Error):
@@ -30,16 +43,14 @@ class Misspelt(NotFound):
     """{}: no such path; did you mean {}?"""
 
 
-class NoSuchPort(NotFound):
-    """{}: no such port"""
-
-
-class NoSuchItem(NotFound):
+class NoSuch(Error):
     """{}: no such {}: {}"""
+
+    status = 3
 
 
 class WrongKind(Error):
-    """{}: not a {}"""
+    """{}: not a {} (it is a {})"""
 
     status = 3
 
@@ -50,20 +61,34 @@ class Unreachable(Error):
     status = 4
 
 
-class Zombie(Unreachable):
-    """{}: zombie: the name is bound, but its object is gone"""
-
-    def __init__(self, where):
-        Unreachable.__init__(self, where, "zombie")
+class Silent(Unreachable):
+    """{}: {}"""
 
 
-class Partial(Error):
-    """{}"""
+class ConnectionRefused(Unreachable):
+    """{}: connection refused"""
 
-    status = 5
+
+class NoNameServer(ConnectionRefused):
+    """{}: connection refused; is the name server running?"""
 
 
 class Refused(Error):
     """{}: {}"""
 
     status = 6
+
+    def __init__(self, where, why, name=""):
+        """`name` is the CORBA exception's or return code's name, for callers that treat some of them otherwise."""
+        Error.__init__(self, where, why)
+        self.name = name
+
+
+class Gone(Unreachable):
+    """{}: zombie (the name is bound, but its object is gone)"""
+
+
+class Partial(Error):
+    """{} of {} failed"""
+
+    status = 5

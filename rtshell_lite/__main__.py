@@ -1,0 +1,87 @@
+"""Run a command of rtshell_lite from a checkout, an installation or straight from a wheel file.
+
+  python3 -m rtshell_lite COMMAND [ARGUMENT ...]
+  python3 -m rtshell_lite --unpack DIR [WHEEL ...]
+
+For a robot without pip, copy the wheel (and one of omniORBpy) there, then:
+  PYTHONPATH=rtshell_lite-0.1.0-py3-none-any.whl python3 -m rtshell_lite rtls -l
+  PYTHONPATH=rtshell_lite-0.1.0-py3-none-any.whl python3 -m rtshell_lite --unpack /opt/rtshell jeteve_omniorb-*.whl
+"""
+import difflib
+import importlib.abc
+import importlib.util
+import shlex
+import sys
+
+from rtshell_lite import cli, errors, installation
+
+
+def arguments(parser):
+    parser.add_argument("--unpack", metavar="DIR", help="lay out the commands, and what they import, under DIR")
+    parser.add_argument("words", nargs="*", metavar="WHEEL", help="more wheels to lay out there, such as omniORBpy's")
+
+
+def run(args):
+    if args.unpack is not None:
+        return unpack(args.unpack, args.words)
+    if args.words:
+        raise errors.Usage(unknown(args.words[0]))
+    print("\n".join(["commands (COMMAND --help tells more):"] + summaries()))
+
+
+def unpack(directory, wheels):
+    from rtshell_lite.unpack import unpack
+    if not directory or ":" in directory:
+        raise errors.Usage("%s: cannot stand in PATH" % (directory or "''"))
+    print("export PATH=%s:$PATH" % shlex.quote(unpack(directory, wheels)))
+
+
+def unknown(name):
+    near = difflib.get_close_matches(name, installation.commands(), 1)
+    return "%s: no such command" % name + ("; did you mean %s?" % near[0] if near else "")
+
+
+def summaries():
+    found = installation.commands()
+    width = max(map(len, found))
+    return ["  %-*s  %s" % (width, name, installation.summary(installation.read(found[name]))) for name in sorted(found)]
+
+
+class CommandLoader(importlib.abc.SourceLoader):
+    """Reads a command's file, which has no .py and may be inside the wheel."""
+
+    def __init__(self, path):
+        self.path = path
+
+    def get_filename(self, fullname):
+        return self.path
+
+    def get_data(self, path):
+        return installation.read(path)
+
+
+def run_command(path, words):
+    """Become that command, as if the shell had started it."""
+    spec = importlib.util.spec_from_loader("__main__", CommandLoader(path))
+    module = importlib.util.module_from_spec(spec)
+    sys.argv = [path] + words
+    sys.modules["__main__"] = module
+    spec.loader.exec_module(module)
+
+
+def main():
+    sys.argv[0] = "rtshell_lite"
+    words = sys.argv[1:]
+    try:
+        command = words and installation.commands().get(words[0])
+        doc = __doc__ + "\ncommands:\n" + "\n".join(summaries()) if words[:1] in (["-h"], ["--help"]) else __doc__
+    except (errors.Error, OSError) as e:
+        sys.exit(cli.complain(e))
+    if command:
+        run_command(command, words[1:])
+    else:
+        cli.main(arguments, run, doc)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,288 @@
+"""What every command shares: its parser and common options, its exit status, its one line on stderr."""
+import argparse
+import errno
+import io
+import os
+import re
+import sys
+
+from rtshell_lite import __version__, errors, path, rpc, text
+
+EXIT_STATUSES = """exit status:
+  0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
+  4 the peer is dead, silent or garbled, 5 some succeeded and some failed, 6 the peer refused,
+  70 a bug in the tool, 130 Ctrl-C, 141 the reader of the output went away"""
+
+_quiet = _verbose = False
+
+
+# ---- running a command ----------------------------------------------------------------------------------------
+
+def main(arguments, run, doc, argv=None):
+    """Run one command and exit: `arguments(parser)` declares, `run(args)` does the work and returns the exit status."""
+    _prepare_streams()
+    try:
+        _leave(_run(arguments, run, doc, sys.argv[1:] if argv is None else argv))
+    except KeyboardInterrupt:
+        _leave(130)
+
+
+def _run(arguments, run, doc, argv):
+    try:
+        args = _parser(arguments, doc).parse_args(argv)
+        _settle(args)
+        return run(args) or 0
+    except errors.Error as e:
+        return complain(e)
+    except BrokenPipeError:  # the reader went away: not our error
+        return 141
+    except OSError as e:
+        complain(e)
+        return 1
+    except SystemExit as e:  # argparse after --help or --version
+        return e.code or 0
+    except Exception as e:
+        if os.environ.get("RTSHELL_DEBUG"):
+            import traceback
+            traceback.print_exc()
+        complain("internal error: %s: %s (RTSHELL_DEBUG=1 shows where)" % (type(e).__name__, e))
+        return 70
+
+
+def _settle(args):
+    global _quiet, _verbose
+    _quiet, _verbose = args.quiet, args.verbose
+    rpc.timeout = args.timeout
+
+
+class _Closed(io.TextIOBase):
+    """stdout of a command that was started without one: writing is an error, as it is for cat."""
+
+    def write(self, s):
+        raise OSError(errno.EBADF, "cannot write the output: " + os.strerror(errno.EBADF))
+
+
+def _prepare_streams():
+    """UTF-8 whatever the locale; descriptors 0 to 2 taken, so that no socket can get their number."""
+    fd = os.open(os.devnull, os.O_RDWR)
+    while fd <= 2:
+        fd = os.open(os.devnull, os.O_RDWR)
+    os.close(fd)
+    if sys.stdout is None:
+        sys.stdout = _Closed()
+    else:
+        sys.stdout = io.TextIOWrapper(sys.stdout.buffer, "utf-8", "backslashreplace", line_buffering=sys.stdout.isatty())
+    if sys.stderr is not None:
+        sys.stderr = io.TextIOWrapper(sys.stderr.buffer, "utf-8", "backslashreplace", line_buffering=True)
+
+
+def _leave(status):
+    """Exit at once: a thread that waits for a hung peer must not hold the process (os._exit also saves 6 ms of ORB)."""
+    try:
+        sys.stdout.flush()
+    except BrokenPipeError:
+        status = 141
+    except OSError as e:
+        if not status:  # else it has been told
+            status = complain(e)
+    os._exit(status)
+
+
+# ---- talking on stderr ----------------------------------------------------------------------------------------
+
+def complain(what):
+    """Print the one line of a failure on stderr; returns its exit status."""
+    _say(what.strerror + (": " + what.filename if what.filename else "") if isinstance(what, OSError) else str(what))
+    return getattr(what, "status", 1)
+
+
+def note(line):
+    """Tell something on stderr that is no failure; --quiet silences it."""
+    if not _quiet:
+        _say(line)
+
+
+def detail(line):
+    """Tell what was done on stderr, with --verbose only."""
+    if _verbose:
+        _say(line)
+
+
+def _say(line):
+    if sys.stderr is not None:
+        try:
+            sys.stderr.write("%s: %s\n" % (os.path.basename(sys.argv[0]), text.safe(line)))
+        except OSError:
+            pass  # nobody left to tell
+
+
+class Tally:
+    """Several objects, each tried: what failed is told at once, the exit status sums it up."""
+
+    def __init__(self):
+        self.done, self.statuses = 0, set()
+
+    def add(self, value):
+        """Count one result: an errors.Error is told and counted as failed, anything else as done. Returns True if done."""
+        if isinstance(value, errors.Error):
+            self.statuses.add(complain(value))
+            return False
+        self.done += 1
+        return True
+
+    def status(self):
+        """0 when nothing failed, the failures' own status when all failed alike, else 5."""
+        if not self.statuses:
+            return 0
+        return self.statuses.pop() if not self.done and len(self.statuses) == 1 else errors.Partial.status
+
+
+def report(args, results):
+    """Tell the results of changes, each an errors.Error or a line; returns the exit status.
+
+    A line says what was done, for --verbose; after --dry-run it is a command that would do it, for stdout.
+    """
+    tally = Tally()
+    for result in results:
+        if tally.add(result) and result:
+            (print if args.dry_run else detail)(result)
+    return tally.status()
+
+
+# ---- options --------------------------------------------------------------------------------------------------
+
+class _Parser(argparse.ArgumentParser):
+    """argparse with options anywhere, numbers below zero as arguments, no abbreviations, and our errors."""
+
+    def error(self, message):
+        raise errors.Usage(message.replace(": -- ", ": "))
+
+    def parse_args(self, argv):
+        options, words = self._sorted(argv)
+        return super().parse_args(options + ["--"] + words if words else options)
+
+    def _sorted(self, argv):
+        """Separate options with their values from the other words; argparse itself cannot mix them on all Pythons."""
+        options, words, rest = [], [], list(argv)
+        while rest:
+            word = rest.pop(0)
+            if word == "--":
+                words += rest
+                break
+            if self._is_option(word):
+                options += self._option(word, rest)
+            else:
+                words.append(word)
+        return options, words
+
+    def _is_option(self, word):
+        if re.match(r"-\.?[0-9]", word):  # -5 is a number, -0 and -0R are options where there is a -0
+            return word[:2] in self._option_string_actions and not re.search("[0-9.]", word[2:])
+        return word.startswith("-") and word != "-"
+
+    def _option(self, word, rest):
+        """One option as argparse reads it on every Python: clusters (-lR) apart, with its value, which may come from `rest`."""
+        if word.startswith("--"):
+            name, equals, _ = word.partition("=")
+            action = self._known(name, word)
+            return [word] if equals else self._with_value(word, action, rest, "=")
+        action = self._known(word[:2], word)
+        if len(word) == 2:
+            return self._with_value(word, action, rest, "")
+        if action.nargs == 0:
+            return [word[:2]] + self._option("-" + word[2:], rest)
+        return [word]
+
+    def _known(self, name, word):
+        # not left to argparse: it takes abbreviations, and its way to forbid them breaks -n5 before Python 3.8
+        if name not in self._option_string_actions:
+            self.error("unrecognized arguments: " + text.printable(word))
+        return self._option_string_actions[name]
+
+    @staticmethod
+    def _with_value(word, action, rest, glue):
+        if not rest or action.nargs == 0:
+            return [word]
+        # --wait PATH, --shell PATH: a word that cannot be the option's value is not taken for it
+        if action.nargs == "?" and not (rest[0] in action.choices if action.choices else re.match(r"[0-9.]+$", rest[0])):
+            return [word]
+        value = rest.pop(0)
+        return [word + glue + value] if value.startswith("-") else [word, value]  # argparse would take -n -x for two options
+
+
+def _parser(arguments, doc):
+    summary, _, details = doc.strip().partition("\n\n")
+    parser = _Parser(prog=os.path.basename(sys.argv[0]), description=summary, add_help=False,
+                     epilog=(details + "\n\n" if details else "") + EXIT_STATUSES,
+                     formatter_class=_formatter)
+    arguments(parser)
+    taken = parser._option_string_actions  # rtcryo has a -v of its own
+    parser.add_argument(*[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
+                        help="tell on stderr what is done")
+    parser.add_argument("-q", "--quiet", action="store_true", help="no notes on stderr, errors only")
+    parser.add_argument("--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
+                        help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)")
+    parser.add_argument("--version", action="version", version=__version__)
+    parser.add_argument("-h", "--help", action="help", help="show this and exit")
+    return parser
+
+
+def _formatter(prog):
+    # argparse makes one for every option; with its own idea of a width it would import shutil, 2 ms
+    return argparse.RawDescriptionHelpFormatter(prog, width=text.width() - 2)
+
+
+def _default_timeout():
+    value = os.environ.get("RTSHELL_TIMEOUT") or "3"
+    try:
+        return seconds(value)
+    except argparse.ArgumentTypeError as e:
+        raise errors.Usage("RTSHELL_TIMEOUT: %s" % e)
+
+
+def seconds(value):
+    """A positive number of seconds, at most a day: the type of time options."""
+    try:
+        number = float(value)
+    except ValueError:
+        number = 0.0
+    if not 0 < number <= 86400:
+        raise argparse.ArgumentTypeError("not a number of seconds above 0: %s" % text.printable(value))
+    return number
+
+
+def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
+    """The positional arguments `paths`."""
+    parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)
+
+
+def parsed(words):
+    """What the user typed as paths, before anything is contacted. Raises BadPath."""
+    return [path.parse(word) for word in words]
+
+
+def execution_context(parser):
+    """-e: which execution context."""
+    parser.add_argument("-e", "--exec-context", "--exec_context", type=int, default=0, metavar="N",
+                        help="execution context, counted from 0 over the owned, then the participating ones (default: 0)")
+
+
+def wait(parser, what):
+    """--wait[=SECONDS]: args.wait is None, or how long to wait."""
+    parser.add_argument("--wait", nargs="?", type=seconds, const=5.0, metavar="SECONDS",
+                        help="wait until %s, at most SECONDS (default: 5)" % what)
+
+
+def dry_run(parser):
+    """--dry-run."""
+    parser.add_argument("--dry-run", action="store_true", help="print what would be done, as commands, and change nothing")
+
+
+def json_output(parser):
+    """--json."""
+    parser.add_argument("--json", action="store_true", help="one JSON object a line")
+
+
+def null(parser):
+    """-0."""
+    parser.add_argument("-0", "--null", action="store_true", help="full paths, each ended by a NUL byte (for xargs -0)")

@@ -1,0 +1,226 @@
+"""Components: profile, execution contexts, state, and the transitions between states (OMG RTC 1.1, 5.2)."""
+import collections
+import time
+
+from rtshell_lite import errors, orb, rpc, tree
+from rtshell_lite.text import from_wire, shell_word
+
+STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by number
+KINDS = ("Periodic", "Event-driven", "Other")  # RTC::ExecutionKind by number
+POLL = 0.2  # seconds between looks at a state: monitors that ask more often have disturbed real-time threads
+
+# What a transition is called, the operation that asks for it, the state it leads to, the state it starts from.
+Transition = collections.namedtuple("Transition", "name command operation target source")
+ACTIVATE = Transition("activate", "rtact", "activate_component", "Active", "Inactive")
+DEACTIVATE = Transition("deactivate", "rtdeact", "deactivate_component", "Inactive", "Active")
+RESET = Transition("reset", "rtreset", "reset_component", "Inactive", "Error")
+
+# RTC::ComponentProfile as text; `properties` is a list of (name, value) in the component's order.
+Profile = collections.namedtuple("Profile", "instance_name type_name description version vendor category parent properties")
+
+# RTC::ExecutionContextProfile and what else its interface tells. `rate` in Hz, `owner` and `participants` are references.
+Context = collections.namedtuple("Context", "handle ref kind rate running owner participants properties")
+
+
+# ---- profile --------------------------------------------------------------------------------------------------
+
+def profile(node):
+    """The Profile of a component. Ask its ports first (`ports.ports`): protocol rule, see `once_more`."""
+    found = once_more(lambda: node.call("get_component_profile"))
+    parent = once_more(lambda: orb.ask(str(node.path), found.parent, "get_sdo_id")) if found.parent else ""
+    texts = [from_wire(s) for s in (found.instance_name, found.type_name, found.description, found.version, found.vendor,
+                                    found.category, parent)]
+    return Profile(*texts, properties=orb.properties(found.properties))
+
+
+def once_more(call):
+    """Call again after a failure that is not silence.
+
+    A profile query makes a component check its connections, and the first one after a peer has died passes that peer's
+    TRANSIENT on to the caller (C++ and Python 2.1).
+    """
+    try:
+        return call()
+    except (errors.Silent, errors.Refused):
+        raise
+    except errors.Unreachable:
+        return call()
+
+
+# ---- execution contexts ---------------------------------------------------------------------------------------
+
+def context_refs(node):
+    """References of the execution contexts that a component owns, and of those that it takes part in: two lists."""
+    from rtshell_lite.idl_stubs.component import RTC
+    return tuple([orb.narrow(ref, RTC.ExecutionContextService) for ref in node.call(operation) if ref is not None]
+                 for operation in ("get_owned_contexts", "get_participating_contexts"))
+
+
+def context_ref(node, index):
+    """The reference of the execution context number `index`: the owned ones from 0, then the participating ones."""
+    owned, participating = context_refs(node)
+    every = owned + participating
+    if not -len(owned) <= index < len(every):
+        raise errors.NoSuch(str(node.path), "execution context", "%d (it has %d)" % (index, len(every)))
+    return owned[index] if index < 0 else every[index]
+
+
+def context(node, ref):
+    """All that one execution context tells about itself, a Context."""
+    where = str(node.path)
+    found = orb.ask(where, ref, "get_profile")
+    return Context(handle=node.call("get_context_handle", ref), ref=ref, kind=_by_number(KINDS, found.kind), rate=found.rate,
+                   running=orb.ask(where, ref, "is_running"), owner=found.owner, participants=found.participants,
+                   properties=orb.properties(found.properties))
+
+
+def _by_number(names, enumerator):
+    return names[enumerator._v] if enumerator._v < len(names) else "Unknown"
+
+
+# ---- state ----------------------------------------------------------------------------------------------------
+
+def state(node):
+    """The state of a component over all its contexts: Error before Active before Inactive before Created, or Unknown."""
+    owned, participating = context_refs(node)
+    return merged([state_in(node, ref) for ref in owned + participating])
+
+
+def merged(states):
+    """One state for a component from those in its contexts."""
+    return next((s for s in ("Error", "Active", "Inactive", "Created") if s in states), "Unknown")
+
+
+def state_in(node, ref):
+    """The state of a component in the execution context `ref` (ExecutionContext::get_component_state)."""
+    found = _by_number(STATES, orb.ask(str(node.path), ref, "get_component_state", node.typed))
+    if found == "Created":
+        canonical = _canonical(node)
+        if canonical is not None:
+            return _by_number(STATES, orb.ask(str(node.path), ref, "get_component_state", canonical))
+    return found
+
+
+def _canonical(node):
+    """The reference by which its contexts know a component, None where it is the one that we have.
+
+    A component bound under a rewritten address, or reached by its key, is a stranger to its own contexts.
+    """
+    owned, _ = context_refs(node)
+    owner = orb.ask(str(node.path), owned[0], "get_profile").owner if owned else None
+    return None if owner is None or orb.same(owner, node.ref) else owner
+
+
+# ---- transitions ----------------------------------------------------------------------------------------------
+
+def change_all(paths, transition, index=0, wait=None, dry_run=False):
+    """`change` for the component at each path, in parallel: a line that says what was done, or an errors.Error, for each.
+
+    With `dry_run` nothing changes, and the line is the command that would change the component, '' where none is needed.
+    """
+    def one(node):
+        if dry_run:
+            now = state_in(node, context_ref(node, index))
+            return "" if now == transition.target else "%s%s %s" % (
+                transition.command, " -e %d" % index if index else "", shell_word(str(node.path)))
+        return "%s: %s" % (node.path, change(node, transition, index, wait))
+    return tree.on_components(paths, one)
+
+
+def change(node, transition, index=0, wait=None):
+    """Take a component through a Transition in its execution context number `index`; returns the state reached or asked for.
+
+    `wait` (seconds) polls until the state is there. Contexts of 1.1 answer before the state has changed, later ones answer
+    RTC_ERROR when it takes longer than their own limit of 0.5 s and change it all the same: so after RTC_ERROR the state is
+    watched for the timeout. Raises Refused with the reason, Unreachable when the state was not reached in time.
+    """
+    ref = context_ref(node, index)
+    before = state_in(node, ref)
+    if before == transition.target:
+        return before
+    code = _request(node, ref, transition, node.typed)
+    if code == "BAD_PARAMETER":
+        canonical = _canonical(node)
+        if canonical is None:
+            raise errors.Refused(str(node.path), "is not in its execution context %d" % index)
+        code = _request(node, ref, transition, canonical)
+    if code == "RTC_OK" and wait is None:
+        return transition.target
+    now = state_in(node, ref)
+    if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
+        raise errors.Refused(str(node.path), "cannot %s: %s" % (transition.name, _reason(code, before, now, transition)))
+    return _until(node, ref, transition, now, wait, code)
+
+
+def _request(node, ref, transition, target):
+    # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz
+    rate_limit = rpc.timeout if transition is not DEACTIVATE else max(rpc.timeout, 15.0)
+    return str(orb.call(str(node.path), ref, transition.operation, target, seconds=rate_limit))
+
+
+def _reason(code, before, now, transition):
+    """Why a request was refused: a component that fails in its transition answers as one in a wrong state does."""
+    if code == "PRECONDITION_NOT_MET" and now == "Error":
+        return "it is in Error; reset it first" if before == "Error" else "it went to Error"
+    if code == "PRECONDITION_NOT_MET" and now != transition.source:
+        return "it is %s, not %s" % (now, transition.source)
+    return "%s, it is %s" % (code, now)
+
+
+def _until(node, ref, transition, now, wait, code):
+    """Poll until the state is reached; 3 periods of a slow context count as well as seconds."""
+    limit = time.monotonic() + (wait if wait is not None else rpc.timeout)
+    while now != transition.target:
+        if now == "Error" and transition.source != "Error":
+            raise errors.Refused(str(node.path), "cannot %s: it went to Error" % transition.name)
+        if not orb.ask(str(node.path), ref, "is_running"):
+            raise errors.Refused(str(node.path), "cannot %s: its execution context is stopped" % transition.name)
+        if time.monotonic() > limit:
+            spent = wait if wait is not None else rpc.timeout
+            raise errors.Unreachable(str(node.path), "not %s within %gs, still %s" % (transition.target, spent, now))
+        time.sleep(POLL)
+        now = state_in(node, ref)
+    return now
+
+
+# ---- exit -----------------------------------------------------------------------------------------------------
+
+def exit_all(paths, wait=None, dry_run=False):
+    """LightweightRTObject::exit of the component at each path: a line or an errors.Error for each.
+
+    With `wait` (seconds) also wait until the name is unbound, which a component's manager does up to a second later.
+    """
+    def one(node):
+        if dry_run:
+            return "rtexit " + shell_word(str(node.path))
+        _exit(node)
+        if wait is not None:
+            _until_unbound(node, wait)
+        return str(node.path) + ": exited"
+    return tree.on_components(paths, one)
+
+
+def _exit(node):
+    try:
+        code = str(node.call("exit"))
+    except (errors.Silent, errors.Refused):
+        raise
+    except errors.Unreachable:
+        # the last component of a process takes the process with it, and the reply may be lost
+        if tree.look([node])[0].kind != "zombie":
+            raise
+        return
+    if code != "RTC_OK":
+        raise errors.Refused(str(node.path), "does not exit (%s)" % code)
+
+
+def _until_unbound(node, wait):
+    limit = time.monotonic() + wait
+    while True:
+        try:
+            tree.resolve(node.path)
+        except errors.NotFound:
+            return
+        if time.monotonic() > limit:
+            raise errors.Unreachable(str(node.path), "has exited, but its name is still bound after %gs" % wait)
+        time.sleep(POLL)

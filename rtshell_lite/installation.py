@@ -1,0 +1,76 @@
+"""Where this rtshell_lite is: in a checkout, in an installation, or in a wheel file; its commands and its files."""
+import ast
+import glob
+import os
+import re
+import sys
+import sysconfig
+import zipfile
+
+import rtshell_lite
+from rtshell_lite import errors
+
+PACKAGE = os.path.dirname(os.path.abspath(rtshell_lite.__file__))
+
+
+def wheel():
+    """The wheel file that we run from, or None."""
+    return getattr(rtshell_lite.__spec__.loader, "archive", None)
+
+
+def commands():
+    """The commands' names and where their files are; a path may lead into the wheel file. Raises Error if there are none."""
+    archive = wheel()
+    found = _in_wheel(archive) if archive else {}
+    for directory in [] if archive else _places():
+        found = found or _in_directory(directory)
+    if not found:
+        raise errors.Error("the commands are missing: they are not beside %s" % PACKAGE)
+    return found
+
+
+def read(path):
+    """The bytes of a file of ours, also out of the wheel file."""
+    return rtshell_lite.__spec__.loader.get_data(path)
+
+
+def summary(source):
+    """The first line of a command's help."""
+    return (ast.get_docstring(ast.parse(source)) or "").partition("\n")[0]
+
+
+def _in_wheel(archive):
+    with zipfile.ZipFile(archive) as members:
+        scripts = [name for name in members.namelist() if re.match(r"rtshell_lite-[^/]+\.data/scripts/[^/]+$", name)]
+    return {os.path.basename(name): os.path.join(archive, *name.split("/")) for name in scripts}
+
+
+def _places():
+    """Directories where an installation may have put the commands, the surest first."""
+    beside = os.path.dirname(PACKAGE)
+    yield os.path.join(beside, "bin")  # a checkout; also pip install --target
+    yield os.path.join(os.path.dirname(beside), "bin")  # --unpack
+    for record in glob.glob(os.path.join(glob.escape(beside), "rtshell_lite-*.dist-info", "RECORD")):
+        with open(record, encoding="utf-8") as lines:
+            for line in lines:
+                if re.match(r"(\.\./|/).*/rt\w+,", line):
+                    yield os.path.normpath(os.path.join(beside, os.path.dirname(line.partition(",")[0])))
+    yield sysconfig.get_path("scripts")
+    yield os.path.join(sys.prefix, "bin")  # where OS packages put them, whatever their pip says
+
+
+def _in_directory(directory):
+    try:
+        names = sorted(name for name in os.listdir(directory) if re.match(r"rt\w+$", name))
+    except OSError:
+        return {}
+    paths = {name: os.path.join(directory, name) for name in names}
+    return {name: path for name, path in paths.items() if os.path.isfile(path) and _is_ours(path)}
+
+
+def _is_ours(path):
+    try:
+        with open(path, "rb") as file:
+            return file.read(2) == b"#!" and b"\nfrom rtshell_lite import " in file.read()
+    except OSError:
+        return False

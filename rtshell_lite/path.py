@@ -1,0 +1,184 @@
+r"""Paths of the RTC Tree: the one parser, the one way to spell them.
+
+/SERVER/CONTEXT.kind/…/NAME.kind:PORT, where SERVER is host, host:2809 or [::1]:2809. A name is split into id and kind at its
+last dot, as OpenRTM does. `.`, `..` and a working directory (RTCSH_CWD) work as in a file system. A backslash takes the
+meaning from the character behind it (`\/ \: \. \\`), \xHH \uHHHH \UHHHHHHHH name a character by its code, and \e is an
+empty name. Spelling a path (`str`) and parsing it again gives the same path.
+"""
+import collections
+import os
+import re
+
+from rtshell_lite import errors
+from rtshell_lite.text import printable, unescaped
+
+DEFAULT_PORT = 2809
+SCHEMES = re.compile(r"(?:https?|wss?)://")  # name servers behind HTTP: the rest of the path follows a '#'
+PROTOCOLS = ("iiop", "ssliop", "diop", "shmiop", "htiop")
+
+
+class Name(collections.namedtuple("Name", "id kind")):
+    """One name in a naming context, `id.kind` (CosNaming::NameComponent). Both are text, not wire strings."""
+
+    __slots__ = ()
+
+    def __str__(self):
+        if not self.id and not self.kind:
+            return "\\e"
+        if self.kind:
+            return _spelt(self.id) + "." + _spelt(self.kind, ".")
+        return _spelt(self.id, ".")
+
+
+class Path(collections.namedtuple("Path", "server names port directory")):
+    """A place in the RTC Tree.
+
+    server     address text as typed, None at the root
+    names      tuple of Name from the root naming context downwards
+    port       port name, None where the path names no port
+    directory  True when the path was written with a slash at its end
+    """
+
+    __slots__ = ()
+
+    def __str__(self):
+        if self.server is None:
+            return "/"
+        text = "/" + _spelt_server(self.server) + "".join("/" + str(name) for name in self.names)
+        if self.port is not None:
+            text += ":" + _spelt(self.port)
+        return text
+
+    def child(self, name):
+        """The path of `name` (a Name) in this directory."""
+        return Path(self.server, self.names + (name,), None, False)
+
+    def parent(self):
+        """The directory that holds this object; the root is its own parent."""
+        if not self.names:
+            return ROOT
+        return Path(self.server, self.names[:-1], None, False)
+
+    def object(self):
+        """The same path without its port."""
+        return Path(self.server, self.names, None, False)
+
+    def with_port(self, port):
+        """The path of the port called `port` of this component."""
+        return Path(self.server, self.names, port, False)
+
+
+ROOT = Path(None, (), None, False)
+
+
+def _spelt(s, more=""):
+    """`s` with everything escaped that the parser would take for something else."""
+    return "".join("\\" + c if c in "/:" + more else c for c in printable(s))
+
+
+def _spelt_server(server):
+    return printable(server).replace("/", "\\/") if not SCHEMES.match(server) else printable(server) + "#"
+
+
+def parse(text, cwd=None):
+    """Parse what a user typed into a Path. `cwd` is the directory relative paths start from (default: $RTCSH_CWD).
+
+    Raises Usage for a path that cannot be one; never looks at the network.
+    """
+    if not text:
+        raise errors.BadPath("empty path")
+    elements = _elements(text)
+    if not text.startswith("/"):
+        elements = _elements(_working_directory(cwd)) + elements
+    directory = elements[-1] in ("", ".", "..")
+    resolved = []
+    for element in elements:
+        if element in ("", "."):
+            continue
+        if element == "..":
+            del resolved[-1:]
+        else:
+            resolved.append(element)
+    if not resolved:
+        return ROOT
+    server = _server(resolved[0], text)
+    if len(resolved) == 1:
+        return Path(server, (), None, directory)
+    last, port = _split_port(resolved[-1], text)
+    names = tuple(_name(element, text) for element in resolved[1:-1] + [last])
+    if port is not None and directory:
+        raise errors.BadPath("%s: a port has no directory below it" % text)
+    return Path(server, names, port, directory)
+
+
+def _working_directory(cwd):
+    if cwd is None:
+        cwd = os.environ.get("RTCSH_CWD") or "/"
+    if not cwd.startswith("/"):
+        raise errors.BadPath("%s: a working directory (RTCSH_CWD) starts with /" % cwd)
+    return cwd
+
+
+def _cut(text, separator):
+    """Split at every `separator` that no backslash protects; the pieces stay escaped."""
+    pieces, start = [], 0
+    for found in re.finditer(r"\\.|.", text, re.DOTALL):
+        if found.group() == separator:
+            pieces.append(text[start:found.start()])
+            start = found.end()
+    return pieces + [text[start:]]
+
+
+def _elements(text):
+    """The elements between the slashes, still escaped; the first is empty for an absolute path."""
+    address = SCHEMES.match(text.lstrip("/"))
+    if address:
+        server, _, rest = text.lstrip("/").partition("#")
+        return [server] + _cut(rest, "/")
+    return _cut(text, "/")
+
+
+def _server(element, text):
+    """A server address; its colons belong to it."""
+    address = _unescaped(element, text)
+    if SCHEMES.match(address) or address.partition(":")[0] in PROTOCOLS:
+        return address
+    host, port = split_address(address)
+    if not host or port is None:
+        raise errors.BadPath("%s: %s is not a name server (host or host:tcpport)" % (text, address))
+    return address
+
+
+def split_address(address):
+    """(host, TCP port) of `host`, `host:port`, `[v6]`, `[v6]:port`; the port is None where it is not a TCP port."""
+    found = re.match(r"(\[[^\]]*\]|[^:]*)(?::([0-9]{1,5}))?$", address)
+    if not found:
+        return address, None
+    host, port = found.group(1), int(found.group(2) or DEFAULT_PORT)
+    return host, port if 0 < port < 65536 else None
+
+
+def _split_port(element, text):
+    name, *port = _cut(element, ":")
+    if not port:
+        return name, None
+    if len(port) > 1 or not port[0] or not name:
+        raise errors.BadPath("%s: bad path (one colon stands before a port; write \\: in a name)" % text)
+    return name, _unescaped(port[0], text)
+
+
+def _name(element, text):
+    """Split at the last dot that no backslash protects."""
+    if element == "\\e":
+        return Name("", "")
+    *head, kind = _cut(element, ".")
+    if not head:
+        return Name(_unescaped(kind, text), "")
+    return Name(_unescaped(".".join(head), text), _unescaped(kind, text))
+
+
+def _unescaped(s, text):
+    try:
+        return unescaped(s)
+    except ValueError as e:
+        raise errors.BadPath("%s: %s" % (text, e))

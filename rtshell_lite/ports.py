@@ -1,0 +1,342 @@
+"""Ports of components and the connectors between them: what they are, why two do not match, connect, disconnect."""
+import collections
+
+from rtshell_lite import component, errors, orb, rpc, tree
+from rtshell_lite.path import ROOT, Name, Path
+from rtshell_lite.text import from_wire, printable, shell_word, to_wire
+
+# One port. `name` is the full name (ConsoleIn0.out), `type` DataInPort, DataOutPort, CorbaPort or Port, `properties` a dict,
+# `owner` the reference of its component or None, `node` the Node it was found on.
+Port = collections.namedtuple("Port", "node name type properties interfaces connectors ref owner")
+Interface = collections.namedtuple("Interface", "instance_name type_name polarity")  # polarity: Provided or Required
+Connector = collections.namedtuple("Connector", "id name ports properties")  # ports: references; properties: pairs
+
+DATA = ("DataInPort", "DataOutPort")
+# What rtcon asks for where the user says nothing; the data type is the first port's.
+DEFAULTS = (("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
+            ("dataport.subscription_type", "new"))
+
+
+# ---- asking ---------------------------------------------------------------------------------------------------
+
+def ports(node):
+    """The Ports of a component in its own order: one call for the list and one a port."""
+    return [port(node, ref) for ref in refs(node)]
+
+
+def refs(node):
+    """References of the ports of a component."""
+    from rtshell_lite.idl_stubs.component import RTC
+    return [orb.narrow(ref, RTC.PortService) for ref in node.call("get_ports") if ref is not None]
+
+
+def port(node, ref):
+    """The Port behind a reference (PortService::get_port_profile)."""
+    found = component.once_more(lambda: orb.ask(str(node.path), ref, "get_port_profile"))
+    properties = dict(orb.properties(found.properties))
+    kind = properties.get("port.port_type")
+    return Port(node, from_wire(found.name), kind if kind in DATA + ("CorbaPort",) else "Port", properties,
+                [_interface(i) for i in found.interfaces], [_connector(c) for c in found.connector_profiles], ref, found.owner)
+
+
+def _interface(found):
+    polarity = ("Provided", "Required")[found.polarity._v]
+    return Interface(from_wire(found.instance_name), from_wire(found.type_name), polarity)
+
+
+def _connector(found):
+    return Connector(from_wire(found.connector_id), from_wire(found.name), list(found.ports), orb.properties(found.properties))
+
+
+def short_name(name, instance):
+    """A port's name without the `INSTANCE.` that components put before it."""
+    return name[len(instance) + 1:] if instance and name.startswith(instance + ".") else name
+
+
+def label(port):
+    """The path of a port as a user would type it, spelt for the terminal."""
+    return str(port.node.path.with_port(short_name(port.name, port.node.path.names[-1].id)))
+
+
+def find(paths):
+    """The Port that each path names, found in parallel, one call a port of its component.
+
+    An errors.Error stands in the place of what failed: NoSuch with what there is, and what `tree.component` raises.
+    """
+    listed = tree.on_components(paths, ports)
+    return [found if isinstance(found, errors.Error) else _named(path, found) for path, found in zip(paths, listed)]
+
+
+def _named(path, found):
+    instance = path.names[-1].id
+    exact = [each for each in found if each.name in (path.port, instance + "." + path.port)]
+    # the instance name may differ from the bound one
+    same_end = [each for each in found if each.name.endswith("." + path.port)]
+    if exact or same_end:
+        return (exact or same_end)[0]
+    there = ", ".join(printable(short_name(each.name, instance)) for each in found) or "none"
+    return errors.NoSuch(str(path.object()), "port", "%s (its ports: %s)" % (printable(path.port), there))
+
+
+# ---- the far ends of connections ------------------------------------------------------------------------------
+
+def far_ends(node, found):
+    """Names for the other ends of all connectors of the Ports `found` of one component.
+
+    Returns a function reference → text: the path of the port there. Only the ports at those ends are asked, one call each;
+    whose they are is told by comparing their owner with what is bound in the name servers, without asking anyone else.
+    An end that does not answer or is bound nowhere is `Unknown (…)`.
+    """
+    own = {orb.identity(each.ref) for each in found}
+    ends = {}
+    for connector in (c for each in found for c in each.connectors):
+        for ref in connector.ports:
+            if ref is not None and orb.identity(ref) not in own:
+                ends.setdefault(orb.identity(ref), ref)
+    jobs = [rpc.Job(orb.endpoint(ref), "%s:%d" % orb.endpoint(ref), lambda ref=ref: port(node, ref)) for ref in ends.values()]
+    names = dict(zip(ends, _Owners(node).name_all(rpc.gather(jobs))))
+    return lambda ref: names.get(orb.identity(ref)) if ref is not None else "Unknown (nil)"
+
+
+class _Owners:
+    """Finds where the owners of ports are bound: next to a known component first, anywhere else when need be."""
+
+    def __init__(self, node):
+        self.beside = node.path.parent()
+        self.everywhere = None
+
+    def name_all(self, found):
+        return [self.name(each) for each in found]
+
+    def name(self, found):
+        if isinstance(found, errors.Error):
+            return "Unknown (%s)" % found
+        if found.owner is None:
+            return printable(found.name)
+        path = self._beside(found) or self._anywhere(found)
+        if path is None:
+            return "Unknown (%s)" % printable(found.name)
+        return str(path.with_port(short_name(found.name, path.names[-1].id)))
+
+    def _beside(self, found):
+        path = self.beside.child(Name(found.name.rpartition(".")[0], "rtc"))
+        try:
+            return path if orb.same(tree.resolve(path).ref, found.owner) else None
+        except errors.Error:
+            return None
+
+    def _anywhere(self, found):
+        if self.everywhere is None:
+            servers = [tree.resolve(Path(self.beside.server, (), None, False))] + tree.children(tree.resolve(ROOT))
+            self.everywhere = [node for server in servers for node in tree.walk(server)
+                               if node.kind == "component" and node.ref is not None]
+        return next((node.path for node in self.everywhere if orb.same(node.ref, found.owner)), None)
+
+
+# ---- connecting -----------------------------------------------------------------------------------------------
+
+def between(found):
+    """What an error about several ports names: `a.rtc:out to b.rtc:in`."""
+    return " to ".join(label(each) for each in found)
+
+
+def mismatches(found, properties):
+    """Why the Ports `found` cannot be connected with these properties (a dict): a list of reasons, empty when they can.
+
+    Components check next to nothing of this themselves (they connect a TimedLong with a TimedDouble and say RTC_OK).
+    """
+    if len({orb.identity(each.ref) for each in found}) < len(found):
+        return ["a port is named twice"]  # C++ 2.1 deadlocks for good on it
+    types = [each.type for each in found]
+    if all(t == "CorbaPort" for t in types):
+        return _service_mismatches(found, properties)
+    if all(t in DATA for t in types):
+        return _data_mismatches(found, types, properties)
+    if any(t in DATA for t in types) and "CorbaPort" in types:
+        return ["a data port and a service port do not go together"]
+    return []
+
+
+def _data_mismatches(found, types, properties):
+    if len(set(types)) == 1:
+        return ["%s a %s; a connection needs an in port and an out port"
+                % ("it is" if len(found) == 1 else "each is", types[0])]
+    reasons = []
+    data_types = [each.properties.get("dataport.data_type", "") for each in found]
+    if not all(_same_type(data_types[0], other) for other in data_types[1:]):
+        reasons.append("data types differ (%s)" % ", ".join(printable(_short_type(t)) for t in data_types))
+    for key, value in sorted(properties.items()):
+        for each in found:
+            allowed = _choices(each, key)
+            if allowed is not None and value not in allowed:
+                reasons.append("%s has no %s %s (it has: %s)" % (label(each), _short_key(key), printable(value),
+                                                                 printable(", ".join(allowed))))
+    for key, _ in DEFAULTS:
+        if key not in properties and _chosen(found, key, None) == "":
+            reasons.append("no %s in common (%s)" % (_short_key(key), "; ".join(
+                printable(",".join(_choices(each, key) or ["any"])) for each in found)))
+    return reasons
+
+
+def _short_key(key):
+    return key[len("dataport."):] if key.startswith("dataport.") else key
+
+
+def _short_type(type_id):
+    """RTC/TimedLong of IDL:RTC/TimedLong:1.0."""
+    name = type_id[4:] if type_id.startswith("IDL:") else type_id
+    return name.rpartition(":")[0] or name
+
+
+def _same_type(one, other):
+    """Repository ids name one type when their last parts agree and, where both have modules, the modules too."""
+    one, other = (_short_type(t).split("/") for t in (one, other))
+    if "any" in (one[-1].lower(), other[-1].lower()) or [""] in (one, other):
+        return True
+    return one == other if len(one) > 1 and len(other) > 1 else one[-1] == other[-1]
+
+
+def _choices(each, key):
+    """The values that a port allows for a property, None where it allows any or does not say."""
+    listed = each.properties.get(key)
+    if listed is None or key == "dataport.data_type":
+        return None
+    values = [value.strip() for value in listed.split(",")]
+    return None if any("any" in value.lower() for value in values) else values
+
+
+def _chosen(found, key, preferred):
+    """The preferred value when all ports allow it, else the first that they have in common, else ''."""
+    lists = [choices for choices in (_choices(each, key) for each in found) if choices is not None]
+    if not lists or all(preferred in choices for choices in lists):
+        return preferred
+    return next((value for value in lists[0] if all(value in choices for choices in lists)), "")
+
+
+def _service_mismatches(found, properties):
+    reasons, (first, *others) = [], found
+    for interface in first.interfaces:
+        for other in others:
+            if any(".%s" % interface.instance_name in key for key in properties):
+                continue  # mapped by hand to an interface of another name
+            named = [i for i in other.interfaces if i.instance_name == interface.instance_name]
+            if not named:
+                reasons.append("%s has no interface %s" % (label(other), printable(interface.instance_name)))
+            elif all(i.polarity == interface.polarity for i in named):
+                reasons.append("both have interface %s %s" % (printable(interface.instance_name), interface.polarity.lower()))
+    return reasons
+
+
+def connection_properties(found, given):
+    """The properties to connect with: those given (a dict), and defaults that all of the ports allow."""
+    properties = dict(given)
+    if found[0].type == "CorbaPort":
+        properties.setdefault("port.port_type", "CorbaPort")
+    elif found[0].type in DATA:
+        for key, preferred in DEFAULTS:
+            properties.setdefault(key, _chosen(found, key, preferred))
+        properties.setdefault("dataport.data_type", found[0].properties.get("dataport.data_type", ""))
+    return properties
+
+
+def joining(found):
+    """The connectors of the first port that join it with any of the others."""
+    others = [orb.identity(each.ref) for each in found[1:]]
+    return [c for c in found[0].connectors if any(orb.identity(ref) in others for ref in c.ports if ref is not None)]
+
+
+def check(found, given):
+    """Raise Refused with the reasons when the Ports `found` do not match, with these properties (a dict)."""
+    reasons = mismatches(found, given)
+    if reasons:
+        raise errors.Refused(between(found), "; ".join(reasons))
+
+
+def refuse_duplicate(found, name, connector_id):
+    """Raise Refused when the first port is joined with any of the others already, or has a connection so named."""
+    for connector in found[0].connectors:
+        for what, wanted, value in (("id", connector_id, connector.id), ("name", name, connector.name)):
+            if wanted and wanted == value:
+                raise errors.Refused(label(found[0]), "has a connection with %s %s already" % (what, printable(value)))
+    for connector in joining(found):
+        raise errors.Refused(between(found), "already connected (id %s)" % printable(connector.id))
+
+
+def command(found, name, connector_id, given):
+    """The rtcon command for a connection, ready for a shell."""
+    words = ["rtcon"] + ["-n", name] * bool(name) + ["-i", connector_id] * bool(connector_id)
+    for item in sorted(given.items()):
+        words += ["-p", "%s=%s" % item]
+    return " ".join(shell_word(word) for word in words + [label(each) for each in found])
+
+
+def connect(found, name="", connector_id="", given=None):
+    """Connect the Ports `found` (one or more, in this order) and return the Connector made.
+
+    Raises Refused with the reasons when they do not match or the components refuse, and Unreachable.
+    """
+    given = given or {}
+    check(found, given)
+    from rtshell_lite.idl_stubs.component import RTC
+    name = name or short_name(found[0].name, found[0].node.path.names[-1].id) + "_".join(
+        short_name(each.name, each.node.path.names[-1].id) for each in found[1:])
+    asked = RTC.ConnectorProfile(to_wire(name), to_wire(connector_id), [each.ref for each in found],
+                                 orb.nvlist(sorted(connection_properties(found, given).items())))
+    code, made = orb.call(between(found), found[0].ref, "connect", asked)
+    if str(code) != "RTC_OK":
+        _tidy(found)
+        raise errors.Refused(between(found), _why_refused(str(code), found, connector_id), name=str(code))
+    return _connector(made)
+
+
+def _why_refused(code, found, connector_id):
+    already = joining(found)
+    if code == "PRECONDITION_NOT_MET" and already:
+        return "already connected (id %s)" % printable(already[0].id)
+    if code == "PRECONDITION_NOT_MET" and connector_id:
+        return "refused (a connection with id %s exists already?)" % printable(connector_id)
+    return "refused by the component (%s)" % code
+
+
+def _tidy(found):
+    """Remove what a failed connect left behind: components of Python keep half a connection on the in port."""
+    for each in found:
+        try:
+            now = port(each.node, each.ref)
+            for connector in now.connectors:
+                if connector.id not in [c.id for c in each.connectors] and joining([now._replace(connectors=[connector])] + [
+                        other for other in found if other is not each]):
+                    orb.call(label(each), each.ref, "notify_disconnect", to_wire(connector.id))
+        except errors.Error:
+            pass  # the refusal itself is what the user has to know
+
+
+def disconnect(each, connector):
+    """Remove a Connector of a Port. Done when the port no longer has it, whatever the far end says. Raises Refused."""
+    connector_id = to_wire(connector.id)
+    for operation in ("disconnect", "notify_disconnect"):  # the second reaches this end alone, for a dead far end
+        code = str(orb.call(label(each), each.ref, operation, connector_id))
+        if code in ("RTC_OK", "BAD_PARAMETER"):  # BAD_PARAMETER: it does not know the connector, so it is gone
+            return
+        left = orb.call(label(each), each.ref, "get_connector_profiles")
+        if connector_id not in [c.connector_id for c in left]:
+            return
+    raise errors.Refused(label(each), "cannot remove connection %s (%s)" % (printable(connector.id), code))
+
+
+def disconnect_all(pairs, dry_run=False):
+    """`disconnect` for each (Port, Connector): a line or an errors.Error for each; a connector of two own ports goes once."""
+    results, seen = [], set()
+    for each, connector in pairs:
+        if connector.id in seen:
+            continue
+        seen.add(connector.id)
+        if dry_run:
+            results.append("rtdis -i %s %s" % (shell_word(connector.id), shell_word(label(each))))
+            continue
+        try:
+            disconnect(each, connector)
+            results.append("%s: removed connection %s" % (label(each), printable(connector.id)))
+        except errors.Error as e:
+            results.append(e)
+    return results

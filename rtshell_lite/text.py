@@ -1,0 +1,174 @@
+"""Text as people see it: off the wire and back, terminal-safe and reversible, in columns, in colour, as JSON."""
+import os
+import re
+import sys
+
+from rtshell_lite import errors
+
+
+# ---- the wire -------------------------------------------------------------------------------------------------
+
+def from_wire(s):
+    """Turn a string that a peer sent into text.
+
+    Almost every ORB calls its bytes Latin-1 while they are UTF-8. Bytes that are not UTF-8 are kept as surrogate
+    escapes, so that `to_wire` gives back exactly what came. Text beyond Latin-1 was decoded by the ORB already.
+    """
+    if s.isascii() if hasattr(s, "isascii") else all(c < "\x80" for c in s):
+        return s
+    try:
+        return s.encode("latin-1").decode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:
+        return s
+
+
+def to_wire(s):
+    """Turn text into the string that a peer expects: the reverse of `from_wire`. Raises Usage for a lone surrogate."""
+    try:
+        return s.encode("utf-8", "surrogateescape").decode("latin-1")
+    except UnicodeEncodeError:
+        raise errors.Usage("%s: not text that can be sent" % printable(s))
+
+
+# ---- the terminal ---------------------------------------------------------------------------------------------
+
+def printable(s):
+    """Spell `s` so that no control character reaches a terminal; `unescaped` reads the spelling back."""
+    if s.isprintable() and "\\" not in s:
+        return s
+    return "".join(c if c.isprintable() and c != "\\" else _escape(c) for c in s)
+
+
+def safe(s):
+    """`s` with control characters escaped and nothing else: for lines that hold text spelt for the terminal already."""
+    return s if s.isprintable() else "".join(c if c.isprintable() else _escape(c) for c in s)
+
+
+def _escape(c):
+    n = ord(c)
+    if c == "\\":
+        return "\\\\"
+    if 0xDC80 <= n <= 0xDCFF:  # a byte that is not UTF-8
+        return "\\x%02x" % (n - 0xDC00)
+    return "\\x%02x" % n if n < 0x80 else "\\u%04x" % n if n < 0x10000 else "\\U%08x" % n
+
+
+_ESCAPE = re.compile(r"\\(?:x([0-9a-fA-F]{2})|u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8})|(.)|$)", re.DOTALL)
+
+
+def unescaped(s):
+    """Read back what `printable` wrote; a backslash before punctuation is dropped. Raises ValueError on a bad escape."""
+    return _ESCAPE.sub(_meant, s) if "\\" in s else s
+
+
+def _meant(found):
+    byte, short, long, literal = found.groups()
+    if literal and not literal.isalnum():
+        return literal
+    if literal or not (byte or short or long):
+        raise ValueError("bad escape " + found.group())
+    n = int(byte or short or long, 16)
+    return chr(n + 0xDC00 if byte and n >= 0x80 else n)  # chr() raises ValueError beyond Unicode
+
+
+def shell_word(s):
+    """`s` as one word of a POSIX shell command."""
+    return s if re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII) else "'" + s.replace("'", "'\"'\"'") + "'"
+
+
+def width():
+    """Columns of the terminal, 80 where there is none (shutil, which is slow to import, is not needed for that)."""
+    for fd in (1, 2, 0):
+        try:
+            columns = os.get_terminal_size(fd).columns
+        except (OSError, ValueError, AttributeError):
+            continue
+        if columns > 0:
+            return columns
+    try:
+        return max(int(os.environ.get("COLUMNS", 80)), 1)
+    except ValueError:
+        return 80
+
+
+def cells(s):
+    """How many columns of a terminal `s` fills: East Asian wide characters take two, combining ones none."""
+    if "\x1b" in s:  # our own colour: text from elsewhere is escaped before
+        s = re.sub("\x1b\\[[0-9;]*m", "", s)
+    if all(c < "\u0300" for c in s):
+        return len(s)
+    import unicodedata
+    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in s)
+
+
+def padded(s, size):
+    """`s` with blanks behind it up to `size` columns."""
+    return s + " " * (size - cells(s))
+
+
+def columns(words, total, shown=None):
+    """Lay `words` out row by row like ls -x: a list of lines no wider than `total`, one word a line at worst.
+
+    `shown`, a list as long as `words`, gives what is printed for each (coloured, say); the widths are those of `words`.
+    """
+    shown = shown or words
+    sizes = [cells(w) for w in words]
+    for count in range(min(len(words), max(total // 3, 1)), 1, -1):
+        wide = [max(sizes[i::count]) for i in range(count)]
+        if sum(wide) + 2 * (count - 1) <= total:
+            break
+    else:
+        return list(shown)
+    lines = []
+    for start in range(0, len(words), count):
+        row = range(start, min(start + count, len(words)))
+        lines.append("  ".join(shown[i] + " " * (wide[i - start] - sizes[i] if i != row[-1] else 0) for i in row))
+    return lines
+
+
+def table(rows):
+    """Lines of `rows` (lists of str of one length) in left-aligned columns two blanks apart, the last one ragged."""
+    if not rows:
+        return []
+    sizes = [max(cells(row[i]) for row in rows) for i in range(len(rows[0]) - 1)]
+    return ["  ".join([padded(cell, size) for cell, size in zip(row, sizes)] + [row[-1]]) for row in rows]
+
+
+def pairs(items, indent=""):
+    """Lines `name  value` of (name, value) pairs, the values aligned two blanks behind the longest name."""
+    items = list(items)
+    size = max([cells(name) for name, _ in items] or [0])
+    return [indent + padded(name, size) + "  " + value for name, value in items]
+
+
+# ---- colour ---------------------------------------------------------------------------------------------------
+
+COLOURS = {
+    "Inactive": "01;34", "Active": "01;32", "Error": "01;37;41", "Unknown": "01;31", "?": "01;31",
+    "Running": "01;32", "directory": "01;34", "zombie": "02;37", "bold": "01", "active set": "01;32",
+}
+
+
+def colour_wanted():
+    """True when stdout is a terminal that wants colour (https://no-color.org, TERM=dumb)."""
+    return bool(sys.stdout and sys.stdout.isatty()
+                and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb")
+
+
+def painter():
+    """A function paint(word, role=word) that colours `word` as its role is coloured, or leaves it when not wanted."""
+    if not colour_wanted():
+        return lambda word, role=None: word
+
+    def paint(word, role=None):
+        code = COLOURS.get(role or word)
+        return "\x1b[%sm%s\x1b[00m" % (code, word) if code else word
+    return paint
+
+
+# ---- JSON -----------------------------------------------------------------------------------------------------
+
+def json_line(value):
+    """One object as one line: ASCII, sorted keys. Undecodable bytes stand as \\udcXX, Python's surrogate escapes."""
+    import json
+    return json.dumps(value, sort_keys=True, ensure_ascii=True)

@@ -1,0 +1,295 @@
+"""The RTC Tree: name servers as a file system of directories, components, managers and ports.
+
+Resolution is lazy: only what a path names is asked. As a library:
+
+    from rtshell_lite import tree
+    for node in tree.walk(tree.resolve("/localhost")):
+        print(node.path, node.kind)
+"""
+import collections
+import os
+
+from rtshell_lite import errors, orb, rpc
+from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse
+from rtshell_lite.text import from_wire
+
+# What a node can be. `silent` is a component or manager whose process does not answer, `unknown` any other object.
+KINDS = ("root", "server", "directory", "component", "manager", "zombie", "silent", "unknown")
+DIRECTORIES = ("root", "server", "directory", "manager")
+DEPTH = 64  # contexts can be bound inside themselves by another name
+
+_COMPONENTS = ("IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0", "IDL:omg.org/RTC/RTObject:1.0",
+               "IDL:openrtm.aist.go.jp/OpenRTM/FiniteStateMachineComponent:1.0")
+_RTOBJECT = "IDL:omg.org/RTC/RTObject:1.0"
+_MANAGER = "IDL:RTM/Manager:1.0"
+_CONTEXTS = ("IDL:omg.org/CosNaming/NamingContext:1.0", "IDL:omg.org/CosNaming/NamingContextExt:1.0")
+
+
+class Node:
+    """One object of the tree.
+
+    path   its Path
+    kind   one of KINDS, or `unsure` for an object that has to be asked (`look`) because its reference does not tell
+    ref    its object reference; None at the root and for a nil reference
+    error  for kind `silent` and `zombie`: the errors.Error that tells why
+    """
+
+    def __init__(self, path, kind, ref=None, error=None):
+        self.path, self.kind, self.ref, self.error = path, kind, ref, error
+
+    @property
+    def name(self):
+        """How a listing shows it: the last name of its path, spelt for the terminal."""
+        return str(self.path.names[-1]) if self.path.names else str(self.path)[1:] or "/"
+
+    @property
+    def typed(self):
+        """`ref` as a reference of the interface that its kind implies; the stubs are imported only here."""
+        if self.kind in ("server", "directory"):
+            return orb.context(self.ref)
+        if self.kind == "manager":
+            from rtshell_lite.idl_stubs.manager import RTM
+            return orb.narrow(self.ref, RTM.Manager)
+        from rtshell_lite.idl_stubs.component import OpenRTM
+        return orb.narrow(self.ref, OpenRTM.DataFlowComponent)
+
+    def call(self, operation, *args, **more):
+        """Call an operation of its object; errors name its path."""
+        try:
+            return orb.call(str(self.path), self.typed, operation, *args, **more)
+        except errors.ConnectionRefused as e:
+            raise errors.NoNameServer(*e.args) if self.kind == "server" else e
+
+    def __repr__(self):
+        return "<%s %s>" % (self.kind, self.path)
+
+
+# ---- name servers ---------------------------------------------------------------------------------------------
+
+def servers():
+    """Addresses of the name servers of RTCTREE_NAMESERVERS (separated by semicolons), else localhost."""
+    listed = [address for address in os.environ.get("RTCTREE_NAMESERVERS", "").split(";") if address.strip()]
+    return list(collections.OrderedDict.fromkeys(address.strip() for address in listed or ["localhost"]))
+
+
+def _server(path):
+    """The node of the name server that `path` begins with; contacts nobody."""
+    where = Path(path.server, (), None, False)
+    return Node(where, "server", orb.corbaloc(str(where), path.server, "NameService", DEFAULT_PORT))
+
+
+# ---- from a path to a node ------------------------------------------------------------------------------------
+
+def resolve(path):
+    """The Node at `path` (a Path or text; its port is left out). One call to the name server, none to a component.
+
+    A component or manager comes back unasked: `look` tells whether it lives. Raises NotFound, Misspelt, WrongKind, and
+    Unreachable or Silent when the name server does not answer.
+    """
+    path = (parse(path) if isinstance(path, str) else path).object()
+    if path.server is None:
+        return Node(ROOT, "root")
+    server = _server(path)
+    if not path.names:
+        return server
+    return _resolved(server, path)
+
+
+def _resolved(server, path):
+    try:
+        ref = server.call("resolve", orb.naming_name(path.names))
+    except errors.Refused as e:
+        if e.name in ("NotFound", "CannotProceed", "InvalidName"):
+            raise _why_not_found(path)
+        raise _not_a_name_server(server, e)
+    return _classified(path, ref)
+
+
+def _not_a_name_server(server, e):
+    if e.name in ("BAD_OPERATION", "NO_IMPLEMENT", "INTF_REPOS"):
+        return errors.WrongKind(str(server.path), "name server", "CORBA object of another kind")
+    return e
+
+
+def _why_not_found(path):
+    """The error for a path that does not resolve, with a near miss where a listing of its directory offers one."""
+    try:
+        above = resolve(path.parent())
+        if above.kind not in DIRECTORIES:
+            return errors.WrongKind(str(above.path), "directory", above.kind)
+        names = [str(above.path.child(name).names[-1]) for name in _names(above)]
+    except (errors.NotFound, errors.WrongKind) as e:
+        return e
+    import difflib
+    close = difflib.get_close_matches(str(path.names[-1]), names, 1)
+    return errors.Misspelt(str(path), close[0]) if close else errors.NotFound(str(path))
+
+
+def _classified(path, ref):
+    """The Node for a reference found under `path`, by the type its IOR tells: no remote call."""
+    if ref is None:
+        return Node(path, "unknown")
+    type_id, kind = orb.address(ref).type_id, path.names[-1].kind
+    if type_id in _CONTEXTS:
+        return Node(path, "directory", ref)
+    if type_id in _COMPONENTS:
+        return Node(path, "component", ref)
+    if type_id == _MANAGER:
+        return Node(path, "manager", ref)
+    return Node(path, "unsure" if kind in ("rtc", "mgr") or not type_id else "unknown", ref)
+
+
+# ---- liveness -------------------------------------------------------------------------------------------------
+
+def look(nodes):
+    """Find out which of `nodes` live, in parallel, one call each; returns new nodes in the same order.
+
+    A component or manager that is gone becomes `zombie`, one that does not answer `silent`. `_non_existent` is the
+    question: a profile can end a component whose connection has died (protocol of OpenRTM-aist 2.1).
+    """
+    objects = [node for node in nodes if node.kind in ("component", "manager", "unsure")]
+    answers = dict(zip(objects, on_nodes(objects, _looked_at)))
+    return [judged(node, answers[node]) if node in answers else node for node in nodes]
+
+
+def judged(node, answer):
+    """The Node that `node` turns out to be, given what it answered: itself, or zombie or silent after an errors.Error."""
+    if not isinstance(answer, errors.Error):
+        return answer
+    zombie = isinstance(answer, (errors.Gone, errors.ConnectionRefused))
+    return Node(node.path, "zombie" if zombie else "silent", node.ref, answer)
+
+
+def _looked_at(node):
+    where = str(node.path)
+    if node.kind == "unsure":
+        return _sure(node, where)
+    orb.is_alive(where, node.ref)
+    return node
+
+
+def _sure(node, where):
+    """Ask an object that does not say what it is; a refusal to tell makes it unknown."""
+    orb.is_alive(where, node.ref)
+    try:
+        for kind, type_id in (("component", _RTOBJECT), ("manager", _MANAGER), ("directory", _CONTEXTS[0])):
+            if orb.call(where, node.ref, "_is_a", type_id):
+                return Node(node.path, kind, node.ref)
+    except errors.Refused:
+        pass
+    return Node(node.path, "unknown", node.ref)
+
+
+def component(path):
+    """The component at `path`. Raises as `resolve` does, WrongKind, Gone for a zombie; asks a component nothing."""
+    node = resolve(path)
+    if node.kind == "unsure":
+        node, = look([node])
+    if node.kind == "zombie":
+        raise errors.Gone(str(node.path))
+    if node.kind == "silent":
+        raise node.error
+    if node.kind != "component":
+        raise errors.WrongKind(str(node.path), "component", node.kind)
+    if path.directory:
+        raise errors.WrongKind(str(node.path), "directory", "component")
+    return node
+
+
+def on_components(paths, function):
+    """Call function(node) for the component at each path, in parallel; values in order, an errors.Error for what failed."""
+    orb.start()  # its failures are not the failure of a path
+
+    def resolved(path):
+        return rpc.Job(path.server, str(path), lambda: component(path))
+    nodes = rpc.gather([resolved(path) for path in paths])
+    return on_nodes(nodes, function)
+
+
+def on_nodes(nodes, function):
+    """Call function(node) for each Node, in parallel by the process that answers; an errors.Error stays in its place."""
+    jobs = [rpc.Job(orb.endpoint(node.ref), str(node.path), lambda node=node: function(node)) for node in nodes
+            if isinstance(node, Node)]
+    values = iter(rpc.gather(jobs))
+    return [next(values) if isinstance(node, Node) else node for node in nodes]
+
+
+# ---- listing --------------------------------------------------------------------------------------------------
+
+def children(node):
+    """The nodes in a directory, sorted by name: one call for the names, one to the name server for each object.
+
+    Nobody but the name server is asked (use `look` on the result). At the root: the name servers. Raises WrongKind for what
+    is no directory, and Unreachable.
+    """
+    if node.kind == "root":
+        return sorted((_server(parse("/" + address)) for address in servers()), key=lambda server: str(server.path))
+    if node.kind not in ("server", "directory"):
+        raise errors.WrongKind(str(node.path), "directory", node.kind)
+    jobs = []
+    context, server = node.typed, orb.endpoint(node.ref)
+    for name in _names(node):
+        path = node.path.child(name)
+        jobs.append(rpc.Job(server, str(path), lambda path=path: _classified(
+            path, orb.call(str(path), context, "resolve", orb.naming_name(path.names[-1:])))))
+    found = [child for child in rpc.gather(jobs) if not isinstance(child, errors.Refused)]  # unbound since the list was made
+    for failure in found:
+        if isinstance(failure, errors.Error):
+            raise failure
+    return sorted(found, key=lambda child: str(child.path))
+
+
+def _names(node):
+    """The Name of every binding of a naming context, however many there are; [] for other directories."""
+    if node.kind not in ("server", "directory"):
+        return []
+    size = 10000  # one call for all but the largest contexts
+    try:
+        bindings, iterator = node.call("list", size)
+    except errors.Refused as e:
+        raise _not_a_name_server(node, e)
+    if iterator is not None:
+        try:
+            more = True
+            while more:
+                more, batch = orb.call(str(node.path), iterator, "next_n", size)
+                bindings += batch
+        finally:
+            orb.call(str(node.path), iterator, "destroy")
+    names = [binding.binding_name[0] for binding in bindings if binding.binding_name]
+    return [Name(from_wire(name.id), from_wire(name.kind)) for name in names]
+
+
+def walk(node, depth=None):
+    """Yield `node` and everything below it, depth first, sorted; (Node, its children) would be `children` again.
+
+    Each naming context is entered once, however often it is bound, and at most `depth` levels (None: DEPTH) down.
+    A directory that does not answer is yielded with its `error` set. Objects are not asked whether they live.
+    """
+    return _walk(node, DEPTH if depth is None else min(depth, DEPTH), set())
+
+
+def _walk(node, depth, seen):
+    yield node
+    if depth <= 0 or node.kind not in ("root", "server", "directory"):
+        return
+    if node.ref is not None:
+        identity = orb.identity(node.ref)
+        if identity in seen:
+            return
+        seen.add(identity)
+    try:
+        below = children(node)
+    except errors.Error as e:
+        node.error = e
+        return
+    if node.kind == "root":  # name servers in parallel: several may be silent
+        parts = rpc.gather([rpc.Job(orb.endpoint(child.ref), str(child.path),
+                                    lambda child=child: list(_walk(child, depth - 1, set()))) for child in below])
+    else:
+        parts = (_walk(child, depth - 1, seen) for child in below)
+    for child, part in zip(below, parts):
+        if isinstance(part, errors.Error):
+            child.error, part = part, [child]
+        for found in part:
+            yield found

@@ -1,0 +1,60 @@
+rtpwd prints the working directory in the RTC Tree. It contacts nothing: in this transcript no name
+server runs, and omniORBpy is not needed.
+
+python: pure
+
+  $ rtpwd
+  /localhost:$PORT/test.host_cxt
+
+Without a working directory, and with an empty one, it is the root:
+
+  $ RTCSH_CWD= rtpwd
+  /
+
+  $ unset RTCSH_CWD; rtpwd
+  /
+
+The directory is spelt in one way, and cannot harm a terminal:
+
+  $ RTCSH_CWD=/robot//a.cxt/./b.cxt/.. rtpwd
+  /robot/a.cxt
+
+  $ RTCSH_CWD=$(printf '/robot/\033[1mA\\.b.cxt') rtpwd
+  /robot/\x1b[1mA.b.cxt
+
+  $ RTCSH_CWD=robot rtpwd
+  rtpwd: robot: a working directory (RTCSH_CWD) starts with /
+  [2]
+
+JSON:
+
+  $ RTCSH_CWD='/robot/"a.cxt' rtpwd --json
+  {"path": "/robot/\"a.cxt"}
+
+Nothing else is taken:
+
+  $ rtpwd /robot
+  rtpwd: unrecognized arguments: /robot (see --help)
+  [2]
+  $ rtpwd --lang
+  rtpwd: unrecognized arguments: --lang (see --help)
+  [2]
+  $ rtpwd --version
+  0.1.0
+
+Help holds what the command is for, and examples (the words around them differ between Pythons):
+
+  $ rtpwd --help | grep '^Print'
+  Print the working directory in the RTC Tree.
+  $ rtpwd --help | grep -A 1 '^examples'
+  examples:
+    rtpwd
+
+Its output can be refused:
+
+  $ rtpwd >/dev/full
+  rtpwd: No space left on device
+  [1]
+  $ rtpwd >&-
+  rtpwd: cannot write the output: Bad file descriptor
+  [1]

@@ -1,0 +1,284 @@
+"""Build the wheel, install it with omniORBpy in a private environment, run all tests against it.
+
+Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a test failed or none ran.
+
+  tests/run                       all tests, on the Python that runs this
+  tests/run rtls test_path        those whose name holds one of these words: tests/commands/rtls.t, tests/test_path.py
+  tests/run 'rtls.t (dash)'       one transcript under one shell
+  tests/run --python 3.7 rtls     on another Python
+  tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
+  tests/run --all                 the matrix: all on 3.7, 3.11 and 3.13, what needs no omniORBpy on 3.6, and the
+                                  packaging on every Python from 3.6 to 3.13 that is found
+"""
+import argparse
+import glob
+import json
+import os
+import queue
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import uuid
+
+import environments
+import transcripts
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+FULL, PURE, ALL = ["3.7", "3.11", "3.13"], ["3.6"], ["3.%d" % minor for minor in range(6, 14)]
+MODULE_LIMIT = 300.0  # seconds for one test module
+PACKAGING = "test_packaging"
+
+
+class Job:
+    """Something that runs by itself and gives outcomes: a test module, or a transcript under one shell."""
+
+    def __init__(self, label, run, alone):
+        self.label = label
+        self.run = run
+        self.alone = alone
+
+
+# ---- jobs ----
+
+def test_modules():
+    return sorted(os.path.basename(path)[:-3] for path in glob.glob(os.path.join(glob.escape(HERE), "test_*.py")))
+
+
+def module_jobs(python, setting, wheel, patterns, modules):
+    environment = dict(os.environ, RTSHELL_WHEEL=wheel, PYTHONPATH=peers())
+    omniorb = environments.fetch_omniorb(python)
+    if omniorb:
+        environment["RTSHELL_OMNIORB_WHEEL"] = omniorb
+    if setting.commands:
+        environment["PATH"] = setting.commands + os.pathsep + os.environ["PATH"]
+
+    def job(module):
+        return Job("%s %s" % (python.version, module), lambda: run_module(module, setting.python, environment, patterns),
+                   measures(module))
+    return [job(module) for module in modules]
+
+
+def measures(module):
+    with open(os.path.join(HERE, module + ".py"), encoding="utf-8") as file:
+        return any(line.startswith("ALONE =") for line in file)
+
+
+def run_module(module, python, environment, patterns):
+    with tempfile.TemporaryDirectory(prefix="rt-") as directory:
+        result = os.path.join(directory, "result")
+        # Output goes to a file: a process that a test forgot would hold a pipe open.
+        with open(os.path.join(directory, "output"), "w+", encoding="utf-8", errors="replace") as output:
+            process = subprocess.Popen([python, os.path.join(HERE, "report.py"), result, module] + patterns,
+                                       stdin=subprocess.PIPE, stdout=output, stderr=output, env=environment,
+                                       cwd=directory, start_new_session=True)
+            why = wait(process)
+            output.seek(0)
+            said = output.read()
+        try:
+            with open(result) as file:
+                outcomes = json.load(file)
+        except (OSError, ValueError):
+            return [(module, "fail", "%s\n%s" % (why, said))]
+    if said and any(outcome[1] == "fail" for outcome in outcomes):
+        outcomes[-1] = outcomes[-1][:2] + [outcomes[-1][2] + "\noutput of %s:\n%s" % (module, said)]
+    return outcomes
+
+
+def wait(process):
+    try:
+        why = "ended with status %d" % process.wait(MODULE_LIMIT)
+    except subprocess.TimeoutExpired:
+        why = "no end after %g s" % MODULE_LIMIT
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass
+    process.wait()
+    process.stdin.close()
+    return why
+
+
+def peers():
+    """A directory that holds mock_components and nothing else: rtshell_lite must come from the environment."""
+    directory = os.path.join(environments.STORE, "peers")
+    os.makedirs(directory, exist_ok=True)
+    link = os.path.join(directory, "mock_components")
+    if not os.path.islink(link):
+        os.symlink(os.path.join(os.pardir, os.pardir, "mock_components"), link)
+    return directory
+
+
+def transcript_jobs(python, setting, patterns, accept=False):
+    missing = transcripts.missing_shells()
+
+    def job(path, shell):
+        name = transcripts.case_name(path, shell)
+
+        def run():
+            if shell in missing:
+                return [(name, "skip", "%s is not installed" % transcripts.SHELLS[shell][0])]
+            return [(name,) + transcripts.run_case(path, shell, setting, accept)]
+        return Job("%s %s" % (python.version, name), run, transcripts.alone(path))
+    return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else None)]
+
+
+# ---- running them ----
+
+class Score:
+    """What has been seen so far; told as it comes."""
+
+    def __init__(self):
+        self.counts = {"pass": 0, "fail": 0, "skip": 0}
+        self.reasons = {}
+
+    def add(self, label, outcomes, seconds=None):
+        for name, outcome, text in outcomes:
+            self.counts[outcome] += 1
+            if outcome == "fail":
+                print("FAIL %s%s\n%s\n" % (label, "" if name in label else ": " + name, text.rstrip()), flush=True)
+            elif outcome == "skip":
+                self.reasons.setdefault(text, []).append("%s: %s" % (label, name))
+        if outcomes and seconds is not None and not any(outcome == "fail" for _, outcome, _ in outcomes):
+            passed = sum(outcome == "pass" for _, outcome, _ in outcomes)
+            print("%s %s: %d in %.1f s" % ("ok  " if passed else "skip", label, len(outcomes), seconds), flush=True)
+
+    def close(self):
+        if not any(self.counts.values()):
+            print("no test has such a name")
+        for reason, names in sorted(self.reasons.items()):
+            print("skipped %d: %s" % (len(names), reason))
+        skipped = ", %(skip)d skipped" % self.counts if self.counts["skip"] else ""
+        print("%(pass)d passed, %(fail)d failed" % self.counts + skipped, flush=True)
+        return 1 if self.counts["fail"] or not self.counts["pass"] else 0
+
+
+def run_jobs(jobs, score):
+    _run_some([job for job in jobs if not job.alone], os.cpu_count() or 1, score)
+    _run_some([job for job in jobs if job.alone], 1, score)
+
+
+def _run_some(jobs, lanes, score):
+    waiting, finished = queue.Queue(), queue.Queue()
+    for job in jobs:
+        waiting.put(job)
+    for _ in range(lanes):
+        threading.Thread(target=_work, args=(waiting, finished), daemon=True).start()
+    for _ in jobs:
+        score.add(*finished.get())
+
+
+def _work(waiting, finished):
+    while True:
+        try:
+            job = waiting.get_nowait()
+        except queue.Empty:
+            return
+        begun = time.monotonic()
+        try:
+            outcomes = job.run()
+        except Exception as e:  # a fault of the runner itself must not be taken for success, nor stop the others
+            outcomes = [(job.label, "fail", "%s: %s" % (type(e).__name__, e))]
+        finished.put((job.label, outcomes, time.monotonic() - begun))
+
+
+# ---- what is left behind ----
+
+def mark():
+    """Put a mark into the environment that every process of this run inherits."""
+    os.environ["RTSHELL_TESTS"] = uuid.uuid4().hex
+    return ("RTSHELL_TESTS=" + os.environ["RTSHELL_TESTS"]).encode()
+
+
+def left_behind(marker):
+    """Command lines of processes that carry the mark, other than this one; they are killed."""
+    found = []
+    for number in (int(name) for name in os.listdir("/proc") if name.isdigit()) if os.path.isdir("/proc") else ():
+        try:
+            with open("/proc/%d/environ" % number, "rb") as file:
+                if number == os.getpid() or marker not in file.read():
+                    continue
+            with open("/proc/%d/cmdline" % number, "rb") as file:
+                found.append(file.read().replace(b"\0", b" ").decode("utf-8", "replace"))
+            os.kill(number, signal.SIGKILL)
+        except OSError:
+            pass
+    return found
+
+
+# ---- what to run ----
+
+def jobs_for(version, wheel, args):
+    """All jobs on one Python."""
+    python = environments.find_python(version)
+    interpreter = environments.prepare(python, wheel)
+    setting = transcripts.Setting(interpreter, os.path.dirname(interpreter))
+    if args.accept:
+        return transcript_jobs(python, setting, args.pattern, True)
+    return module_jobs(python, setting, wheel, args.pattern, test_modules()) + \
+        transcript_jobs(python, setting, args.pattern)
+
+
+def packaging_jobs(version, wheel, args):
+    """The packaging tests on a Python as it is, with nothing installed for them."""
+    python = environments.find_python(version)
+    return module_jobs(python, transcripts.Setting(python.path), wheel, args.pattern, [PACKAGING])
+
+
+def gather_jobs(args, wheel, score):
+    """The jobs of all versions asked for; a Python that is not here is told as skipped."""
+    jobs = []
+    versions = FULL + PURE if args.all else args.python or [sys.executable]
+    wanted = [(jobs_for, version) for version in versions]
+    wanted += [(packaging_jobs, version) for version in ALL if args.all and version not in versions]
+    for make, version in wanted:
+        try:
+            jobs += make(version, wheel, args)
+        except environments.Missing as e:
+            score.add(version, [("all tests", "skip" if args.all else "fail", str(e))])
+        except environments.Failed as e:
+            score.add(version, [("environment", "fail", str(e))])
+    return jobs
+
+
+def builder():
+    """The Python that builds the wheel: this one, or the newest here if it is too old to build from setup.cfg."""
+    for version in [sys.executable] * (sys.version_info >= (3, 7)) + ALL[:0:-1]:
+        try:
+            return environments.find_python(version)
+        except environments.Missing:
+            pass
+    raise environments.Missing("no Python from 3.7 on is here: an older one cannot build the wheel")
+
+
+def options():
+    parser = argparse.ArgumentParser(prog="tests/run", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("pattern", nargs="*", help="part of a test's name")
+    parser.add_argument("--python", action="append", metavar="VERSION", help="a version or a path; may be repeated")
+    parser.add_argument("--all", action="store_true", help="the matrix")
+    parser.add_argument("--accept", action="store_true", help="rewrite transcripts from what is printed")
+    return parser.parse_args()
+
+
+def main():
+    args = options()
+    marker, score = mark(), Score()
+    held = environments.lock()
+    try:
+        wheel = environments.build_wheel(builder())
+    except environments.Failed as e:
+        score.add("wheel", [("build", "fail", str(e))])
+        return score.close()
+    print("wheel: %s, %d kB" % (os.path.basename(wheel), os.path.getsize(wheel) // 1000))
+    run_jobs(gather_jobs(args, wheel, score), score)
+    for line in left_behind(marker):
+        score.add("processes", [("left behind", "fail", line)])
+    held.close()
+    return score.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,135 @@
+"""What every command shares, tried on a command of our own: options anywhere, one line a failure, exit statuses."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+COMMAND = '''\
+"""Do something for a test.
+
+examples:
+  rtfoo a
+"""
+from rtshell_lite import cli, errors
+
+
+def arguments(parser):
+    cli.paths(parser, nargs="*")
+    parser.add_argument("-l", action="count", default=0)
+    parser.add_argument("-n", type=int)
+    parser.add_argument("--shell", nargs="?", const="sh", choices=["sh", "fish"])
+    cli.wait(parser, "it is done")
+
+
+def run(args):
+    if args.paths[:1] == ["bug"]:
+        raise KeyError("x")
+    if args.paths[:1] == ["io"]:
+        open("/does/not/exist")
+    if args.paths[:1] == ["fail"]:
+        tally = cli.Tally()
+        for word in args.paths[1:]:
+            tally.add({"3": errors.NotFound("a"), "4": errors.Unreachable("b", "gone"), "0": "fine"}[word])
+        return tally.status()
+    cli.note("a note")
+    cli.detail("a detail")
+    print(args.paths, args.l, args.n, args.shell, args.wait, args.timeout)
+
+
+cli.main(arguments, run, __doc__)
+'''
+
+
+class Command(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.file = os.path.join(cls.folder.name, "rtfoo")
+        with open(cls.file, "w") as out:
+            out.write(COMMAND)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def foo(self, *words, **environment):
+        env = dict(os.environ, PYTHONPATH=os.pathsep.join(p for p in sys.path if p), **environment)
+        ran = subprocess.run([sys.executable, self.file] + list(words), env=env, stdout=subprocess.PIPE,
+                             stderr=subprocess.PIPE, stdin=subprocess.DEVNULL)
+        return ran.returncode, ran.stdout.decode("utf-8"), ran.stderr.decode("utf-8")
+
+    def said(self, *words, **environment):
+        return self.foo(*words, **environment)[1].strip()
+
+    def test_options_stand_anywhere(self):
+        expected = "['a', 'b'] 2 5 None None 3.0"
+        for words in (["-ll", "-n5", "a", "b"], ["a", "-l", "b", "-n", "5", "-l"], ["a", "b", "-lln", "5"],
+                      ["-l", "-n=5"[:2] + "5", "-l", "--", "a", "b"]):
+            self.assertEqual(self.said(*words), expected)
+
+    def test_numbers_below_zero_and_a_dash_are_arguments(self):
+        self.assertEqual(self.said("a", "-5", "-", "-.5"), "['a', '-5', '-', '-.5'] 0 None None None 3.0")
+        self.assertEqual(self.said("--", "-l"), "['-l'] 0 None None None 3.0")
+
+    def test_an_optional_value_is_not_taken_from_the_paths(self):
+        self.assertEqual(self.said("--wait", "a"), "['a'] 0 None None 5.0 3.0")
+        self.assertEqual(self.said("--wait", "2", "a"), "['a'] 0 None None 2.0 3.0")
+        self.assertEqual(self.said("--wait=2", "a"), "['a'] 0 None None 2.0 3.0")
+        self.assertEqual(self.said("--shell", "x"), "['x'] 0 None sh None 3.0")
+        self.assertEqual(self.said("--shell", "fish"), "[] 0 None fish None 3.0")
+
+    def test_wrong_usage_is_one_line_and_2(self):
+        for words in (["--nope"], ["--tim", "3"], ["-n", "x"], ["-n"], ["--timeout", "0"], ["--timeout=nan"],
+                      ["--timeout", "-1"], ["-z"], ["-lz"]):
+            status, out, err = self.foo(*words)
+            self.assertEqual((status, out, err.count("\n")), (2, "", 1), (words, err))
+            self.assertTrue(err.startswith("rtfoo: ") and "--help" in err, err)
+
+    def test_the_timeout_comes_from_the_environment_and_the_option_wins(self):
+        self.assertTrue(self.said("a", RTSHELL_TIMEOUT="7").endswith("7.0"))
+        self.assertTrue(self.said("a", "--timeout", "1", RTSHELL_TIMEOUT="7").endswith("1.0"))
+        self.assertEqual(self.foo("a", RTSHELL_TIMEOUT="soon")[0], 2)
+
+    def test_notes_and_details(self):
+        self.assertEqual(self.foo("a")[2], "rtfoo: a note\n")
+        self.assertEqual(self.foo("a", "-q")[2], "")
+        self.assertEqual(self.foo("a", "-v")[2], "rtfoo: a note\nrtfoo: a detail\n")
+
+    def test_statuses_of_several_objects(self):
+        for words, expected in (["0", "0"], 0), (["3", "3"], 3), (["3", "4"], 5), (["0", "3"], 5), (["4"], 4):
+            self.assertEqual(self.foo("fail", *words)[0], expected, words)
+
+    def test_a_bug_is_70_and_shows_where_on_demand(self):
+        status, _, err = self.foo("bug")
+        self.assertEqual((status, err.count("\n")), (70, 1))
+        self.assertIn("Traceback", self.foo("bug", RTSHELL_DEBUG="1")[2])
+
+    def test_a_local_failure_is_1(self):
+        self.assertEqual(self.foo("io")[0::2], (1, "rtfoo: No such file or directory: /does/not/exist\n"))
+
+    def test_help_and_version(self):
+        status, out, err = self.foo("--help")
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn("Do something for a test.", out)
+        self.assertIn("rtfoo a", out)
+        self.assertEqual(self.foo("--version")[0], 0)
+
+    def test_streams_that_are_missing_or_full(self):
+        for redirection, expected in (">&-", 1), (">/dev/full", 1), ("2>&-", 0), ("<&-", 0):
+            ran = subprocess.run(["sh", "-c", '"$0" "$1" a ' + redirection, sys.executable, self.file],
+                                 env=dict(os.environ, PYTHONPATH=os.pathsep.join(p for p in sys.path if p)),
+                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.assertEqual(ran.returncode, expected, (redirection, ran.stderr))
+
+    def test_a_reader_that_went_away_is_141_in_silence(self):
+        ran = subprocess.Popen([sys.executable, self.file, "-q"] + ["x" * 100] * 1000, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE,
+                               env=dict(os.environ, PYTHONPATH=os.pathsep.join(p for p in sys.path if p)))
+        ran.stdout.close()
+        self.assertEqual((ran.wait(20), ran.stderr.read()), (141, b""))
+        ran.stderr.close()
+
+
+if __name__ == "__main__":
+    unittest.main()

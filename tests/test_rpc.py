@@ -1,0 +1,94 @@
+"""Many calls at once: hung peers cost one timeout, live ones nothing, and the order stays."""
+import threading
+import time
+import unittest
+
+from rtshell_lite import errors, rpc
+
+
+class Gather(unittest.TestCase):
+    def setUp(self):
+        self.before, rpc.timeout = rpc.timeout, 0.4
+        self.release = threading.Event()
+
+    def tearDown(self):
+        self.release.set()
+        rpc.timeout = self.before
+
+    def job(self, endpoint, call):
+        return rpc.Job(endpoint, str(endpoint), call)
+
+    def test_values_come_in_the_order_of_the_jobs(self):
+        jobs = [self.job(i % 3, lambda i=i: i) for i in range(100)]
+        self.assertEqual(rpc.gather(jobs), list(range(100)))
+
+    def test_no_jobs(self):
+        self.assertEqual(rpc.gather([]), [])
+
+    def test_live_peers_answer_beside_hung_and_dead_ones(self):
+        def dead():
+            raise errors.ConnectionRefused("x")
+        jobs = [self.job("hung", self.release.wait) for _ in range(200)]
+        jobs += [self.job("dead", dead) for _ in range(50)]
+        jobs += [self.job(("live", i), lambda i=i: i) for i in range(30)]
+        start = time.monotonic()
+        values = rpc.gather(jobs)
+        spent = time.monotonic() - start
+        self.assertTrue(all(isinstance(v, errors.Silent) for v in values[:200]))
+        self.assertTrue(all(isinstance(v, errors.ConnectionRefused) for v in values[200:250]))
+        self.assertEqual(values[250:], list(range(30)))
+        self.assertGreaterEqual(spent, 0.4)
+        self.assertLess(spent, 0.9)
+
+    def test_the_first_silence_fails_the_rest_of_its_process(self):
+        asked = []
+
+        def silent():
+            asked.append(1)
+            raise errors.Silent("x", "no answer")
+        values = rpc.gather([self.job("p", silent) for _ in range(50)])
+        self.assertTrue(all(isinstance(v, errors.Silent) for v in values))
+        self.assertLessEqual(len(asked), rpc.LANES)
+
+    def test_at_most_four_calls_are_in_flight_to_one_process(self):
+        now, most, lock = [0], [0], threading.Lock()
+
+        def call():
+            with lock:
+                now[0] += 1
+                most[0] = max(most[0], now[0])
+            self.release.wait(0.002)
+            with lock:
+                now[0] -= 1
+        rpc.gather([self.job("p", call) for _ in range(60)])
+        self.assertLessEqual(most[0], 4)
+
+    def test_answers_restart_the_clock(self):
+        def slow():
+            for _ in range(4):
+                self.release.wait(0.2)
+                rpc.alive()
+            return "done"
+        self.assertEqual(rpc.gather([self.job("p", slow)]), ["done"])  # 0.8 s in all, with a timeout of 0.4
+
+    def test_silence_elsewhere_is_not_held_against_this_process(self):
+        def outer():
+            return rpc.ask("other", "other", lambda: self.release.wait())
+        values = rpc.gather([self.job("p", outer), self.job("p", lambda: 1), self.job("p", outer), self.job("p", lambda: 2)])
+        self.assertEqual([values[1], values[3]], [1, 2])
+        self.assertTrue(all(type(values[i]) is errors.Unreachable for i in (0, 2)))
+
+    def test_a_bug_is_not_taken_for_a_failure_of_the_peer(self):
+        with self.assertRaises(KeyError):
+            rpc.gather([self.job("p", lambda: {}["x"])])
+
+    def test_ask_raises(self):
+        def refused():
+            raise errors.Refused("x", "no")
+        self.assertEqual(rpc.ask("p", "p", lambda: 3), 3)
+        with self.assertRaises(errors.Refused):
+            rpc.ask("p", "p", refused)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,92 @@
+"""Text off the wire and onto a terminal: nothing is lost, nothing reaches the terminal raw."""
+import random
+import unittest
+
+from rtshell_lite import errors, text
+
+HOSTILE = "a./:\\ \x00\x07\x1b\n\r\t\x7f\x9b\u202e\u2028\u200b\udc80\udcff日é\U0001f600'\"$`*"
+
+
+def hostile(rng, most=12):
+    return "".join(rng.choice(HOSTILE) for _ in range(rng.randint(0, most)))
+
+
+class Wire(unittest.TestCase):
+    def test_every_byte_string_comes_back_as_it_was(self):
+        rng = random.Random(1)
+        for _ in range(5000):
+            wire = bytes(rng.randrange(256) for _ in range(rng.randint(0, 20))).decode("latin-1")
+            self.assertEqual(text.to_wire(text.from_wire(wire)), wire)
+
+    def test_utf8_that_was_called_latin1_is_read(self):
+        self.assertEqual(text.from_wire("日本".encode("utf-8").decode("latin-1")), "日本")
+
+    def test_text_that_the_orb_decoded_is_left_alone(self):
+        self.assertEqual(text.from_wire("日本"), "日本")
+
+    def test_bytes_that_are_no_utf8_survive(self):
+        self.assertEqual(text.from_wire("\xff\xfe"), "\udcff\udcfe")
+
+    def test_a_lone_surrogate_cannot_be_sent(self):
+        with self.assertRaises(errors.Usage):
+            text.to_wire("\ud800")
+
+
+class Terminal(unittest.TestCase):
+    def test_no_control_character_gets_through_and_all_come_back(self):
+        rng = random.Random(2)
+        for _ in range(20000):
+            name = hostile(rng)
+            shown = text.printable(name)
+            self.assertTrue(shown.isprintable(), ascii(shown))
+            self.assertEqual(text.unescaped(shown), name)
+
+    def test_safe_keeps_backslashes(self):
+        self.assertEqual(text.safe("a\\x1b \x1b"), "a\\x1b \\x1b")
+
+    def test_what_is_no_escape_is_an_error(self):
+        for spelling in ("\\", "\\q", "\\x1", "\\u12", "\\U00110000", "\\7"):
+            with self.assertRaises(ValueError, msg=spelling):
+                text.unescaped(spelling)
+
+    def test_a_backslash_keeps_punctuation(self):
+        self.assertEqual(text.unescaped("a\\/b\\:\\.\\ \\$"), "a/b:. $")
+
+    def test_shell_words_are_one_word_of_the_same_text(self):
+        import subprocess
+        words = ["plain/a.rtc:in", "it's", "$(touch canary)", "a b", "", "-rf", "`x`", "日本", "\\x1b"]
+        line = "printf '%s\\n' " + " ".join(text.shell_word(word) for word in words)
+        said = subprocess.run(["sh", "-c", line], stdout=subprocess.PIPE, check=True).stdout.decode("utf-8")
+        self.assertEqual(said.splitlines(), words)
+
+
+class Layout(unittest.TestCase):
+    def test_columns_fit_the_width_and_keep_the_order(self):
+        rng = random.Random(3)
+        for _ in range(300):
+            words = ["w" * rng.randint(1, 12) for _ in range(rng.randint(0, 40))]
+            total = rng.randint(1, 100)
+            lines = text.columns(words, total)
+            self.assertEqual(" ".join(lines).split(), words)
+            if max(map(len, words), default=0) <= total:
+                self.assertLessEqual(max(map(len, lines), default=0), total)
+
+    def test_a_word_wider_than_the_terminal_stands_alone(self):
+        self.assertEqual(text.columns(["x" * 100, "b"], 80), ["x" * 100, "b"])
+
+    def test_wide_characters_take_two_columns(self):
+        self.assertEqual(text.cells("日本x"), 5)
+        self.assertEqual(text.table([["日本", "1"], ["abcd", "2"]]), ["日本  1", "abcd  2"])
+
+    def test_colour_takes_no_columns(self):
+        self.assertEqual(text.cells("\x1b[01;34mab\x1b[00m"), 2)
+
+    def test_table_of_nothing(self):
+        self.assertEqual(text.table([]), [])
+
+    def test_json_is_ascii_and_sorted(self):
+        self.assertEqual(text.json_line({"b": "日", "a": "\udcff"}), '{"a": "\\udcff", "b": "\\u65e5"}')
+
+
+if __name__ == "__main__":
+    unittest.main()
