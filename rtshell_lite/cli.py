@@ -109,6 +109,10 @@ def detail(line):
 
 
 def _say(line):
+    try:
+        sys.stdout.flush()  # so that `2>&1` keeps the order
+    except OSError:
+        pass  # the last flush will tell
     if sys.stderr is not None:
         try:
             sys.stderr.write("%s: %s\n" % (os.path.basename(sys.argv[0]), text.safe(line)))
@@ -129,6 +133,10 @@ class Tally:
             return False
         self.done += 1
         return True
+
+    def fail(self, error):
+        """Count a failure that is told otherwise."""
+        self.statuses.add(error.status)
 
     def status(self):
         """0 when nothing failed, the failures' own status when all failed alike, else 5."""

@@ -27,7 +27,7 @@ def blocks(path, recurse=False, shown="."):
     top = tree.resolve(path)
     if top.kind not in tree.DIRECTORIES:
         if path.directory:
-            raise errors.WrongKind(str(path), "directory", top.kind)
+            raise errors.WrongKind(str(path), "directory", top.what)
         return [(None, [top])]
     if not recurse:
         return [(shown + ":", tree.children(top))]
