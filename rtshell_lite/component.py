@@ -135,6 +135,9 @@ def change(node, transition, index=0, wait=None):
     watched for the timeout. Raises Refused with the reason, Unreachable when the state was not reached in time.
     """
     ref = context_ref(node, index)
+    before = state_in(node, ref)
+    if before == transition.target:
+        return before
     code = _request(node, ref, transition, node.typed)
     if code == "BAD_PARAMETER":
         canonical = _canonical(node)
@@ -145,7 +148,7 @@ def change(node, transition, index=0, wait=None):
         return transition.target
     now = state_in(node, ref)
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
-        raise errors.Refused(str(node.path), "cannot %s: %s" % (transition.name, _reason(code, now, transition)))
+        raise errors.Refused(str(node.path), "cannot %s: %s" % (transition.name, _reason(code, before, now, transition)))
     return _until(node, ref, transition, now, wait, code)
 
 
@@ -155,9 +158,10 @@ def _request(node, ref, transition, target):
     return str(orb.call(str(node.path), ref, transition.operation, target, seconds=rate_limit))
 
 
-def _reason(code, now, transition):
+def _reason(code, before, now, transition):
+    """Why a request was refused: a component that fails in its transition answers as one in a wrong state does."""
     if code == "PRECONDITION_NOT_MET" and now == "Error":
-        return "it is in Error; reset it first"
+        return "it is in Error; reset it first" if before == "Error" else "it went to Error"
     if code == "PRECONDITION_NOT_MET" and now != transition.source:
         return "it is %s, not %s" % (now, transition.source)
     return "%s, it is %s" % (code, now)

@@ -18,7 +18,7 @@ def delete(path, zombie_only=False, recursive=False, dry_run=False):
     if zombie_only:
         node, = tree.look([node])
         if node.kind != "zombie":
-            raise errors.WrongKind(str(node.path), "zombie", node.kind)
+            raise errors.WrongKind(str(node.path), "zombie", node.what)
         yield _delete_zombie(node, dry_run)
     elif node.kind == "directory":
         for line in _delete_context(node, recursive, dry_run):
@@ -52,7 +52,7 @@ def _delete_zombie(node, dry_run):
         return ""
     second, = tree.look([again])
     if second.kind != "zombie":
-        raise errors.WrongKind(str(node.path), "zombie", second.kind)
+        raise errors.WrongKind(str(node.path), "zombie", second.what)
     return _unbind(node.path, dry_run, zombie=True)
 
 

@@ -55,7 +55,8 @@ class Checkout(unittest.TestCase):
         self.assertEqual(sorted(config["options"]["scripts"].split()), ["bin/" + name for name in names("bin")])
 
     def test_every_command_has_a_transcript(self):
-        self.assertEqual(names("tests/commands", ".t"), names("bin"))
+        """rtls.t, and rtls-names.t for a topic of its own."""
+        self.assertEqual(sorted({name.partition("-")[0] for name in names("tests/commands", ".t")}), names("bin"))
 
     def test_commands_can_be_read_and_run(self):
         for name in names("bin"):

@@ -1,0 +1,143 @@
+rtact activates components. What rtact, rtdeact and rtreset have in common stands here, too.
+
+world: two
+world: error
+world: slow
+world: stopped --flavour cpp2 --context stopped.host_cxt/%n.rtc
+world: contexts
+
+It is silent, and the component has changed its state when it ends (those of OpenRTM 1.1 will change it soon):
+
+  $ rtact ConsoleIn0.rtc
+  $ ctl state ConsoleIn0
+  ACTIVE
+
+Activating an active component is no failure:
+
+  $ rtact ConsoleIn0.rtc
+  $ rtact -v ConsoleIn0.rtc
+  rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active
+
+Several paths, absolute or relative; options may stand behind them:
+
+  $ rtdeact ConsoleIn0.rtc
+  $ RTCSH_CWD=/ rtact localhost:$PORT/test.host_cxt/ConsoleIn0.rtc /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc --wait=2 -v
+  rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active
+  rtact: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Active
+  $ ctl state ConsoleIn0; ctl state ConsoleOut0
+  ACTIVE
+  ACTIVE
+
+What it costs a component:
+
+  $ rtdeact ConsoleIn0.rtc ConsoleOut0.rtc; ctl reset
+  $ rtact ConsoleIn0.rtc
+  $ calls
+  1 activate_component
+  1 get_component_state
+  1 get_owned_contexts
+  1 get_participating_contexts
+  $ rtdeact ConsoleIn0.rtc
+
+--dry-run prints commands that do it, and changes nothing; what is active already needs no command:
+
+  $ rtact --dry-run ConsoleIn0.rtc ../test.host_cxt/ConsoleOut0.rtc
+  rtact /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
+  rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+  $ ctl state ConsoleIn0; ctl state ConsoleOut0
+  INACTIVE
+  INACTIVE
+  $ rtact --dry-run ConsoleIn0.rtc ConsoleOut0.rtc | sh
+  $ ctl state ConsoleIn0; ctl state ConsoleOut0
+  ACTIVE
+  ACTIVE
+  $ rtact --dry-run ConsoleIn0.rtc
+  $ rtact --dry-run -e 2 Multi0.rtc
+  rtact -e 2 /localhost:$PORT/test.host_cxt/Multi0.rtc
+
+Refused: the reason, and status 6. Some components fail while they are being activated:
+
+  $ rtact Broken0.rtc
+  rtact: /localhost:$PORT/test.host_cxt/Broken0.rtc: cannot activate: it is in Error; reset it first
+  [6]
+  $ rtact ErrStart0.rtc
+  rtact: /localhost:$PORT/test.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
+  [6]
+  $ rtact ErrStart0.rtc
+  rtact: /localhost:$PORT/test.host_cxt/ErrStart0.rtc: cannot activate: it is in Error; reset it first
+  [6]
+
+Slow components: OpenRTM waits half a second, answers RTC_ERROR, and changes the state later. That is no failure:
+
+  $ within 0.6-2.5 rtact -v Slow0.rtc
+  rtact: /localhost:$PORT/test.host_cxt/Slow0.rtc: Active
+  $ ctl @slow state Slow0
+  ACTIVE
+
+A context of 1 Hz takes up to a second:
+
+  $ within 0-2.5 rtact -v Lazy0.rtc
+  rtact: /localhost:$PORT/test.host_cxt/Lazy0.rtc: Active
+  $ ctl @slow state Lazy0
+  ACTIVE
+
+One that never gets there is a failure, after --timeout or what --wait says:
+
+  $ within 0.9-2.4 rtact --timeout 0.8 Stuck0.rtc
+  rtact: /localhost:$PORT/test.host_cxt/Stuck0.rtc: not Active within 0.8s, still Inactive
+  [4]
+  $ within 0.9-2.4 rtact --wait 0.8 Stuck0.rtc
+  rtact: /localhost:$PORT/test.host_cxt/Stuck0.rtc: not Active within 0.8s, still Inactive
+  [4]
+
+In a stopped execution context nothing changes (with Python components it does):
+
+  $ rtact ../stopped.host_cxt/ConsoleIn0.rtc ../stopped.host_cxt/ConsoleOut0.rtc
+  rtact: /localhost:$PORT/stopped.host_cxt/ConsoleIn0.rtc: cannot activate: its execution context is stopped
+  [5]
+  $ ctl @stopped state ConsoleIn0; ctl @stopped state ConsoleOut0
+  INACTIVE
+  ACTIVE
+
+-e chooses the execution context: the owned ones from 0, then those that it takes part in; below zero counts the owned
+ones from their end:
+
+  $ states() { rtcat --json Multi0.rtc | grep -o '"state": "[A-Za-z]*"' | head -3; }
+  $ rtact -e 1 Multi0.rtc
+  $ states
+  "state": "Inactive"
+  "state": "Active"
+  "state": "Inactive"
+  $ rtact --exec-context=2 Multi0.rtc
+  $ states
+  "state": "Inactive"
+  "state": "Active"
+  "state": "Active"
+  $ rtact --exec_context -2 Multi0.rtc
+  $ rtdeact -e 2 Multi0.rtc
+  $ states
+  "state": "Active"
+  "state": "Active"
+  "state": "Inactive"
+  $ rtdeact -v -e -1 Multi0.rtc
+  rtdeact: /localhost:$PORT/test.host_cxt/Multi0.rtc: Inactive
+  $ states
+  "state": "Active"
+  "state": "Inactive"
+  "state": "Inactive"
+
+  $ rtact -e 3 Multi0.rtc
+  rtact: /localhost:$PORT/test.host_cxt/Multi0.rtc: no such execution context: 3 (it has 3)
+  [3]
+  $ rtact -e -3 Multi0.rtc
+  rtact: /localhost:$PORT/test.host_cxt/Multi0.rtc: no such execution context: -3 (it has 3)
+  [3]
+  $ rtact -e 1 ConsoleIn0.rtc Multi0.rtc
+  rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no such execution context: 1 (it has 1)
+  [5]
+  $ rtact -e one Multi0.rtc
+  rtact: argument -e/--exec-context/--exec_context: invalid int value: 'one' (see --help)
+  [2]
+  $ rtact Multi0.rtc -e
+  rtact: argument -e/--exec-context/--exec_context: expected one argument (see --help)
+  [2]

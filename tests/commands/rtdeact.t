@@ -1,0 +1,78 @@
+rtdeact deactivates components. rtact.t shows what it shares with rtact; what can go wrong stands in rtact-failures.t.
+
+world: two
+world: error
+world: slow
+world: contexts
+world: two --flavour cpp11 --rate 100 --context old.host_cxt/%n.rtc
+
+  $ rtact ConsoleIn0.rtc ConsoleOut0.rtc
+  $ rtdeact ConsoleIn0.rtc ConsoleOut0.rtc
+  $ ctl state ConsoleIn0; ctl state ConsoleOut0
+  INACTIVE
+  INACTIVE
+
+A component that is inactive already is left as it is:
+
+  $ rtdeact -v ConsoleIn0.rtc
+  rtdeact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Inactive
+
+--dry-run prints commands that do it, and changes nothing:
+
+  $ rtact ConsoleIn0.rtc
+  $ rtdeact --dry-run ConsoleOut0.rtc ConsoleIn0.rtc
+  rtdeact /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
+  $ ctl state ConsoleIn0
+  ACTIVE
+  $ rtdeact --dry-run ConsoleOut0.rtc ConsoleIn0.rtc | sh
+  $ ctl state ConsoleIn0
+  INACTIVE
+
+Error is left by rtreset, not by rtdeact:
+
+  $ rtdeact Broken0.rtc
+  rtdeact: /localhost:$PORT/test.host_cxt/Broken0.rtc: cannot deactivate: it is in Error; reset it first
+  [6]
+
+A component of OpenRTM 1.1 answers only after ten periods of its context:
+
+  $ rtact --wait ../old.host_cxt/ConsoleIn0.rtc
+  $ within 0.1-2.5 rtdeact -v ../old.host_cxt/ConsoleIn0.rtc
+  rtdeact: /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc: Inactive
+
+--wait waits for the state; a slow component is not reported as failed without it either:
+
+  $ rtact Slow0.rtc
+  $ within 0.6-2.5 rtdeact -v Slow0.rtc
+  rtdeact: /localhost:$PORT/test.host_cxt/Slow0.rtc: Inactive
+  $ rtact Slow0.rtc
+  $ within 0.6-2.5 rtdeact --wait=2 Slow0.rtc -v
+  rtdeact: /localhost:$PORT/test.host_cxt/Slow0.rtc: Inactive
+  $ rtact Slow0.rtc
+  $ rtdeact Slow0.rtc --wait 0.1
+  rtdeact: /localhost:$PORT/test.host_cxt/Slow0.rtc: not Inactive within 0.1s, still Active
+  [4]
+
+-e, another execution context:
+
+  $ rtact -e 1 Multi0.rtc; rtact Multi0.rtc
+  $ rtdeact Multi0.rtc -e 1
+  $ rtcat --json Multi0.rtc | grep -o '"state": "[A-Za-z]*"' | head -3
+  "state": "Active"
+  "state": "Inactive"
+  "state": "Inactive"
+  $ rtdeact -e 7 Multi0.rtc
+  rtdeact: /localhost:$PORT/test.host_cxt/Multi0.rtc: no such execution context: 7 (it has 3)
+  [3]
+
+Usage:
+
+  $ rtdeact
+  rtdeact: the following arguments are required: PATH (see --help)
+  [2]
+  $ rtdeact --help | head -1
+  usage: rtdeact [-e N] [--wait [SECONDS]] [--dry-run] [-v] [-q]
+  $ rtdeact --help | grep -A 2 '^examples'
+  examples:
+    rtdeact ConsoleIn0.rtc ConsoleOut0.rtc     stop both
+    rtdeact --wait 5 Motor0.rtc                … and wait until it is Inactive

@@ -1,0 +1,66 @@
+rtreset takes components out of Error; they become Inactive. rtact.t shows what it shares with rtact; what can go wrong stands in rtact-failures.t.
+
+world: two
+world: error
+world: slow
+world: contexts
+
+  $ rtreset Broken0.rtc
+  $ ctl @error state Broken0
+  INACTIVE
+
+A component that is inactive already is left as it is, an active one cannot be reset:
+
+  $ rtreset -v Broken0.rtc
+  rtreset: /localhost:$PORT/test.host_cxt/Broken0.rtc: Inactive
+  $ rtact ConsoleIn0.rtc
+  $ rtreset ConsoleIn0.rtc
+  rtreset: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: cannot reset: it is Active, not Error
+  [6]
+  $ rtreset -v Broken0.rtc ConsoleIn0.rtc
+  rtreset: /localhost:$PORT/test.host_cxt/Broken0.rtc: Inactive
+  rtreset: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: cannot reset: it is Active, not Error
+  [5]
+
+--dry-run prints commands that do it, and changes nothing:
+
+  $ ctl @error error Broken0
+  $ rtreset --dry-run Broken0.rtc
+  rtreset /localhost:$PORT/test.host_cxt/Broken0.rtc
+  $ ctl @error state Broken0
+  ERROR
+  $ rtreset --dry-run Broken0.rtc | sh
+  $ ctl @error state Broken0
+  INACTIVE
+
+--wait waits for the state; a slow component is not reported as failed without it either:
+
+  $ ctl @slow error Slow0
+  $ within 0.6-2.5 rtreset -v Slow0.rtc
+  rtreset: /localhost:$PORT/test.host_cxt/Slow0.rtc: Inactive
+  $ ctl @slow error Slow0
+  $ within 0.6-2.5 rtreset --wait=2 -v Slow0.rtc
+  rtreset: /localhost:$PORT/test.host_cxt/Slow0.rtc: Inactive
+  $ ctl @slow error Slow0
+  $ rtreset --wait 0.1 Slow0.rtc
+  rtreset: /localhost:$PORT/test.host_cxt/Slow0.rtc: not Inactive within 0.1s, still Error
+  [4]
+
+-e, another execution context:
+
+  $ ctl @contexts error Multi0
+  $ rtreset -v -e 1 Multi0.rtc
+  rtreset: /localhost:$PORT/test.host_cxt/Multi0.rtc: Inactive
+  $ rtreset -v Multi0.rtc -e -2
+  rtreset: /localhost:$PORT/test.host_cxt/Multi0.rtc: Inactive
+  $ rtreset -e 7 Multi0.rtc
+  rtreset: /localhost:$PORT/test.host_cxt/Multi0.rtc: no such execution context: 7 (it has 3)
+  [3]
+
+Usage:
+
+  $ rtreset
+  rtreset: the following arguments are required: PATH (see --help)
+  [2]
+  $ rtreset --help | head -1
+  usage: rtreset [-e N] [--wait [SECONDS]] [--dry-run] [-v] [-q]
