@@ -127,8 +127,8 @@ class _Owners:
 
     def _anywhere(self, found):
         if self.everywhere is None:
-            servers = [tree.resolve(Path(self.beside.server, (), None, False))] + tree.children(tree.resolve(ROOT))
-            self.everywhere = [node for server in servers for node in tree.walk(server)
+            tops = [tree.resolve(Path(self.beside.server, (), None, False)), tree.resolve(ROOT)]
+            self.everywhere = [node for top in tops for node in tree.walk(top)
                                if node.kind == "component" and node.ref is not None]
         return next((node.path for node in self.everywhere if orb.same(node.ref, found.owner)), None)
 
