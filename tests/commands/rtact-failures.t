@@ -196,7 +196,7 @@ Name servers: nobody listens on one, and ours falls silent:
   $ rtact /localhost:99999/ConsoleIn0.rtc
   rtact: /localhost:99999/ConsoleIn0.rtc: localhost:99999 is not a name server (host or host:tcpport)
   [2]
-  $ hang names0
+  $ hang names
   $ within 0.4-1.4 rtact --timeout 0.5 ConsoleIn0.rtc Fragile0.rtc
   rtact: /localhost:$PORT: no answer within 0.5s
   rtact: /localhost:$PORT: no answer within 0.5s

@@ -196,7 +196,7 @@ The names of name servers are known without asking anyone; what is in them is no
   {"error": "/localhost:1: connection refused; is the name server running?", "kind": "server", "name": "localhost:1", "path": "/localhost:1"}
   rtls: /localhost:1: connection refused; is the name server running?
   [4]
-  $ hang names0
+  $ hang names
   $ within 0.3-0.8 rtls --timeout 0.3
   rtls: /localhost:$PORT: no answer within 0.3s
   [4]
@@ -224,4 +224,4 @@ The names of name servers are known without asking anyone; what is in them is no
   localhost:$PORT/
   $ interrupt 0.5 rtls
   [130]
-  $ resume names0
+  $ resume names
