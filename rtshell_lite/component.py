@@ -196,11 +196,12 @@ def exit_all(paths, wait=None, dry_run=False):
         _exit(node)
         if wait is not None:
             _until_unbound(node, wait)
-        return "%s: exited" % node.path
+        return "%s: exited" % str(node.path)
     return tree.on_components(paths, one)
 
 
 def _exit(node):
+    orb.is_alive(str(node.path), node.ref)  # to know afterwards that it was this call that ended it
     try:
         code = str(node.call("exit"))
     except (errors.Silent, errors.Refused):

@@ -117,12 +117,12 @@ def _why_not_found(path):
         above = resolve(path.parent())
         if above.kind not in DIRECTORIES:
             return errors.WrongKind(str(above.path), "directory", above.kind)
-        names = [str(above.path.child(name).names[-1]) for name in _names(above)]
+        names = {name.id: name for name in _names(above)}
     except (errors.NotFound, errors.WrongKind) as e:
         return e
     import difflib
-    close = difflib.get_close_matches(str(path.names[-1]), names, 1)
-    return errors.Misspelt(str(path), close[0]) if close else errors.NotFound(str(path))
+    close = difflib.get_close_matches(path.names[-1].id, names, 1)  # the kinds, all .rtc, would make any two names alike
+    return errors.Misspelt(str(path), str(names[close[0]])) if close else errors.NotFound(str(path))
 
 
 def _classified(path, ref):
@@ -182,6 +182,8 @@ def _sure(node, where):
 
 def component(path):
     """The component at `path`. Raises as `resolve` does, WrongKind, Gone for a zombie; asks a component nothing."""
+    if path.port is not None:
+        raise errors.WrongKind(str(path), "component", "port")
     node = resolve(path)
     if node.kind == "unsure":
         node, = look([node])
