@@ -22,7 +22,7 @@ TABLE = {
     "kind":              (False,         False,         True,          False,         False,         False),
     "endpoint_key":      ("endpoint",    "endpoints",   "endpoints",   "endpoints",   "endpoints",   "endpoint"),
     "port_keys":         ("dataport",    "dataport",    "name",        "dataport",    "dataport",    "dataport"),
-    "observer":          ("",            "",            True,          True,          "",            ""),
+    "observer":          (False,         False,         False,         True,          False,         False),
     "component_key":     (None,          "{}/{}",       "{}.{}",       "{}.{}",       None,          None),
     # ports
     "port_prefix":       (True,          True,          True,          True,          True,          False),

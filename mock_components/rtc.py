@@ -64,7 +64,7 @@ class Component(OpenRTM__POA.DataFlowComponent):
         pairs = list(self.identity().items())
         pairs += [("activity_type", self.spec.activity_type(flavour)), ("max_instance", "10"),
                   ("language", flavour.language), ("lang_type", flavour.lang_type)]
-        if flavour.kind:
+        if flavour.kind and self.spec.activity != "DataFlowComponent":
             pairs.append(("kind", "DataFlowComponent"))
         pairs += self.configuration.profile()
         pairs += [("instance_name", self.instance_name), ("openrtm.name", "OpenRTM-aist-" + flavour.version),

@@ -83,7 +83,8 @@ def _leave(status):
     except BrokenPipeError:
         status = 141
     except OSError as e:
-        status = status or complain(e)
+        if not status:  # else it has been told
+            status = complain(e)
     os._exit(status)
 
 
@@ -108,6 +109,10 @@ def detail(line):
 
 
 def _say(line):
+    try:
+        sys.stdout.flush()  # so that `2>&1` keeps the order
+    except OSError:
+        pass  # the last flush will tell
     if sys.stderr is not None:
         try:
             sys.stderr.write("%s: %s\n" % (os.path.basename(sys.argv[0]), text.safe(line)))
@@ -131,6 +136,10 @@ class Tally:
             return False
         self.done += 1
         return True
+
+    def fail(self, error):
+        """Count a failure that is told otherwise."""
+        self.statuses.add(error.status)
 
     def status(self):
         """0 when nothing failed, the failures' own status when all failed alike, else 5."""
@@ -171,21 +180,26 @@ class _Parser(argparse.ArgumentParser):
             if word == "--":
                 words += rest
                 break
-            if not word.startswith("-") or word == "-" or re.match(r"-\.?[0-9]", word):
+            if self._is_option(word):
+                options += self._option(word, rest)
+            else:
                 words.append(word)
-                continue
-            options += self._option(word, rest)
         return options, words
+
+    def _is_option(self, word):
+        if re.match(r"-\.?[0-9]", word):  # -5 is a number, -0 and -0R are options where there is a -0
+            return word[:2] in self._option_string_actions and not re.search("[0-9.]", word[2:])
+        return word.startswith("-") and word != "-"
 
     def _option(self, word, rest):
         """One option as argparse reads it on every Python: clusters (-lR) apart, with its value, which may come from `rest`."""
         if word.startswith("--"):
             name, equals, _ = word.partition("=")
             action = self._known(name, word)
-            return [word] if equals else [word] + self._value(action, rest)
+            return [word] if equals else self._with_value(word, action, rest, "=")
         action = self._known(word[:2], word)
         if len(word) == 2:
-            return [word] + self._value(action, rest)
+            return self._with_value(word, action, rest, "")
         if action.nargs == 0:
             return [word[:2]] + self._option("-" + word[2:], rest)
         return [word]
@@ -197,13 +211,14 @@ class _Parser(argparse.ArgumentParser):
         return self._option_string_actions[name]
 
     @staticmethod
-    def _value(action, rest):
+    def _with_value(word, action, rest, glue):
         if not rest or action.nargs == 0:
-            return []
+            return [word]
         # --wait PATH, --shell PATH: a word that cannot be the option's value is not taken for it
         if action.nargs == "?" and not (rest[0] in action.choices if action.choices else re.match(r"[0-9.]+$", rest[0])):
-            return []
-        return [rest.pop(0)]
+            return [word]
+        value = rest.pop(0)
+        return [word + glue + value] if value.startswith("-") else [word, value]  # argparse would take -n -x for two options
 
 
 def _parser(arguments, doc):

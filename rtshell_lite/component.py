@@ -196,7 +196,7 @@ def exit_all(paths, wait=None, dry_run=False):
         _exit(node)
         if wait is not None:
             _until_unbound(node, wait)
-        return "%s: exited" % str(node.path)
+        return str(node.path) + ": exited"
     return tree.on_components(paths, one)
 
 

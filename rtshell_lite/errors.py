@@ -50,15 +50,9 @@ class NoSuch(Error):
 
 
 class WrongKind(Error):
-    """{}: not a {} (it is {})"""
+    """{}: not a {} (it is a {})"""
 
     status = 3
-
-    _NAMED = {"root": "the root", "server": "a name server", "unknown": "an object of another kind"}
-
-    def __init__(self, where, wanted, kind):
-        """`kind`: one of tree.KINDS, or any other word for a thing."""
-        Error.__init__(self, where, wanted, self._NAMED.get(kind) or "a " + kind)
 
 
 class Unreachable(Error):

@@ -1,13 +1,19 @@
 """What rtls and rtfind show of nodes: their kind at a glance, a row of figures, or JSON."""
 import collections
 
-from rtshell_lite import errors, tree
+from rtshell_lite import errors, rpc, text, tree
 
 MARKS = {"zombie": "*", "silent": "?"}
 
 # The figures of a component: its state, and how many ports of each kind it has and how many of them are connected.
 Figures = collections.namedtuple("Figures", "state counts")
 COUNTED = (("ports", None), ("in_ports", "DataInPort"), ("out_ports", "DataOutPort"), ("service_ports", "CorbaPort"))
+
+
+def all_blocks(paths, recurse, typed):
+    """`blocks` for each path, in parallel by name server; an errors.Error for what failed. `typed` is for the headers."""
+    return rpc.gather([rpc.Job(path.server, str(path), lambda path=path, shown=shown: blocks(path, recurse, text.safe(shown)))
+                       for path, shown in zip(paths, typed)])
 
 
 def blocks(path, recurse=False, shown="."):
@@ -21,7 +27,7 @@ def blocks(path, recurse=False, shown="."):
     top = tree.resolve(path)
     if top.kind not in tree.DIRECTORIES:
         if path.directory:
-            raise errors.WrongKind(str(path), "directory", top.kind)
+            raise errors.WrongKind(str(path), "directory", top.what)
         return [(None, [top])]
     if not recurse:
         return [(shown + ":", tree.children(top))]

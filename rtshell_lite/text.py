@@ -66,7 +66,7 @@ def _meant(found):
     if literal and not literal.isalnum():
         return literal
     if literal or not (byte or short or long):
-        raise ValueError("bad escape %s" % printable(found.group()))
+        raise ValueError("bad escape " + found.group())
     n = int(byte or short or long, 16)
     return chr(n + 0xDC00 if byte and n >= 0x80 else n)  # chr() raises ValueError beyond Unicode
 

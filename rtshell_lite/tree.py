@@ -43,6 +43,13 @@ class Node:
         return str(self.path.names[-1]) if self.path.names else str(self.path)[1:] or "/"
 
     @property
+    def what(self):
+        """Its kind in the words of an error: it is a …"""
+        if self.kind in ("unknown", "unsure"):
+            return "nil reference" if self.ref is None else "CORBA object of unknown kind"
+        return {"server": "name server", "silent": "component that does not answer"}.get(self.kind, self.kind)
+
+    @property
     def typed(self):
         """`ref` as a reference of the interface that its kind implies; the stubs are imported only here."""
         if self.kind in ("server", "directory"):
@@ -59,6 +66,8 @@ class Node:
             return orb.call(str(self.path), self.typed, operation, *args, **more)
         except errors.ConnectionRefused as e:
             raise errors.NoNameServer(*e.args) if self.kind == "server" else e
+        except errors.Gone as e:
+            raise _no_name_server(self) if self.kind == "server" else e
 
     def __repr__(self):
         return "<%s %s>" % (self.kind, self.path)
@@ -101,14 +110,17 @@ def _resolved(server, path):
     except errors.Refused as e:
         if e.name in ("NotFound", "CannotProceed", "InvalidName"):
             raise _why_not_found(path)
-        raise _not_a_name_server(server, e)
+        raise _name_server_error(server, e)
     return _classified(path, ref)
 
 
-def _not_a_name_server(server, e):
-    if e.name in ("BAD_OPERATION", "NO_IMPLEMENT", "INTF_REPOS"):
-        return errors.WrongKind(str(server.path), "name server", "CORBA object of another kind")
-    return e
+def _name_server_error(node, e):
+    """The error for a Refused from what should be a name server or a naming context."""
+    return _no_name_server(node) if e.name in ("BAD_OPERATION", "NO_IMPLEMENT", "INTF_REPOS") else e
+
+
+def _no_name_server(node):
+    return errors.WrongKind(str(node.path), "name server", "CORBA process of another kind")
 
 
 def _why_not_found(path):
@@ -116,7 +128,7 @@ def _why_not_found(path):
     try:
         above = resolve(path.parent())
         if above.kind not in DIRECTORIES:
-            return errors.WrongKind(str(above.path), "directory", above.kind)
+            return errors.WrongKind(str(above.path), "directory", above.what)
         names = {name.id: name for name in _names(above)}
     except (errors.NotFound, errors.WrongKind) as e:
         return e
@@ -192,7 +204,7 @@ def component(path):
     if node.kind == "silent":
         raise node.error
     if node.kind != "component":
-        raise errors.WrongKind(str(node.path), "component", node.kind)
+        raise errors.WrongKind(str(node.path), "component", node.what)
     if path.directory:
         raise errors.WrongKind(str(node.path), "directory", "component")
     return node
@@ -227,7 +239,7 @@ def children(node):
     if node.kind == "root":
         return sorted((_server(parse("/" + address)) for address in servers()), key=lambda server: str(server.path))
     if node.kind not in ("server", "directory"):
-        raise errors.WrongKind(str(node.path), "directory", node.kind)
+        raise errors.WrongKind(str(node.path), "directory", node.what)
     jobs = []
     context, server = node.typed, orb.endpoint(node.ref)
     for name in _names(node):
@@ -249,7 +261,7 @@ def _names(node):
     try:
         bindings, iterator = node.call("list", size)
     except errors.Refused as e:
-        raise _not_a_name_server(node, e)
+        raise _name_server_error(node, e)
     if iterator is not None:
         try:
             more = True
@@ -285,6 +297,13 @@ def _walk(node, depth, seen):
     except errors.Error as e:
         node.error = e
         return
-    for child in below:
-        for found in _walk(child, depth - 1, seen):
+    if node.kind == "root":  # name servers in parallel: several may be silent
+        parts = rpc.gather([rpc.Job(orb.endpoint(child.ref), str(child.path),
+                                    lambda child=child: list(_walk(child, depth - 1, set()))) for child in below])
+    else:
+        parts = (_walk(child, depth - 1, seen) for child in below)
+    for child, part in zip(below, parts):
+        if isinstance(part, errors.Error):
+            child.error, part = part, [child]
+        for found in part:
             yield found

@@ -58,7 +58,7 @@ def _dead(node):
     if node.kind == "silent":
         raise node.error
     if node.kind != "zombie":
-        raise errors.WrongKind(str(node.path), "zombie", node.kind)
+        raise errors.WrongKind(str(node.path), "zombie", node.what)
     return node
 
 
@@ -72,7 +72,7 @@ def _unbind(path, dry_run, zombie=False):
         if e.name == "NotFound":
             raise errors.NotFound(str(path))
         raise
-    return "%s: deleted" % str(path)
+    return str(path) + ": deleted"
 
 
 def _contexts_above(path):

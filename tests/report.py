@@ -37,7 +37,8 @@ class Outcomes(unittest.TestResult):
     def addSubTest(self, test, subtest, err):
         unittest.TestResult.addSubTest(self, test, subtest, err)
         if err is not None:
-            self.note(subtest, "fail", (self.failures + self.errors)[-1][1])
+            kept = self.failures if issubclass(err[0], test.failureException) else self.errors
+            self.note(subtest, "fail", kept[-1][1])
 
     def addSkip(self, test, reason):
         self.note(test, "skip", reason)

@@ -146,6 +146,8 @@ class Score:
             print("%s %s: %d in %.1f s" % ("ok  " if passed else "skip", label, len(outcomes), seconds), flush=True)
 
     def close(self):
+        if not any(self.counts.values()):
+            print("no test has such a name")
         for reason, names in sorted(self.reasons.items()):
             print("skipped %d: %s" % (len(names), reason))
         skipped = ", %(skip)d skipped" % self.counts if self.counts["skip"] else ""
@@ -241,6 +243,16 @@ def gather_jobs(args, wheel, score):
     return jobs
 
 
+def builder():
+    """The Python that builds the wheel: this one, or the newest here if it is too old to build from setup.cfg."""
+    for version in [sys.executable] * (sys.version_info >= (3, 7)) + ALL[:0:-1]:
+        try:
+            return environments.find_python(version)
+        except environments.Missing:
+            pass
+    raise environments.Missing("no Python from 3.7 on is here: an older one cannot build the wheel")
+
+
 def options():
     parser = argparse.ArgumentParser(prog="tests/run", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -256,8 +268,7 @@ def main():
     marker, score = mark(), Score()
     held = environments.lock()
     try:
-        builder = sys.executable if sys.version_info >= (3, 7) else "3.11"
-        wheel = environments.build_wheel(environments.find_python(builder))
+        wheel = environments.build_wheel(builder())
     except environments.Failed as e:
         score.add("wheel", [("build", "fail", str(e))])
         return score.close()

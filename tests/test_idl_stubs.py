@@ -1,4 +1,5 @@
 """The CORBA stubs: they are what the .idl files say, carry the ids and bytes of the wire, and load only what is asked for."""
+import importlib
 import os
 import subprocess
 import sys
@@ -134,7 +135,7 @@ class WireTest(unittest.TestCase):
     def test_repository_ids(self):
         for package, module, name, expected in map(str.split, IDS.strip().splitlines()):
             with self.subTest(id=expected):
-                stub = __import__("rtshell_lite.idl_stubs.{}.{}".format(package, module), fromlist=[name])
+                stub = importlib.import_module("rtshell_lite.idl_stubs.{}.{}".format(package, module))
                 found = getattr(stub, name)
                 self.assertEqual(getattr(found, "_NP_RepositoryId", None) or found[1], expected)
 

@@ -7,16 +7,17 @@ import tempfile
 import time
 import unittest
 
+import peers
 import transcripts
 
 SETTING = transcripts.Setting()
 
 
-def run(text, shell="dash", accept=False, time_limit=20):
+def run(text, shell="dash", accept=False, time_limit=20, pure=True):
     with tempfile.TemporaryDirectory() as directory:
         path = os.path.join(directory, "case.t")
         with open(path, "w", encoding="utf-8") as file:
-            file.write("python: pure\n\n" + text)
+            file.write(("python: pure\n\n" if pure else "\n\n") + text)
         outcome, explanation = transcripts.run_case(path, shell, SETTING, accept, time_limit)
         with open(path, encoding="utf-8") as file:
             return outcome, explanation, file.read().partition("\n\n")[2]
@@ -131,6 +132,46 @@ class Running(unittest.TestCase):
                "  $ interrupt 0.1 sleep 600\n  [130]\n\n" \
                "  $ tty 50 sh -c 'stty size; test -t 1'\n  24 50\n"
         self.assertEqual(run(text)[:2], ("pass", ""))
+
+
+@unittest.skipUnless(peers.omninames(), "omniORBpy is not installed")
+class Peers(unittest.TestCase):
+    def test_worlds_and_servers(self):
+        outcome, explanation, _ = run(PEERS, pure=False)
+        self.assertEqual((outcome, explanation), ("pass", ""))
+
+    def test_a_world_that_does_not_start_fails(self):
+        outcome, explanation, _ = run("world: nonsense\n\n  $ true\n", pure=False)
+        self.assertEqual(outcome, "fail")
+        self.assertIn("nonsense is not ready", explanation)
+
+
+PEERS = """world: two
+server: another
+world: linked --nameserver localhost:$PORT2
+
+Each server has a port, each world a control socket:
+
+  $ echo $PORT $PORT2 $MOCK_CONTROL $MOCK_CONTROL2
+  $PORT $PORT2 $SESSION/two.control $SESSION/linked.control
+  $ ctl components; calls; ctl @linked components
+  ConsoleIn0
+  ConsoleOut0
+  ConsoleIn0
+  ConsoleOut0
+
+Worlds come and go:
+
+  $ mock two --context b/%n.rtc && ctl @two2 pid | sed 's/[0-9]*/a number/'
+  a number
+  $ hang two two2; resume two; end-mock two; kill-mock two2; kill-mock three
+  kill-mock: no world named three
+  [99]
+
+So do name servers:
+
+  $ hang names names2; kill-mock names names2
+"""
 
 
 class Leaving(unittest.TestCase):

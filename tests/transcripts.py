@@ -31,7 +31,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 COMMANDS = os.path.join(HERE, "commands")
 SHELLS = {"dash": ["dash"], "ash": ["busybox", "ash"]}
 TIME_LIMIT = 120.0  # seconds for one file under one shell
-DIRECTIVE = re.compile(r"(world|faulty|python|alone): *(.*)$")
+DIRECTIVE = re.compile(r"(world|server|faulty|python|alone): *(.*)$")
 AMBIGUOUS = re.compile(r"[$>]( |$)|\[\d+\]$")  # output that would be read as a command or a status
 SUFFIX = re.compile(r" \((re|glob|esc|no-eol)\)$")
 

@@ -1,0 +1,91 @@
+"""A real omniNames for tests and for the tour, on a port of its own: `python3 -m mock_components.nameserver`.
+
+Prints `ready PORT` when it answers, keeps its data in a temporary directory, and ends with its standard input or at SIGTERM.
+"""
+import os
+import random
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+
+DEADLINE = 20.0  # seconds; omniNames starts in 0.05
+
+
+class Failed(Exception):
+    """There is no omniNames, or it does not start."""
+
+
+def binary():
+    """The omniNames program itself, None when there is none: the script of that name on PATH survives being killed."""
+    for entry in sys.path:
+        for package in ("jeteve_omniorb", "omniORB"):
+            path = os.path.join(entry, package, "bin", "omniNames")
+            if os.path.exists(path):
+                return path
+    try:
+        import omniORB  # noqa: F401  an operating system's package brings its own omniNames
+    except ImportError:
+        return None
+    return shutil.which("omniNames")
+
+
+def free_port():
+    """A port below the kernel's ephemeral range, so that no outgoing connection takes it in between."""
+    for _ in range(200):
+        port = random.randrange(12000, 32000)
+        with socket.socket() as probe:
+            try:
+                probe.bind(("127.0.0.1", port))
+                return port
+            except OSError:
+                pass
+    raise Failed("no free port")
+
+
+def start(directory, port=None):
+    """Start omniNames on 127.0.0.1 with its data in `directory`: (process, port). Raises Failed."""
+    program = binary()
+    if program is None:
+        raise Failed("omniNames is not here; it comes with omniORBpy (jeteve-omniorb, salome-omniorb, omniorb-nameserver)")
+    port = port or free_port()
+    process = subprocess.Popen([program, "-start", str(port), "-always", "-datadir", directory,
+                                "-ORBendPoint", "giop:tcp:127.0.0.1:%d" % port],
+                               stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    end = time.monotonic() + DEADLINE
+    while not _listens(port):
+        if process.poll() is not None or time.monotonic() > end:
+            process.kill()
+            raise Failed("omniNames does not start on port %d" % port)
+        time.sleep(0.01)
+    return process, port
+
+
+def _listens(port):
+    try:
+        socket.create_connection(("127.0.0.1", port), 1).close()
+    except OSError:
+        return False
+    return True
+
+
+def main():
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
+    with tempfile.TemporaryDirectory() as directory:
+        try:
+            process, port = start(directory)
+        except Failed as e:
+            sys.exit("nameserver: %s" % e)
+        try:
+            print("ready %d" % port, flush=True)
+            sys.stdin.read()
+        finally:
+            process.kill()
+            process.wait()
+
+
+if __name__ == "__main__":
+    main()
