@@ -47,7 +47,7 @@ class Node:
         """Its kind in the words of an error: it is a …"""
         if self.kind in ("unknown", "unsure"):
             return "nil reference" if self.ref is None else "CORBA object of unknown kind"
-        return {"server": "name server", "silent": "component that does not answer"}.get(self.kind, self.kind)
+        return {"root": "root directory", "server": "name server", "silent": "component that does not answer"}.get(self.kind, self.kind)
 
     @property
     def typed(self):
@@ -105,6 +105,9 @@ def resolve(path):
 
 
 def _resolved(server, path):
+    for size, name in enumerate(path.names[:-1], 1):
+        if name.kind == "rtc":  # or the name server asks this component whether it is a naming context
+            _directory(_resolved(server, path._replace(names=path.names[:size])))
     try:
         ref = server.call("resolve", orb.naming_name(path.names))
     except errors.Refused as e:
@@ -112,6 +115,12 @@ def _resolved(server, path):
             raise _why_not_found(path)
         raise _name_server_error(server, e)
     return _classified(path, ref)
+
+
+def _directory(node):
+    if node.kind not in DIRECTORIES:
+        raise errors.WrongKind(str(node.path), "directory", node.what)
+    return node
 
 
 def _name_server_error(node, e):
@@ -126,9 +135,7 @@ def _no_name_server(node):
 def _why_not_found(path):
     """The error for a path that does not resolve, with a near miss where a listing of its directory offers one."""
     try:
-        above = resolve(path.parent())
-        if above.kind not in DIRECTORIES:
-            return errors.WrongKind(str(above.path), "directory", above.what)
+        above = _directory(resolve(path.parent()))
         names = {name.id: name for name in _names(above)}
     except (errors.NotFound, errors.WrongKind) as e:
         return e
