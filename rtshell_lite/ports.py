@@ -63,7 +63,7 @@ def find(paths):
 
     An errors.Error stands in the place of what failed: NoSuch with what there is, and what `tree.component` raises.
     """
-    listed = tree.on_components(paths, ports)
+    listed = tree.on_components([path.object() for path in paths], ports)
     return [found if isinstance(found, errors.Error) else _named(path, found) for path, found in zip(paths, listed)]
 
 
@@ -293,13 +293,26 @@ def disconnect(each, connector):
     """Remove a Connector of a Port. Done when the port no longer has it, whatever the far end says. Raises Refused."""
     connector_id = to_wire(connector.id)
     for operation in ("disconnect", "notify_disconnect"):  # the second reaches this end alone, for a dead far end
-        code = str(orb.call(label(each), each.ref, operation, connector_id))
-        if code in ("RTC_OK", "BAD_PARAMETER"):  # BAD_PARAMETER: it does not know the connector, so it is gone
+        failure = _forgetting_failed(each, operation, connector_id)
+        if failure is None:
             return
-        left = orb.call(label(each), each.ref, "get_connector_profiles")
+        left = component.once_more(lambda: orb.call(label(each), each.ref, "get_connector_profiles"))
         if connector_id not in [c.connector_id for c in left]:
             return
-    raise errors.Refused(label(each), "cannot remove connection %s (%s)" % (printable(connector.id), code))
+    raise failure
+
+
+def _forgetting_failed(each, operation, connector_id):
+    """Ask a port to forget a connector; the errors.Error that tells why it may still have it, or None."""
+    try:
+        code = str(orb.call(label(each), each.ref, operation, connector_id))
+    except errors.Silent:
+        raise
+    except errors.Unreachable as e:  # may be the far end's death, passed on
+        return e
+    if code in ("RTC_OK", "BAD_PARAMETER"):  # BAD_PARAMETER: it does not know the connector, so it is gone
+        return None
+    return errors.Refused(label(each), "cannot remove connection %s (%s)" % (printable(from_wire(connector_id)), code))
 
 
 def disconnect_all(pairs, dry_run=False):

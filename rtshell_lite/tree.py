@@ -168,7 +168,7 @@ def _why_not_found(path):
     """The error for a path that does not resolve, with a near miss where a listing of its directory offers one."""
     try:
         above = _directory(resolve(path.parent()))
-        names = [str(above.path.child(name).names[-1]) for name in _names(above)]
+        names = {name.id: name for name in _names(above)}
     except (errors.NotFound, errors.WrongKind) as e:
         return e
     return _near_miss(path, names)
@@ -176,8 +176,8 @@ def _why_not_found(path):
 
 def _near_miss(path, names):
     import difflib
-    close = difflib.get_close_matches(str(path.names[-1]), names, 1)
-    return errors.Misspelt(str(path), close[0]) if close else errors.NotFound(str(path))
+    close = difflib.get_close_matches(path.names[-1].id, names, 1)  # the kinds, all .rtc, would make any two names alike
+    return errors.Misspelt(str(path), str(names[close[0]])) if close else errors.NotFound(str(path))
 
 
 def _classified(path, ref):
@@ -237,6 +237,8 @@ def _sure(node, where):
 
 def component(path):
     """The component at `path`. Raises as `resolve` does, WrongKind, Gone for a zombie; asks a component nothing."""
+    if path.port is not None:
+        raise errors.WrongKind(str(path), "component", "port")
     node = resolve(path)
     if node.kind == "unsure":
         node, = look([node])
