@@ -49,12 +49,9 @@ What is printed can be typed: the full paths, and each name from where it is.
   $ rtls -0 | xargs -0 rtls -0 >paths; rtls -0 | tr '\0' '\n' | grep -c -v '[.]cxt$'
   30
   $ rtls | grep -v -e /$ -e '^[*]' >names; wc -l <names
-  30
+  29
   $ sed 's,^,./,' names | tr '\n' '\0' | xargs -0 rtls | sort | diff - names && echo same
-  rtls: /localhost:$PORT/test.host_cxt/*Gone0.rtc: no such path; did you mean Gone0.rtc?
-  5a6
-  \x3e *Gone0.rtc (esc)
-  [1]
+  same
   $ rtls -R / | grep -c 'sl\\/ash'
   1
 
@@ -83,6 +80,12 @@ More ways to type a name: a backslash before any punctuation, codes of character
   ..rtc
   ...rtc
   .rtc
+
+Wide characters take two columns of a terminal:
+
+  $ NO_COLOR=1 tty 36 rtls '日本語.rtc' './sp ace.rtc' './-l.rtc' do.t.rtc 'co\:lon.rtc' '日本語.rtc'
+  日本語.rtc  sp ace.rtc   -l.rtc
+  do.t.rtc    co\:lon.rtc  日本語.rtc
 
 A name that is no directory says so in the same spelling; so does a near miss.
 
@@ -134,7 +137,7 @@ process has lost the object.
   $ rtls --json Gone0.rtc
   {"error": "/localhost:$PORT/test.host_cxt/Gone0.rtc: zombie (the name is bound, but its object is gone)", "kind": "zombie", "name": "Gone0.rtc", "path": "/localhost:$PORT/test.host_cxt/Gone0.rtc"}
   $ rtls NotAComponent0.rtc/
-  rtls: /localhost:$PORT/test.host_cxt/NotAComponent0.rtc: not a directory (it is a object of unknown kind)
+  rtls: /localhost:$PORT/test.host_cxt/NotAComponent0.rtc: not a directory (it is a CORBA object of unknown kind)
   [3]
   $ rtls Gone0.rtc/ Nil0.rtc/
   rtls: /localhost:$PORT/test.host_cxt/Gone0.rtc: not a directory (it is a component)
