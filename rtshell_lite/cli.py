@@ -109,6 +109,10 @@ def detail(line):
 
 
 def _say(line):
+    try:
+        sys.stdout.flush()  # so that `2>&1` keeps the order
+    except OSError:
+        pass  # the last flush will tell
     if sys.stderr is not None:
         try:
             sys.stderr.write("%s: %s\n" % (os.path.basename(sys.argv[0]), text.safe(line)))
@@ -120,15 +124,22 @@ class Tally:
     """Several objects, each tried: what failed is told at once, the exit status sums it up."""
 
     def __init__(self):
-        self.done, self.statuses = 0, set()
+        self.done, self.statuses, self.told = 0, set(), set()
 
     def add(self, value):
         """Count one result: an errors.Error is told and counted as failed, anything else as done. Returns True if done."""
         if isinstance(value, errors.Error):
-            self.statuses.add(complain(value))
+            if str(value) not in self.told:  # a name server that is down fails all paths alike
+                complain(value)
+            self.told.add(str(value))
+            self.statuses.add(value.status)
             return False
         self.done += 1
         return True
+
+    def fail(self, error):
+        """Count a failure that is told otherwise."""
+        self.statuses.add(error.status)
 
     def status(self):
         """0 when nothing failed, the failures' own status when all failed alike, else 5."""

@@ -47,7 +47,7 @@ def _below(path, wanted):
         raise errors.WrongKind(str(path), "directory", "port")
     top = tree.resolve(path)
     if path.directory and top.kind not in tree.DIRECTORIES:
-        raise errors.WrongKind(str(path), "directory", top.kind)
+        raise errors.WrongKind(str(path), "directory", top.what)
     return list(tree.walk(top, wanted.depth))
 
 

@@ -4,6 +4,7 @@ They keep their files in the directory $SESSION: NAME.pid, NAME.out (what they s
 """
 import os
 import random
+import re
 import shutil
 import socket
 import subprocess
@@ -54,7 +55,7 @@ def start_name_server(name):
         data = session_file("%s-%d" % (name, attempt))
         os.mkdir(data)
         server = start(name, [omninames(), "-start", port, "-logdir", data, "-ORBendPoint", "giop:tcp:127.0.0.1:" + port])
-        if wait_for_line(server, name, "Root context is"):
+        if wait_for_line(server, name, ".*Root context is"):
             return port
     raise Failed("omniNames does not start: " + said(name))
 
@@ -67,8 +68,8 @@ def start_world(words, port):
 
 
 def start_faulty(words):
-    """Start a peer that misbehaves; returns its process and its name."""
-    name = unused_name(words[0])
+    """Start peers that misbehave; returns their process and its name."""
+    name = unused_name("faulty")
     return start(name, [sys.executable, "-m", "mock_components.faulty"] + words), name
 
 
@@ -82,13 +83,13 @@ def start(name, command):
     return process
 
 
-def wait_for_line(process, name, part):
-    """The first line of a peer's output that holds `part`, or nothing if it ended or took too long."""
+def wait_for_line(process, name, pattern):
+    """The first line of a peer's output that starts with the pattern, or nothing if it ended or took too long."""
     deadline = time.monotonic() + START_LIMIT
     while time.monotonic() < deadline:
         ended = process.poll() is not None
         for line in said(name).splitlines(True):
-            if part in line and line.endswith("\n"):
+            if re.match(pattern, line) and line.endswith("\n"):
                 return line
         if ended:
             return None
@@ -97,8 +98,8 @@ def wait_for_line(process, name, part):
 
 
 def ready(process, name):
-    """Wait until a peer says that it is ready; returns that line."""
-    line = wait_for_line(process, name, "ready")
+    """Wait until a peer says that it is ready, or where, as JSON; returns that line."""
+    line = wait_for_line(process, name, 'ready|{"')
     if not line:
         raise Failed("%s is not ready: %s" % (name, said(name)))
     return line
