@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import component, errors, orb, rpc, tree
-from rtshell_lite.path import ROOT, Name, Path
+from rtshell_lite.places import Places
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 
 # One port. `name` is the full name (ConsoleIn0.out), `type` DataInPort, DataOutPort, CorbaPort or Port, `properties` a dict,
@@ -63,7 +63,7 @@ def find(paths):
 
     An errors.Error stands in the place of what failed: NoSuch with what there is, and what `tree.component` raises.
     """
-    listed = tree.on_components(paths, ports)
+    listed = tree.on_components([path.object() for path in paths], ports)
     return [found if isinstance(found, errors.Error) else _named(path, found) for path, found in zip(paths, listed)]
 
 
@@ -94,43 +94,21 @@ def far_ends(node, found):
             if ref is not None and orb.identity(ref) not in own:
                 ends.setdefault(orb.identity(ref), ref)
     jobs = [rpc.Job(orb.endpoint(ref), "%s:%d" % orb.endpoint(ref), lambda ref=ref: port(node, ref)) for ref in ends.values()]
-    names = dict(zip(ends, _Owners(node).name_all(rpc.gather(jobs))))
+    places = Places(node)
+    names = dict(zip(ends, [_place(found, places) for found in rpc.gather(jobs)]))
     return lambda ref: names.get(orb.identity(ref)) if ref is not None else "Unknown (nil)"
 
 
-class _Owners:
-    """Finds where the owners of ports are bound: next to a known component first, anywhere else when need be."""
-
-    def __init__(self, node):
-        self.beside = node.path.parent()
-        self.everywhere = None
-
-    def name_all(self, found):
-        return [self.name(each) for each in found]
-
-    def name(self, found):
-        if isinstance(found, errors.Error):
-            return "Unknown (%s)" % found
-        if found.owner is None:
-            return printable(found.name)
-        path = self._beside(found) or self._anywhere(found)
-        if path is None:
-            return "Unknown (%s)" % printable(found.name)
-        return str(path.with_port(short_name(found.name, path.names[-1].id)))
-
-    def _beside(self, found):
-        path = self.beside.child(Name(found.name.rpartition(".")[0], "rtc"))
-        try:
-            return path if orb.same(tree.resolve(path).ref, found.owner) else None
-        except errors.Error:
-            return None
-
-    def _anywhere(self, found):
-        if self.everywhere is None:
-            tops = [tree.resolve(Path(self.beside.server, (), None, False)), tree.resolve(ROOT)]
-            self.everywhere = [node for top in tops for node in tree.walk(top)
-                               if node.kind == "component" and node.ref is not None]
-        return next((node.path for node in self.everywhere if orb.same(node.ref, found.owner)), None)
+def _place(found, places):
+    """The path of a Port, or what can be told where there is none."""
+    if isinstance(found, errors.Error):
+        return "Unknown (%s)" % found
+    if found.owner is None:
+        return printable(found.name)
+    path = places.path(found.name.rpartition(".")[0], found.owner)
+    if path is None:
+        return "Unknown (%s)" % printable(found.name)
+    return str(path.with_port(short_name(found.name, path.names[-1].id)))
 
 
 # ---- connecting -----------------------------------------------------------------------------------------------
@@ -315,13 +293,26 @@ def disconnect(each, connector):
     """Remove a Connector of a Port. Done when the port no longer has it, whatever the far end says. Raises Refused."""
     connector_id = to_wire(connector.id)
     for operation in ("disconnect", "notify_disconnect"):  # the second reaches this end alone, for a dead far end
-        code = str(orb.call(label(each), each.ref, operation, connector_id))
-        if code in ("RTC_OK", "BAD_PARAMETER"):  # BAD_PARAMETER: it does not know the connector, so it is gone
+        failure = _forgetting_failed(each, operation, connector_id)
+        if failure is None:
             return
-        left = orb.call(label(each), each.ref, "get_connector_profiles")
+        left = component.once_more(lambda: orb.call(label(each), each.ref, "get_connector_profiles"))
         if connector_id not in [c.connector_id for c in left]:
             return
-    raise errors.Refused(label(each), "cannot remove connection %s (%s)" % (printable(connector.id), code))
+    raise failure
+
+
+def _forgetting_failed(each, operation, connector_id):
+    """Ask a port to forget a connector; the errors.Error that tells why it may still have it, or None."""
+    try:
+        code = str(orb.call(label(each), each.ref, operation, connector_id))
+    except errors.Silent:
+        raise
+    except errors.Unreachable as e:  # may be the far end's death, passed on
+        return e
+    if code in ("RTC_OK", "BAD_PARAMETER"):  # BAD_PARAMETER: it does not know the connector, so it is gone
+        return None
+    return errors.Refused(label(each), "cannot remove connection %s (%s)" % (printable(from_wire(connector_id)), code))
 
 
 def disconnect_all(pairs, dry_run=False):

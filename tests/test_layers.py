@@ -12,7 +12,7 @@ LAYERS = [
     ["bin"],
     ["__main__"],
     ["system", "plan", "graph", "listing", "describe", "search", "unbind", "unpack"],
-    ["component", "ports", "manager", "observer", "dataport", "datalog", "datatypes", "configuration"],
+    ["component", "ports", "places", "manager", "organisation", "observer", "dataport", "datalog", "datatypes", "configuration"],
     ["tree"],
     ["orb", "cli", "installation"],
     ["path", "xmlprofile"],

@@ -47,13 +47,13 @@ Nothing is done when one path cannot be one:
 No such path:
 
   $ rtact Nope0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path; did you mean Peer0.rtc?
+  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   [3]
   $ rtact ConsolIn0.rtc
   rtact: /localhost:$PORT/test.host_cxt/ConsolIn0.rtc: no such path; did you mean ConsoleIn0.rtc?
   [3]
   $ rtact /localhost:$PORT/nowhere.host_cxt/ConsoleIn0.rtc
-  rtact: /localhost:$PORT/nowhere.host_cxt: no such path; did you mean odd.host_cxt?
+  rtact: /localhost:$PORT/nowhere.host_cxt: no such path
   [3]
   $ rtact ConsoleIn0.rtc/below.rtc
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not a directory (it is a component)
@@ -62,30 +62,32 @@ No such path:
 Not a component:
 
   $ rtact /
-  rtact: /: not a component (it is a root)
+  rtact: /: not a component (it is the root)
   [3]
   $ rtact .
   rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
   [3]
   $ rtact /localhost:$PORT
-  rtact: /localhost:$PORT: not a component (it is a server)
+  rtact: /localhost:$PORT: not a component (it is a name server)
   [3]
   $ rtact ConsoleIn0.rtc/
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not a directory (it is a component)
   [3]
   $ rtact ConsoleIn0.rtc:out
+  rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: not a component (it is a port)
+  [3]
   $ odd=../odd.host_cxt
   $ rtact $odd/NotAComponent0.rtc
-  rtact: /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc: not a component (it is a unknown)
+  rtact: /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc: not a component (it is an object of another kind)
   [3]
   $ rtact $odd/NotAManager0.mgr
-  rtact: /localhost:$PORT/odd.host_cxt/NotAManager0.mgr: not a component (it is a unknown)
+  rtact: /localhost:$PORT/odd.host_cxt/NotAManager0.mgr: not a component (it is an object of another kind)
   [3]
   $ rtact $odd/Thing0.obj
-  rtact: /localhost:$PORT/odd.host_cxt/Thing0.obj: not a component (it is a unknown)
+  rtact: /localhost:$PORT/odd.host_cxt/Thing0.obj: not a component (it is an object of another kind)
   [3]
   $ rtact $odd/Nil0.rtc
-  rtact: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is a unknown)
+  rtact: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is an object of another kind)
   [3]
   $ rtact $odd/empty.cxt
   rtact: /localhost:$PORT/odd.host_cxt/empty.cxt: not a component (it is a directory)
@@ -130,17 +132,17 @@ Several paths: all are tried, each failure is told, and the status is 5 when som
   $ within 0.4-1.4 rtact --timeout 0.5 -v Dead0.rtc ConsoleIn0.rtc Nope0.rtc Hung0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active
-  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path; did you mean Peer0.rtc?
+  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   rtact: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
   [5]
   $ ctl state ConsoleIn0
   ACTIVE
   $ rtact Nope0.rtc Nope1.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path; did you mean Peer0.rtc?
-  rtact: /localhost:$PORT/test.host_cxt/Nope1.rtc: no such path; did you mean Dead1.rtc?
+  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
+  rtact: /localhost:$PORT/test.host_cxt/Nope1.rtc: no such path
   [3]
   $ rtact Nope0.rtc Dead0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path; did you mean Peer0.rtc?
+  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
   [5]
   $ rtdeact ConsoleIn0.rtc Dead0.rtc Dead1.rtc
@@ -198,6 +200,5 @@ Name servers: nobody listens on one, and ours falls silent:
   [2]
   $ hang names
   $ within 0.4-1.4 rtact --timeout 0.5 ConsoleIn0.rtc Fragile0.rtc
-  rtact: /localhost:$PORT: no answer within 0.5s
   rtact: /localhost:$PORT: no answer within 0.5s
   [4]
