@@ -51,7 +51,7 @@ def run(request):
     environment["RTCTREE_NAMESERVERS"] = "localhost:" + environment["PORT"]
     environment["RTCSH_CWD"] = "/localhost:%(PORT)s/test.host_cxt" % environment
     for name in sorted(environment):
-        if re.match(r"\d{5}$", environment[name]):  # a port
+        if re.match("[0-9]{5}$", environment[name]):  # a port; all have five digits, so that columns stay where they are
             substitutions.append((r"(?<![0-9])%s(?![0-9])" % environment[name], "$" + name))
     results, problem = play(request, environment, home)
     return {"results": results, "substitutions": substitutions, "problem": problem}

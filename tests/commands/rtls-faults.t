@@ -138,8 +138,6 @@ Name servers: one where nothing listens, one that never answers, and something t
   [3]
   $ RTCSH_CWD= rtls localhost:1 /localhost:1/a.cxt /localhost:1/a.cxt/b.rtc
   rtls: /localhost:1: connection refused; is the name server running?
-  rtls: /localhost:1: connection refused; is the name server running?
-  rtls: /localhost:1: connection refused; is the name server running?
   [4]
   $ RTCSH_CWD=/ rtls no-such-host.invalid
   rtls: /no-such-host.invalid: host name not known
