@@ -9,7 +9,7 @@ from . import values
 HELP = """\
 calls [COMPONENT]          one `count operation` line per operation received from outside
 highwater                  most calls from outside that were in flight at a time
-reset                      forget calls, high-water mark, faults and hangs
+reset                      forget calls, high-water mark, faults, delays and hangs
 received COMPONENT:PORT [N]  how many values an InPort has got and the last one; waits up to 10 s for N
 sent COMPONENT:PORT        how many values an OutPort has written
 write COMPONENT:PORT NUMBER  let an OutPort send a value made of that number
@@ -18,7 +18,8 @@ state COMPONENT            its state in its first context
 error COMPONENT            put it into the Error state
 fail OPERATION [N] [KIND]  the Nth next call of it ends badly: a system exception such as TRANSIENT (default),
                            COMM_FAILURE, UNKNOWN or TIMEOUT; HANG (no answer); DIE (the process ends)
-hang COMPONENT SECONDS     its calls wait that long; 0 lets them go
+delay OPERATION SECONDS    every call of it takes that long
+hang COMPONENT SECONDS     its calls wait until so long from now; 0 lets them go
 components                 instance names
 pid                        process id
 stop                       SIGSTOP itself
@@ -70,6 +71,9 @@ class Commands:
 
     def fail(self, operation, nth=1, kind="TRANSIENT"):
         self.ledger.fail(operation, int(nth), kind)
+
+    def delay(self, operation, seconds):
+        self.ledger.delay(operation, float(seconds))
 
     def hang(self, component, seconds):
         self.ledger.hang(component, float(seconds))
@@ -138,7 +142,11 @@ def _answer(connection, commands):
 def ask(path, words):
     """Send one command to a running mock, print the answer; returns the exit status."""
     with socket.socket(socket.AF_UNIX) as connection:
-        connection.connect(path)
+        try:
+            connection.connect(path)
+        except OSError as error:
+            sys.stderr.write("%s: %s\n" % (path, error.strerror))
+            return 1
         connection.sendall(("\0".join(words) + "\n").encode())
         status, _, text = connection.makefile().read().partition("\n")
     (sys.stdout if status == "ok" else sys.stderr).write(text)

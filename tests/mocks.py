@@ -1,7 +1,6 @@
 """Worlds of mock components for unittest modules, and short ways to call what is in them."""
 import os
 import shutil
-import socket
 import subprocess
 import sys
 import tempfile
@@ -33,28 +32,32 @@ def eventually(condition, what):
         time.sleep(0.01)
 
 
-def answers(port):
-    try:
-        socket.create_connection(("127.0.0.1", port), 1).close()
-        return True
-    except OSError:
-        return False
-
-
 class Server:
     """omniNames for the whole module, and this process's ORB."""
 
     @classmethod
     def start(cls):
         cls.directory = tempfile.mkdtemp()
-        cls.port = peers.free_port()
-        cls.process = subprocess.Popen(
-            [peers.omninames(), "-start", str(cls.port), "-always", "-datadir", cls.directory,
-             "-ORBendPoint", "giop:tcp:127.0.0.1:%d" % cls.port], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        eventually(lambda: answers(cls.port), "omniNames")
         cls.orb = CORBA.ORB_init(["test", "-ORBclientCallTimeOutPeriod", "8000", "-ORBtraceLevel", "0"], CORBA.ORB_ID)
-        cls.root = cls.orb.string_to_object(
-            "corbaloc:iiop:1.2@127.0.0.1:%d/NameService" % cls.port)._narrow(CosNaming.NamingContext)
+        for _ in range(5):      # the port may have been taken since it was found free
+            cls.port = peers.free_port()
+            cls.process = subprocess.Popen(
+                [peers.omninames(), "-start", str(cls.port), "-always", "-datadir", cls.directory,
+                 "-ORBendPoint", "giop:tcp:127.0.0.1:%d" % cls.port], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            cls.root = cls.orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%d/NameService" % cls.port)
+            cls.root = cls.root._unchecked_narrow(CosNaming.NamingContext)
+            eventually(lambda: cls.process.poll() is not None or cls.answers(), "omniNames")
+            if cls.process.poll() is None:
+                return
+        raise AssertionError("omniNames does not start")
+
+    @classmethod
+    def answers(cls):
+        """It accepts connections a little before it serves names."""
+        try:
+            return not cls.root._non_existent()
+        except CORBA.SystemException:
+            return False
 
     @classmethod
     def stop(cls):
