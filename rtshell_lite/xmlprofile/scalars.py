@@ -193,7 +193,7 @@ def _empty_lines(text, pos, width):
 # ---- what text means --------------------------------------------------------------------------------------------
 
 _BOOLEAN = re.compile(r"(?:(yes|Yes|YES|true|True|TRUE|on|On|ON)|no|No|NO|false|False|FALSE|off|Off|OFF)\Z")
-_NULL = re.compile(r"(?:~|null|Null|NULL|)\Z")
+NULLS = ("", "~", "null", "Null", "NULL")
 _INTEGER = re.compile(r"""[-+]?(?:(?P<two>0b[01_]+)|(?P<eight>0[0-7_]+)|(?P<ten>0|[1-9][0-9_]*)|(?P<sixteen>0x[0-9a-fA-F_]+)
                       |(?P<sixty>[1-9][0-9_]*(?::[0-5]?[0-9])+))\Z""", re.VERBOSE)
 _FLOAT = re.compile(r"""(?:[-+]?[0-9][0-9_]*\.[0-9_]*(?:[eE][-+][0-9]+)?
@@ -207,12 +207,8 @@ _DATE = re.compile(r"""[0-9]{4}-(?:[0-9]{2}-[0-9]{2}|[0-9]{1,2}-[0-9]{1,2}(?:[Tt
 
 def is_text(text):
     """Whether plain text means itself: it is no number, date, boolean, null or anything else that YAML knows."""
-    return not (_NULL.match(text) or _BOOLEAN.match(text) or _INTEGER.match(text) or _FLOAT.match(text)
+    return not (text in NULLS or _BOOLEAN.match(text) or _INTEGER.match(text) or _FLOAT.match(text)
                 or _DATE.match(text) or text in ("=", "<<"))
-
-
-def is_null(text):
-    return bool(_NULL.match(text))
 
 
 def plain(node):
@@ -227,7 +223,7 @@ def plain(node):
         return [plain(item) for item in value]
     if node.tag:
         return _TAGGED[node.tag](value)
-    if _NULL.match(value):
+    if value in NULLS:
         return None
     for pattern, meaning in ((_BOOLEAN, _boolean), (_INTEGER, _integer), (_FLOAT, _float)):
         if pattern.match(value):
@@ -247,7 +243,8 @@ def _boolean(text):
 
 
 def _null(text):
-    return _matched(_NULL, text, "null") and None
+    if text not in NULLS:
+        raise ValueError("not a null")
 
 
 def _integer(text):

@@ -9,86 +9,23 @@ block style end at the next token, which is what tells them from flow style.
 """
 import re
 
-from rtshell_lite import errors
 from rtshell_lite.xmlprofile import scalars
 from rtshell_lite.xmlprofile.scalars import BREAK
+from rtshell_lite.xmlprofile.yamldocument import Document, Node
 
 MOST_CHARACTERS = 16 << 20
-MOST_NODES = 500000  # with aliases replaced; a system of 1,000 components and 2,000 connections has 200,000
-DEEPEST = 150  # levels; 64 of XML become twice as many at worst, and Python's stack holds 1,000 calls
 
-_SPACE = re.compile("[ %s]*(#)?" % BREAK)
-_COMMENT = re.compile("[^%s\0]*" % BREAK)
 _BLANKS = re.compile(" *")
 _END_OF_LINE = re.compile(" *(?:#|[%s\0])" % BREAK)
-_MARKER = re.compile(r"(?:---|\.\.\.)(?=[ \0%s])" % BREAK)
 _DASH = re.compile("-(?=[ \0%s])" % BREAK)
 _QUESTION = re.compile(r"\?(?=[ \0%s])" % BREAK)
 _COLON = re.compile(" *:(?=[ \0%s])" % BREAK)
 _ANCHOR = re.compile(r"([&*])([\w-]+)", re.ASCII)
 _TAG = re.compile(r"!(?:<tag:yaml\.org,2002:(\w+)>|!(\w+)|(?=[ \0%s]))" % BREAK, re.ASCII)
 _FORBIDDEN = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
+# What most lines of a profile are, `key: value` or `key:` alone; reading such a line at once saves two thirds of the time.
+_SIMPLE = re.compile(r"([A-Za-z][\w:]*):( (?:([\w/.+][!\"$-~]*(?<!:))|'([^'%s\t]*)'))?\n( *)(?=[!-\"$-~])" % BREAK, re.ASCII)
 _DIRECTIVE = re.compile(r"%%YAML +1\.\d+ *(?:#[^%s]*)?[%s]" % (BREAK, BREAK))
-
-
-class Node:
-    """A value and where it stands: str, list of Node, or dict of str to Node. `tag`: how text was meant, None for plain."""
-
-    __slots__ = "value", "pos", "tag", "height"
-
-    def __init__(self, value, pos, tag=None):
-        self.value = value
-        self.pos = pos
-        self.tag = tag
-        self.height = 0  # levels of collections in it, once that is known
-
-
-class Document:
-    """The text that is read, what was anchored in it so far, and the error."""
-
-    def __init__(self, text, name):
-        self.name = name
-        self.text = text
-        self.nodes = 0
-        self.anchors = {}  # name: (node, number of nodes in it)
-
-    def fail(self, pos, reason):
-        start = self.text.rfind("\n", 0, pos) + 1
-        raise errors.BadProfile(self.name, self.text.count("\n", 0, pos) + 1, pos - start + 1, reason)
-
-    def node(self, value, pos, depth, tag=None):
-        """A new node, if there may be one more."""
-        self.nodes += 1
-        if self.nodes > MOST_NODES:
-            self.fail(pos, "more than %d values" % MOST_NODES)
-        if depth > DEEPEST:
-            self.fail(pos, "more than %d levels" % DEEPEST)
-        return Node(value, pos, tag)
-
-    def column(self, pos):
-        start = self.text.rfind("\n", 0, pos) + 1
-        for other in BREAK[1:]:
-            start = max(start, self.text.rfind(other, start, pos) + 1)
-        return pos - start
-
-    def skip(self, pos):
-        """Where the next token stands, behind blanks, comments and ends of lines."""
-        while True:
-            found = _SPACE.match(self.text, pos)
-            if not found.group(1):
-                break
-            pos = _COMMENT.match(self.text, found.end()).end()
-        if self.text[found.end()] == "\t":
-            self.fail(found.end(), "a tab; blanks are needed here")
-        return found.end()
-
-    def next_token(self, pos):
-        """Where the next token stands, and its column; -1 at the end of the document."""
-        pos = self.skip(pos)
-        column = self.column(pos)
-        if self.text[pos] == "\0" or column == 0 and _MARKER.match(self.text, pos):
-            return pos, -1
-        return pos, column
 
 
 def parse(text, name):
@@ -103,6 +40,7 @@ def parse(text, name):
     bad = _FORBIDDEN.search(doc.text)
     if bad:
         doc.fail(bad.start(), "a character that YAML does not allow (U+%04X)" % ord(bad.group()))
+    doc.other_breaks = [c for c in BREAK[1:] if c in doc.text]
     doc.text += "\0"  # so that a token always has something behind it
     return doc, _document(doc)
 
@@ -127,10 +65,10 @@ def _document(doc):
         pos, node = _value(doc, pos + 3, -1, 0, False)
     else:
         pos, node = _value(doc, pos, -1, 0, True)
-    while doc.text.startswith("...", pos) and doc.next_token(pos)[1] < 0:
+    while doc.text.startswith("...", pos) and doc.here(pos) < 0:
         pos = _line_end(doc, pos + 3)
     if doc.text[pos] != "\0":
-        doc.fail(pos, "a second document" if doc.next_token(pos)[1] < 0 else "this does not belong to what stands above")
+        doc.fail(pos, "a second document" if doc.here(pos) < 0 else "this does not belong to what stands above")
     return node
 
 
@@ -160,13 +98,17 @@ def _value(doc, pos, indent, depth, compact, dashes=False):
         return _anchored(doc, anchor, doc.nodes, _inline(doc, pos, indent, depth, tag))
     pos, column = doc.next_token(pos)
     count = doc.nodes
-    if column > indent:
-        pos, node = _block(doc, pos, indent, depth)
-    elif dashes and column == indent and _DASH.match(doc.text, pos):
-        pos, node = _sequence(doc, pos, column, depth)
-    else:
-        node = doc.node("", pos, depth)
+    pos, node = _below(doc, pos, column, indent, depth, dashes)
     return _anchored(doc, anchor, count, (pos, _tagged(doc, start, node, tag)))
+
+
+def _below(doc, pos, column, indent, depth, dashes=True):
+    """The value whose first token stands below its key or dash at column `indent`: at `pos`, in `column`."""
+    if column > indent:
+        return _block(doc, pos, indent, depth)
+    if dashes and column == indent and _DASH.match(doc.text, pos):
+        return _sequence(doc, pos, column, depth)
+    return pos, doc.node("", pos, depth)
 
 
 def _block(doc, pos, indent, depth):
@@ -183,9 +125,12 @@ def _sequence(doc, pos, column, depth):
     node = doc.node(items, pos, depth)
     here = column
     while here == column and _DASH.match(doc.text, pos):
-        pos, item = _value(doc, pos + 1, column, depth + 1, True)
+        if _SIMPLE.match(doc.text, pos + 2):
+            pos, item = _mapping(doc, pos + 2, column + 2, depth + 1)
+        else:
+            pos, item = _value(doc, pos + 1, column, depth + 1, True)
         items.append(item)
-        here = doc.next_token(pos)[1]
+        here = doc.here(pos)
     _check_column(doc, pos, column)
     return pos, node
 
@@ -195,6 +140,19 @@ def _mapping(doc, pos, column, depth):
     node = doc.node(items, pos, depth)
     here = column
     while here == column and not _DASH.match(doc.text, pos):
+        simple = _SIMPLE.match(doc.text, pos)
+        if simple and simple.group(1) not in items:
+            key, line, value, quoted, blanks = simple.groups()
+            if not line:
+                pos, items[key] = _below(doc, simple.end(), len(blanks), column, depth + 1)
+                here = doc.here(pos)
+                continue
+            if len(blanks) <= column:
+                items[key] = doc.node(quoted or "" if value is None else value, simple.start(2) + 1, depth + 1,
+                                      "str" if value is None else None)
+                pos = simple.end()
+                here = len(blanks) or doc.here(pos)
+                continue
         start, explicit = pos, _QUESTION.match(doc.text, pos)
         pos, key = _key(doc, pos, column, depth)
         if key in items:
@@ -204,13 +162,13 @@ def _mapping(doc, pos, column, depth):
             pos, items[key] = _value(doc, colon.end(), column, depth + 1, bool(explicit), True)
         else:
             items[key] = doc.node("", pos, depth)
-        here = doc.next_token(pos)[1]
+        here = doc.here(pos)
     _check_column(doc, pos, column)
     return pos, node
 
 
 def _check_column(doc, pos, column):
-    if doc.next_token(pos)[1] > column:
+    if doc.here(pos) > column:
         doc.fail(pos, "indented by more than what it belongs to")
 
 

@@ -7,7 +7,7 @@ A file is one mapping with the key rtsProfile. What only XML knows stands under 
 """
 import re
 
-from rtshell_lite.xmlprofile import model, names, scalars, values, yaml, yamlwriter
+from rtshell_lite.xmlprofile import model, names, scalars, values, yaml, yamldocument, yamlwriter
 
 ROOT = "rtsProfile"
 DEEPEST_XML = 64  # elements below elements: a profile that is read here can be written as XML and read again
@@ -33,7 +33,7 @@ def write(profile):
 
 def _element(doc, node, cls, depth):
     if _is_null(node):
-        node = yaml.Node({}, node.pos)  # `startUp:` alone
+        node = yamldocument.Node({}, node.pos)  # `startUp:` alone
     if not isinstance(node.value, dict):
         doc.fail(node.pos, "a mapping is needed here")
     if depth > DEEPEST_XML:
@@ -80,7 +80,7 @@ def _pairs(doc, node, table):
 
 
 def _is_null(node):
-    return isinstance(node.value, str) and node.tag in (None, "null") and scalars.is_null(node.value)
+    return node.tag in (None, "null") and node.value in scalars.NULLS
 
 
 def _set(doc, found, field, node, depth):

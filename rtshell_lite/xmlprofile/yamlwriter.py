@@ -4,7 +4,7 @@ import re
 
 from rtshell_lite.xmlprofile import scalars
 
-_PLAIN = re.compile(r"(?:[^\s\-?:,\[\]{}#&*!|>'\"%@`]|[-?:](?=[!-~]))[ -~]*\Z")
+_PLAIN = re.compile(r"(?=[!-~])(?:[^-?:,\[\]{}#&*!|>'\"%@`]|[-?:](?=[!-~]))[ -~]*\Z")
 _UNSAFE = re.compile(r": | #|:\Z| \Z|\A(?:---|\.\.\.)")
 _DOUBLE = re.compile(r'[^ !#-\[\]-~]')
 _ESCAPES = {"\0": "0", "\a": "a", "\b": "b", "\t": "t", "\n": "n", "\v": "v", "\f": "f", "\r": "r", "\x1b": "e",
