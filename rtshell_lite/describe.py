@@ -14,8 +14,16 @@ def collect(node):
     owned, participating = component.context_refs(node)
     contexts = [component.context(node, ref) for ref in owned + participating]
     state = component.merged([component.state_in(node, context.ref) for context in contexts])
-    composite, member = node.call("get_owned_organizations"), node.call("get_organizations")
-    return Found(node, component.profile(node), state, contexts, found, bool(composite), bool(member))
+    composite, member = _organized(node, "get_owned_organizations"), _organized(node, "get_organizations")
+    return Found(node, component.profile(node), state, contexts, found, composite, member)
+
+
+def _organized(node, operation):
+    """Does it own, or is it a member of, a composition? Small implementations do not know the question."""
+    try:
+        return bool(node.call(operation))
+    except errors.Refused:
+        return False
 
 
 # ---- lines ----------------------------------------------------------------------------------------------------
