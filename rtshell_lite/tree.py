@@ -235,10 +235,11 @@ def _sure(node, where):
     return Node(node.path, "unknown", node.ref)
 
 
-def component(path):
-    """The component at `path`. Raises as `resolve` does, WrongKind, Gone for a zombie; asks a component nothing."""
-    if path.port is not None:
-        raise errors.WrongKind(str(path), "component", "port")
+def component(path, or_manager=False):
+    """The component (`or_manager`: or the manager) at `path`. Asks it nothing.
+
+    Raises as `resolve` does, WrongKind, Gone for a zombie.
+    """
     node = resolve(path)
     if node.kind == "unsure":
         node, = look([node])
@@ -246,19 +247,24 @@ def component(path):
         raise errors.Gone(str(node.path))
     if node.kind == "silent":
         raise node.error
+    if node.kind == "manager" and or_manager:
+        return node
     if node.kind != "component":
-        raise errors.WrongKind(str(node.path), "component", node.what)
+        raise errors.WrongKind(str(node.path), "component or manager" if or_manager else "component", node.what)
     if path.directory:
-        raise errors.WrongKind(str(node.path), "directory", "component")
+        raise errors.WrongKind(str(path), "directory", "component")
     return node
 
 
-def on_components(paths, function):
-    """Call function(node) for the component at each path, in parallel; values in order, an errors.Error for what failed."""
+def on_components(paths, function, or_managers=False):
+    """Call function(node) for the component at each path, in parallel; values in order, an errors.Error for what failed.
+
+    With `or_managers`, managers are taken as well.
+    """
     orb.start()  # its failures are not the failure of a path
 
     def resolved(path):
-        return rpc.Job(lane(path), str(path), lambda: component(path))
+        return rpc.Job(lane(path), str(path), lambda: component(path, or_managers))
     nodes = rpc.gather([resolved(path) for path in paths])
     return on_nodes(nodes, function)
 

@@ -13,7 +13,7 @@ def delete(path, zombie_only=False, recursive=False, dry_run=False):
     """
     if path.port is not None or not path.names:
         raise errors.WrongKind(str(path), "name that can be deleted", "port" if path.port is not None
-                               else "name server" if path.server else "root")
+                               else "name server" if path.server else "root directory")
     node = tree.resolve(path)
     if tree.resolve(path.parent()).kind == "manager":
         raise errors.WrongKind(str(path.parent()), "directory with names in it", "manager; rtmgr deletes its components")

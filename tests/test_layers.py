@@ -11,7 +11,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LAYERS = [
     ["bin"],
     ["__main__"],
-    ["system", "plan", "graph", "listing", "describe", "search", "unbind", "unpack"],
+    ["system", "plan", "graph", "listing", "describe", "describe_manager", "search", "unbind", "composing", "unpack"],
     ["component", "ports", "places", "manager", "organisation", "observer", "dataport", "datalog", "datatypes", "configuration"],
     ["tree"],
     ["orb", "cli", "installation"],

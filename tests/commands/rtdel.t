@@ -164,7 +164,7 @@ The whole of what is left:
 Not to be deleted:
 
   $ rtdel /
-  rtdel: /: not a name that can be deleted (it is the root)
+  rtdel: /: not a name that can be deleted (it is a root directory)
   [3]
   $ rtdel --recursive /localhost:$PORT
   rtdel: /localhost:$PORT: not a name that can be deleted (it is a name server)

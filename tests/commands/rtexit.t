@@ -98,7 +98,7 @@ Not a component, and wrong usage:
   rtexit: /localhost:$PORT/more.host_cxt: not a component (it is a directory)
   [3]
   $ rtexit /
-  rtexit: /: not a component (it is the root)
+  rtexit: /: not a component (it is a root directory)
   [3]
   $ rtexit
   rtexit: the following arguments are required: PATH (see --help)
