@@ -5,8 +5,6 @@ world: these Mock:Dead0 Mock:Dead1
 world: these Mock:Hung0 Mock:Hung1
 world: fragile
 world: names --context odd.host_cxt/%n.rtc
-faulty: silent
-faulty: garbage
 
 Wrong usage:
 
@@ -23,7 +21,7 @@ Wrong usage:
   rtact: empty path
   [2]
   $ rtact 'a\q.rtc'
-  rtact: a\q.rtc: bad escape \\q
+  rtact: a\q.rtc: bad escape \q
   [2]
   $ rtact ConsoleIn0.rtc:out:in
   rtact: ConsoleIn0.rtc:out:in: bad path (one colon stands before a port; write \: in a name)
@@ -64,7 +62,7 @@ No such path:
 Not a component:
 
   $ rtact /
-  rtact: /: not a component (it is the root)
+  rtact: /: not a component (it is a root directory)
   [3]
   $ rtact .
   rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
@@ -80,16 +78,16 @@ Not a component:
   [3]
   $ odd=../odd.host_cxt
   $ rtact $odd/NotAComponent0.rtc
-  rtact: /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc: not a component (it is an object of another kind)
+  rtact: /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc: not a component (it is a CORBA object of unknown kind)
   [3]
   $ rtact $odd/NotAManager0.mgr
-  rtact: /localhost:$PORT/odd.host_cxt/NotAManager0.mgr: not a component (it is an object of another kind)
+  rtact: /localhost:$PORT/odd.host_cxt/NotAManager0.mgr: not a component (it is a CORBA object of unknown kind)
   [3]
   $ rtact $odd/Thing0.obj
-  rtact: /localhost:$PORT/odd.host_cxt/Thing0.obj: not a component (it is an object of another kind)
+  rtact: /localhost:$PORT/odd.host_cxt/Thing0.obj: not a component (it is a CORBA object of unknown kind)
   [3]
   $ rtact $odd/Nil0.rtc
-  rtact: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is an object of another kind)
+  rtact: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is a nil reference)
   [3]
   $ rtact $odd/empty.cxt
   rtact: /localhost:$PORT/odd.host_cxt/empty.cxt: not a component (it is a directory)
@@ -200,8 +198,6 @@ Name servers: nobody listens on one, and ours falls silent:
   $ rtact /localhost:99999/ConsoleIn0.rtc
   rtact: /localhost:99999/ConsoleIn0.rtc: localhost:99999 is not a name server (host or host:tcpport)
   [2]
-  $ within 0.4-1.4 rtact --timeout 0.5 /localhost:$FAULTY/ConsoleIn0.rtc
-  $ within 0-1.4 rtact --timeout 0.5 /localhost:$FAULTY2/ConsoleIn0.rtc
   $ hang names
   $ within 0.4-1.4 rtact --timeout 0.5 ConsoleIn0.rtc Fragile0.rtc
   rtact: /localhost:$PORT: no answer within 0.5s
