@@ -73,6 +73,10 @@ class ConnectionRefused(Unreachable):
     """{}: connection refused"""
 
 
+class ProcessGone(ConnectionRefused):
+    """{}: connection refused; its process is gone (zombie)"""
+
+
 class NoNameServer(ConnectionRefused):
     """{}: connection refused; is the name server running?"""
 
