@@ -112,6 +112,8 @@ def component(path, or_manager=False):
 
     Raises as `resolve` does, WrongKind, Gone for a zombie.
     """
+    if path.port is not None:
+        raise errors.WrongKind(str(path), "component", "port")
     node = resolve(path)
     if node.kind == "unsure":
         node, = look([node])

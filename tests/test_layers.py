@@ -12,7 +12,7 @@ LAYERS = [
     ["bin"],
     ["__main__"],
     ["system", "plan", "graph", "listing", "describe", "describe_manager", "search", "unbind", "composing", "unpack"],
-    ["component", "ports", "places", "manager", "organisation", "observer", "dataport", "datalog", "datatypes", "configuration"],
+    ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes", "configuration"],
     ["tree"],
     ["node"],
     ["orb", "cli", "installation"],
