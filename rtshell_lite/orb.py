@@ -196,7 +196,11 @@ def ask(where, ref, operation, *args):
 
 def is_alive(where, ref):
     """True when the object of `ref` exists. Raises Gone when it does not or nobody listens there, Silent, Unreachable."""
-    if call(where, ref, "_non_existent"):
+    try:
+        gone = call(where, ref, "_non_existent")
+    except errors.ConnectionRefused:
+        raise errors.ProcessGone(where)
+    if gone:
         raise errors.Gone(where)
     return True
 
