@@ -33,11 +33,11 @@ Wrong usage is told before anything is contacted:
   rtmgr: argument -s/--setconfig: not KEY=VALUE: =b (see --help)
   [2]
   $ rtmgr -c '' nowhere/manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/nowhere: no such path
-  [3]
+  rtmgr: argument -c/--create: not MODULE[?KEY=VALUE&KEY=VALUE…]:  (see --help)
+  [2]
   $ rtmgr -c 'A?b' nowhere/manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/nowhere: no such path
-  [3]
+  rtmgr: argument -c/--create: not MODULE[?KEY=VALUE&KEY=VALUE…]: A?b (see --help)
+  [2]
   $ rtmgr -c
   rtmgr: argument -c/--create: expected one argument (see --help)
   [2]
@@ -48,8 +48,8 @@ Wrong usage is told before anything is contacted:
   rtmgr: corbaloc:: not corbaloc:iiop:HOST[:PORT][/KEY]
   [2]
   $ rtmgr -r corbaloc::localhost:70000/manager
-  rtmgr: internal error: TypeError: %d format: a real number is required, not NoneType (RTSHELL_DEBUG=1 shows where)
-  [70]
+  rtmgr: corbaloc::localhost:70000/manager: not corbaloc:iiop:HOST[:PORT][/KEY]
+  [2]
   $ rtmgr -r corbaloc::localhost:x/manager
   rtmgr: corbaloc::localhost:x/manager: not corbaloc:iiop:HOST[:PORT][/KEY]
   [2]
@@ -87,19 +87,19 @@ What is no manager:
   rtmgr: /: not a manager (it is a root directory)
   [3]
   $ rtmgr -r corbaloc::localhost:$PORT/NameService
-  rtmgr: corbaloc::localhost:$PORT/NameService: BAD_OPERATION_UnRecognisedOperationName
-  [6]
+  rtmgr: corbaloc::localhost:$PORT/NameService: not a manager (it is a directory)
+  [3]
   $ rtmgr -r corbaloc::localhost:$PORT/nothing
-  rtmgr: corbaloc::localhost:$PORT/nothing: zombie (the name is bound, but its object is gone)
-  [4]
+  rtmgr: corbaloc::localhost:$PORT/nothing: no such object: nothing
+  [3]
   $ M=$(ctl port)
   $ rtmgr -c Motor corbaloc::localhost:$M/nothing 2>&1 | sed s/$M/M/
-  rtmgr: corbaloc::localhost:M/nothing: zombie (the name is bound, but its object is gone)
+  rtmgr: corbaloc::localhost:M/nothing: no such object: nothing
 
 Nobody there, or nobody who answers:
 
   $ rtmgr -r corbaloc::127.1.2.3/manager
-  rtmgr: corbaloc::127.1.2.3/manager: connection refused; its process is gone (zombie)
+  rtmgr: corbaloc::127.1.2.3/manager: connection refused; is the manager running?
   [4]
   $ rtmgr -r corbaloc::nowhere.invalid/manager
   rtmgr: corbaloc::nowhere.invalid/manager: host name not known
@@ -125,29 +125,29 @@ Components: a name that is unknown or taken, a module that is unknown, an argume
   $ rtmgr -c NoSuchModule manager.mgr
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create NoSuchModule (no factory NoSuchModule; there are: ConsoleIn, ConsoleOut, Controller, Motor, PeriodicECSharedComposite, Sensor)
   [6]
-  $ rtmgr -c RTC:AIST:example:Motor:2.0.0 manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create RTC:AIST:example:Motor:2.0.0 (a wrong argument, or max_instance reached)
+  $ rtmgr -c RTC:AIST:example:Motor:1.0 manager.mgr
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create RTC:AIST:example:Motor:1.0 (there is RTC:AIST:example:Motor:C++:2.0.0)
   [6]
   $ rtmgr -c RTC:Nobody:example:Motor:C++:2.0.0 manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create RTC:Nobody:example:Motor:C++:2.0.0 (a wrong argument, or max_instance reached)
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create RTC:Nobody:example:Motor:C++:2.0.0 (there is RTC:AIST:example:Motor:C++:2.0.0)
   [6]
   $ rtmgr -c 'Motor?language=Python' manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create Motor?language=Python (a wrong argument, or max_instance reached)
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create Motor?language=Python (a wrong argument, or its max_instance of 10 is reached)
   [6]
   $ rtmgr -c 'Motor?instance_name=a?instance_name=b' manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create Motor?instance_name=a?instance_name=b (a wrong argument, or max_instance reached)
-  [6]
+  rtmgr: argument -c/--create: not MODULE[?KEY=VALUE&KEY=VALUE…]: Motor?instance_name=a?instance_name=b (see --help)
+  [2]
   $ rtmgr -v -c 'Motor?instance_name=a' -c 'Sensor?instance_name=a' manager.mgr
   rtmgr: created a
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: has a component a already
   [6]
   $ rtmgr -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create Motor (a wrong argument, or max_instance reached)
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create Motor (a wrong argument, or its max_instance of 10 is reached)
   [6]
   $ rtmgr -r manager.mgr | grep -c Motor:
   10
 
-Modules: a manager says RTC_OK for a file that is not there; unloading what is not loaded makes real ones throw:
+Modules: a manager says RTC_OK for a file that is not there; what is not loaded is not unloaded:
 
   $ rtmgr -l /no/such/file.so:fileInit manager.mgr
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: did not load /no/such/file.so (it says RTC_OK)
@@ -158,15 +158,17 @@ Modules: a manager says RTC_OK for a file that is not there; unloading what is n
   $ rtmgr -u nofile.so manager.mgr
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: no such loaded module: nofile.so
   [3]
+
+A master has the modules of its slaves unloaded, too, but its own first:
+
   $ rtmgr -u ConsoleIn.so manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: CORBA.UNKNOWN
-  [6]
   $ rtmgr --loaded manager.mgr | grep ConsoleIn
-  /opt/openrtm/components/c++/examples/rtc/ConsoleIn.so
+  [1]
 
 A wrong initialisation function leaves a file that is loaded and of no use:
 
   $ rtmgr -l SeqIn.so:WrongInit manager.mgr
+  rtmgr: SeqIn.so adds nothing that can be created: it was loaded before, or WrongInit is the wrong function
   $ rtmgr -v -l SeqOut.so:SeqOutInit manager.mgr
   rtmgr: loaded SeqOut.so
   $ rtmgr -q -l SeqIn.so:WrongInit manager.mgr
@@ -174,7 +176,7 @@ A wrong initialisation function leaves a file that is loaded and of no use:
 Configuration that does not take:
 
   $ rtmgr -s corba.args=-ORBtraceLevel manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: did not set corba.args (it says RTC_OK; the value is )
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: did not set corba.args (it says RTC_OK; the value is empty)
   [6]
 
 Managers that refuse, fail, hang:
@@ -188,8 +190,8 @@ Managers that refuse, fail, hang:
   $ ctl fail get_components 1 BAD_OPERATION; rtmgr -r manager.mgr
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: CORBA.BAD_OPERATION
   [6]
-  $ ctl fail delete_component 1 UNKNOWN; rtmgr -d ConsoleIn0 manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: CORBA.UNKNOWN
+  $ ctl slave 1 fail delete_component 1 UNKNOWN; rtmgr -d ConsoleIn0 manager.mgr
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr/manager: CORBA.UNKNOWN
   [6]
   $ ctl fail shutdown 1 NO_PERMISSION; rtmgr --shutdown manager.mgr
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: CORBA.NO_PERMISSION
@@ -208,14 +210,15 @@ Managers that refuse, fail, hang:
   Motor8.rtc
   a.rtc
   $ ctl fail get_loadable_modules 1 BAD_OPERATION; rtcat manager.mgr | tail -3
-    Filepath: /opt/openrtm/components/c++/examples/rtc/ConsoleIn.so
-    Filepath: /opt/openrtm/components/c++/examples/rtc/ConsoleOut.so
+  rtcat: loadable modules: /localhost:$PORT/test.host_cxt/manager.mgr: CORBA.BAD_OPERATION
+    Filepath: /opt/openrtm/components/c++/examples/rtc/SeqIn.so
+    Filepath: /opt/openrtm/components/c++/examples/rtc/SeqOut.so
   Loadable modules:
-  $ ctl fail get_loaded_modules 1 HANG; within 0.5-1.5 rtmgr --timeout 0.5 -g --loaded manager.mgr | tail -1
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: no answer within 60s
-  took 60.22 s, not 0.5-1.5
+  $ ctl fail get_loaded_modules 1 HANG; within 0.5-1.5 rtmgr --timeout 0.5 --loaded manager.mgr
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: no answer within 0.5s
+  [4]
 
-A slave that has died takes its components with it, and the master says so when it is asked (a real one does the same):
+A slave that has died takes its components with it, and the master forgets it when it is asked:
 
   $ rtmgr -r ../deadslave.host_cxt/manager.mgr | grep instance
   instance name:\tConsoleIn0 (esc)
@@ -304,7 +307,7 @@ A hung manager, a manager whose process is gone:
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: connection refused; its process is gone (zombie)
   [4]
   $ rtmgr -r corbaloc::localhost:$M 2>&1 | sed s/$M/M/
-  rtmgr: corbaloc::localhost:M: connection refused; its process is gone (zombie)
+  rtmgr: corbaloc::localhost:M: connection refused; is the manager running?
   $ rtls
   ConsoleIn0.rtc
   ConsoleOut0.rtc
