@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import component, errors, orb, rpc, tree
-from rtshell_lite.path import ROOT, Name, Path
+from rtshell_lite.places import Places
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 
 # One port. `name` is the full name (ConsoleIn0.out), `type` DataInPort, DataOutPort, CorbaPort or Port, `properties` a dict,
@@ -96,43 +96,21 @@ def far_ends(node, found):
             if ref is not None and orb.identity(ref) not in own:
                 ends.setdefault(orb.identity(ref), ref)
     jobs = [rpc.Job(orb.endpoint(ref), "%s:%d" % orb.endpoint(ref), lambda ref=ref: port(node, ref)) for ref in ends.values()]
-    names = dict(zip(ends, _Owners(node).name_all(rpc.gather(jobs))))
+    places = Places(node)
+    names = dict(zip(ends, [_place(found, places) for found in rpc.gather(jobs)]))
     return lambda ref: names.get(orb.identity(ref)) if ref is not None else "Unknown (nil)"
 
 
-class _Owners:
-    """Finds where the owners of ports are bound: next to a known component first, anywhere else when need be."""
-
-    def __init__(self, node):
-        self.beside = node.path.parent()
-        self.everywhere = None
-
-    def name_all(self, found):
-        return [self.name(each) for each in found]
-
-    def name(self, found):
-        if isinstance(found, errors.Error):
-            return "Unknown (%s)" % found
-        if found.owner is None:
-            return printable(found.name)
-        path = self._beside(found) or self._anywhere(found)
-        if path is None:
-            return "Unknown (%s)" % printable(found.name)
-        return str(path.with_port(short_name(found.name, path.names[-1].id)))
-
-    def _beside(self, found):
-        path = self.beside.child(Name(found.name.rpartition(".")[0], "rtc"))
-        try:
-            return path if orb.same(tree.resolve(path).ref, found.owner) else None
-        except errors.Error:
-            return None
-
-    def _anywhere(self, found):
-        if self.everywhere is None:
-            servers = [tree.resolve(Path(self.beside.server, (), None, False))] + tree.children(tree.resolve(ROOT))
-            self.everywhere = [node for server in servers for node in tree.walk(server)
-                               if node.kind == "component" and node.ref is not None]
-        return next((node.path for node in self.everywhere if orb.same(node.ref, found.owner)), None)
+def _place(found, places):
+    """The path of a Port, or what can be told where there is none."""
+    if isinstance(found, errors.Error):
+        return "Unknown (%s)" % found
+    if found.owner is None:
+        return printable(found.name)
+    path = places.path(found.name.rpartition(".")[0], found.owner)
+    if path is None:
+        return "Unknown (%s)" % printable(found.name)
+    return str(path.with_port(short_name(found.name, path.names[-1].id)))
 
 
 # ---- connecting -----------------------------------------------------------------------------------------------

@@ -15,6 +15,8 @@ def delete(path, zombie_only=False, recursive=False, dry_run=False):
         raise errors.WrongKind(str(path), "name that can be deleted", "port" if path.port is not None
                                else "name server" if path.server else "root directory")
     node = tree.resolve(path)
+    if tree.resolve(path.parent()).kind == "manager":
+        raise errors.WrongKind(str(path.parent()), "directory with names in it", "manager; rtmgr deletes its components")
     if zombie_only:
         yield _delete_zombie(_dead(node), dry_run)
     elif node.kind == "directory":
@@ -26,7 +28,7 @@ def delete(path, zombie_only=False, recursive=False, dry_run=False):
 
 def zombies(top):
     """The zombies at and below the Node `top`: (zombies, Nodes whose listing failed)."""
-    nodes = list(tree.walk(top))
+    nodes = list(tree.walk(top, managers=False))
     return [node for node in tree.look(nodes) if node.kind == "zombie"], [node for node in nodes if node.error is not None]
 
 

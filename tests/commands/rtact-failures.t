@@ -112,7 +112,7 @@ Dead and silent peers. The dead are told at once, the silent after --timeout, on
 
   $ kill-mock these; hang these2
   $ rtact Dead0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [4]
   $ within 0.4-1.4 rtact --timeout 0.5 Hung0.rtc Hung1.rtc
   rtact: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
@@ -130,7 +130,7 @@ Dead and silent peers. The dead are told at once, the silent after --timeout, on
 Several paths: all are tried, each failure is told, and the status is 5 when something was done or when the failures differ:
 
   $ within 0.4-1.4 rtact --timeout 0.5 -v Dead0.rtc ConsoleIn0.rtc Nope0.rtc Hung0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active
   rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   rtact: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
@@ -143,16 +143,16 @@ Several paths: all are tried, each failure is told, and the status is 5 when som
   [3]
   $ rtact Nope0.rtc Dead0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
-  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [5]
   $ rtdeact ConsoleIn0.rtc Dead0.rtc Dead1.rtc
-  rtdeact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
-  rtdeact: /localhost:$PORT/test.host_cxt/Dead1.rtc: connection refused
+  rtdeact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
+  rtdeact: /localhost:$PORT/test.host_cxt/Dead1.rtc: connection refused; its process is gone (zombie)
   [5]
   $ ctl state ConsoleIn0
   INACTIVE
   $ rtreset ConsoleIn0.rtc Dead0.rtc
-  rtreset: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtreset: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [5]
   $ resume these2
 
@@ -165,7 +165,7 @@ A component that breaks down while it is asked:
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection lost
   [4]
   $ ctl fail activate_component 1 TRANSIENT; rtact ConsoleIn0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection refused
+  rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection refused; its process is gone (zombie)
   [4]
   $ ctl fail activate_component 1 HANG; within 0.4-1.4 rtact --timeout 0.5 ConsoleIn0.rtc
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 0.5s

@@ -70,7 +70,7 @@ world: linked
       config.version                           2.1.0
       config_file\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
       corba.endpoints                          127.0.0.1:* (glob)
-      corba.endpoints_ipv4                     127.0.0.1:40829
+      corba.endpoints_ipv4                     127.0.0.1:* (glob)
       corba.endpoints_ipv6\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
       corba.id                                 omniORB
       description                              Console output component
