@@ -17,6 +17,10 @@ class No(Error):
     """{}: {}"""
 
 
+class BadProfile(Error):
+    """{}:{}:{}: {}"""  # file, line, column, what is wrong there
+
+
 class MissingOmniORB(Error):
     """omniORBpy is not installed; take python3-omniorb from the system's packages, or: pip install 'rtshell_lite[omniorb]'"""
 
