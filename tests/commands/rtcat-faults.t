@@ -138,19 +138,8 @@ A component that fails to tell something. What says that it is passing is asked 
   rtcat: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: CORBA.NO_IMPLEMENT
   [6]
   $ ctl fail get_ports 1 NO_PERMISSION; rtcat ConsoleIn0.rtc Multi0.rtc:in
-  ConsoleIn0.rtc  Inactive
-    Category       example
-    Description    Console input component
-    Instance name  ConsoleIn0
-    Type name      ConsoleIn
-    Vendor         Shinji Kurihara
-    Version        1.0
-    Parent\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
-    Type           Monolithic
-   +Extra properties
-  +Execution Context 0
-  +DataOutPort: out
-  rtcat: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: CORBA.NO_PERMISSION
+  rtcat: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: CORBA.NO_PERMISSION
+  +DataInPort: in
   [5]
   $ ctl fail get_component_profile 1 OBJECT_NOT_EXIST; rtcat ConsoleIn0.rtc
   ConsoleIn0.rtc  Inactive
