@@ -5,7 +5,7 @@ world: names --context odd.host_cxt/%n.rtc
 world: hung 3 --context test.host_cxt/Hung%n.rtc
 world: fragile
 faulty: silent hostile
-faulty: --bind localhost:$PORT/bad.host_cxt a=late-close
+faulty: --bind localhost:$PORT/bad.host_cxt a=close
 alone: it measures
 
 A hung component is a component, but nobody knows its state. By its name it is found without asking.
@@ -37,6 +37,8 @@ The same goes for one whose reference does not tell what it is, and which does n
   [4]
   $ rtfind ../bad.host_cxt -t c
   /localhost:$PORT/bad.host_cxt/a.rtc
+  rtfind: /localhost:$PORT/bad.host_cxt/a.rtc: connection lost
+  [5]
   $ rtfind ../bad.host_cxt -t mz
   $ within 0-0.5 rtfind . -n 'Hung*'
   /localhost:$PORT/test.host_cxt/HungMock0.rtc
