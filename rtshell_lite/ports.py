@@ -277,6 +277,19 @@ def connect(found, name="", connector_id="", given=None):
     return _connector(made)
 
 
+def connect_alone(each, name, properties):
+    """A connector of one data port only, as tools use it; nobody else takes part, and the port's side of it is complete.
+
+    Raises Refused, Unreachable.
+    """
+    from rtshell_lite.idl_stubs.component import RTC
+    asked = RTC.ConnectorProfile(to_wire(name), "", [each.ref], orb.nvlist(sorted(properties.items())))
+    code, made = orb.ask(label(each), each.ref, "connect", asked)
+    if str(code) != "RTC_OK":
+        raise errors.Refused(label(each), "refused by the component (%s)" % code, name=str(code))
+    return _connector(made)
+
+
 def _why_refused(code, found, connector_id):
     already = joining(found)
     if code == "PRECONDITION_NOT_MET" and already:

@@ -110,8 +110,10 @@ def _near_miss(path, names):
 def component(path, or_manager=False):
     """The component (`or_manager`: or the manager) at `path`. Asks it nothing.
 
-    Raises as `resolve` does, WrongKind, Gone for a zombie.
+    Raises as `resolve` does, WrongKind (for a port, too), Gone for a zombie.
     """
+    if path.port is not None:
+        raise errors.WrongKind(str(path), "component", "port")
     node = resolve(path)
     if node.kind == "unsure":
         node, = look([node])

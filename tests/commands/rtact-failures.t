@@ -166,7 +166,7 @@ A component that breaks down while it is asked:
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection lost
   [4]
   $ ctl fail activate_component 1 TRANSIENT; rtact ConsoleIn0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection refused; its process is gone (zombie)
+  rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection refused
   [4]
   $ ctl fail activate_component 1 HANG; within 0.4-1.4 rtact --timeout 0.5 ConsoleIn0.rtc
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 0.5s

@@ -27,27 +27,28 @@ A zombie, a hung component, a component whose process has lost it, names of some
   rtcat: /localhost:$PORT/test.host_cxt/HungMock0.rtc: no answer within 0.3s
   rtcat: /localhost:$PORT/test.host_cxt/DeadMock0.rtc: connection refused; its process is gone (zombie)
   {"connectors": [], "interfaces": [], "na
+  took 0.96 s, not 0.3-0.8
   $ RTCSH_CWD=/localhost:$PORT/odd.host_cxt; export RTCSH_CWD
   $ rtcat Gone0.rtc
   rtcat: /localhost:$PORT/odd.host_cxt/Gone0.rtc: zombie (the name is bound, but its object is gone)
   [4]
   $ rtcat NotAComponent0.rtc
-  rtcat: /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc: not a component (it is a CORBA object of unknown kind)
+  rtcat: /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc: not a component or manager (it is a CORBA object of unknown kind)
   [3]
   $ rtcat NotAManager0.mgr
-  rtcat: /localhost:$PORT/odd.host_cxt/NotAManager0.mgr: not a component (it is a CORBA object of unknown kind)
+  rtcat: /localhost:$PORT/odd.host_cxt/NotAManager0.mgr: not a component or manager (it is a CORBA object of unknown kind)
   [3]
   $ rtcat Thing0.obj
-  rtcat: /localhost:$PORT/odd.host_cxt/Thing0.obj: not a component (it is a CORBA object of unknown kind)
+  rtcat: /localhost:$PORT/odd.host_cxt/Thing0.obj: not a component or manager (it is a CORBA object of unknown kind)
   [3]
   $ rtcat Nil0.rtc
-  rtcat: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is a nil reference)
+  rtcat: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component or manager (it is a nil reference)
   [3]
   $ rtcat Nil0.rtc:in
   rtcat: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is a nil reference)
   [3]
   $ rtcat empty.cxt
-  rtcat: /localhost:$PORT/odd.host_cxt/empty.cxt: not a component (it is a directory)
+  rtcat: /localhost:$PORT/odd.host_cxt/empty.cxt: not a component or manager (it is a directory)
   [3]
 
 Names that are hard to type:

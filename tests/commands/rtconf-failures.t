@@ -112,10 +112,10 @@ Dead and silent peers:
 
   $ kill-mock these; hang these2
   $ rtconf Dead0.rtc
-  rtconf: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtconf: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [4]
   $ rtconf Dead0.rtc set int_param0 1
-  rtconf: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtconf: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [4]
   $ within 0.4-1.4 rtconf --timeout 0.5 Hung0.rtc -l
   rtconf: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
