@@ -108,7 +108,7 @@ class Spec:
 
     def __init__(self, type_name, description, ports=(), sets=None, sets_cpp=None, active_set="default",
                  play=Component, category="example", implementation_id=None, vendor=None, version=None, activity=None,
-                 stamps=False, config_file=""):
+                 stamps=False, config_file="", max_instance=10):
         self.type_name = type_name
         self.description = description
         self.port_list = ports
@@ -123,6 +123,7 @@ class Spec:
         self.activity = activity
         self.stamps = stamps
         self.config_file = config_file
+        self.max_instance = max_instance
 
     def author(self, flavour):
         """(vendor, version)"""
@@ -142,8 +143,18 @@ class Spec:
         changes = self.sets_cpp if flavour.language == "C++" else {}
         return {name: dict(values, **changes.get(name, {})) for name, values in self.set_list.items()}
 
-    def activity_type(self, flavour):
-        return (self.activity or "PERIODIC") if flavour.kind else "DataFlowComponent"
+    def identity(self, flavour):
+        vendor, version = self.author(flavour)
+        return {"implementation_id": self.implementation_id, "type_name": self.type_name, "description": self.description,
+                "version": version, "vendor": vendor, "category": self.category}
+
+    def nature(self, flavour):
+        """What profiles say after that, of components as of factories."""
+        pairs = [("activity_type", (self.activity or "PERIODIC") if flavour.kind else "DataFlowComponent"),
+                 ("max_instance", str(self.max_instance)), ("language", flavour.language), ("lang_type", flavour.lang_type)]
+        if flavour.kind and self.activity != "DataFlowComponent":
+            pairs.append(("kind", "DataFlowComponent"))
+        return pairs
 
 
 _PAIR = {"Python": "Shinji Kurihara, AIST"}

@@ -12,6 +12,11 @@ def error(name, description):
     return getattr(CORBA, name)(0, CORBA.COMPLETED_NO)
 
 
+def of_a_set(key):
+    """Whether a property of a component is the value of a parameter: conf.SET.PARAMETER."""
+    return key.startswith("conf.") and key.count(".") > 1
+
+
 class Configuration(SDOPackage__POA.Configuration):
     """Sets are kept in order of registration; a set whose id starts with `_` is data about the others."""
 
@@ -23,6 +28,13 @@ class Configuration(SDOPackage__POA.Configuration):
         self.active = active
         self.last_active = active
         self.added = set()
+
+    def preset(self, arguments):
+        """Take over the `conf.SET.NAME` among the arguments that a component is created with."""
+        for key, value in arguments.items():
+            if of_a_set(key):
+                _, name, parameter = key.split(".", 2)
+                self.sets.setdefault(name, {})[parameter] = value
 
     def profile(self):
         """The `conf.…` properties of the component's profile."""

@@ -20,7 +20,10 @@ fail OPERATION [N] [KIND]  the Nth next call of it ends badly: a system exceptio
                            COMM_FAILURE, UNKNOWN or TIMEOUT; HANG (no answer); DIE (the process ends)
 delay OPERATION SECONDS    every call of it takes that long
 hang COMPONENT SECONDS     its calls wait until so long from now; 0 lets them go
+forsake COMPONENT          it ends, but a manager goes on listing it
 components                 instance names
+port                       IIOP port: of a manager, corbaloc:iiop:1.2@127.0.0.1:PORT/manager
+slave N COMMAND …          ask the Nth further process of a world, such as a slave manager, the same way
 pid                        process id
 stop                       SIGSTOP itself
 die                        end at once, names left bound
@@ -30,10 +33,9 @@ exit                       end in good order, names unbound"""
 class Commands:
     """A method per command; each returns the lines to print."""
 
-    def __init__(self, stage, finish):
+    def __init__(self, stage):
         self.stage = stage
         self.ledger = stage.process.ledger
-        self.finish = finish
 
     def calls(self, component=None):
         return self.ledger.report(component)
@@ -78,6 +80,18 @@ class Commands:
     def hang(self, component, seconds):
         self.ledger.hang(component, float(seconds))
 
+    def forsake(self, component):
+        self.stage.forsake(component)
+
+    def port(self):
+        return [self.stage.process.endpoint.rpartition(":")[2]]
+
+    def slave(self, number, *words):
+        ok, text = request(self.stage.controls[int(number) - 1], words)
+        if not ok:
+            raise ValueError(text.rstrip("\n"))
+        return text.splitlines()
+
     def components(self):
         return sorted(self.stage.components)
 
@@ -91,7 +105,7 @@ class Commands:
         return self.stage.process.die
 
     def exit(self):
-        return self.finish.set
+        return self.stage.finish.set
 
 
 def shown(value):
@@ -123,13 +137,13 @@ def _answer(connection, commands):
         words = stream.readline().rstrip("\n").split("\0")
         after = None
         try:
-            if words[0].startswith("_") or not callable(getattr(commands, words[0], None)) or words[0] == "finish":
+            if words[0].startswith("_") or not callable(getattr(commands, words[0], None)):
                 raise ValueError("no such command: " + words[0])
             lines = getattr(commands, words[0])(*words[1:]) or []
             if callable(lines):
                 lines, after = [], lines
             stream.write("ok\n" + "".join(line + "\n" for line in lines))
-        except (KeyError, StopIteration):
+        except (KeyError, IndexError, StopIteration):
             stream.write("error\nno such component or port\n")
         except (TypeError, ValueError, AttributeError) as error:
             stream.write("error\n%s\n" % error)
@@ -139,15 +153,20 @@ def _answer(connection, commands):
         after()
 
 
-def ask(path, words):
-    """Send one command to a running mock, print the answer; returns the exit status."""
+def request(path, words):
+    """Send one command to a running mock; returns whether it was done, and the answer."""
     with socket.socket(socket.AF_UNIX) as connection:
         try:
             connection.connect(path)
         except OSError as error:
-            sys.stderr.write("%s: %s\n" % (path, error.strerror))
-            return 1
+            return False, "%s: %s\n" % (path, error.strerror)
         connection.sendall(("\0".join(words) + "\n").encode())
         status, _, text = connection.makefile().read().partition("\n")
-    (sys.stdout if status == "ok" else sys.stderr).write(text)
-    return 0 if status == "ok" else 1
+    return status == "ok", text
+
+
+def ask(path, words):
+    """Send one command to a running mock, print the answer; returns the exit status."""
+    ok, text = request(path, words)
+    (sys.stdout if ok else sys.stderr).write(text)
+    return 0 if ok else 1

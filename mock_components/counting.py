@@ -110,3 +110,20 @@ class Ledger:
         if kind == "DIE":
             os._exit(1)
         raise getattr(CORBA, kind)(MINORS.get(kind, 0), CORBA.COMPLETED_MAYBE)
+
+
+def stand_in(servant, ledger, owner):
+    """A servant that notes each call and passes it on, for object adapters that know nothing of the ledger."""
+    def passed_on(operation):
+        def call(self, *args):
+            ledger.begin(owner, operation)
+            try:
+                return getattr(servant, operation)(*args)
+            finally:
+                ledger.end()
+        return call
+
+    lineage = type(servant).__mro__
+    skeleton = next(kind for kind in lineage if "_omni_op_d" in vars(kind))
+    operations = {name for kind in lineage for name in vars(kind).get("_omni_op_d", ())}
+    return type("StandIn", (skeleton,), {name: passed_on(name) for name in operations})()

@@ -73,6 +73,21 @@ TABLE = {
     "converts_values":   (False,         False,         False,         True,          False,         False),
     "keeps_active":      (False,         False,         False,         False,         True,          False),
     "parameter_value":   ("null",        "null",        "null",        "BAD_PARAM",   "null",        "null"),
+    # managers
+    "ident_fields":      (5,             6,             6,             6,             6,             5),
+    # a master makes components itself, not in its slaves
+    "creates_here":      (True,          False,         False,         False,         False,         True),
+    "starts_slaves":     (False,         True,          True,          False,         True,          False),
+    # finds and loads the module of a component that is to be made
+    "search_auto":       (False,         True,          True,          True,          True,          False),
+    "by_name":           (False,         True,          True,          True,          True,          False),
+    "delete_unknown":    ("RTC_OK",) + ("BAD_PARAMETER",) * 4 + ("RTC_OK",),
+    # the instance name of one creation stays with the factory for the next
+    "sticky_name":       (False,         False,         False,         True,          False,         False),
+    # creating under a name that is taken: a second one (when both end, so may the process) or the one that is there
+    "twins":             ("crash",       "crash",       "survive",     "same",        "survive",     "survive"),
+    "integer_pid":       (False,         False,         False,         True,          False,         False),
+    "program":           ("rtcd",        "rtcd",        "rtcd2",       "rtcd2_python", "rtcd_java",  "rtcd"),
     # SDO
     "no_service_profile": ("InternalError", "InvalidParameter", "InvalidParameter", "InternalError",
                            "InvalidParameter", "InvalidParameter"),

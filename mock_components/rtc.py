@@ -28,11 +28,12 @@ class Component(OpenRTM__POA.DataFlowComponent):
         for _ in range(options.contexts):
             self.own_context()
         self.configuration = configuration.Configuration(flavour, spec.sets(flavour), spec.active_set)
+        self.configuration.preset(options.arguments)
         self.configuration_ref = process.serve(self.configuration, instance_name)
         self.ports = [self._port(port) for port in spec.ports(flavour)]
         self.key = flavour.component_key and flavour.component_key.format(spec.category, instance_name)
         if self.key:
-            process.serve_key(self, self.key)
+            process.serve_key(self, self.key, instance_name)
 
     def own_context(self):
         kind = context.ExtTrigContext if self.flavour.ext_trig else context.PeriodicContext
@@ -52,20 +53,14 @@ class Component(OpenRTM__POA.DataFlowComponent):
     # profiles
 
     def identity(self):
-        vendor, version = self.spec.author(self.flavour)
-        return {"implementation_id": self.spec.implementation_id, "type_name": self.type_name,
-                "description": self.spec.description, "version": version, "vendor": vendor,
-                "category": self.spec.category}
+        return self.spec.identity(self.flavour)
 
     def properties(self):
         """The pairs of the component profile, in about the order in which components give them."""
         flavour, options = self.flavour, self.options
         endpoint = self.process.endpoint
         pairs = list(self.identity().items())
-        pairs += [("activity_type", self.spec.activity_type(flavour)), ("max_instance", "10"),
-                  ("language", flavour.language), ("lang_type", flavour.lang_type)]
-        if flavour.kind and self.spec.activity != "DataFlowComponent":
-            pairs.append(("kind", "DataFlowComponent"))
+        pairs += self.spec.nature(flavour)
         pairs += self.configuration.profile()
         pairs += [("instance_name", self.instance_name), ("openrtm.name", "OpenRTM-aist-" + flavour.version),
                   ("openrtm.version", flavour.version), ("os.name", "Linux"), ("os.release", "6.1.0"),
@@ -87,7 +82,14 @@ class Component(OpenRTM__POA.DataFlowComponent):
                   ("sdo.service.consumer.enabled_services", "ALL")]
         if self.spec.active_set != "default":
             pairs.append(("configuration.active_config", self.spec.active_set))
-        return pairs
+        return self._with_arguments(pairs)
+
+    def _with_arguments(self, pairs):
+        """What create_component was told about the component replaces the rest, or is added to it."""
+        given, known = self.options.arguments, {name for name, _ in pairs}
+        return ([(name, given.get(name, value)) for name, value in pairs] +
+                [(name, value) for name, value in given.items()
+                 if name not in known and not configuration.of_a_set(name)])
 
     def _port_properties(self):
         names = []

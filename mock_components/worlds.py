@@ -2,7 +2,7 @@
 import os
 import signal
 
-from . import components, hostile, odd, orphans
+from . import components, deployment, hostile, odd, orphans
 
 
 def two(stage):
@@ -133,4 +133,5 @@ def cruel(stage):
 WORLDS = {world.__name__: world for world in (
     two, linked, console, services, config, parts, robot, these, many, error, slow, stopped, contexts, orphan, fragile,
     hung, zombie, names)}
+WORLDS.update(deployment.WORLDS)
 WORLDS.update({"all": everything, "hostile": cruel})

@@ -23,13 +23,22 @@ def owned(node):
 
 def owned_refs(node):
     """References of the organisations that a component owns: it is a composite if there are any."""
-    return [ref for ref in node.call("get_owned_organizations") if ref is not None]
+    return _refs(node, "get_owned_organizations")
 
 
 def belonging_ids(node):
     """Ids of the organisations that a component is a member of."""
     return [from_wire(orb.ask(str(node.path), ref, "get_organization_id"))
-            for ref in node.call("get_organizations") if ref is not None]
+            for ref in _refs(node, "get_organizations")]
+
+
+def _refs(node, operation):
+    try:
+        return [ref for ref in node.call(operation) if ref is not None]
+    except errors.Refused as e:
+        if e.name in ("NO_IMPLEMENT", "BAD_OPERATION"):  # small implementations know no compositions
+            return []
+        raise
 
 
 def _organisation(node, ref):

@@ -144,16 +144,22 @@ def _data_mismatches(found, types, properties):
     if not all(_same_type(data_types[0], other) for other in data_types[1:]):
         reasons.append("data types differ (%s)" % ", ".join(printable(_short_type(t)) for t in data_types))
     for key, value in sorted(properties.items()):
-        for each in found:
-            allowed = _choices(each, key)
-            if allowed is not None and value not in allowed:
-                reasons.append("%s has no %s %s (it has: %s)" % (label(each), _short_key(key), printable(value),
-                                                                 printable(", ".join(allowed))))
+        reasons += _not_offered(found, key, value)
     for key, _ in DEFAULTS:
         if key not in properties and _chosen(found, key, None) == "":
             reasons.append("no %s in common (%s)" % (_short_key(key), "; ".join(
                 printable(",".join(_choices(each, key) or ["any"])) for each in found)))
     return reasons
+
+
+def _not_offered(found, key, value):
+    """Why some of the ports do not take this value of a property."""
+    offers = [(each, _choices(each, key)) for each in found]
+    lacking = [(each, ", ".join(offer)) for each, offer in offers if offer is not None and value not in offer]
+    what = "%s %s" % (_short_key(key), printable(value))
+    if len(lacking) == len(found) > 1 and len({offer for _, offer in lacking}) == 1:
+        return ["no port has %s (all have: %s)" % (what, printable(lacking[0][1]))]
+    return ["%s has no %s (it has: %s)" % (label(each), what, printable(offer)) for each, offer in lacking]
 
 
 def _short_key(key):
@@ -195,7 +201,7 @@ def _service_mismatches(found, properties):
     reasons, (first, *others) = [], found
     for interface in first.interfaces:
         for other in others:
-            if any(".%s" % interface.instance_name in key for key in properties):
+            if any(word.endswith("." + interface.instance_name) for item in properties.items() for word in item):
                 continue  # mapped by hand to an interface of another name
             named = [i for i in other.interfaces if i.instance_name == interface.instance_name]
             if not named:
@@ -231,11 +237,11 @@ def check(found, given):
 
 
 def refuse_duplicate(found, name, connector_id):
-    """Raise Refused when the first port is joined with any of the others already, or has a connection so named."""
-    for connector in found[0].connectors:
+    """Raise Refused when the first port is joined with any of the others already, or any has a connection so named."""
+    for each, connector in [(each, connector) for each in found for connector in each.connectors]:
         for what, wanted, value in (("id", connector_id, connector.id), ("name", name, connector.name)):
             if wanted and wanted == value:
-                raise errors.Refused(label(found[0]), "has a connection with %s %s already" % (what, printable(value)))
+                raise errors.Refused(label(each), "has a connection with %s %s already" % (what, printable(value)))
     for connector in joining(found):
         raise errors.Refused(between(found), "already connected (id %s)" % printable(connector.id))
 

@@ -77,7 +77,7 @@ class Node:
                 return rpc.ask(self.endpoint, str(self.path), call)
             return call()
         except errors.ConnectionRefused as e:
-            raise errors.NoNameServer(*e.args) if self.kind == "server" else e
+            raise (errors.NoNameServer if self.kind == "server" else errors.ProcessGone)(*e.args)
         except errors.Gone as e:
             raise _no_name_server(self) if self.kind == "server" else e
 

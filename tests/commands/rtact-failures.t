@@ -5,7 +5,6 @@ world: these Mock:Dead0 Mock:Dead1
 world: these Mock:Hung0 Mock:Hung1
 world: fragile
 world: names --context odd.host_cxt/%n.rtc
-faulty: silent garbage
 
 Wrong usage:
 
@@ -22,7 +21,7 @@ Wrong usage:
   rtact: empty path
   [2]
   $ rtact 'a\q.rtc'
-  rtact: a\q.rtc: bad escape \\q
+  rtact: a\q.rtc: bad escape \q
   [2]
   $ rtact ConsoleIn0.rtc:out:in
   rtact: ConsoleIn0.rtc:out:in: bad path (one colon stands before a port; write \: in a name)
@@ -63,7 +62,7 @@ No such path:
 Not a component:
 
   $ rtact /
-  rtact: /: not a component (it is the root)
+  rtact: /: not a component (it is a root directory)
   [3]
   $ rtact .
   rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
@@ -79,16 +78,16 @@ Not a component:
   [3]
   $ odd=../odd.host_cxt
   $ rtact $odd/NotAComponent0.rtc
-  rtact: /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc: not a component (it is an object of another kind)
+  rtact: /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc: not a component (it is a CORBA object of unknown kind)
   [3]
   $ rtact $odd/NotAManager0.mgr
-  rtact: /localhost:$PORT/odd.host_cxt/NotAManager0.mgr: not a component (it is an object of another kind)
+  rtact: /localhost:$PORT/odd.host_cxt/NotAManager0.mgr: not a component (it is a CORBA object of unknown kind)
   [3]
   $ rtact $odd/Thing0.obj
-  rtact: /localhost:$PORT/odd.host_cxt/Thing0.obj: not a component (it is an object of another kind)
+  rtact: /localhost:$PORT/odd.host_cxt/Thing0.obj: not a component (it is a CORBA object of unknown kind)
   [3]
   $ rtact $odd/Nil0.rtc
-  rtact: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is an object of another kind)
+  rtact: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is a nil reference)
   [3]
   $ rtact $odd/empty.cxt
   rtact: /localhost:$PORT/odd.host_cxt/empty.cxt: not a component (it is a directory)
@@ -113,7 +112,7 @@ Dead and silent peers. The dead are told at once, the silent after --timeout, on
 
   $ kill-mock these; hang these2
   $ rtact Dead0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [4]
   $ within 0.4-1.4 rtact --timeout 0.5 Hung0.rtc Hung1.rtc
   rtact: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
@@ -131,7 +130,7 @@ Dead and silent peers. The dead are told at once, the silent after --timeout, on
 Several paths: all are tried, each failure is told, and the status is 5 when something was done or when the failures differ:
 
   $ within 0.4-1.4 rtact --timeout 0.5 -v Dead0.rtc ConsoleIn0.rtc Nope0.rtc Hung0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active
   rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   rtact: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
@@ -144,16 +143,16 @@ Several paths: all are tried, each failure is told, and the status is 5 when som
   [3]
   $ rtact Nope0.rtc Dead0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
-  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [5]
   $ rtdeact ConsoleIn0.rtc Dead0.rtc Dead1.rtc
-  rtdeact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
-  rtdeact: /localhost:$PORT/test.host_cxt/Dead1.rtc: connection refused
+  rtdeact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
+  rtdeact: /localhost:$PORT/test.host_cxt/Dead1.rtc: connection refused; its process is gone (zombie)
   [5]
   $ ctl state ConsoleIn0
   INACTIVE
   $ rtreset ConsoleIn0.rtc Dead0.rtc
-  rtreset: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtreset: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [5]
   $ resume these2
 
@@ -166,7 +165,7 @@ A component that breaks down while it is asked:
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection lost
   [4]
   $ ctl fail activate_component 1 TRANSIENT; rtact ConsoleIn0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection refused
+  rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection refused; its process is gone (zombie)
   [4]
   $ ctl fail activate_component 1 HANG; within 0.4-1.4 rtact --timeout 0.5 ConsoleIn0.rtc
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 0.5s
@@ -199,8 +198,6 @@ Name servers: nobody listens on one, and ours falls silent:
   $ rtact /localhost:99999/ConsoleIn0.rtc
   rtact: /localhost:99999/ConsoleIn0.rtc: localhost:99999 is not a name server (host or host:tcpport)
   [2]
-  $ within 0.4-1.4 rtact --timeout 0.5 /localhost:$SILENT/ConsoleIn0.rtc
-  $ within 0-1.4 rtact --timeout 0.5 /localhost:$GARBAGE/ConsoleIn0.rtc
   $ hang names
   $ within 0.4-1.4 rtact --timeout 0.5 ConsoleIn0.rtc Fragile0.rtc
   rtact: /localhost:$PORT: no answer within 0.5s

@@ -40,10 +40,10 @@ Once it is dead, the component drops the connection by itself when it is asked:
 
   $ kill-mock these
   $ rtdis Far0.rtc:in
-  rtdis: /localhost:$PORT/test.host_cxt/Far0.rtc: connection refused
+  rtdis: /localhost:$PORT/test.host_cxt/Far0.rtc: connection refused; its process is gone (zombie)
   [4]
   $ rtdis ConsoleIn0.rtc:out Far0.rtc:in
-  rtdis: /localhost:$PORT/test.host_cxt/Far0.rtc: connection refused
+  rtdis: /localhost:$PORT/test.host_cxt/Far0.rtc: connection refused; its process is gone (zombie)
   [4]
   $ rtdis ConsoleOut0.rtc:in
   $ rtdis ../cpp.host_cxt/ConsoleIn0.rtc

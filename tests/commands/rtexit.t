@@ -56,7 +56,7 @@ The last component of a process takes the process with it, and the answer may ge
   $ ctl @these fail exit 1 DIE; rtexit -v Last0.rtc
   rtexit: /localhost:$PORT/test.host_cxt/Last0.rtc: exited
   $ rtexit Last0.rtc
-  rtexit: /localhost:$PORT/test.host_cxt/Last0.rtc: connection refused
+  rtexit: /localhost:$PORT/test.host_cxt/Last0.rtc: connection refused; its process is gone (zombie)
   [4]
 
 Refused, dead, silent:
@@ -76,13 +76,13 @@ Refused, dead, silent:
   SequenceOutComponent0
   $ kill-mock these2; hang these3
   $ rtexit Dead0.rtc
-  rtexit: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtexit: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [4]
   $ within 0.4-1.4 rtexit --timeout 0.5 Hung0.rtc
   rtexit: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
   [4]
   $ rtexit --timeout 0.5 Dead0.rtc Hung0.rtc ../more.host_cxt/ConsoleOut1.rtc Nope0.rtc
-  rtexit: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtexit: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   rtexit: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
   rtexit: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   [5]
