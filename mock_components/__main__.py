@@ -81,7 +81,7 @@ def play(args, worlds, flavour):
     finally:
         stage.end()
     if args.control:
-        os.unlink(args.control)
+        control.forget(args.control)
     sys.stdout.flush()
     os._exit(0)
 

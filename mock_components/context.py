@@ -118,6 +118,12 @@ class Behaviour:
         self.dead = True
         self._wake()
 
+    def settle(self, comp):
+        """Wait until no change of a component's state is under way."""
+        member = self._find(comp)
+        with self.changed:
+            self.changed.wait_for(lambda: member.wanted is None)
+
     def fail(self, comp):
         """Put a component into the Error state."""
         member = self._find(comp)

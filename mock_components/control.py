@@ -115,12 +115,19 @@ def shown(value):
 
 def serve(path, commands):
     """Answer commands, one a connection, for as long as the process lives."""
-    if os.path.exists(path):
-        os.unlink(path)
+    forget(path)
     listener = socket.socket(socket.AF_UNIX)
     listener.bind(path)
     listener.listen(8)
     return lambda: _answer_all(listener, commands)
+
+
+def forget(path):
+    """Remove the socket, if it is still there."""
+    try:
+        os.unlink(path)
+    except OSError:
+        pass
 
 
 def _answer_all(listener, commands):

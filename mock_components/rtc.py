@@ -33,8 +33,8 @@ class Component(OpenRTM__POA.DataFlowComponent):
         self.configuration_ref = process.serve(self.configuration, instance_name)
         self.ports = [self._port(port) for port in spec.ports(flavour)]
         self.key = flavour.component_key and flavour.component_key.format(spec.category, instance_name)
-        if self.key:
-            process.serve_key(self, self.key, instance_name)
+        if self.key and process.serve_key(self, self.key, instance_name) is None:
+            self.key = None
 
     def own_context(self):
         kind = context.ExtTrigContext if self.flavour.ext_trig else context.PeriodicContext
