@@ -124,12 +124,15 @@ class Tally:
     """Several objects, each tried: what failed is told at once, the exit status sums it up."""
 
     def __init__(self):
-        self.done, self.statuses = 0, set()
+        self.done, self.statuses, self.told = 0, set(), set()
 
     def add(self, value):
         """Count one result: an errors.Error is told and counted as failed, anything else as done. Returns True if done."""
         if isinstance(value, errors.Error):
-            self.statuses.add(complain(value))
+            if str(value) not in self.told:  # a name server that is down fails all paths alike
+                complain(value)
+            self.told.add(str(value))
+            self.statuses.add(value.status)
             return False
         self.done += 1
         return True

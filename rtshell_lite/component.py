@@ -201,6 +201,7 @@ def exit_all(paths, wait=None, dry_run=False):
 
 
 def _exit(node):
+    orb.is_alive(str(node.path), node.ref)  # to know afterwards that it was this call that ended it
     try:
         code = str(node.call("exit"))
     except (errors.Silent, errors.Refused):

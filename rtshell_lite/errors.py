@@ -17,6 +17,10 @@ class No(Error):
     """{}: {}"""
 
 
+class BadProfile(Error):
+    """{}:{}:{}: {}"""  # file, line, column, what is wrong there
+
+
 class MissingOmniORB(Error):
     """omniORBpy is not installed; take python3-omniorb from the system's packages, or: pip install 'rtshell_lite[omniorb]'"""
 
@@ -67,6 +71,10 @@ class Silent(Unreachable):
 
 class ConnectionRefused(Unreachable):
     """{}: connection refused"""
+
+
+class ProcessGone(ConnectionRefused):
+    """{}: connection refused; its process is gone (zombie)"""
 
 
 class NoNameServer(ConnectionRefused):

@@ -12,7 +12,7 @@ COUNTED = (("ports", None), ("in_ports", "DataInPort"), ("out_ports", "DataOutPo
 
 def all_blocks(paths, recurse, typed):
     """`blocks` for each path, in parallel by name server; an errors.Error for what failed. `typed` is for the headers."""
-    return rpc.gather([rpc.Job(path.server, str(path), lambda path=path, shown=shown: blocks(path, recurse, text.safe(shown)))
+    return rpc.gather([rpc.Job(tree.lane(path), str(path), lambda path=path, shown=shown: blocks(path, recurse, text.safe(shown)))
                        for path, shown in zip(paths, typed)])
 
 

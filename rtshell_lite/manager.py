@@ -6,8 +6,8 @@ each change is followed by a look at what has really happened.
 import re
 import time
 
-from rtshell_lite import component, errors, orb, ports, rpc, tree
-from rtshell_lite.path import Name, parse
+from rtshell_lite import component, errors, orb, ports, tree
+from rtshell_lite.path import Path, parse
 from rtshell_lite.text import from_wire, printable, to_wire
 
 DEFAULT_PORT = 2810  # corba.master_manager
@@ -18,6 +18,16 @@ SETTLE_TIME = 3.0  # seconds: lists follow a deletion up to 1 s later, a process
 _CORBALOC = re.compile(r"corbaloc:(?:iiop)?:(?:1\.[0-9]@)?(?P<address>\[[^\]]*\](?::\d+)?|[^/:]+(?::\d+)?)(?:/(?P<key>.+))?\Z")
 
 
+class Address(str):
+    """A corbaloc in the place of a Path, for what is reached without a name server."""
+
+    names = ()
+
+    def child(self, name):
+        """What a manager's component or slave is called."""
+        return Path(str(self), (name,), None, False)
+
+
 # ---- which manager --------------------------------------------------------------------------------------------
 
 def find(word):
@@ -26,7 +36,7 @@ def find(word):
     Raises BadPath before anything is contacted, what `tree.resolve` raises, WrongKind, Gone, Silent.
     """
     if word.startswith("corbaloc:"):
-        node = tree.Node(word, "manager", _direct(word))
+        node = tree.Node(Address(word), "manager", _direct(word))
         orb.is_alive(word, node.ref)
         return node
     path = parse(word)
@@ -34,7 +44,7 @@ def find(word):
         raise errors.WrongKind(str(path), "manager", "port")
     node, = tree.look([tree.resolve(path)])
     if node.kind != "manager":
-        raise node.error or errors.WrongKind(str(path), "manager", tree.described(node.kind))
+        raise node.error or errors.WrongKind(str(path), "manager", node.what)
     return node
 
 
@@ -54,57 +64,9 @@ def _direct(word):
 
 # ---- what it has ----------------------------------------------------------------------------------------------
 
-def slaves(node):
-    """Nodes of the slave managers. Those of one name are told apart by their process ids: manager_4711."""
-    try:
-        refs = [ref for ref in node.call("get_slave_managers") if ref is not None]
-    except errors.Refused as e:
-        if e.name == "BAD_OPERATION":  # managers before 1.0 have no slaves
-            return []
-        raise
-    jobs = [rpc.Job(orb.endpoint(ref), str(node.path), lambda ref=ref: _slave_profile(node, ref)) for ref in refs]
-    profiles = rpc.gather(jobs)
-    names = _told_apart(profiles)
-    return [_slave(node, ref, found, name) for ref, found, name in zip(refs, profiles, names)]
-
-
-def _slave_profile(node, ref):
-    return dict(orb.properties(orb.call(str(node.path), _narrow(ref), "get_profile").properties))
-
-
-def _narrow(ref):
-    from rtshell_lite.idl_stubs.manager import RTM
-    return orb.narrow(ref, RTM.Manager)
-
-
-def _told_apart(profiles):
-    plain = ["slave%d" % i if isinstance(found, errors.Error) else found.get("name") or "slave%d" % i
-             for i, found in enumerate(profiles)]
-    names = []
-    for i, (name, found) in enumerate(zip(plain, profiles)):
-        if plain.count(name) > 1:
-            name = "%s_%s" % (name, found.get("pid") or i)
-        names.append(name if name not in names else "%s_%d" % (name, i))
-    return names
-
-
-def _slave(node, ref, found, name):
-    path = node.path.child(Name(name, "")) if hasattr(node.path, "child") else "%s/%s" % (node.path, name)
-    slave = tree.Node(path, "manager", ref)
-    return tree.judged(slave, found) if isinstance(found, errors.Error) else slave
-
-
 def components(node):
-    """(instance name, reference) of each component; a master tells those of its slaves, too. Dead ones are left out."""
-    refs = [ref for ref in node.call("get_components") if ref is not None]
-    jobs = [rpc.Job(orb.endpoint(ref), str(node.path), lambda ref=ref: from_wire(orb.call(str(node.path), ref, "get_sdo_id")))
-            for ref in map(_component, refs)]
-    return [(name, ref) for name, ref in zip(rpc.gather(jobs), refs) if not isinstance(name, errors.Error)]
-
-
-def _component(ref):
-    from rtshell_lite.idl_stubs.component import OpenRTM
-    return orb.narrow(ref, OpenRTM.DataFlowComponent)
+    """(instance name, Node) of each component that lives; a master tells those of its slaves, too."""
+    return [(each.path.names[-1].id, each) for each in tree.managed(node) if each.kind == "component"]
 
 
 def profiles(node):
@@ -112,8 +74,7 @@ def profiles(node):
     def one(each):
         ports.ports(each)
         return component.profile(each)
-    return tree.on_nodes([tree.Node("%s/%s" % (node.path, printable(name)), "component", ref)
-                          for name, ref in components(node)], one)
+    return tree.on_nodes([each for _, each in components(node)], one)
 
 
 def configuration(node):
@@ -152,11 +113,12 @@ def create(node, argument, wait=None):
     ref = node.call("create_component", to_wire(argument), seconds=CREATE_TIME)
     if ref is None:
         raise errors.Refused(str(node.path), "does not create %s (%s)" % (printable(argument), _why_not(node, argument)))
-    name = from_wire(orb.ask(str(node.path), _component(ref), "get_sdo_id"))
-    if any(orb.same(ref, other) for _, other in before):
+    made = tree.Node(node.path, "component", ref)
+    name = from_wire(made.call("get_sdo_id"))
+    if any(orb.same(ref, other.ref) for _, other in before):
         raise errors.Refused(str(node.path), "made nothing new: it gave back %s, which was there" % printable(name))
     if wait is not None:
-        _until(wait, lambda: _is_ready(node, name, ref), str(node.path), "%s is not ready" % printable(name))
+        _until(wait, lambda: _is_ready(node, name, made), str(node.path), "%s is not ready" % printable(name))
     return name
 
 
@@ -169,8 +131,7 @@ def _why_not(node, argument):
     return "no factory %s; there are: %s" % (printable(implementation), printable(", ".join(there)) or "none")
 
 
-def _is_ready(node, name, ref):
-    made = tree.Node("%s/%s" % (node.path, printable(name)), "component", ref)
+def _is_ready(node, name, made):
     return name in [each for each, _ in components(node)] and component.state(made) not in ("Created", "Unknown")
 
 
@@ -180,7 +141,7 @@ def delete(node, instance):
         raise errors.NoSuch(str(node.path), "component", printable(instance))
     code = str(node.call("delete_component", to_wire(instance), seconds=CREATE_TIME))
     if code == "BAD_PARAMETER":  # a master's word for a component of a slave
-        for slave in slaves(node):
+        for slave in tree.slaves(node):
             if slave.kind == "manager" and instance in [name for name, _ in components(slave)]:
                 delete(slave, instance)
                 return

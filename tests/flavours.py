@@ -36,7 +36,7 @@ class Cpp11:
     added = {(False, "push"): ["corba_cdr.inport_ior", "corba_cdr.inport_ref"], (True, "push"): ["corba_cdr.inport_ior"],
              (False, "pull"): ["corba_cdr.outport_ior"]}
     periodic, endian, marshaling, direct, double, half = "RTC_ERROR", "UNSUPPORTED", "RTC_OK", "BAD_PARAMETER", "RTC_OK", []
-    short_put, empty, readback = "MARSHAL", "BUFFER_EMPTY", "PORT_OK"
+    short_put, empty, readback, obeys_big = "MARSHAL", "BUFFER_EMPTY", "PORT_OK", True
     empty_id, bad_activate, number, set_creates = "InternalError", "InvalidParameter", "98765", True
     no_set, cannot_activate, parameter = "Unknown exception", "Configuration::activate_configuration_set()", None
     service, service_sleeps = ("myservice0", "MyService"), True
@@ -53,7 +53,7 @@ class Cpp12(Cpp11):
     out_properties = plain(OUT + ["dataport.subscription_type=flush,new,periodic"], "corba_cdr,direct,shared_memory")
     in_properties = plain(IN, "corba_cdr,direct,shared_memory")
     no_service_profile, no_sdo_service = "InvalidParameter", "InvalidParameter"
-    direct, double = "RTC_ERROR", "PRECONDITION_NOT_MET"
+    direct, double, obeys_big = "RTC_ERROR", "PRECONDITION_NOT_MET", False
 
 
 class Cpp2(Cpp12):
@@ -91,7 +91,7 @@ class Py2:
              (False, "pull"): ["outport.data_type", "corba_cdr.outport_ior", "corba_cdr.outport_ref", "inport.data_type"]}
     periodic, endian, marshaling, direct = "RTC_OK", "RTC_ERROR", "RTC_ERROR", "RTC_ERROR"
     double, half = "PRECONDITION_NOT_MET", ["half"]
-    short_put, empty, readback = "PORT_OK", "BAD_PARAM", "BAD_PARAM"
+    short_put, empty, readback, obeys_big = "PORT_OK", "BAD_PARAM", "BAD_PARAM", True
     empty_id, bad_activate, number, set_creates = "UNKNOWN", "InternalError", "5", False
     no_set, cannot_activate = "No such ConfigurationSet", "Configuration.activate_configuration_set()"
     parameter = "BAD_PARAM"

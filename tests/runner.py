@@ -281,4 +281,7 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:  # what still runs ends with its stdin
+        sys.exit(130)

@@ -136,6 +136,14 @@ class Ports(flavours.Flavoured):
             self.assertEqual(outcome(source.get), after)
             self.out.disconnect(profile.connector_id)
 
+    def test_big_endian(self):
+        """C++ from 1.2 on sends little endian even where big was agreed."""
+        code, profile = self.out.connect(connector([self.out, self.inp], serializer__cdr__endian="big"))
+        before = int(self.world.ctl("received", "ConsoleOut0:in")[1].split()[0])
+        self.world.ctl("write", "ConsoleIn0:out", "7")
+        said = self.world.ctl("received", "ConsoleOut0:in", str(before + 1))[1].split()
+        self.assertEqual(int(said[1]), 7 if self.obeys_big else 7 << 24)
+
     def test_data_flows(self):
         """From a counting component to a reading one, by push of each kind and by pull, in both byte orders."""
         component, context = self.world.component("ConsoleIn0"), self.world.context("ConsoleIn0")

@@ -59,10 +59,13 @@ Several connections of one port, to components elsewhere in the tree:
   /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Long
 
 Without -l nobody but the component is asked; with it, only the ports at the far ends are, once each. Nothing is
-asked of the other 29.
+asked of the other 29. (A component that is asked for a port looks whether the ports connected to it still live:
+those calls are not ours.)
 
-  $ for world in services many these these2; do ctl @$world reset; done
-  $ rtcat ../many.host_cxt/Mock0.rtc >/dev/null; calls @many; calls @these; calls @these2
+  $ asked() { for world in many these these2; do calls @$world | grep -v _non_existent; ctl @$world reset; done; }
+
+  $ ctl @services reset; asked >/dev/null
+  $ rtcat ../many.host_cxt/Mock0.rtc >/dev/null; asked
   1 get_component_profile
   1 get_component_state
   1 get_context_handle
@@ -74,10 +77,7 @@ asked of the other 29.
   1 get_ports
   1 get_profile
   1 is_running
-  4 _non_existent
-  2 _non_existent
-  $ ctl @many reset; rtcat -ll ../many.host_cxt/Mock0.rtc >/dev/null; calls @many; calls @these; calls @these2
-  3 _non_existent
+  $ rtcat -ll ../many.host_cxt/Mock0.rtc >/dev/null; asked
   1 get_component_profile
   1 get_component_state
   1 get_context_handle
@@ -89,21 +89,15 @@ asked of the other 29.
   1 get_ports
   1 get_profile
   1 is_running
-  8 _non_existent
   2 get_port_profile
-  4 _non_existent
   1 get_port_profile
-  $ for world in many these these2; do ctl @$world reset; done
-  $ rtcat -l ../many.host_cxt/Mock0.rtc:out | grep -c Connected; calls @many; calls @these; calls @these2
+  $ rtcat -l ../many.host_cxt/Mock0.rtc:out | grep -c Connected; asked
   3
-  3 _non_existent
   2 get_port_profile
   1 get_ports
-  2 _non_existent
   2 get_port_profile
-  1 _non_existent
   1 get_port_profile
-  $ ctl @many reset; rtcat ../many.host_cxt/Mock5.rtc:in ../many.host_cxt/Mock6.rtc:in; calls @many
+  $ rtcat ../many.host_cxt/Mock5.rtc:in ../many.host_cxt/Mock6.rtc:in; asked
   +DataInPort: in
 
   +DataInPort: in
@@ -129,8 +123,6 @@ Three ports in one connection, and a component connected to itself, of which its
 What is connected is told even if it is bound nowhere, its process hangs, or has died:
 
   $ rtdel $far/ConsoleOut0.rtc
-  rtdel: internal error: TypeError: not all arguments converted during string formatting (RTSHELL_DEBUG=1 shows where)
-  [70]
   $ rtcat -l ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected
    +Connected to  Unknown (ConsoleOut0.in)
    +Connected to  /localhost:$PORT/away.host_cxt/arm.cxt/ConsoleOut1.rtc:in
@@ -140,5 +132,5 @@ What is connected is told even if it is bound nowhere, its process hangs, or has
   [1]
   $ resume these; kill-mock these; rtcat -l ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected
    +Connected to  /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Long
-  $ rtcat -ll ../many.host_cxt/Mock0.rtc:out | grep -c ID
-  6
+  $ rtcat -ll ../many.host_cxt/Mock0.rtc:out | grep -c '^ *ID '
+  1

@@ -70,7 +70,7 @@ world: linked
       config.version                           2.1.0
       config_file\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
       corba.endpoints                          127.0.0.1:* (glob)
-      corba.endpoints_ipv4                     127.0.0.1:40829
+      corba.endpoints_ipv4                     127.0.0.1:* (glob)
       corba.endpoints_ipv6\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
       corba.id                                 omniORB
       description                              Console output component
@@ -228,7 +228,7 @@ Paths are relative to RTCSH_CWD, or absolute; a server need not stand in RTCTREE
   > print(sorted(component["execution_contexts"][0]), component["execution_contexts"][0]["rate"])
   > print(sorted(port), port["path"], port["type"], port["properties"]["dataport.data_type"])
   > print(sorted(port["connectors"][0]), port["connectors"][0]["connected_to"])'
-  ['category', 'composite', 'composite_member', 'description', 'execution_contexts', 'instance_name', 'parent', 'path', 'ports', 'properties', 'state', 'type_name', 'vendor', 'version']
+  ['category', 'composite', 'composite_member', 'compositions', 'description', 'execution_contexts', 'instance_name', 'parent', 'parent_compositions', 'path', 'ports', 'properties', 'state', 'type_name', 'vendor', 'version']
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc Inactive ConsoleIn0 Python
   ['handle', 'kind', 'owner', 'participants', 'properties', 'rate', 'running', 'state'] 1000.0
   ['connectors', 'interfaces', 'name', 'path', 'properties', 'type'] /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in DataInPort IDL:RTC/TimedLong:1.0
@@ -260,13 +260,13 @@ What does not exist:
 What is no component:
 
   $ rtcat .
-  rtcat: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
+  rtcat: /localhost:$PORT/test.host_cxt: not a component or manager (it is a directory)
   [3]
   $ rtcat /
-  rtcat: /: not a component (it is a root directory)
+  rtcat: /: not a component or manager (it is a root directory)
   [3]
   $ rtcat ..
-  rtcat: /localhost:$PORT: not a component (it is a name server)
+  rtcat: /localhost:$PORT: not a component or manager (it is a name server)
   [3]
   $ rtcat ConsoleIn0.rtc/
   rtcat: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not a directory (it is a component)

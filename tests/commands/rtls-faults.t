@@ -138,8 +138,6 @@ Name servers: one where nothing listens, one that never answers, and something t
   [3]
   $ RTCSH_CWD= rtls localhost:1 /localhost:1/a.cxt /localhost:1/a.cxt/b.rtc
   rtls: /localhost:1: connection refused; is the name server running?
-  rtls: /localhost:1: connection refused; is the name server running?
-  rtls: /localhost:1: connection refused; is the name server running?
   [4]
   $ RTCSH_CWD=/ rtls no-such-host.invalid
   rtls: /no-such-host.invalid: host name not known
@@ -196,7 +194,7 @@ The names of name servers are known without asking anyone; what is in them is no
   {"error": "/localhost:1: connection refused; is the name server running?", "kind": "server", "name": "localhost:1", "path": "/localhost:1"}
   rtls: /localhost:1: connection refused; is the name server running?
   [4]
-  $ hang names0
+  $ hang names
   $ within 0.3-0.8 rtls --timeout 0.3
   rtls: /localhost:$PORT: no answer within 0.3s
   [4]
@@ -224,4 +222,4 @@ The names of name servers are known without asking anyone; what is in them is no
   localhost:$PORT/
   $ interrupt 0.5 rtls
   [130]
-  $ resume names0
+  $ resume names

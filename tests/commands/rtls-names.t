@@ -155,7 +155,7 @@ A context that is bound inside itself is entered once; below it, paths work as d
   ./loop.cxt:
   ./many.cxt:
   $ rtls loop.cxt/loop.cxt/loop.cxt/Deep0.rtc
-  rtls: /localhost:$PORT/test.host_cxt/loop.cxt/loop.cxt/loop.cxt/Deep0.rtc: no such path; did you mean Same0.rtc?
+  rtls: /localhost:$PORT/test.host_cxt/loop.cxt/loop.cxt/loop.cxt/Deep0.rtc: no such path
   [3]
   $ rtls loop.cxt/loop.cxt/a.cxt
   Same0.rtc

@@ -1,0 +1,34 @@
+"""Characters that XML cannot hold, spelt _xHHHH_ and read back: a name off the wire may be any bytes.
+
+XML has no way to write most control characters and lone surrogates. This spelling is known from other formats that are
+kept as XML; text without such characters is written as it is, unless it looks like such a spelling by accident.
+"""
+import re
+
+_ILLEGAL = "\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff"
+_SPELT = "(?:00(?:0[0-8BCEF]|1[0-9A-F]|5F)|D[89A-F][0-9A-F]{2}|FFF[EF])"
+# An underscore that would begin such a spelling is spelt itself; what is illegal begins with one once it is spelt.
+_TO_SPELL = re.compile("[%s]|_(?=x%s[_%s])" % (_ILLEGAL, _SPELT, _ILLEGAL))
+_TO_READ = re.compile("_x(%s)_" % _SPELT)
+_MARKUP = re.compile("[&<>\"\t\n\r\x7f-\x9f\u2028\u2029]")
+
+
+def quoted(text):
+    """`text` as it stands in an attribute between double quotes, or as the content of an element."""
+    if _TO_SPELL.search(text):
+        text = _TO_SPELL.sub(lambda found: "_x%04X_" % ord(found.group()), text)
+    if _MARKUP.search(text):
+        text = _MARKUP.sub(_reference, text)
+    return text
+
+
+_NAMED = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"}
+
+
+def _reference(found):
+    return _NAMED.get(found.group()) or "&#%d;" % ord(found.group())
+
+
+def unspelt(text):
+    """Read back what `quoted` spelt; the XML parser has read the references before."""
+    return _TO_READ.sub(lambda found: chr(int(found.group(1), 16)), text) if "_x" in text else text

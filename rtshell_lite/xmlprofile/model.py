@@ -1,0 +1,389 @@
+"""What an RtsProfile says about a system: components, connections, the order of starting and stopping.
+
+Plain classes without files and without CORBA. FIELDS of a class is its whole schema: both file forms are read and
+written by it. Version 0.1 is turned into these classes, too.
+
+    Component(id="RTC:Acme:nav:Planner:2.0", path_uri="localhost/Planner0.rtc", instance_name="Planner0")
+
+A field that is not given has its default. `foreign` holds what a file has that the schema has not.
+"""
+import itertools
+
+TEXT, BOOLEAN, INTEGER, NUMBER, DATE = "text", "true or false", "whole number", "number", "date"
+
+# Files spell these in any case, version 0.1 names them otherwise, and rtsprofile misspells one.
+COMPOSITE_TYPES = {name.lower(): name for name in (
+    "None", "PeriodicECShared", "PeriodicStateShared", "Grouping", "FsmECShared", "FsmStateShared")}
+COMPOSITE_TYPES.update({"choice": "None", "ecshared": "PeriodicECShared", "allshared": "PeriodicStateShared",
+                        "nonshared": "Grouping"})
+DIRECTIONS = {name.lower(): name for name in ("DOWN", "RIGHT", "UP", "LEFT")}
+
+
+class Field:
+    """A part of an element: its name here, its name in a file, what it holds, when it is written."""
+
+    child = many = False
+
+    def __init__(self, name, tag, kind=TEXT, default="", required=False, always=False, choices=None, also=(), key=None):
+        """A value, an attribute in XML. `always`: written even if it has its default. `also`: misspellings to accept."""
+        self.name = name
+        self.tag = tag
+        self.prefix, self.local = tag.split(":")
+        self.kind = kind
+        self.default = default
+        self.required = required
+        self.always = always
+        self.choices = choices
+        self.also = also
+        self.key = key or (self.prefix + "::" if self.prefix != "rts" else "") + self.local[0].lower() + self.local[1:]
+        self.within = None  # a mapping of its own that YAML puts around it
+
+
+class Child(Field):
+    """An element inside an element, or None."""
+
+    child = True
+
+    def __init__(self, name, tag, kind, required=False, within=None, also=()):
+        Field.__init__(self, name, tag, kind, None, required, also=also)
+        self.within = within
+
+
+class Children(Child):
+    """Any number of elements inside an element, a list; those of kind TEXT are str."""
+
+    many = True
+
+
+class Foreign:
+    """What the schema does not know, kept so that it can be written again.
+
+    attributes  XML attributes, {"{namespace}name": text}
+    elements    ForeignElement
+    keys        YAML keys with plain data
+    """
+
+    def __init__(self):
+        self.attributes = {}
+        self.elements = []
+        self.keys = {}
+
+    def __bool__(self):
+        return bool(self.attributes or self.elements or self.keys)
+
+    def __eq__(self, other):
+        return isinstance(other, Foreign) and self.attributes == other.attributes \
+            and self.elements == other.elements and same(self.keys, other.keys)
+
+    __hash__ = None
+
+
+class ForeignElement:
+    """An XML element that the schema does not know; `content` is a list of str and ForeignElement."""
+
+    def __init__(self, tag, attributes=None, content=None):
+        self.tag = tag
+        self.attributes = attributes or {}
+        self.content = content or []
+
+    def __eq__(self, other):
+        return isinstance(other, ForeignElement) and self.__dict__ == other.__dict__
+
+    __hash__ = None
+
+
+def tidy(content):
+    """The content of an XML element with neighbouring texts joined, and without blanks that only indent its children."""
+    if len(content) == 1 and content[0] != "":
+        return content
+    joined = []
+    for is_text, items in itertools.groupby(content, lambda item: isinstance(item, str)):
+        joined += ["".join(items)] if is_text else items
+    return [item for item in joined if not isinstance(item, str) or (item if len(joined) == 1 else item.strip(" \t\r\n"))]
+
+
+class Element:
+    """What the classes below share: fields by name, equality."""
+
+    FIELDS = ()
+    XSI_TYPE = None  # how XML names the extended type; rtsprofile writes it on some elements only, and so do we
+
+    def __init__(self, **values):
+        own = self.__dict__
+        for field in self.FIELDS:
+            own[field.name] = [] if field.many else field.default
+        own["foreign"] = None
+        known = len(own)
+        own.update(values)
+        if len(own) > known:
+            raise TypeError("%s has no %s" % (type(self).__name__, ", ".join(list(own)[known:])))
+
+    def __eq__(self, other):
+        if type(self) is not type(other) or (self.foreign or None) != (other.foreign or None):
+            return False
+        return all(same(getattr(self, field.name), getattr(other, field.name)) for field in self.FIELDS)
+
+    __hash__ = None
+
+    def __repr__(self):
+        values = [(field.name, getattr(self, field.name), field.default) for field in self.FIELDS]
+        return "%s(%s)" % (type(self).__name__, ", ".join(
+            "%s=%r" % (name, value) for name, value, default in values if value != default and value != []))
+
+    def fault(self, given):
+        """What is wrong with this element, as a reader found it with the fields `given`; None if nothing is."""
+        for field in self.FIELDS:
+            if field.required and field.name not in given:
+                return "%s is missing" % field.local
+        return None
+
+    def property(self, name, default=None):
+        """The value of the extended property `name` (the first one: files repeat names); None if it has no value."""
+        for item in getattr(self, "properties", ()):
+            if item.name == name:
+                return item.value
+        return default
+
+
+def same(a, b):
+    """Equal, where a number that is none (NaN) equals itself."""
+    if isinstance(a, dict) and isinstance(b, dict):
+        return a.keys() == b.keys() and all(same(a[key], b[key]) for key in a)
+    if isinstance(a, list) and isinstance(b, list):
+        return len(a) == len(b) and all(same(x, y) for x, y in zip(a, b))
+    return a == b or (a != a and b != b)
+
+
+# ---- what elements share ----------------------------------------------------------------------------------------
+
+class Property(Element):
+    FIELDS = (
+        Field("name", "rtsExt:name", required=True, always=True, key="name"),
+        Field("value", "rtsExt:value", default=None, key="value"),  # many real ones have none
+    )
+
+
+PROPERTIES = Children("properties", "rtsExt:Properties", Property)
+COMMENT = Field("comment", "rtsExt:comment")
+VISIBLE = Field("visible", "rtsExt:visible", BOOLEAN, True)
+VISIBLE_ALWAYS = Field("visible", "rtsExt:visible", BOOLEAN, True, always=True)
+
+
+class TargetComponent(Element):
+    XSI_TYPE = "rtsExt:target_component_ext"
+    FIELDS = (
+        Field("component_id", "rts:componentId", required=True, always=True),
+        Field("instance_name", "rts:instanceName", required=True, always=True),
+        PROPERTIES,
+    )
+
+
+class TargetPort(Element):
+    XSI_TYPE = "rtsExt:target_port_ext"
+    FIELDS = TargetComponent.FIELDS[:2] + (
+        Field("port_name", "rts:portName", required=True, always=True),  # INSTANCE.port, or the port alone
+        PROPERTIES,
+    )
+
+
+class TargetExecutionContext(Element):
+    FIELDS = TargetComponent.FIELDS[:2] + (
+        Field("id", "rts:id", always=True),  # RTSystemEditor leaves it out
+        PROPERTIES,
+    )
+
+
+# ---- components -------------------------------------------------------------------------------------------------
+
+class DataPort(Element):
+    XSI_TYPE = "rtsExt:dataport_ext"
+    FIELDS = (Field("name", "rts:name", required=True, always=True), COMMENT, VISIBLE_ALWAYS, PROPERTIES)
+
+
+class ServicePort(Element):
+    XSI_TYPE = "rtsExt:serviceport_ext"
+    FIELDS = (Field("name", "rts:name", required=True, always=True), COMMENT, VISIBLE, PROPERTIES)
+
+
+class ConfigurationData(Element):
+    FIELDS = (Field("name", "rts:name", required=True, always=True), Field("data", "rts:data"))
+
+
+class ConfigurationSet(Element):
+    FIELDS = (
+        Field("id", "rts:id", required=True, always=True),
+        Children("configuration_data", "rts:ConfigurationData", ConfigurationData),
+    )
+
+
+class ExecutionContext(Element):
+    XSI_TYPE = "rtsExt:execution_context_ext"
+    FIELDS = (
+        Field("id", "rts:id", always=True),  # version 0.1 has none
+        Field("kind", "rts:kind", always=True),
+        Field("rate", "rts:rate", NUMBER, 0.0, always=True),
+        Children("participants", "rts:Participants", TargetComponent),
+        PROPERTIES,
+    )
+
+
+class Participant(Element):
+    """A member of a composite component."""
+
+    FIELDS = (Child("component", "rts:Participant", TargetComponent, required=True),)
+
+
+class Location(Element):
+    """Where a component stands in a drawing of the system."""
+
+    FIELDS = tuple(
+        Field(name, "rtsExt:" + name, INTEGER, 0, always=True, key=name) for name in ("x", "y", "height", "width")) + (
+        Field("direction", "rtsExt:direction", default="DOWN", always=True, choices=DIRECTIONS, key="direction"),)
+
+
+class Component(Element):
+    XSI_TYPE = "rtsExt:component_ext"
+    FIELDS = (
+        Field("id", "rts:id", required=True, always=True),
+        Field("path_uri", "rts:pathUri", required=True, always=True),
+        Field("active_configuration_set", "rts:activeConfigurationSet"),
+        Field("instance_name", "rts:instanceName", required=True, always=True),
+        Field("composite_type", "rts:compositeType", default="None", always=True, choices=COMPOSITE_TYPES),
+        Field("is_required", "rts:isRequired", BOOLEAN, False, always=True),
+        COMMENT,
+        VISIBLE_ALWAYS,
+        Children("data_ports", "rts:DataPorts", DataPort),
+        Children("service_ports", "rts:ServicePorts", ServicePort),
+        Children("configuration_sets", "rts:ConfigurationSets", ConfigurationSet),
+        Children("execution_contexts", "rts:ExecutionContexts", ExecutionContext),
+        Children("participants", "rts:Participants", Participant),
+        Child("location", "rtsExt:Location", Location),
+        PROPERTIES,
+    )
+
+
+class Group(Element):
+    FIELDS = (
+        Field("group_id", "rts:groupId", required=True, always=True, also=("groupID",)),
+        Children("members", "rts:Members", TargetComponent),
+    )
+
+
+# ---- connections ------------------------------------------------------------------------------------------------
+
+class Connector(Element):
+    """A connection. Files know a source and a target; ends beyond these stand in an element that other tools pass over."""
+
+    @property
+    def ends(self):
+        """The ports that it connects, one or more."""
+        return [end for end in (self.source, self.target) if end is not None] + self.further_ends
+
+    @ends.setter
+    def ends(self, ports):
+        self.source, self.target, self.further_ends = (list(ports[:2]) + [None, None])[:2] + [list(ports[2:])]
+
+    def fault(self, given):
+        return Element.fault(self, given) or (None if self.ends else "neither source nor target")
+
+
+FURTHER_ENDS = Children("further_ends", "rtsExt:FurtherEnds", TargetPort)
+
+
+class DataPortConnector(Connector):
+    XSI_TYPE = "rtsExt:dataport_connector_ext"
+    FIELDS = (
+        Field("connector_id", "rts:connectorId", always=True),
+        Field("name", "rts:name", always=True),
+        Field("data_type", "rts:dataType", always=True),
+        Field("interface_type", "rts:interfaceType", always=True),
+        Field("dataflow_type", "rts:dataflowType", always=True),
+        Field("subscription_type", "rts:subscriptionType"),
+        Field("push_interval", "rts:pushInterval", NUMBER, 0.0),
+        COMMENT,
+        VISIBLE,
+        Child("source", "rts:sourceDataPort", TargetPort),
+        Child("target", "rts:targetDataPort", TargetPort),
+        FURTHER_ENDS,
+        PROPERTIES,
+    )
+
+
+class ServicePortConnector(Connector):
+    XSI_TYPE = "rtsExt:serviceport_connector_ext"
+    FIELDS = (
+        Field("connector_id", "rts:connectorId", always=True),
+        Field("name", "rts:name", always=True),
+        Field("trans_method", "rts:transMethod"),
+        COMMENT,
+        VISIBLE,
+        Child("source", "rts:sourceServicePort", TargetPort),
+        Child("target", "rts:targetServicePort", TargetPort),
+        FURTHER_ENDS,
+        PROPERTIES,
+    )
+
+
+# ---- the order of starting and stopping -------------------------------------------------------------------------
+
+class WaitTime(Element):
+    FIELDS = (Field("wait_time", "rts:waitTime", INTEGER, 0, always=True),)  # milliseconds
+
+
+class Preceding(Element):
+    """Wait for other components: SYNC until they are in the state, ASYNC until they were told to change."""
+
+    FIELDS = (
+        Field("timeout", "rts:timeout", INTEGER, 0, always=True),  # milliseconds; 0: for ever
+        Field("sending_timing", "rts:sendingTiming"),  # SYNC, ASYNC, NO_SYNC; often missing
+        Children("preceding_components", "rts:PrecedingComponents", TargetExecutionContext, also=("PrecedingComponent",)),
+    )
+
+
+class Condition(Element):
+    """When a component is to change its state. Without wait_time and preceding it gives the order alone."""
+
+    XSI_TYPE = "rtsExt:condition_ext"
+    FIELDS = (
+        Field("sequence", "rts:sequence", INTEGER, 0, always=True),
+        Child("wait_time", "rts:WaitTime", WaitTime, within="condition"),
+        Child("preceding", "rts:Preceding", Preceding, within="condition"),
+        Child("target", "rts:TargetComponent", TargetExecutionContext, required=True),
+        PROPERTIES,
+    )
+
+
+class MessageSending(Element):
+    FIELDS = (Children("targets", "rts:targets", Condition),)
+
+
+class System(Element):
+    """A system inside the system."""
+
+    FIELDS = (Field("path", "rtsExt:path", required=True, always=True, key="path"),)
+
+
+SECTIONS = tuple(Child(name, "rts:" + local, MessageSending) for name, local in (
+    ("start_up", "StartUp"), ("shut_down", "ShutDown"), ("activation", "Activation"), ("deactivation", "Deactivation"),
+    ("resetting", "Resetting"), ("initializing", "Initializing"), ("finalizing", "Finalizing")))
+
+
+class RtsProfile(Element):
+    """A whole system. Dates are text as XML has them, such as 2024-03-05T14:07:09 or with fraction and zone behind."""
+
+    FIELDS = (
+        Field("id", "rts:id", always=True),
+        Field("abstract", "rts:abstract", always=True),
+        Field("creation_date", "rts:creationDate", DATE),
+        Field("update_date", "rts:updateDate", DATE),
+        Field("version", "rts:version", default="0.2", always=True),
+        COMMENT,
+        Children("components", "rts:Components", Component, also=("Component",)),
+        Children("groups", "rts:Groups", Group),
+        Children("data_port_connectors", "rts:DataPortConnectors", DataPortConnector),
+        Children("service_port_connectors", "rts:ServicePortConnectors", ServicePortConnector),
+    ) + SECTIONS + (
+        Children("version_up_logs", "rtsExt:VersionUpLogs", TEXT, also=("VersionUpLog",)),
+        PROPERTIES,
+        Children("systems", "rtsExt:Systems", System),
+    )

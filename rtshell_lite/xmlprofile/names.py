@@ -1,0 +1,76 @@
+"""How files name the fields of an element: by XML attribute, by XML child, by YAML key.
+
+XML names are as expat gives them: "namespace}name". Every table holds the right spelling and those that are understood.
+"""
+from xml.parsers import expat
+
+NAMESPACES = {
+    "rts": "http://www.openrtp.org/namespaces/rts",
+    "rtsExt": "http://www.openrtp.org/namespaces/rts_ext",
+    "xsi": "http://www.w3.org/2001/XMLSchema-instance",
+}
+XML = "http://www.w3.org/XML/1998/namespace"
+XMLNS = "http://www.w3.org/2000/xmlns/"
+TYPE = NAMESPACES["xsi"] + "}type"
+YAML_KEY = "urn:rtshell_lite:yaml}key"  # an XML element for a key that only YAML knows; its text is YAML
+
+# YAML keys for what only XML knows.
+ATTRIBUTES, ELEMENTS = "xml::attributes", "xml::elements"
+
+
+def exact(field):
+    return NAMESPACES[field.prefix] + "}" + field.local
+
+
+def _spellings(field):
+    """Names for a field: with the right namespace, the other one, none."""
+    return [space + local for local in (field.local,) + tuple(field.also)
+            for space in (NAMESPACES["rts"] + "}", NAMESPACES["rtsExt"] + "}", "")]
+
+
+class Table:
+    """The fields of a class of elements by their names in files."""
+
+    def __init__(self, cls):
+        values = [field for field in cls.FIELDS if not field.child]
+        children = [field for field in cls.FIELDS if field.child]
+        self.attributes = {exact(field): field for field in values}
+        self.loose_attributes = {name: field for field in values for name in _spellings(field)}
+        self.children = {name: field for field in children for name in _spellings(field)}
+        self.keys = {field.key: field for field in cls.FIELDS}
+        self.loose_keys = {key: field for field in cls.FIELDS for key in _key_spellings(field)}
+        self.wrappers = {field.within for field in children if field.within}
+
+
+def _key_spellings(field):
+    bare = field.key.rpartition("::")[2]
+    return [bare, "rtsExt::" + bare] + [name[0].lower() + name[1:] for name in field.also]
+
+
+_TABLES = {}
+
+
+def table(cls):
+    if cls not in _TABLES:
+        _TABLES[cls] = Table(cls)
+    return _TABLES[cls]
+
+
+def is_own_key(cls, key):
+    """Whether a YAML key of this class of elements means something to us."""
+    known = table(cls)
+    return key in known.loose_keys or key in known.wrappers or key in (ATTRIBUTES, ELEMENTS)
+
+
+def is_clark(name):
+    """Whether XML can hold an element or attribute called `name`, "{namespace}name" or "name"."""
+    space, brace, local = name[1:].rpartition("}") if name.startswith("{") else ("", "}", name)
+    if not brace or "{" in space or "}" in space or space == XMLNS or not space.isprintable():
+        return False
+    if not local or set(local) & set(" \t\r\n<>&/=\"':!?"):
+        return False
+    try:
+        expat.ParserCreate().Parse("<%s/>" % local, True)
+    except (expat.ExpatError, UnicodeError):
+        return False
+    return True

@@ -1,0 +1,78 @@
+"""The values of fields as text, and back. Raises ValueError with a message for people."""
+import re
+
+from rtshell_lite.xmlprofile import model
+
+_WHOLE = re.compile(r"[-+]?[0-9]{1,18}\Z")
+_LONGEST_NUMBER = 100  # characters: long ones take quadratic time
+
+
+def from_text(field, text):
+    """What a field holds, from its text in a file."""
+    if field.kind == model.TEXT:
+        return _choice(field, text) if field.choices else text
+    if field.kind == model.DATE:
+        return text
+    word = text.strip()
+    if not word:
+        return field.default
+    if field.kind == model.BOOLEAN:
+        return _boolean(word)
+    if field.kind == model.INTEGER:
+        if not _WHOLE.match(word):
+            raise ValueError("%s: not a whole number" % shown(text))
+        return int(word)
+    return _number(word)
+
+
+def _choice(field, text):
+    word = text.strip().lower()
+    return field.choices.get(word, text) if word else field.default
+
+
+def _boolean(word):
+    if word.lower() in ("true", "1", "yes", "on"):
+        return True
+    if word.lower() in ("false", "0", "no", "off"):
+        return False
+    raise ValueError("%s: neither true nor false" % shown(word))
+
+
+def _number(word):
+    try:
+        if len(word) <= _LONGEST_NUMBER:
+            return float(word)
+    except ValueError:
+        pass
+    raise ValueError("%s: not a number" % shown(word))
+
+
+def from_number(field, value):
+    """What a field holds, from a bool, int or float that YAML gave."""
+    if field.kind == model.BOOLEAN:
+        return _boolean(str(value))
+    if isinstance(value, bool):
+        raise ValueError("%s: not a number" % str(value).lower())
+    if field.kind == model.NUMBER:
+        return float(value)
+    if value != value or abs(value) >= 10 ** 18 or value != int(value):
+        raise ValueError("%s: not a whole number" % value)
+    return int(value)
+
+
+def to_text(field, value):
+    """The text of a value as XML spells it."""
+    if field.kind == model.BOOLEAN:
+        return "true" if value else "false"
+    if field.kind == model.NUMBER:
+        return _SPECIAL.get(repr(float(value)), repr(float(value)))
+    return str(value)
+
+
+_SPECIAL = {"inf": "INF", "-inf": "-INF", "nan": "NaN"}
+
+
+def shown(text):
+    """A piece of a file in a message, short."""
+    text = str(text)
+    return '"%s"' % (text if len(text) <= 40 else text[:37] + "...")

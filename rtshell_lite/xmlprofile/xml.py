@@ -1,0 +1,303 @@
+"""RtsProfile files in XML: what RTSystemEditor, rtcryo and people write is read; what all of them read is written.
+
+Elements and attributes are found by namespace and name, whatever the prefixes and the order; names in the wrong one of
+the two namespaces, or in none, are understood. The parser is expat, without entities, external files or a DTD.
+"""
+import codecs
+import re
+from xml.parsers import expat
+
+from rtshell_lite import errors
+from rtshell_lite.xmlprofile import escape, model, names, scalars, values, version01, yaml, yamlwriter
+
+MOST_BYTES = 16 << 20
+MOST_ELEMENTS = 250000  # 16 MiB of <a/> would take 1 GB; a system of 1,000 components has about 50,000 elements
+LONGEST_TAG = 1 << 20  # expat keeps a whole tag: 16 MiB of attributes would take 500 MB
+DEEPEST = 64  # nesting costs 300 bytes a level here, and Python's stack later
+_CHUNK = 1 << 16
+
+# What expat cannot decode itself. Not every codec of Python: some take quadratic time.
+_CODECS = re.compile(r"(shift_?jis|sjis|ms932|ms_kanji|cp932|windows_31j|euc_?(jp|kr)|ujis|iso_?2022_?jp|gbk|gb2312|gb18030"
+                     r"|big5|cp949|ks_c_5601_1987|(iso_?8859|windows|cp|koi8)_\w+|cp\d+|latin_?1)\Z")
+_DECLARATION = re.compile(br"""\s*<\?xml[^>]{0,200}?\sencoding\s*=\s*["']([A-Za-z][\w.:-]*)["']""")
+
+
+# ---- reading: text to nodes -------------------------------------------------------------------------------------
+
+class Node:
+    """An XML element as it was read; names are "namespace}name" as expat gives them."""
+
+    __slots__ = "tag", "attributes", "content", "line", "column"
+
+    def __init__(self, tag, attributes, line, column):
+        self.tag = tag
+        self.attributes = attributes
+        self.content = []
+        self.line = line
+        self.column = column
+
+    def children(self):
+        return [item for item in self.content if not isinstance(item, str)]
+
+    def text(self):
+        return escape.unspelt("".join(item for item in self.content if isinstance(item, str)))
+
+    @property
+    def local(self):
+        return self.tag.rpartition("}")[2]
+
+
+class _Reader:
+    """Builds nodes while expat reads, within the limits."""
+
+    def __init__(self, name):
+        self.name = name
+        self.open = []
+        self.root = None
+        self.count = self.fed = 0
+        self.parser = expat.ParserCreate("utf-8", "}")
+        self.parser.buffer_text = True
+        self.parser.StartElementHandler = self.start
+        self.parser.EndElementHandler = self.end
+        self.parser.CharacterDataHandler = self.data
+        self.parser.StartDoctypeDeclHandler = self.doctype
+
+    def fail(self, reason):
+        raise errors.BadProfile(self.name, self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1, reason)
+
+    def doctype(self, *_):
+        self.fail("a DOCTYPE is not supported here")
+
+    def start(self, tag, attributes):
+        self.count += 1
+        if self.count > MOST_ELEMENTS:
+            self.fail("more than %d elements" % MOST_ELEMENTS)
+        if len(self.open) >= DEEPEST:
+            self.fail("more than %d levels of elements" % DEEPEST)
+        node = Node(tag, attributes, self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1)
+        if self.open:
+            self.open[-1].content.append(node)
+        else:
+            self.root = node
+        self.open.append(node)
+
+    def end(self, _):
+        node = self.open.pop()
+        node.content = model.tidy(node.content)
+
+    def data(self, text):
+        if self.open:
+            self.open[-1].content.append(text)
+
+    def feed(self, data, final=False):
+        try:
+            self.parser.Parse(data, final)
+        except expat.ExpatError as e:
+            raise errors.BadProfile(self.name, e.lineno, e.offset + 1, expat.ErrorString(e.code))
+        self.fed += len(data)
+        if self.fed - max(self.parser.CurrentByteIndex, 0) > LONGEST_TAG and not final:
+            self.fail("a tag or comment of more than %d MiB" % (LONGEST_TAG >> 20))
+
+
+def _nodes(data, name):
+    """The root node of an XML document. Raises BadProfile."""
+    reader = _Reader(name)
+    if len(data) > MOST_BYTES:
+        reader.fail("more than %d MiB" % (MOST_BYTES >> 20))
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) or data[:4] in (b"<\0?\0", b"\0<\0?"):
+        decoder = codecs.getincrementaldecoder("utf-16" if data[0] >= 0xFE else "utf-16-be" if data[0] == 0 else "utf-16-le")()
+    else:
+        decoder = _decoder(data, reader)
+    for start in range(0, len(data), _CHUNK):
+        chunk = data[start:start + _CHUNK]
+        reader.feed(_decoded(decoder, chunk, start + _CHUNK >= len(data), reader) if decoder else chunk)
+    reader.feed(b"", True)
+    return reader.root
+
+
+def _decoder(data, reader):
+    """What decodes a declared encoding that expat has not; None for UTF-8."""
+    found = _DECLARATION.match(data[3:] if data.startswith(codecs.BOM_UTF8) else data, 0)
+    encoding = found.group(1).decode("ascii").lower().replace("-", "_") if found else "utf_8"
+    if encoding in ("utf_8", "utf8", "us_ascii", "ascii"):
+        return None
+    try:
+        if _CODECS.match(encoding):
+            encoding = "cp932" if encoding in ("shift_jis", "shiftjis", "sjis") else encoding  # as Windows writes it
+            return codecs.getincrementaldecoder(encoding)()
+    except LookupError:
+        pass
+    reader.fail("encoding %s is not supported here" % values.shown(encoding))
+
+
+def _decoded(decoder, chunk, final, reader):
+    try:
+        return decoder.decode(chunk, final).encode("utf-8")
+    except UnicodeError as e:
+        reader.fail("not in the encoding that it declares (%s)" % getattr(e, "reason", e))
+
+
+# ---- reading: nodes to the model --------------------------------------------------------------------------------
+
+def read(data, name):
+    """The profile that `data`, the bytes of an XML file, holds. Raises BadProfile; `name` is for messages."""
+    root = _nodes(data, name)
+
+    def fail(node, reason):
+        raise errors.BadProfile(name, node.line, node.column, reason)
+    if root.local not in ("RtsProfile", "RTSystemProfile"):  # the last one is the schema's name in version 0.1
+        fail(root, "not an RtsProfile: its root element is %s" % values.shown(root.local))
+    version01.upgrade(root, fail)
+    return _element(root, model.RtsProfile, fail)
+
+
+def _element(node, cls, fail):
+    table = names.table(cls)
+    found = _attributes(node, table, fail)
+    for child in node.children():
+        field = table.children.get(child.tag)
+        if field is None or field.kind == model.TEXT and not _is_plain_text(child):
+            _keep_element(found, cls, child)
+        elif field.many:
+            item = child.text() if field.kind == model.TEXT else _element(child, field.kind, fail)
+            found.setdefault(field.name, []).append(item)
+        elif field.name in found:
+            fail(child, "more than one %s in %s" % (child.local, node.local))
+        else:
+            found[field.name] = _element(child, field.kind, fail)
+    element = cls(**found)
+    fault = element.fault(found)
+    if fault:
+        fail(node, "%s: %s" % (node.local, fault))
+    return element
+
+
+def _attributes(node, table, fail):
+    """The fields that a node's attributes give, by name, and what is foreign among them."""
+    found, others = {}, []
+    for name, text in node.attributes.items():
+        field = table.attributes.get(name)
+        if field:
+            found[field.name] = _value(node, field, text, fail)
+        elif name != names.TYPE:
+            others.append(name)
+    for name in others:
+        field = table.loose_attributes.get(name)
+        # An attribute that would not be written again must not hide one in the wrong namespace: reading twice is reading once.
+        if field and (field.name not in found or not field.always and found[field.name] == field.default):
+            found[field.name] = _value(node, field, node.attributes[name], fail)
+        else:
+            _foreign(found).attributes[_clark(name)] = escape.unspelt(node.attributes[name])
+    return found
+
+
+def _value(node, field, text, fail):
+    try:
+        return values.from_text(field, escape.unspelt(text))
+    except ValueError as e:
+        fail(node, "%s: %s" % (field.local, e))
+
+
+def _foreign(found):
+    if "foreign" not in found:
+        found["foreign"] = model.Foreign()
+    return found["foreign"]
+
+
+def _clark(name):
+    return "{" + name if "}" in name else name
+
+
+def _is_plain_text(node):
+    return not node.children() and not set(node.attributes) - {names.TYPE}
+
+
+def _keep_element(found, cls, node):
+    """Keep an element that the schema does not know: a key of a YAML file, or something else."""
+    foreign = _foreign(found)
+    key = escape.unspelt(node.attributes.get("name", ""))
+    if node.tag == names.YAML_KEY and not node.children() and key not in foreign.keys and not names.is_own_key(cls, key):
+        try:
+            foreign.keys[key] = scalars.plain(yaml.parse(node.text(), "")[1])
+            return
+        except (errors.BadProfile, ValueError):
+            pass  # not ours after all
+    foreign.elements.append(_foreign_element(node))
+
+
+def _foreign_element(node):
+    attributes = {_clark(name): escape.unspelt(text) for name, text in node.attributes.items()}
+    return model.ForeignElement(_clark(node.tag), attributes, [
+        escape.unspelt(item) if isinstance(item, str) else _foreign_element(item) for item in node.content])
+
+
+# ---- writing ----------------------------------------------------------------------------------------------------
+
+def write(profile):
+    """The text of an XML file, which says that it is UTF-8."""
+    writer = _Writer()
+    writer.element("rts:RtsProfile", profile, "")
+    spaces = "".join(' xmlns:%s="%s"' % (prefix, escape.quoted(uri)) for uri, prefix in writer.prefixes.items()
+                     if uri != names.XML)
+    head = "<rts:RtsProfile"
+    writer.lines[0] = head + spaces + writer.lines[0][len(head):]  # now that all namespaces are known
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + "\n".join(writer.lines) + "\n"
+
+
+class _Writer:
+    def __init__(self):
+        self.lines = []
+        self.prefixes = {uri: prefix for prefix, uri in names.NAMESPACES.items()}
+        self.prefixes[names.XML] = "xml"
+
+    def element(self, tag, element, indent):
+        head = [indent, "<", tag]
+        if element.XSI_TYPE:
+            head.append(' xsi:type="%s"' % element.XSI_TYPE)
+        children = []
+        for field in element.FIELDS:
+            value = getattr(element, field.name)
+            if field.many:
+                children += [(field, item) for item in value]
+            elif field.child:
+                children += [(field, value)] if value is not None else []
+            elif value is not None and (field.always or value != field.default):
+                head.append(' %s="%s"' % (field.tag, escape.quoted(values.to_text(field, value))))
+        foreign = element.foreign or model.Foreign()
+        head += [self.attribute(*pair) for pair in foreign.attributes.items()]
+        if not (children or foreign.elements or foreign.keys):
+            self.lines.append("".join(head) + "/>")
+            return
+        self.lines.append("".join(head) + ">")
+        for field, value in children:
+            self.child(field, value, indent + "    ")
+        for item in foreign.elements:
+            self.lines.append(indent + "    " + self.foreign(item))
+        for key, data in sorted(foreign.keys.items()):
+            item = model.ForeignElement("{" + names.YAML_KEY, {"name": key}, [yamlwriter.write(data)])
+            self.lines.append(indent + "    " + self.foreign(item))
+        self.lines.append("%s</%s>" % (indent, tag))
+
+    def child(self, field, value, indent):
+        if field.kind == model.TEXT:
+            self.lines.append("%s<%s>%s</%s>" % (indent, field.tag, escape.quoted(value), field.tag))
+        else:
+            self.element(field.tag, value, indent)
+
+    def name(self, clark):
+        space, _, local = clark[1:].rpartition("}") if clark.startswith("{") else ("", "", clark)
+        if not space:
+            return local
+        if space not in self.prefixes:
+            self.prefixes[space] = "ns%d" % (len(self.prefixes) - 3)
+        return self.prefixes[space] + ":" + local
+
+    def attribute(self, name, text):
+        return ' %s="%s"' % (self.name(name), escape.quoted(text))
+
+    def foreign(self, element):
+        """On one line: blanks between elements that also hold text would be text."""
+        tag = self.name(element.tag)
+        head = "<" + tag + "".join(self.attribute(*pair) for pair in element.attributes.items())
+        content = "".join(escape.quoted(item) if isinstance(item, str) else self.foreign(item) for item in element.content)
+        return "%s>%s</%s>" % (head, content, tag) if content else head + "/>"
