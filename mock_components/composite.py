@@ -196,13 +196,13 @@ class Composite(Component):
 
     # life cycle
 
-    def on_activated(self, handle):
+    def activated(self, handle):
         return self._move(RTC.INACTIVE_STATE, RTC.ACTIVE_STATE)
 
-    def on_deactivated(self, handle):
+    def deactivated(self, handle):
         return self._move(RTC.ACTIVE_STATE, RTC.INACTIVE_STATE)
 
-    def on_reset(self, handle):
+    def reset(self, handle):
         return self._move(RTC.ERROR_STATE, RTC.INACTIVE_STATE)
 
     def _move(self, before, after):

@@ -78,6 +78,8 @@ class Behaviour:
         if rate <= 0 and not self.flavour.any_rate:
             return RTC.BAD_PARAMETER
         self.rate = rate
+        for member in list(self.members):
+            self._tell(member, "on_rate_changed")
         self._wake()
         return RTC.RTC_OK
 
