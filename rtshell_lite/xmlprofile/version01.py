@@ -91,5 +91,6 @@ def _milliseconds(wait, fail):
     if not found:
         fail(wait, "WaitTime: not a duration such as PT1.5S")
     days, hours, minutes, seconds = (float(part or 0) for part in found.groups())
-    wait.attributes[RTS + "waitTime"] = str(int(round(1000 * (((days * 24 + hours) * 60 + minutes) * 60 + seconds))))
+    milliseconds = int(round(1000 * (((days * 24 + hours) * 60 + minutes) * 60 + seconds)))
+    wait.attributes = dict(wait.attributes, **{RTS + "waitTime": str(milliseconds)})
     wait.content = []

@@ -15,6 +15,7 @@ MOST_ELEMENTS = 250000  # 16 MiB of <a/> would take 1 GB; a system of 1,000 comp
 LONGEST_TAG = 1 << 20  # expat keeps a whole tag: 16 MiB of attributes would take 500 MB
 DEEPEST = 64  # nesting costs 300 bytes a level here, and Python's stack later
 _CHUNK = 1 << 16
+_NO_ATTRIBUTES = {}  # an empty dict each would double what an empty element takes
 
 # What expat cannot decode itself. Not every codec of Python: some take quadratic time.
 _CODECS = re.compile(r"(shift_?jis|sjis|ms932|ms_kanji|cp932|windows_31j|euc_?(jp|kr)|ujis|iso_?2022_?jp|gbk|gb2312|gb18030"
@@ -74,7 +75,7 @@ class _Reader:
             self.fail("more than %d elements" % MOST_ELEMENTS)
         if len(self.open) >= DEEPEST:
             self.fail("more than %d levels of elements" % DEEPEST)
-        node = Node(tag, attributes, self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1)
+        node = Node(tag, attributes or _NO_ATTRIBUTES, self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1)
         if self.open:
             self.open[-1].content.append(node)
         else:
@@ -264,7 +265,7 @@ class _Writer:
             elif value is not None and (field.always or value != field.default):
                 head.append(' %s="%s"' % (field.tag, escape.quoted(values.to_text(field, value))))
         foreign = element.foreign or model.Foreign()
-        head += [self.attribute(*pair) for pair in foreign.attributes.items()]
+        head += [self.attribute(*pair) for pair in sorted(foreign.attributes.items())]
         if not (children or foreign.elements or foreign.keys):
             self.lines.append("".join(head) + "/>")
             return
@@ -298,6 +299,6 @@ class _Writer:
     def foreign(self, element):
         """On one line: blanks between elements that also hold text would be text."""
         tag = self.name(element.tag)
-        head = "<" + tag + "".join(self.attribute(*pair) for pair in element.attributes.items())
+        head = "<" + tag + "".join(self.attribute(*pair) for pair in sorted(element.attributes.items()))
         content = "".join(escape.quoted(item) if isinstance(item, str) else self.foreign(item) for item in element.content)
         return "%s>%s</%s>" % (head, content, tag) if content else head + "/>"
