@@ -30,7 +30,7 @@ BOMBS = {
     "keys below keys": "b''.join(b' ' * i + b'a:\\n' for i in range(5000))",
     "list items": "ROOT + b'\\n' + b'- a\\n' * (3 * MIB)",
     "items in brackets": "ROOT + b'[' + b'a,' * (7 * MIB)",
-    "keys": "b''.join(b'k%d: v\\n' % i for i in range(MIB))",
+    "keys": "b''.join(b'k%d: v\\n' % i for i in range(600000))",
     "ends of lines": "b'\\n' * 15 * MIB",
     "blanks": "b' ' * 15 * MIB",
     "blanks in quotes": "b'\"' + b' ' * 4000000 + b'\"'",

@@ -7,7 +7,7 @@ import re
 
 from rtshell_lite.xmlprofile import model, names
 
-RTS = names.NAMESPACES["rts"] + "}"
+RTS = names.NAMESPACES["rts"] + names.SEPARATOR
 _SECTIONS = {field.local for field in model.SECTIONS}
 _CONNECTORS = {"DataPortConnectors": "sourceDataPort", "ServicePortConnectors": "sourceServicePort"}
 _DURATION = re.compile(r"P(?:(\d{1,6})D)?(?:T(?:(\d{1,6})H)?(?:(\d{1,6})M)?(?:(\d{1,9}(?:\.\d{1,9})?)S)?)?\Z", re.ASCII)

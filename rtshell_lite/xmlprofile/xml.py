@@ -26,7 +26,7 @@ _DECLARATION = re.compile(br"""\s*<\?xml[^>]{0,200}?\sencoding\s*=\s*["']([A-Za-
 # ---- reading: text to nodes -------------------------------------------------------------------------------------
 
 class Node:
-    """An XML element as it was read; names are "namespace}name" as expat gives them."""
+    """An XML element as it was read; names are as expat gives them."""
 
     __slots__ = "tag", "attributes", "content", "line", "column"
 
@@ -45,7 +45,7 @@ class Node:
 
     @property
     def local(self):
-        return self.tag.rpartition("}")[2]
+        return self.tag.rpartition(names.SEPARATOR)[2]
 
 
 class _Reader:
@@ -56,7 +56,7 @@ class _Reader:
         self.open = []
         self.root = None
         self.count = self.fed = 0
-        self.parser = expat.ParserCreate("utf-8", "}")
+        self.parser = expat.ParserCreate("utf-8", names.SEPARATOR)
         self.parser.buffer_text = True
         self.parser.StartElementHandler = self.start
         self.parser.EndElementHandler = self.end
@@ -95,6 +95,8 @@ class _Reader:
             self.parser.Parse(data, final)
         except expat.ExpatError as e:
             raise errors.BadProfile(self.name, e.lineno, e.offset + 1, expat.ErrorString(e.code))
+        except UnicodeDecodeError:  # expat is less strict about UTF-8 than Python
+            self.fail("not UTF-8")
         self.fed += len(data)
         if self.fed - max(self.parser.CurrentByteIndex, 0) > LONGEST_TAG and not final:
             self.fail("a tag or comment of more than %d MiB" % (LONGEST_TAG >> 20))
@@ -188,7 +190,7 @@ def _attributes(node, table, fail):
         if field and (field.name not in found or not field.always and found[field.name] == field.default):
             found[field.name] = _value(node, field, node.attributes[name], fail)
         else:
-            _foreign(found).attributes[_clark(name)] = escape.unspelt(node.attributes[name])
+            _foreign(found).attributes[names.clark(name)] = escape.unspelt(node.attributes[name])
     return found
 
 
@@ -203,10 +205,6 @@ def _foreign(found):
     if "foreign" not in found:
         found["foreign"] = model.Foreign()
     return found["foreign"]
-
-
-def _clark(name):
-    return "{" + name if "}" in name else name
 
 
 def _is_plain_text(node):
@@ -227,8 +225,8 @@ def _keep_element(found, cls, node):
 
 
 def _foreign_element(node):
-    attributes = {_clark(name): escape.unspelt(text) for name, text in node.attributes.items()}
-    return model.ForeignElement(_clark(node.tag), attributes, [
+    attributes = {names.clark(name): escape.unspelt(text) for name, text in node.attributes.items()}
+    return model.ForeignElement(names.clark(node.tag), attributes, [
         escape.unspelt(item) if isinstance(item, str) else _foreign_element(item) for item in node.content])
 
 
@@ -238,7 +236,7 @@ def write(profile):
     """The text of an XML file, which says that it is UTF-8."""
     writer = _Writer()
     writer.element("rts:RtsProfile", profile, "")
-    spaces = "".join(' xmlns:%s="%s"' % (prefix, escape.quoted(uri)) for uri, prefix in writer.prefixes.items()
+    spaces = "".join(' xmlns:%s="%s"' % (prefix, escape.marked(uri)) for uri, prefix in writer.prefixes.items()
                      if uri != names.XML)
     head = "<rts:RtsProfile"
     writer.lines[0] = head + spaces + writer.lines[0][len(head):]  # now that all namespaces are known
@@ -275,7 +273,7 @@ class _Writer:
         for item in foreign.elements:
             self.lines.append(indent + "    " + self.foreign(item))
         for key, data in sorted(foreign.keys.items()):
-            item = model.ForeignElement("{" + names.YAML_KEY, {"name": key}, [yamlwriter.write(data)])
+            item = model.ForeignElement(names.clark(names.YAML_KEY), {"name": key}, [yamlwriter.write(data)])
             self.lines.append(indent + "    " + self.foreign(item))
         self.lines.append("%s</%s>" % (indent, tag))
 
@@ -286,7 +284,7 @@ class _Writer:
             self.element(field.tag, value, indent)
 
     def name(self, clark):
-        space, _, local = clark[1:].rpartition("}") if clark.startswith("{") else ("", "", clark)
+        space, local = names.parts(clark)
         if not space:
             return local
         if space not in self.prefixes:

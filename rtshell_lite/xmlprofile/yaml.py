@@ -177,8 +177,7 @@ def _is_key(doc, pos):
     """Whether a key of a mapping begins here: text with a colon on the same line, or a question mark."""
     if _QUESTION.match(doc.text, pos):
         return True
-    pos = _properties(doc, pos)[0]
-    end = scalars.key_end(doc, pos)
+    end = scalars.key_end(doc, _BLANKS.match(doc.text, _properties(doc, pos)[0]).end())
     return bool(end and _COLON.match(doc.text, end))
 
 
