@@ -66,10 +66,11 @@ def find(paths):
     An errors.Error stands in the place of what failed: NoSuch with what there is, and what `tree.component` raises.
     """
     listed = tree.on_components([path.object() for path in paths], ports)
-    return [found if isinstance(found, errors.Error) else _named(path, found) for path, found in zip(paths, listed)]
+    return [found if isinstance(found, errors.Error) else named(path, found) for path, found in zip(paths, listed)]
 
 
-def _named(path, found):
+def named(path, found):
+    """That one of the Ports `found` which `path` names, or the error NoSuch."""
     instance = path.names[-1].id
     exact = [each for each in found if each.name in (path.port, instance + "." + path.port)]
     # the instance name may differ from the bound one

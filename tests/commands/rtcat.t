@@ -275,7 +275,7 @@ What is no component:
   rtcat: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not a directory (it is a component)
   [3]
   $ rtcat ../test.host_cxt:out
-  rtcat: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
+  rtcat: /localhost:$PORT/test.host_cxt: not a component or manager (it is a directory)
   [3]
   $ rtcat ../../localhost:1/a.rtc
   rtcat: /localhost:1: connection refused; is the name server running?
