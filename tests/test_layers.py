@@ -11,8 +11,9 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LAYERS = [
     ["bin"],
     ["__main__"],
-    ["system", "plan", "graph", "listing", "describe", "describe_manager", "search", "unbind", "composing", "unpack"],
-    ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes", "configuration"],
+    ["system", "plan", "graph", "listing", "describe", "describe_manager", "markup", "manual", "search", "unbind", "composing", "unpack"],
+    ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
+     "configuration"],
     ["tree"],
     ["node"],
     ["orb", "cli", "installation"],

@@ -22,7 +22,7 @@ LARGEST = 400000
 MISSING = "omniORBpy is not installed"
 # Arguments with which a command must ask somebody; the others get one path.
 ASKING = {"rtcon": ["/localhost/a.rtc:o", "/localhost/b.rtc:i"], "rtls": [], "rtpwd": [],
-          "rtconf": ["/localhost/a.rtc", "list"]}
+          "rtconf": ["/localhost/a.rtc", "list"], "rtmgr": ["-r", "/localhost/a.mgr"]}
 LOCAL = {"rtpwd"}  # contacts nothing
 
 
