@@ -139,24 +139,23 @@ def change(node, transition, index=0, wait=None):
     before = state_in(node, ref)
     if before == transition.target:
         return before
-    code = _request(node, ref, transition, node.typed)
+    code = _request(node, ref, transition, node.typed, wait)
     if code == "BAD_PARAMETER":
         canonical = _canonical(node)
         if canonical is None:
             raise errors.Refused(str(node.path), "is not in its execution context %d" % index)
-        code = _request(node, ref, transition, canonical)
+        code = _request(node, ref, transition, canonical, wait)
     if code == "RTC_OK" and wait is None:
         return transition.target
     now = state_in(node, ref)
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
         raise errors.Refused(str(node.path), "cannot %s: %s" % (transition.name, _reason(code, before, now, transition)))
-    return _until(node, ref, transition, now, wait, code)
+    return _until(node, ref, transition, now, rpc.timeout if wait is None else wait)
 
 
-def _request(node, ref, transition, target):
-    # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz
-    rate_limit = rpc.timeout if transition is not DEACTIVATE else max(rpc.timeout, 15.0)
-    return str(orb.call(str(node.path), ref, transition.operation, target, seconds=rate_limit))
+def _request(node, ref, transition, target, wait):
+    # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz: who waits for the state waits for that, too
+    return str(orb.ask(str(node.path), ref, transition.operation, target, seconds=wait))
 
 
 def _reason(code, before, now, transition):
@@ -168,17 +167,16 @@ def _reason(code, before, now, transition):
     return "%s, it is %s" % (code, now)
 
 
-def _until(node, ref, transition, now, wait, code):
-    """Poll until the state is reached; 3 periods of a slow context count as well as seconds."""
-    limit = time.monotonic() + (wait if wait is not None else rpc.timeout)
+def _until(node, ref, transition, now, seconds):
+    """Poll until the state is reached."""
+    limit = time.monotonic() + seconds
     while now != transition.target:
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), "cannot %s: it went to Error" % transition.name)
         if not orb.ask(str(node.path), ref, "is_running"):
             raise errors.Refused(str(node.path), "cannot %s: its execution context is stopped" % transition.name)
         if time.monotonic() > limit:
-            spent = wait if wait is not None else rpc.timeout
-            raise errors.Unreachable(str(node.path), "not %s within %gs, still %s" % (transition.target, spent, now))
+            raise errors.Unreachable(str(node.path), "not %s within %gs, still %s" % (transition.target, seconds, now))
         time.sleep(POLL)
         now = state_in(node, ref)
     return now
