@@ -38,7 +38,8 @@ class Reading(unittest.TestCase):
         self.assertEqual(read("'a\u2028 b\u2029\u2029c\n\u2028d'"), "a\u2028b\u2029\u2029c\u2028d", "these are kept")
 
     def test_what_ends_a_document(self):
-        for text in ("a: 1", "a: 1\n", "--- \na: 1\n...\n", "%YAML 1.1\n---\na: 1\n...\n...\n# end", "--- {a: 1}\n", "\ufeffa: 1"):
+        for text in ("a: 1", "a: 1\n", "--- \na: 1\n...\n", "%YAML 1.1\n---\na: 1\n...\n...\n# end", "--- {a: 1}\n",
+                     "\ufeffa: 1"):
             self.assertEqual(read(text), {"a": 1}, text)
         for text in ("", "---", "# nothing\n", "---\n...\n"):
             self.assertIsNone(read(text), text)
@@ -69,7 +70,8 @@ class Reading(unittest.TestCase):
         self.assertEqual(read("!!binary 'AP8='"), b"\x00\xff")
 
     def test_nothing_is_made_by_name(self):
-        for tag in ("!!python/name:os.system", "!!python/object/apply:os.system [x]", "!!set {a}", "!!omap []", "!x a", "!<x> a"):
+        for tag in ("!!python/name:os.system", "!!python/object/apply:os.system [x]", "!!set {a}", "!!omap []", "!x a",
+                    "!<x> a"):
             with self.assertRaises(errors.BadProfile):
                 read(tag)
 
@@ -127,7 +129,8 @@ class Mutations(unittest.TestCase):
     def test_only_the_declared_errors(self):
         rng = random.Random(4)
         maker = random_profiles.Maker(5)
-        pieces = list("\n\n  -?:,[]{}#&*!|>'\"%@\\~\t") + ["- ", ": ", "\n  ", " #", "|\n ", ">-\n", "---\n", "...", "&a ", "*a", "!!str "]
+        pieces = list("\n\n  -?:,[]{}#&*!|>'\"%@\\~\t") + [
+            "- ", ": ", "\n  ", " #", "|\n ", ">-\n", "---\n", "...", "&a ", "*a", "!!str "]
         for _ in range(3000):
             text = yamlwriter.write(maker.data())
             for _ in range(rng.randint(1, 5)):

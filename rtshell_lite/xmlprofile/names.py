@@ -1,6 +1,7 @@
 """How files name the fields of an element: by XML attribute, by XML child, by YAML key.
 
-XML names are as expat gives them: namespace, SEPARATOR, name. The model has "{namespace}name". Every table holds the right spelling and those that are understood.
+XML names are as expat gives them: namespace, SEPARATOR, name. The model has "{namespace}name". Every table holds the right
+spelling and those that are understood.
 """
 from xml.parsers import expat
 

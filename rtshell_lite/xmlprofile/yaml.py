@@ -98,6 +98,8 @@ def _value(doc, pos, indent, depth, compact, dashes=False):
             return _block(doc, _BLANKS.match(doc.text, start).end(), indent, depth)
         return _anchored(doc, anchor, doc.nodes, _inline(doc, pos, indent, depth, tag))
     pos, column = doc.next_token(pos)
+    if doc.text[pos] in ("&" if anchor else "") + ("!" if tag else "") and column > indent and not _is_key(doc, pos):
+        doc.fail(pos, "a second anchor or tag")
     count = doc.nodes
     pos, node = _below(doc, pos, column, indent, depth, dashes)
     return _anchored(doc, anchor, count, (pos, _tagged(doc, start, node, tag)))
