@@ -59,7 +59,7 @@ Names that are hard to type:
 
   +DataInPort: in
 
-  +DataInPort: empty19.in
+  +DataInPort: in
 
   +DataInPort: in
 
