@@ -262,6 +262,15 @@ def seconds(value):
     return number
 
 
+def one_of(*words):
+    """A type of options that takes one of some words; argparse's own message differs from one Python to the next."""
+    def check(word):
+        if word not in words:
+            raise argparse.ArgumentTypeError("not one of %s: %s" % (", ".join(words), text.printable(word)))
+        return word
+    return check
+
+
 def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
     """The positional arguments `paths`."""
     parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)

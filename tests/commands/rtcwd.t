@@ -127,7 +127,7 @@ Wrong usage:
   rtcwd: --shell: no such shell: tcl (see --help)
   [2]
   $ rtcwd --shell=tcl
-  rtcwd: argument --shell: invalid choice: 'tcl' (choose from *) (see --help) (glob)
+  rtcwd: argument --shell: not one of bash, csh, fish, sh, zsh: tcl (see --help)
   [2]
   $ rtcwd a:b:c
   rtcwd: a:b:c: bad path (one colon stands before a port; write \: in a name)
