@@ -4,8 +4,8 @@ import collections
 from rtshell_lite import errors, manager, tree
 from rtshell_lite.text import printable
 
-# All that rtcat knows of one manager: `profile` a dict, `loaded` and `loadable` lists of file paths, `error` why the latter
-# is not known.
+# All that rtcat knows of one manager: `profile` a dict, `loaded` and `loadable` lists of file paths; the latter is None if the
+# manager does not tell it, for the reason in `error`.
 Found = collections.namedtuple("Found", "node profile loaded loadable error")
 
 # Heading or None, then the lines below it: key of the profile, label.
@@ -25,9 +25,9 @@ def collect(node):
     profile = dict(manager.profile(node))
     loaded = [each.get("file_path", "") for each in manager.modules(node, "get_loaded_modules")]
     try:
-        return Found(node, profile, loaded, [each.get("module_file_path", "") for each in manager.modules(node)], None)
+        return Found(node, profile, loaded, sorted(each.get("module_file_path", "") for each in manager.modules(node)), None)
     except errors.Refused as e:
-        return Found(node, profile, loaded, [], e)
+        return Found(node, profile, loaded, None, e)
 
 
 def lines(found):
@@ -42,7 +42,7 @@ def lines(found):
     for path in found.loaded:
         yield "  Filepath: " + printable(path)
     yield "Loadable modules:"
-    for path in found.loadable:
+    for path in found.loadable or ():
         yield "  " + printable(path)
 
 

@@ -81,6 +81,10 @@ class NoNameServer(ConnectionRefused):
     """{}: connection refused; is the name server running?"""
 
 
+class NoManager(ConnectionRefused):
+    """{}: connection refused; is the manager running?"""
+
+
 class Refused(Error):
     """{}: {}"""
 

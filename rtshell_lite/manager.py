@@ -7,7 +7,7 @@ import re
 import time
 
 from rtshell_lite import component, errors, orb, ports, tree
-from rtshell_lite.path import Path, parse
+from rtshell_lite.path import Path, parse, split_address
 from rtshell_lite.text import from_wire, printable, to_wire
 
 DEFAULT_PORT = 2810  # corba.master_manager
@@ -35,31 +35,38 @@ def find(word):
 
     Raises BadPath before anything is contacted, what `tree.resolve` raises, WrongKind, Gone, Silent.
     """
-    if word.startswith("corbaloc:"):
-        node = tree.Node(Address(word), "manager", _direct(word))
-        orb.is_alive(word, node.ref)
+    direct = word.startswith("corbaloc:")
+    node, = tree.look([tree.Node(Address(word), "unsure", _direct(word)) if direct else _bound(parse(word))])
+    if node.kind == "manager":
         return node
-    path = parse(word)
+    if direct and isinstance(node.error, errors.Gone):
+        raise errors.NoSuch(word, "object", _key(word))
+    if direct and isinstance(node.error, errors.ConnectionRefused):
+        raise errors.NoManager(word)
+    raise node.error or errors.WrongKind(str(node.path), "manager", node.what)
+
+
+def _bound(path):
     if path.port is not None:
         raise errors.WrongKind(str(path), "manager", "port")
-    node, = tree.look([tree.resolve(path)])
-    if node.kind != "manager":
-        raise node.error or errors.WrongKind(str(path), "manager", node.what)
-    return node
+    return tree.resolve(path)
 
 
 def check(word):
     """Raise BadPath for what cannot name a manager; contacts nobody."""
     if not word.startswith("corbaloc:"):
         parse(word)
-    elif not _CORBALOC.match(word):
+    elif not _CORBALOC.match(word) or split_address(_CORBALOC.match(word).group("address"))[1] is None:
         raise errors.BadPath("%s: not corbaloc:iiop:HOST[:PORT][/KEY]" % printable(word))
 
 
 def _direct(word):
     check(word)
-    found = _CORBALOC.match(word)
-    return orb.corbaloc(word, found.group("address"), found.group("key") or "manager", DEFAULT_PORT)
+    return orb.corbaloc(word, _CORBALOC.match(word).group("address"), _key(word), DEFAULT_PORT)
+
+
+def _key(word):
+    return _CORBALOC.match(word).group("key") or "manager"
 
 
 # ---- what it has ----------------------------------------------------------------------------------------------
@@ -70,11 +77,15 @@ def components(node):
 
 
 def profiles(node):
-    """component.Profiles of its components, each asked in the order that harms none; an errors.Error for what failed."""
+    """(Node, component.Profile) of its components, each asked in the order that harms none; an errors.Error for what failed.
+
+    Those that are gone are left out, although managers may go on listing them.
+    """
     def one(each):
         ports.ports(each)
-        return component.profile(each)
-    return tree.on_nodes([each for _, each in components(node)], one)
+        return each, component.profile(each)
+    found = sorted((each for each in tree.managed(node) if each.kind != "zombie"), key=lambda each: str(each.path))
+    return tree.on_nodes([each.error or each for each in found], one)
 
 
 def configuration(node):
@@ -88,8 +99,21 @@ def profile(node):
 
 
 def modules(node, operation="get_loadable_modules"):
-    """Profiles of modules as dicts: get_loadable_modules, get_loaded_modules or get_factory_profiles."""
-    return [dict(orb.properties(each.properties)) for each in node.call(operation, seconds=MODULES_TIME)]
+    """Profiles of modules as dicts: get_loadable_modules, get_loaded_modules or get_factory_profiles.
+
+    Sorted, and each once: a master repeats what its slaves have as well.
+    """
+    distinct = {tuple(sorted(each.items())): each for each in _modules(node, operation)}
+    return sorted(distinct.values(), key=lambda each: (component_id(each), each.get("file_path", "")))
+
+
+def _modules(node, operation):
+    seconds = MODULES_TIME if operation == "get_loadable_modules" else None
+    return [dict(orb.properties(each.properties)) for each in node.call(operation, seconds=seconds)]
+
+
+def _loaded(node):
+    return [each.get("file_path", "") for each in _modules(node, "get_loaded_modules")]
 
 
 def component_id(properties):
@@ -110,7 +134,8 @@ def create(node, argument, wait=None):
     if wanted in [name for name, _ in before]:
         # not refused by managers: two components of one name crash their process later (C++ 1.x)
         raise errors.Refused(str(node.path), "has a component %s already" % printable(wanted))
-    ref = node.call("create_component", to_wire(argument), seconds=CREATE_TIME)
+    refs = (node.call("create_component", to_wire(spelt), seconds=CREATE_TIME) for spelt in _spellings(argument))
+    ref = next((ref for ref in refs if ref is not None), None)
     if ref is None:
         raise errors.Refused(str(node.path), "does not create %s (%s)" % (printable(argument), _why_not(node, argument)))
     made = tree.Node(node.path, "component", ref)
@@ -122,13 +147,30 @@ def create(node, argument, wait=None):
     return name
 
 
+def _spellings(argument):
+    """The argument, and its other form: an identity has no language in it with C++ 1.1, one with all later versions."""
+    ident, mark, rest = argument.partition("?")
+    fields = ident.split(":")
+    yield argument
+    if fields[0] == "RTC" and len(fields) == 6:
+        yield ":".join(fields[:4] + fields[5:]) + mark + rest
+    elif fields[0] == "RTC" and len(fields) == 5:
+        yield ":".join(fields[:4] + [""] + fields[4:]) + mark + rest
+
+
 def _why_not(node, argument):
-    wanted = argument.partition("?")[0]
-    implementation = wanted.split(":")[3] if wanted.startswith("RTC:") and wanted.count(":") > 3 else wanted
-    there = sorted({each.get("implementation_id", "") for each in modules(node, "get_factory_profiles")})
-    if implementation in there:
-        return "a wrong argument, or max_instance reached"
-    return "no factory %s; there are: %s" % (printable(implementation), printable(", ".join(there)) or "none")
+    """What can be told of the reason: managers give none."""
+    ident = argument.partition("?")[0]
+    wanted = ident.split(":")[3] if ident.count(":") > 3 else ident
+    there = modules(node, "get_factory_profiles")
+    alike = [each for each in there if each.get("implementation_id") == wanted]
+    if not alike:
+        known = sorted({each.get("implementation_id", "") for each in there})
+        return "no factory %s; there are: %s" % (printable(wanted), printable(", ".join(known)) or "none")
+    if ident != wanted and ident not in map(component_id, alike):
+        return "there is " + printable(", ".join(map(component_id, alike)))
+    most = alike[0].get("max_instance", "0")
+    return "a wrong argument" + (", or its max_instance of %s is reached" % printable(most) if most != "0" else "")
 
 
 def _is_ready(node, name, made):
@@ -136,41 +178,58 @@ def _is_ready(node, name, made):
 
 
 def delete(node, instance):
-    """Delete a component of this manager or of one of its slaves. Raises NoSuch, Refused."""
-    if instance not in [name for name, _ in components(node)]:
-        raise errors.NoSuch(str(node.path), "component", printable(instance))
-    code = str(node.call("delete_component", to_wire(instance), seconds=CREATE_TIME))
-    if code == "BAD_PARAMETER":  # a master's word for a component of a slave
-        for slave in tree.slaves(node):
-            if slave.kind == "manager" and instance in [name for name, _ in components(slave)]:
-                delete(slave, instance)
-                return
+    """Delete a component of this manager or of one of its slaves, and wait until it is listed no longer.
+
+    Raises NoSuch, Refused, Unreachable.
+    """
+    found = [each for name, each in components(node) if name == instance]
+    if len(found) != 1:
+        raise errors.NoSuch(str(node.path), "component" if not found else "single component (its slaves have several)",
+                            printable(instance))
+    # a master says BAD_PARAMETER to the name of a slave's component, or RTC_OK and does nothing (C++ 1.1)
+    holder = next((slave for slave in _slaves(node) if _lists(slave, found[0].ref)), node)
+    code = str(holder.call("delete_component", to_wire(instance), seconds=CREATE_TIME))
     if code != "RTC_OK":
         raise errors.Refused(str(node.path), "does not delete %s (%s)" % (printable(instance), code))
-    _until(SETTLE_TIME, lambda: instance not in [name for name, _ in components(node)],
-           str(node.path), "still has %s" % printable(instance))
+    _until(SETTLE_TIME, lambda: not _lists(node, found[0].ref), str(node.path), "still lists %s" % printable(instance))
+
+
+def _slaves(node):
+    return [slave for slave in tree.slaves(node) if slave.kind == "manager"]
+
+
+def _lists(node, ref):
+    return any(orb.same(each, ref) for each in node.call("get_components"))
 
 
 def load(node, file_path, function):
-    """Load a module; `function` is its initialisation function. Raises Refused when it is not there afterwards."""
-    before = _loaded(node)
+    """Load a module; `function` is its initialisation function. Raises Refused when it is not there afterwards.
+
+    Returns how many factories there are that were not there before.
+    """
+    before, known = _loaded(node), len(_modules(node, "get_factory_profiles"))
     code = str(node.call("load_module", to_wire(file_path), to_wire(function), seconds=CREATE_TIME))
     after = _loaded(node)
     there = [path for path in after if path == file_path or path.endswith("/" + file_path.lstrip("./"))]
     if code != "RTC_OK" or not there and len(after) <= len(before):
         raise errors.Refused(str(node.path), "did not load %s (it says %s)" % (printable(file_path), code))
-
-
-def _loaded(node):
-    return [each.get("file_path", "") for each in modules(node, "get_loaded_modules")]
+    return len(_modules(node, "get_factory_profiles")) - known
 
 
 def unload(node, file_path):
-    """Unload a module: its path as listed, or an end of it that is not shared. Raises NoSuch, Refused."""
+    """Unload a module: its path as listed, or an end of it that is not shared. Raises NoSuch, Refused.
+
+    A master is asked to unload its own, else the slave that has it.
+    """
     before = _loaded(node)
-    meant = [path for path in before if path == file_path] or [path for path in before if path.endswith("/" + file_path)]
+    paths = set(before)
+    meant = [path for path in paths if path == file_path] or [path for path in paths if path.endswith("/" + file_path)]
     if len(meant) != 1:
         raise errors.NoSuch(str(node.path), "loaded module" if not meant else "single loaded module", printable(file_path))
+    holders = [slave for slave in _slaves(node) if meant[0] in _loaded(slave)]
+    if holders and len(holders) == before.count(meant[0]):
+        unload(holders[0], meant[0])
+        return
     code = str(node.call("unload_module", to_wire(meant[0])))
     if code != "RTC_OK" or _loaded(node).count(meant[0]) >= before.count(meant[0]):
         raise errors.Refused(str(node.path), "did not unload %s (it says %s)" % (printable(meant[0]), code))
@@ -182,7 +241,7 @@ def set_configuration(node, key, value):
     now = dict(configuration(node)).get(key)
     if code != "RTC_OK" or now != value:
         raise errors.Refused(str(node.path), "did not set %s (it says %s; the value is %s)" % (
-            printable(key), code, "missing" if now is None else printable(now)))
+            printable(key), code, "missing" if now is None else printable(now) or "empty"))
 
 
 def shut_down(node):

@@ -73,7 +73,7 @@ def _descend(node, names):
         below = children(_directory(node))
         found = [child for child in below if child.path.names[-1] == name]
         if not found:
-            raise _near_miss(node.path.child(name), [child.name for child in below])
+            raise _near_miss(node.path.child(name), _by_id(child.path.names[-1] for child in below))
         node = found[0]
     return node
 
@@ -95,10 +95,14 @@ def _why_not_found(path):
     """The error for a path that does not resolve, with a near miss where a listing of its directory offers one."""
     try:
         above = _directory(resolve(path.parent()))
-        names = {name.id: name for name in _names(above)}
+        names = _by_id(_names(above))
     except (errors.NotFound, errors.WrongKind) as e:
         return e
     return _near_miss(path, names)
+
+
+def _by_id(names):
+    return {name.id: name for name in names}
 
 
 def _near_miss(path, names):
@@ -152,9 +156,9 @@ def children(node):
     and components, which have to be asked for their names. Raises WrongKind for what is no directory, and Unreachable.
     """
     if node.kind == "root":
-        return sorted((_server(parse("/" + address)) for address in servers()), key=lambda server: str(server.path))
+        return _sorted(_server(parse("/" + address)) for address in servers())
     if node.kind == "manager":
-        return sorted(slaves(node) + managed(node), key=lambda child: str(child.path))
+        return _sorted(slaves(node) + managed(node))
     if node.kind not in ("server", "directory"):
         raise errors.WrongKind(str(node.path), "directory", node.what)
     jobs = []
@@ -167,7 +171,11 @@ def children(node):
     for failure in found:
         if isinstance(failure, errors.Error):
             raise failure
-    return sorted(found, key=lambda child: str(child.path))
+    return _sorted(found)
+
+
+def _sorted(nodes):
+    return sorted(nodes, key=lambda node: str(node.path))
 
 
 def _names(node):
@@ -194,7 +202,7 @@ def _names(node):
 # ---- below a manager ------------------------------------------------------------------------------------------
 
 def slaves(node):
-    """Nodes of a manager's slaves. Those of one name are told apart by their process ids: manager_4711."""
+    """Nodes of a manager's slaves. Those of one name are told apart by their instance names, or process ids: manager_4711."""
     try:
         refs = [ref for ref in node.call("get_slave_managers") if ref is not None]
     except errors.Refused as e:
@@ -210,14 +218,12 @@ def slaves(node):
 
 def _told_apart(profiles):
     """A name for each slave. A dead one has none of its own."""
-    plain = ["slave%d" % i if isinstance(found, errors.Error) else found.get("name") or "slave%d" % i
-             for i, found in enumerate(profiles)]
-    names = []
-    for i, (name, found) in enumerate(zip(plain, profiles)):
-        if plain.count(name) > 1:
-            name = "%s_%s" % (name, found.get("pid") or i)
-        names.append(name if name not in names else "%s_%d" % (name, i))
-    return names
+    profiles = [{"name": "slave%d" % i} if isinstance(found, errors.Error) else found for i, found in enumerate(profiles)]
+    names = [found.get("name") or "slave%d" % i for i, found in enumerate(profiles)]
+    for key, form in (("instance_name", "{1}"), ("pid", "{0}_{1}")):
+        names = [form.format(name, found[key]) if names.count(name) > 1 and found.get(key) else name
+                 for name, found in zip(names, profiles)]
+    return [name if name not in names[:i] else "%s_%d" % (name, i) for i, name in enumerate(names)]
 
 
 def managed(node):
@@ -239,8 +245,8 @@ def walk(node, depth=None, managers=True):
     """Yield `node` and everything below it, depth first, sorted.
 
     Each naming context is entered once, however often it is bound, and at most `depth` levels (None: DEPTH) down; managers
-    are entered unless `managers` is False. A directory that does not answer is yielded with its `error` set, a manager that
-    does not as `zombie` or `silent`. Components are not asked whether they live.
+    are entered unless `managers` is False. A directory that cannot be listed is yielded with its `error` set, a manager that
+    does not answer as `zombie` or `silent`. Components are not asked whether they live.
     """
     return _walk(node, DEPTH if depth is None else min(depth, DEPTH), set(), managers)
 
@@ -269,10 +275,23 @@ def _below(node, seen):
         if identity in seen:
             return []
         seen.add(identity)
+    if node.kind == "manager":
+        return _below_manager(node)
     try:
         return children(node)
     except errors.Error as e:
         node.error = e
-        if node.kind == "manager":
-            node.kind = judged(node, e).kind
         return []
+
+
+def _below_manager(node):
+    """The children of a manager; a master whose slave does not answer may not answer then, and is no less alive for it."""
+    found = None
+    try:
+        found = slaves(node)
+        return _sorted(found + managed(node))
+    except errors.Error as e:
+        node.error = e
+        if found is None and not isinstance(e, errors.Refused):
+            node.kind = judged(node, e).kind
+    return _sorted(found or [])
