@@ -42,7 +42,7 @@ class Manager(RTM__POA.Manager):
 
     def unload_module(self, path):
         if path not in self.modules.loaded:
-            raise CORBA.UNKNOWN(0x41540001, CORBA.COMPLETED_MAYBE)
+            raise CORBA.UNKNOWN(self.flavour.exception_minor, CORBA.COMPLETED_MAYBE)
         self.modules.unload(path)
         return RTC.RTC_OK
 

@@ -10,7 +10,6 @@ from mocks import connector, eventually, outcome, raised, value
 
 try:
     import omniORB
-    from omniORB import PortableServer
     from rtshell_lite.idl_stubs.component import RTC, SDOPackage
     from rtshell_lite.idl_stubs.dataport import OpenRTM as Cdr, OpenRTM__POA as Cdr__POA
     from rtshell_lite.idl_stubs.fsm import RTC as Fsm
