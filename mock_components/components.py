@@ -4,6 +4,7 @@ import time
 from rtshell_lite.idl_stubs.component import RTC
 
 from . import values
+from .composite import Composite
 from .rtc import Component
 
 SEQUENCE_TYPES = ("Octet", "Short", "Long", "Float", "Double", "OctetSeq", "ShortSeq", "LongSeq", "FloatSeq", "DoubleSeq")
@@ -183,6 +184,9 @@ SPECS = {spec.type_name: spec for spec in (
     Spec("Clusterer", "Groups the readings of a laser scanner", [("in", "ranges", "TimedLongSeq"),
                                                                  ("out", "clusters", "TimedDoubleSeq")],
          play=Sender, category="Perception", vendor="Geoffrey Biggs, AIST", version="2.1"),
+    Spec("PeriodicECSharedComposite", "PeriodicECSharedComposite", sets={"default": {"members": "", "exported_ports": ""}},
+         play=Composite, category="composite.PeriodicECShared", vendor="jp.go.aist", version="1.0",
+         activity="DataFlowComponent", max_instance=0),
     Spec("Mock", "Does nothing", [("in", "in", "TimedLong"), ("out", "out", "TimedLong")], category="test"),
     Spec("Err", "Goes to Error in its first cycle", [("out", "out", "TimedLong")], play=Failing, category="test"),
     Spec("ErrStart", "Goes to Error instead of Active", play=Unwilling, category="test"),

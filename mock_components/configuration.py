@@ -20,14 +20,16 @@ def of_a_set(key):
 class Configuration(SDOPackage__POA.Configuration):
     """Sets are kept in order of registration; a set whose id starts with `_` is data about the others."""
 
-    def __init__(self, flavour, sets, active):
-        self.flavour = flavour
+    def __init__(self, component, sets, active):
+        self.component = component
+        self.flavour = component.flavour
         self.sets = {"default": {}}
         for name, values in sets.items():
             self.sets[name] = dict(values)
         self.active = active
         self.last_active = active
         self.added = set()
+        self.organizations = []
 
     def preset(self, arguments):
         """Take over the `conf.SET.NAME` among the arguments that a component is created with."""
@@ -125,6 +127,7 @@ class Configuration(SDOPackage__POA.Configuration):
         if config_id not in self.sets or config_id.startswith("_"):
             raise error(self.flavour.bad_activate, self._where("activate_configuration_set"))
         self.active = self.last_active = config_id
+        self.component.configured(config_id)
         return True
 
     def _merge(self, values, data):
@@ -134,7 +137,7 @@ class Configuration(SDOPackage__POA.Configuration):
             elif self.flavour.converts_values:
                 values[item.name] = str(item.value.value())
 
-    # device, services and organisations: accepted, of no effect
+    # device and services: accepted, of no effect
 
     def set_device_profile(self, profile):
         return True
@@ -145,8 +148,13 @@ class Configuration(SDOPackage__POA.Configuration):
     def remove_service_profile(self, service_id):
         return False
 
+    # organisations
+
     def add_organization(self, organization):
+        self.organizations.append(organization)
         return True
 
     def remove_organization(self, organization_id):
-        return False
+        before = len(self.organizations)
+        self.organizations = [one for one in self.organizations if one.get_organization_id() != organization_id]
+        return len(self.organizations) < before

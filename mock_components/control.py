@@ -14,7 +14,7 @@ received COMPONENT:PORT [N]  how many values an InPort has got and the last one;
 sent COMPONENT:PORT        how many values an OutPort has written
 write COMPONENT:PORT NUMBER  let an OutPort send a value made of that number
 connectors COMPONENT:PORT  id and name of each connection
-state COMPONENT            its state in its first context
+state COMPONENT [HANDLE]   its state in its first context, or in another: 1000 of the composite that has taken it
 error COMPONENT            put it into the Error state
 fail OPERATION [N] [KIND]  the Nth next call of it ends badly: a system exception such as TRANSIENT (default),
                            COMM_FAILURE, UNKNOWN or TIMEOUT; HANG (no answer); DIE (the process ends)
@@ -63,9 +63,9 @@ class Commands:
     def connectors(self, port):
         return ["%s %s" % (p.connector_id, p.name) for p in list(self.stage.port(port).profiles.values())]
 
-    def state(self, component):
+    def state(self, component, handle=0):
         component = self.stage.components[component]
-        return [str(component.owned[0].get_component_state(component.reference))[:-len("_STATE")]]
+        return [str(component.get_context(int(handle)).get_component_state(component.reference))[:-len("_STATE")]]
 
     def error(self, component):
         component = self.stage.components[component]

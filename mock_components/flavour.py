@@ -73,6 +73,8 @@ TABLE = {
     "converts_values":   (False,         False,         False,         True,          False,         False),
     "keeps_active":      (False,         False,         False,         False,         True,          False),
     "parameter_value":   ("null",        "null",        "null",        "BAD_PARAM",   "null",        "null"),
+    # composites: waiting for their members, their callbacks block, or make the caller give up; or they do not wait
+    "composite":         ("blocks",      "late",        "async",       "async",       "async",       "async"),
     # managers
     "ident_fields":      (5,             6,             6,             6,             6,             5),
     # a master makes components itself, not in its slaves

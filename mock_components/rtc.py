@@ -1,4 +1,5 @@
 """An RT Component: profile, contexts, ports and configuration behind one CORBA object."""
+from omniORB import CORBA
 from rtshell_lite.idl_stubs.component import OpenRTM__POA, RTC, SDOPackage
 
 from . import configuration, context, dataport, naming, serviceport
@@ -27,7 +28,7 @@ class Component(OpenRTM__POA.DataFlowComponent):
         self.ended = None               # called when the component has ended
         for _ in range(options.contexts):
             self.own_context()
-        self.configuration = configuration.Configuration(flavour, spec.sets(flavour), spec.active_set)
+        self.configuration = configuration.Configuration(self, spec.sets(flavour), spec.active_set)
         self.configuration.preset(options.arguments)
         self.configuration_ref = process.serve(self.configuration, instance_name)
         self.ports = [self._port(port) for port in spec.ports(flavour)]
@@ -160,6 +161,7 @@ class Component(OpenRTM__POA.DataFlowComponent):
 
     def exit(self):
         """The objects are gone at once; the name stays for a while."""
+        self._leave_organizations()
         for port in self.ports:
             port.disconnect_all()
             port.close()
@@ -173,8 +175,20 @@ class Component(OpenRTM__POA.DataFlowComponent):
             self.ended(self, LINGER)
         return RTC.RTC_OK
 
+    def _leave_organizations(self):
+        for organization in self.get_organizations():
+            try:
+                organization.remove_member(self.instance_name)
+            except CORBA.Exception:
+                pass                    # the composite has died, or has just let it go
+
+    def configured(self, config_id):
+        """A configuration set has been activated."""
+
     def active(self):
-        return any(cxt.get_component_state(self.reference) == RTC.ACTIVE_STATE for cxt in self.owned)
+        """Whether it is active, in its own contexts or in others'."""
+        contexts = self.owned + self.get_participating_contexts()
+        return any(cxt.get_component_state(self.reference) == RTC.ACTIVE_STATE for cxt in contexts)
 
     def _fine(self, handle):
         return RTC.RTC_OK
@@ -213,7 +227,7 @@ class Component(OpenRTM__POA.DataFlowComponent):
         raise SDOPackage.InterfaceNotImplemented("Exception: get_monitoring")
 
     def get_organizations(self):
-        return []
+        return list(self.configuration.organizations)
 
     def get_status_list(self):
         return []

@@ -98,6 +98,19 @@ def contexts(stage):
     driver.owned[0].add_component(multi.reference)
 
 
+def composite(stage):
+    """composite0 made of Sensor0, Controller0 and Motor0; it exports Sensor0.in and Motor0.out"""
+    for type_name in ("Sensor", "Controller", "Motor"):
+        stage.add(type_name)
+    stage.add("PeriodicECSharedComposite", "composite0", arguments={
+        "conf.default.members": "Sensor0, Controller0, Motor0", "conf.default.exported_ports": "Sensor0.in, Motor0.out"})
+
+
+def deadmember(stage):
+    """composite0 made of ConsoleIn0 and of Peer0 whose process has been killed; it exports ConsoleIn0.out and Peer0.in"""
+    orphans.lose_member(stage, "composite0")
+
+
 def orphan(stage):
     """Orphan0, connected to Peer0 (`out` to `in`) whose process has been killed"""
     orphans.leave_behind(stage, "Orphan0", stage.flavour)
@@ -131,7 +144,7 @@ def cruel(stage):
 
 
 WORLDS = {world.__name__: world for world in (
-    two, linked, console, services, config, parts, robot, these, many, error, slow, stopped, contexts, orphan, fragile,
-    hung, zombie, names)}
+    two, linked, console, services, config, parts, robot, these, many, error, slow, stopped, contexts, composite, deadmember,
+    orphan, fragile, hung, zombie, names)}
 WORLDS.update(deployment.WORLDS)
 WORLDS.update({"all": everything, "hostile": cruel})

@@ -15,7 +15,7 @@ def compose(target, adding, removing, type_name=organisation.COMPOSITE, options=
     leaving = [organisation.member(path, must_live=False) for path in removing]
     holder = tree.resolve(target)
     if holder.kind == "component":
-        composite = tree.component(target)
+        composite = tree.component(target.object())
     elif holder.kind == "manager":
         composite = _of_manager(holder, target.port or DEFAULT_NAME)
     else:

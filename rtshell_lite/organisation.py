@@ -92,7 +92,7 @@ def member(path, must_live=True):
     """
     wanted = [name for name in (path.port or "").split(",") if name]
     try:
-        node = tree.component(path)
+        node = tree.component(path.object())
     except (errors.NotFound, errors.Unreachable):
         if must_live:
             raise

@@ -10,80 +10,11 @@ import collections
 import os
 
 from rtshell_lite import errors, orb, rpc
+from rtshell_lite.node import DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes  # of which callers use tree's names
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse
 from rtshell_lite.text import from_wire
 
-# What a node can be. `silent` is a component or manager whose process does not answer, `unknown` any other object.
-KINDS = ("root", "server", "directory", "component", "manager", "zombie", "silent", "unknown")
-DIRECTORIES = ("root", "server", "directory", "manager")
 DEPTH = 64  # contexts can be bound inside themselves by another name
-
-_COMPONENTS = ("IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0", "IDL:omg.org/RTC/RTObject:1.0",
-               "IDL:openrtm.aist.go.jp/OpenRTM/FiniteStateMachineComponent:1.0")
-_RTOBJECT = "IDL:omg.org/RTC/RTObject:1.0"
-_MANAGER = "IDL:RTM/Manager:1.0"
-_CONTEXTS = ("IDL:omg.org/CosNaming/NamingContext:1.0", "IDL:omg.org/CosNaming/NamingContextExt:1.0")
-
-
-class Node:
-    """One object of the tree.
-
-    path   its Path
-    kind   one of KINDS, or `unsure` for an object that has to be asked (`look`) because its reference does not tell
-    ref    its object reference; None at the root and for a nil reference
-    error  for kind `silent` and `zombie`: the errors.Error that tells why
-    """
-
-    def __init__(self, path, kind, ref=None, error=None):
-        self.path, self.kind, self.ref, self.error = path, kind, ref, error
-        self._endpoint = None
-
-    @property
-    def name(self):
-        """How a listing shows it: the last name of its path, spelt for the terminal."""
-        return str(self.path.names[-1]) if self.path.names else str(self.path)[1:] or "/"
-
-    @property
-    def endpoint(self):
-        """(host, port) of its process."""
-        if self._endpoint is None:
-            self._endpoint = orb.endpoint(self.ref)
-        return self._endpoint
-
-    @property
-    def what(self):
-        """Its kind in the words of an error: it is a …"""
-        if self.kind in ("unknown", "unsure"):
-            return "nil reference" if self.ref is None else "CORBA object of unknown kind"
-        return {"root": "root directory", "server": "name server", "silent": "component that does not answer"}.get(self.kind, self.kind)
-
-    @property
-    def typed(self):
-        """`ref` as a reference of the interface that its kind implies; the stubs are imported only here."""
-        if self.kind in ("server", "directory"):
-            return orb.context(self.ref)
-        if self.kind == "manager":
-            from rtshell_lite.idl_stubs.manager import RTM
-            return orb.narrow(self.ref, RTM.Manager)
-        from rtshell_lite.idl_stubs.component import OpenRTM
-        return orb.narrow(self.ref, OpenRTM.DataFlowComponent)
-
-    def call(self, operation, *args, **more):
-        """Call an operation of its object; errors name its path."""
-        def call():
-            return orb.call(str(self.path), self.typed, operation, *args, **more)
-        try:
-            if rpc.in_lane() and not rpc.lane_of(self.endpoint):
-                return rpc.ask(self.endpoint, str(self.path), call)
-            return call()
-        except errors.ConnectionRefused as e:
-            raise (errors.NoNameServer if self.kind == "server" else errors.ProcessGone)(*e.args)
-        except errors.Gone as e:
-            raise _no_name_server(self) if self.kind == "server" else e
-
-    def __repr__(self):
-        return "<%s %s>" % (self.kind, self.path)
-
 
 # ---- name servers ---------------------------------------------------------------------------------------------
 
@@ -133,7 +64,7 @@ def _resolved(server, path):
         if e.name in ("NotFound", "CannotProceed", "InvalidName"):
             raise _why_not_found(path)
         raise _name_server_error(server, e)
-    return _classified(path, ref)
+    return classified(path, ref)
 
 
 def _descend(node, names):
@@ -157,11 +88,7 @@ def _directory(node):
 
 def _name_server_error(node, e):
     """The error for a Refused from what should be a name server or a naming context."""
-    return _no_name_server(node) if e.name in ("BAD_OPERATION", "NO_IMPLEMENT", "INTF_REPOS") else e
-
-
-def _no_name_server(node):
-    return errors.WrongKind(str(node.path), "name server", "CORBA process of another kind")
+    return no_name_server(node) if e.name in ("BAD_OPERATION", "NO_IMPLEMENT", "INTF_REPOS") else e
 
 
 def _why_not_found(path):
@@ -180,66 +107,13 @@ def _near_miss(path, names):
     return errors.Misspelt(str(path), str(names[close[0]])) if close else errors.NotFound(str(path))
 
 
-def _classified(path, ref):
-    """The Node for a reference found under `path`, by the type its IOR tells: no remote call."""
-    if ref is None:
-        return Node(path, "unknown")
-    type_id, kind = orb.address(ref).type_id, path.names[-1].kind
-    if type_id in _CONTEXTS:
-        return Node(path, "directory", ref)
-    if type_id in _COMPONENTS:
-        return Node(path, "component", ref)
-    if type_id == _MANAGER:
-        return Node(path, "manager", ref)
-    return Node(path, "unsure" if kind in ("rtc", "mgr") or not type_id else "unknown", ref)
-
-
-# ---- liveness -------------------------------------------------------------------------------------------------
-
-def look(nodes):
-    """Find out which of `nodes` live, in parallel, one call each; returns new nodes in the same order.
-
-    A component or manager that is gone becomes `zombie`, one that does not answer `silent`. `_non_existent` is the
-    question: a profile can end a component whose connection has died (protocol of OpenRTM-aist 2.1).
-    """
-    objects = [node for node in nodes if node.kind in ("component", "manager", "unsure")]
-    answers = dict(zip(objects, on_nodes(objects, _looked_at)))
-    return [judged(node, answers[node]) if node in answers else node for node in nodes]
-
-
-def judged(node, answer):
-    """The Node that `node` turns out to be, given what it answered: itself, or zombie or silent after an errors.Error."""
-    if not isinstance(answer, errors.Error):
-        return answer
-    zombie = isinstance(answer, (errors.Gone, errors.ConnectionRefused))
-    return Node(node.path, "zombie" if zombie else "silent", node.ref, answer)
-
-
-def _looked_at(node):
-    where = str(node.path)
-    if node.kind == "unsure":
-        return _sure(node, where)
-    orb.is_alive(where, node.ref)
-    return node
-
-
-def _sure(node, where):
-    """Ask an object that does not say what it is; a refusal to tell makes it unknown."""
-    orb.is_alive(where, node.ref)
-    try:
-        for kind, type_id in (("component", _RTOBJECT), ("manager", _MANAGER), ("directory", _CONTEXTS[0])):
-            if orb.call(where, node.ref, "_is_a", type_id):
-                return Node(node.path, kind, node.ref)
-    except errors.Refused:
-        pass
-    return Node(node.path, "unknown", node.ref)
-
-
 def component(path, or_manager=False):
     """The component (`or_manager`: or the manager) at `path`. Asks it nothing.
 
-    Raises as `resolve` does, WrongKind, Gone for a zombie.
+    Raises as `resolve` does, WrongKind (for a port, too), Gone for a zombie.
     """
+    if path.port is not None:
+        raise errors.WrongKind(str(path), "component", "port")
     node = resolve(path)
     if node.kind == "unsure":
         node, = look([node])
@@ -269,14 +143,6 @@ def on_components(paths, function, or_managers=False):
     return on_nodes(nodes, function)
 
 
-def on_nodes(nodes, function):
-    """Call function(node) for each Node, in parallel by the process that answers; an errors.Error stays in its place."""
-    jobs = [rpc.Job(node.endpoint, str(node.path), lambda node=node: function(node)) for node in nodes
-            if isinstance(node, Node)]
-    values = iter(rpc.gather(jobs))
-    return [next(values) if isinstance(node, Node) else node for node in nodes]
-
-
 # ---- listing --------------------------------------------------------------------------------------------------
 
 def children(node):
@@ -295,7 +161,7 @@ def children(node):
     context, server = node.typed, node.endpoint
     for name in _names(node):
         path = node.path.child(name)
-        jobs.append(rpc.Job(server, str(path), lambda path=path: _classified(
+        jobs.append(rpc.Job(server, str(path), lambda path=path: classified(
             path, orb.call(str(path), context, "resolve", orb.naming_name(path.names[-1:])))))
     found = [child for child in rpc.gather(jobs) if not isinstance(child, errors.Refused)]  # unbound since the list was made
     for failure in found:

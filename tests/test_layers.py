@@ -11,10 +11,11 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LAYERS = [
     ["bin"],
     ["__main__"],
-    ["system", "plan", "graph", "listing", "describe", "describe_manager", "search", "unbind", "composing", "unpack"],
-    ["component", "ports", "places", "manager", "organisation", "observer", "dataport", "datalog", "datatypes",
+    ["system", "plan", "graph", "listing", "describe", "describe_manager", "markup", "manual", "search", "unbind", "composing", "unpack"],
+    ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
      "configuration"],
     ["tree"],
+    ["node"],
     ["orb", "cli", "installation"],
     ["path", "xmlprofile"],
     ["rpc", "text", "files", "shell"],
@@ -22,7 +23,7 @@ LAYERS = [
     ["__init__"],
 ]
 OMNIORB_HOMES = {"orb", "dataport", "observer"}  # the last two serve CORBA objects themselves
-STUB_LAYERS = LAYERS[3] + LAYERS[4] + ["orb"]  # inside functions; a command must not pay for stubs that it does not use
+STUB_LAYERS = LAYERS[3] + ["node", "orb"]  # inside functions; a command must not pay for stubs that it does not use
 CATCH_ALL_HOMES = {"cli", "rpc"}
 LONGEST = 400
 

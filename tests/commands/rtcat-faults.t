@@ -32,22 +32,22 @@ A zombie, a hung component, a component whose process has lost it, names of some
   rtcat: /localhost:$PORT/odd.host_cxt/Gone0.rtc: zombie (the name is bound, but its object is gone)
   [4]
   $ rtcat NotAComponent0.rtc
-  rtcat: /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc: not a component (it is a CORBA object of unknown kind)
+  rtcat: /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc: not a component or manager (it is a CORBA object of unknown kind)
   [3]
   $ rtcat NotAManager0.mgr
-  rtcat: /localhost:$PORT/odd.host_cxt/NotAManager0.mgr: not a component (it is a CORBA object of unknown kind)
+  rtcat: /localhost:$PORT/odd.host_cxt/NotAManager0.mgr: not a component or manager (it is a CORBA object of unknown kind)
   [3]
   $ rtcat Thing0.obj
-  rtcat: /localhost:$PORT/odd.host_cxt/Thing0.obj: not a component (it is a CORBA object of unknown kind)
+  rtcat: /localhost:$PORT/odd.host_cxt/Thing0.obj: not a component or manager (it is a CORBA object of unknown kind)
   [3]
   $ rtcat Nil0.rtc
-  rtcat: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is a nil reference)
+  rtcat: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component or manager (it is a nil reference)
   [3]
   $ rtcat Nil0.rtc:in
-  rtcat: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is a nil reference)
+  rtcat: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component or manager (it is a nil reference)
   [3]
   $ rtcat empty.cxt
-  rtcat: /localhost:$PORT/odd.host_cxt/empty.cxt: not a component (it is a directory)
+  rtcat: /localhost:$PORT/odd.host_cxt/empty.cxt: not a component or manager (it is a directory)
   [3]
 
 Names that are hard to type:
@@ -137,7 +137,7 @@ A component that fails to tell something. What says that it is passing is asked 
   $ ctl fail get_ports 1 NO_IMPLEMENT; rtcat ConsoleIn0.rtc
   rtcat: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: CORBA.NO_IMPLEMENT
   [6]
-  $ ctl fail get_ports 1 NO_PERMISSION; rtcat ConsoleIn0.rtc ConsoleOut0.rtc:in
+  $ ctl fail get_ports 1 NO_PERMISSION; rtcat ConsoleIn0.rtc Multi0.rtc:in
   rtcat: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: CORBA.NO_PERMISSION
   +DataInPort: in
   [5]

@@ -228,7 +228,7 @@ Paths are relative to RTCSH_CWD, or absolute; a server need not stand in RTCTREE
   > print(sorted(component["execution_contexts"][0]), component["execution_contexts"][0]["rate"])
   > print(sorted(port), port["path"], port["type"], port["properties"]["dataport.data_type"])
   > print(sorted(port["connectors"][0]), port["connectors"][0]["connected_to"])'
-  ['category', 'composite', 'composite_member', 'description', 'execution_contexts', 'instance_name', 'parent', 'path', 'ports', 'properties', 'state', 'type_name', 'vendor', 'version']
+  ['category', 'composite', 'composite_member', 'compositions', 'description', 'execution_contexts', 'instance_name', 'parent', 'parent_compositions', 'path', 'ports', 'properties', 'state', 'type_name', 'vendor', 'version']
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc Inactive ConsoleIn0 Python
   ['handle', 'kind', 'owner', 'participants', 'properties', 'rate', 'running', 'state'] 1000.0
   ['connectors', 'interfaces', 'name', 'path', 'properties', 'type'] /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in DataInPort IDL:RTC/TimedLong:1.0
@@ -260,13 +260,13 @@ What does not exist:
 What is no component:
 
   $ rtcat .
-  rtcat: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
+  rtcat: /localhost:$PORT/test.host_cxt: not a component or manager (it is a directory)
   [3]
   $ rtcat /
-  rtcat: /: not a component (it is a root directory)
+  rtcat: /: not a component or manager (it is a root directory)
   [3]
   $ rtcat ..
-  rtcat: /localhost:$PORT: not a component (it is a name server)
+  rtcat: /localhost:$PORT: not a component or manager (it is a name server)
   [3]
   $ rtcat ConsoleIn0.rtc/
   rtcat: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not a directory (it is a component)
@@ -275,7 +275,7 @@ What is no component:
   rtcat: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not a directory (it is a component)
   [3]
   $ rtcat ../test.host_cxt:out
-  rtcat: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
+  rtcat: /localhost:$PORT/test.host_cxt: not a component or manager (it is a directory)
   [3]
   $ rtcat ../../localhost:1/a.rtc
   rtcat: /localhost:1: connection refused; is the name server running?

@@ -96,7 +96,7 @@ Dead and silent peers:
 
   $ kill-mock these2; hang these3
   $ rtcon ConsoleIn0.rtc:out Dead0.rtc:in
-  rtcon: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtcon: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [4]
   $ within 0.4-1.4 rtcon --timeout 0.5 ConsoleIn0.rtc:out Hung0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s

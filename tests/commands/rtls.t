@@ -339,6 +339,6 @@ failure, for the path given by name neither.
   $ rtls -l Mock0.rtc
   -  -  -  -  -  *Mock0.rtc
   $ rtls --json -l Mock0.rtc
-  {"error": "/localhost:$PORT/test.host_cxt/Mock0.rtc: connection refused", "kind": "zombie", "name": "Mock0.rtc", "path": "/localhost:$PORT/test.host_cxt/Mock0.rtc"}
+  {"error": "/localhost:$PORT/test.host_cxt/Mock0.rtc: connection refused; its process is gone (zombie)", "kind": "zombie", "name": "Mock0.rtc", "path": "/localhost:$PORT/test.host_cxt/Mock0.rtc"}
   $ rtls -0 Mock0.rtc | tr '\0' '\n'
   /localhost:$PORT/test.host_cxt/Mock0.rtc
