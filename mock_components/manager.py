@@ -124,7 +124,7 @@ class Manager(RTM__POA.Manager):
 
     def delete_component(self, instance_name):
         component = self.stage.listed.get(instance_name)
-        if component is None or self.stage.process.local_servant(component.reference) is None:
+        if self.stage.gone(component):
             return getattr(RTC, self.flavour.delete_unknown)
         return component.exit()
 

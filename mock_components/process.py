@@ -68,7 +68,10 @@ class Process:
     def serve_key(self, servant, key, owner):
         """Make a servant callable under a readable key too; of these calls, `_non_existent` and `_is_a` are not counted."""
         oid = key.encode("latin-1")
-        self.keys.activate_object_with_id(oid, stand_in(servant, self.ledger, owner))
+        try:
+            self.keys.activate_object_with_id(oid, stand_in(servant, self.ledger, owner))
+        except PortableServer.POA.ObjectAlreadyActive:
+            return None                 # it stays with the first
         return self.keys.id_to_reference(oid)
 
     def withdraw_key(self, key):

@@ -7,6 +7,7 @@ from rtshell_lite.text import from_wire, shell_word
 
 STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by number
 KINDS = ("Periodic", "Event-driven", "Other")  # RTC::ExecutionKind by number
+ENDING = 1.0  # seconds that a process may take to end
 POLL = 0.2  # seconds between looks at a state: monitors that ask more often have disturbed real-time threads
 
 # What a transition is called, the operation that asks for it, the state it leads to, the state it starts from.
@@ -207,12 +208,26 @@ def _exit(node):
     except (errors.Silent, errors.Refused):
         raise
     except errors.Unreachable:
-        # the last component of a process takes the process with it, and the reply may be lost
-        if tree.look([node])[0].kind != "zombie":
+        if not _has_ended(node):
             raise
         return
     if code != "RTC_OK":
         raise errors.Refused(str(node.path), "does not exit (%s)" % code)
+
+
+def _has_ended(node):
+    """Look whether a component is gone whose answer was lost: the last one of a process takes the process with it.
+
+    A process that ends may still accept a connection, and lose it, before it refuses the next.
+    """
+    limit = time.monotonic() + ENDING
+    while True:
+        now, = tree.look([node])
+        if now.kind == "zombie":
+            return True
+        if isinstance(now.error, errors.Silent) or time.monotonic() > limit:
+            return False
+        time.sleep(POLL)
 
 
 def _until_unbound(node, wait):

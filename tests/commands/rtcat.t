@@ -322,8 +322,8 @@ The common options:
     rtcat -ll ConsoleIn0.rtc:out             a port, its connections and their properties
     rtcat --json ConsoleIn0.rtc
    (esc)
-  $ rtcat -h | grep -c -e ' -l ' -e '--json' -e '--timeout' -e '--quiet' -e '--verbose'
-  8
+  $ rtcat -h | grep -o '^  --*[a-zR0-9]*' | tr -d '\n'; echo
+    -l  --json  -v  -q  --timeout  --version  -h
   $ rtcat ConsoleIn0.rtc >/dev/full
   rtcat: No space left on device
   [1]
