@@ -7,6 +7,8 @@ import unittest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
+ONCE = "it reads the source: one Python is enough"
+
 # A module imports from its own line and from those below, never from above; a new module is put where it belongs.
 LAYERS = [
     ["bin"],
