@@ -5,7 +5,9 @@ from rtshell_lite.idl_stubs.component import RTC
 
 from . import values
 from .composite import Composite
+from .fsm import StateMachine
 from .rtc import Component
+from .sources import Source
 
 SEQUENCE_TYPES = ("Octet", "Short", "Long", "Float", "Double", "OctetSeq", "ShortSeq", "LongSeq", "FloatSeq", "DoubleSeq")
 
@@ -41,7 +43,7 @@ class Sender(Component):
 
     busy = True
 
-    def on_activated(self, handle):
+    def activated(self, handle):
         self.number = 0
         return RTC.RTC_OK
 
@@ -78,7 +80,7 @@ class Failing(Component):
 class Unwilling(Component):
     """Goes to the Error state instead of becoming active."""
 
-    def on_activated(self, handle):
+    def activated(self, handle):
         return RTC.RTC_ERROR
 
 
@@ -87,21 +89,21 @@ class Slow(Component):
 
     DELAY = 0.8
 
-    def on_activated(self, handle):
+    def activated(self, handle):
         time.sleep(self.DELAY)
         return RTC.RTC_OK
 
-    on_deactivated = on_reset = on_activated
+    deactivated = reset = activated
 
 
 class Stuck(Component):
     """Never comes back from a change of state."""
 
-    def on_activated(self, handle):
+    def activated(self, handle):
         time.sleep(3600)
         return RTC.RTC_OK
 
-    on_deactivated = on_reset = on_activated
+    deactivated = reset = activated
 
 
 class Spec:
@@ -187,6 +189,9 @@ SPECS = {spec.type_name: spec for spec in (
     Spec("PeriodicECSharedComposite", "PeriodicECSharedComposite", sets={"default": {"members": "", "exported_ports": ""}},
          play=Composite, category="composite.PeriodicECShared", vendor="jp.go.aist", version="1.0",
          activity="DataFlowComponent", max_instance=0),
+    Spec("Microwave", "A state machine", [("event", "event", "TimedLong")], play=StateMachine, version="1.0"),
+    Spec("Source", "Sends fast or much", [("out", "number", "TimedLong"), ("out", "block", "TimedOctetSeq")], play=Source,
+         category="test"),
     Spec("Mock", "Does nothing", [("in", "in", "TimedLong"), ("out", "out", "TimedLong")], category="test"),
     Spec("Err", "Goes to Error in its first cycle", [("out", "out", "TimedLong")], play=Failing, category="test"),
     Spec("ErrStart", "Goes to Error instead of Active", play=Unwilling, category="test"),

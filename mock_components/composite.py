@@ -1,5 +1,4 @@
 """Composite components: one execution context and one face for several components, through an Organization."""
-import threading
 import time
 import uuid
 
@@ -142,7 +141,6 @@ class Composite(Component):
 
     def __init__(self, *arguments):
         self.exported = []              # references
-        self.engaged = threading.Lock()     # held while C++ 1.1 waits for members
         Component.__init__(self, *arguments)
         self.organization = Organization(self)
         self.organization.reference = self.process.serve(self.organization, self.instance_name)
@@ -198,13 +196,13 @@ class Composite(Component):
 
     # life cycle
 
-    def on_activated(self, handle):
+    def activated(self, handle):
         return self._move(RTC.INACTIVE_STATE, RTC.ACTIVE_STATE)
 
-    def on_deactivated(self, handle):
+    def deactivated(self, handle):
         return self._move(RTC.ACTIVE_STATE, RTC.INACTIVE_STATE)
 
-    def on_reset(self, handle):
+    def reset(self, handle):
         return self._move(RTC.ERROR_STATE, RTC.INACTIVE_STATE)
 
     def _move(self, before, after):
@@ -216,14 +214,14 @@ class Composite(Component):
         if self.flavour.composite == "late":
             time.sleep(min(TRANSITION_TIMEOUT * len(members), LATE))
         if self.flavour.composite == "blocks" and before == RTC.ACTIVE_STATE:
-            with self.engaged:
-                for member in members:
-                    context.poll(member)
+            for member in members:
+                context.poll(member)
         return RTC.RTC_OK
 
     def exit(self):
-        with self.engaged:
-            self.organization.dissolve()
+        if self.flavour.composite == "blocks":
+            self.owned[0].settle(self.reference)
+        self.organization.dissolve()
         self.process.withdraw(self.organization)
         return Component.exit(self)
 

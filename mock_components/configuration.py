@@ -28,6 +28,7 @@ class Configuration(SDOPackage__POA.Configuration):
             self.sets[name] = dict(values)
         self.active = active
         self.last_active = active
+        self.applied = dict(self.sets[active])     # the values that the component works with
         self.added = set()
         self.organizations = []
 
@@ -101,6 +102,7 @@ class Configuration(SDOPackage__POA.Configuration):
             return False
         self._merge(self.sets.setdefault(config.id, {}), config.configuration_data)
         self._changed()
+        self._report("SET_CONFIG_SET", config.id)
         return True
 
     def add_configuration_set(self, config):
@@ -109,6 +111,7 @@ class Configuration(SDOPackage__POA.Configuration):
         self._merge(self.sets.setdefault(config.id, {}), config.configuration_data)
         self.added.add(config.id)
         self._changed()
+        self._report("ADD_CONFIG_SET", config.id)
         return True
 
     def remove_configuration_set(self, config_id):
@@ -119,6 +122,7 @@ class Configuration(SDOPackage__POA.Configuration):
         self.added.remove(config_id)
         del self.sets[config_id]
         self._changed()
+        self._report("REMOVE_CONFIG_SET", config_id)
         return True
 
     def activate_configuration_set(self, config_id):
@@ -127,8 +131,23 @@ class Configuration(SDOPackage__POA.Configuration):
         if config_id not in self.sets or config_id.startswith("_"):
             raise error(self.flavour.bad_activate, self._where("activate_configuration_set"))
         self.active = self.last_active = config_id
+        self._report("ACTIVATE_CONFIG_SET", config_id)
         self.component.configured(config_id)
+        if self.component.active():
+            self.update()
         return True
+
+    def update(self):
+        """The component takes over the values of the active set."""
+        values = dict(self.sets[self.last_active])
+        for name, value in values.items():
+            if self.applied.get(name) != value:
+                self._report("UPDATE_CONFIG_PARAM", self.last_active + "." + name)
+        self.applied = values
+        self._report("UPDATE_CONFIG_SET", self.last_active)
+
+    def _report(self, what, name):
+        self.component.report("CONFIGURATION", "%s: %s" % (what, name))
 
     def _merge(self, values, data):
         for item in data:
@@ -137,16 +156,17 @@ class Configuration(SDOPackage__POA.Configuration):
             elif self.flavour.converts_values:
                 values[item.name] = str(item.value.value())
 
-    # device and services: accepted, of no effect
+    # device and services
 
     def set_device_profile(self, profile):
+        """Accepted, of no effect."""
         return True
 
     def add_service_profile(self, profile):
-        return False
+        return self.component.observers.add(profile)
 
     def remove_service_profile(self, service_id):
-        return False
+        return self.component.observers.remove(service_id)
 
     # organisations
 

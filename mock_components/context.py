@@ -78,6 +78,8 @@ class Behaviour:
         if rate <= 0 and not self.flavour.any_rate:
             return RTC.BAD_PARAMETER
         self.rate = rate
+        for member in list(self.members):
+            self._tell(member, "on_rate_changed")
         self._wake()
         return RTC.RTC_OK
 
@@ -117,6 +119,12 @@ class Behaviour:
         """The component has ended."""
         self.dead = True
         self._wake()
+
+    def settle(self, comp):
+        """Wait until no change of a component's state is under way."""
+        member = self._find(comp)
+        with self.changed:
+            self.changed.wait_for(lambda: member.wanted is None)
 
     def fail(self, comp):
         """Put a component into the Error state."""

@@ -4,7 +4,7 @@ import signal
 import socket
 import sys
 
-from . import values
+from . import observers, values
 
 HELP = """\
 calls [COMPONENT]          one `count operation` line per operation received from outside
@@ -20,6 +20,8 @@ fail OPERATION [N] [KIND]  the Nth next call of it ends badly: a system exceptio
                            COMM_FAILURE, UNKNOWN or TIMEOUT; HANG (no answer); DIE (the process ends)
 delay OPERATION SECONDS    every call of it takes that long
 hang COMPONENT SECONDS     its calls wait until so long from now; 0 lets them go
+log COMPONENT LEVEL NAME MESSAGE  hand a record to its loggers, as no real component does
+fsm COMPONENT STATE        let a state machine change its state
 forsake COMPONENT          it ends, but a manager goes on listing it
 components                 instance names
 port                       IIOP port: of a manager, corbaloc:iiop:1.2@127.0.0.1:PORT/manager
@@ -80,6 +82,14 @@ class Commands:
     def hang(self, component, seconds):
         self.ledger.hang(component, float(seconds))
 
+    def log(self, component, level, name, message):
+        if level not in observers.LEVELS:
+            raise ValueError("no such level: " + level)
+        self.stage.components[component].observers.log(level, name, message)
+
+    def fsm(self, component, state):
+        self.stage.components[component].go(state)
+
     def forsake(self, component):
         self.stage.forsake(component)
 
@@ -115,12 +125,19 @@ def shown(value):
 
 def serve(path, commands):
     """Answer commands, one a connection, for as long as the process lives."""
-    if os.path.exists(path):
-        os.unlink(path)
+    forget(path)
     listener = socket.socket(socket.AF_UNIX)
     listener.bind(path)
     listener.listen(8)
     return lambda: _answer_all(listener, commands)
+
+
+def forget(path):
+    """Remove the socket, if it is still there."""
+    try:
+        os.unlink(path)
+    except OSError:
+        pass
 
 
 def _answer_all(listener, commands):

@@ -89,6 +89,8 @@ TABLE = {
     # creating under a name that is taken: a second one (when both end, so may the process) or the one that is there
     "twins":             ("crash",       "crash",       "survive",     "same",        "survive",     "survive"),
     "integer_pid":       (False,         False,         False,         True,          False,         False),
+    # of the UNKNOWN that clients see when an implementation does not catch its own exceptions
+    "exception_minor":   (0x4f4d0001,    0x4f4d0001,    0x4f4d0001,    0x41540062,    0x4f4d0001,    0x4f4d0001),
     "program":           ("rtcd",        "rtcd",        "rtcd2",       "rtcd2_python", "rtcd_java",  "rtcd"),
     # SDO
     "no_service_profile": ("InternalError", "InvalidParameter", "InvalidParameter", "InternalError",

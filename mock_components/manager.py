@@ -42,7 +42,7 @@ class Manager(RTM__POA.Manager):
 
     def unload_module(self, path):
         if path not in self.modules.loaded:
-            raise CORBA.UNKNOWN(0x41540001, CORBA.COMPLETED_MAYBE)
+            raise CORBA.UNKNOWN(self.flavour.exception_minor, CORBA.COMPLETED_MAYBE)
         self.modules.unload(path)
         return RTC.RTC_OK
 
@@ -124,7 +124,7 @@ class Manager(RTM__POA.Manager):
 
     def delete_component(self, instance_name):
         component = self.stage.listed.get(instance_name)
-        if component is None or self.stage.process.local_servant(component.reference) is None:
+        if self.stage.gone(component):
             return getattr(RTC, self.flavour.delete_unknown)
         return component.exit()
 

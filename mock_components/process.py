@@ -7,7 +7,7 @@ import threading
 
 from omniORB import CORBA, PortableServer, PortableServer__POA
 
-from .counting import Ledger, stand_in
+from .counting import MINORS, Ledger, stand_in
 
 
 class Locator(PortableServer__POA.ServantLocator):
@@ -20,7 +20,7 @@ class Locator(PortableServer__POA.ServantLocator):
     def preinvoke(self, oid, poa, operation):
         entry = self.objects.get(oid)
         if entry is None or not entry[2]():
-            raise CORBA.OBJECT_NOT_EXIST(0, CORBA.COMPLETED_NO)
+            raise CORBA.OBJECT_NOT_EXIST(MINORS["OBJECT_NOT_EXIST"], CORBA.COMPLETED_NO)
         self.ledger.begin(entry[1], operation)
         return entry[0], None
 
@@ -68,7 +68,10 @@ class Process:
     def serve_key(self, servant, key, owner):
         """Make a servant callable under a readable key too; of these calls, `_non_existent` and `_is_a` are not counted."""
         oid = key.encode("latin-1")
-        self.keys.activate_object_with_id(oid, stand_in(servant, self.ledger, owner))
+        try:
+            self.keys.activate_object_with_id(oid, stand_in(servant, self.ledger, owner))
+        except PortableServer.POA.ObjectAlreadyActive:
+            return None                 # it stays with the first
         return self.keys.id_to_reference(oid)
 
     def withdraw_key(self, key):

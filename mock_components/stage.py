@@ -38,14 +38,19 @@ class Stage:
         instance_name = instance_name or type_name + "0"
         component = spec.play(self.process, spec, instance_name, flavour, self.options.but(**changes))
         component.ended = self._ended
-        if self.components.get(instance_name, component) is not component:
+        if instance_name in self.components:
             self.twins.setdefault(instance_name, 0)
         self.components[instance_name] = component
-        self.listed.setdefault(instance_name, component)
+        if self.gone(self.listed.get(instance_name)):
+            self.listed[instance_name] = component
         component.bound = [naming.parse(name) for name in component.names] if names is None else names
         for name in component.bound:
             self.names.bind(name, component.reference)
         return component
+
+    def gone(self, component):
+        """Whether a component has ended, if there ever was one."""
+        return component is None or self.process.local_servant(component.reference) is None
 
     def home(self):
         """The context in which components are bound."""

@@ -215,7 +215,7 @@ class _Parser(argparse.ArgumentParser):
         if not rest or action.nargs == 0:
             return [word]
         # --wait PATH, --shell PATH: a word that cannot be the option's value is not taken for it
-        if action.nargs == "?" and not (rest[0] in action.choices if action.choices else re.match(r"[0-9.]+$", rest[0])):
+        if action.nargs == "?" and not (rest[0] in action.choices if action.choices else re.match(r"\.?[0-9]+\.?[0-9]*$", rest[0])):
             return [word]
         value = rest.pop(0)
         return [word + glue + value] if value.startswith("-") else [word, value]  # argparse would take -n -x for two options
@@ -260,6 +260,15 @@ def seconds(value):
     if not 0 < number <= 86400:
         raise argparse.ArgumentTypeError("not a number of seconds above 0: %s" % text.printable(value))
     return number
+
+
+def one_of(*words):
+    """A type of options that takes one of some words; argparse's own message differs from one Python to the next."""
+    def check(word):
+        if word not in words:
+            raise argparse.ArgumentTypeError("not one of %s: %s" % (", ".join(words), text.printable(word)))
+        return word
+    return check
 
 
 def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):

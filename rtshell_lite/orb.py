@@ -187,11 +187,11 @@ def call(where, ref, operation, *args, seconds=None):
     return result
 
 
-def ask(where, ref, operation, *args):
+def ask(where, ref, operation, *args, seconds=None):
     """`call` for an object that may live in another process than the one whose lane this is."""
     if rpc.lane_of(endpoint(ref)):
-        return call(where, ref, operation, *args)
-    return rpc.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args))
+        return call(where, ref, operation, *args, seconds=seconds)
+    return rpc.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args, seconds=seconds))
 
 
 def is_alive(where, ref):

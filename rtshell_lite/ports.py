@@ -16,6 +16,8 @@ DATA = ("DataInPort", "DataOutPort")
 DEFAULTS = (("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
             ("dataport.subscription_type", "new"))
 
+_ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push
+
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
@@ -70,10 +72,11 @@ def find(paths):
     An errors.Error stands in the place of what failed: NoSuch with what there is, and what `tree.component` raises.
     """
     listed = tree.on_components([path.object() for path in paths], ports)
-    return [found if isinstance(found, errors.Error) else _named(path, found) for path, found in zip(paths, listed)]
+    return [found if isinstance(found, errors.Error) else named(path, found) for path, found in zip(paths, listed)]
 
 
-def _named(path, found):
+def named(path, found):
+    """That one of the Ports `found` which `path` names, or the error NoSuch."""
     instance = path.names[-1].id
     exact = [each for each in found if each.name in (path.port, instance + "." + path.port)]
     # the instance name may differ from the bound one
@@ -192,7 +195,9 @@ def _choices(each, key):
     if listed is None or key == "dataport.data_type":
         return None
     values = [value.strip() for value in listed.split(",")]
-    return None if any("any" in value.lower() for value in values) else values
+    if key in _ANY_CASE:
+        values = [value.lower() for value in values]
+    return None if any(value.lower() == "any" for value in values) else values
 
 
 def _chosen(found, key, preferred):
@@ -297,8 +302,9 @@ def _why_refused(code, found, connector_id):
     if code == "PRECONDITION_NOT_MET" and already:
         return "already connected (id %s)" % printable(already[0].id)
     if code == "PRECONDITION_NOT_MET" and connector_id:
-        return "refused (a connection with id %s exists already?)" % printable(connector_id)
-    return "refused by the component (%s)" % code
+        return "refused; id %s is in use, or the component takes no ids (RtORB)" % printable(connector_id)
+    also = "; it is connected already (id %s)" % printable(already[0].id) if already else ""
+    return "refused by the component (%s)%s" % (code, also)
 
 
 def _tidy(found):

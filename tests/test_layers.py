@@ -7,12 +7,15 @@ import unittest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
+ONCE = "it reads the source: one Python is enough"
+
 # A module imports from its own line and from those below, never from above; a new module is put where it belongs.
 LAYERS = [
     ["bin"],
     ["__main__"],
-    ["system", "plan", "graph", "listing", "describe", "describe_manager", "search", "unbind", "composing", "unpack"],
-    ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes", "configuration"],
+    ["system", "plan", "graph", "listing", "describe", "describe_manager", "markup", "manual", "search", "unbind", "composing", "unpack"],
+    ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
+     "configuration"],
     ["tree"],
     ["node"],
     ["orb", "cli", "installation"],

@@ -23,6 +23,8 @@ def load(data, name, form=None):
             data = data.encode("utf-8", "surrogateescape")
         except UnicodeEncodeError as e:
             raise errors.BadProfile(name, data.count("\n", 0, e.start) + 1, 1, "not text")
+    if not data.strip():
+        raise errors.BadProfile(name, 1, 1, "the file is empty")
     collecting = gc.isenabled()
     gc.disable()  # all that is made here stays: looking for cycles in it took half of the time of a big file
     try:

@@ -10,6 +10,7 @@ _SPELT = "(?:00(?:0[0-8BCEF]|1[0-9A-F]|5F)|D[89A-F][0-9A-F]{2}|FFF[EF])"
 # An underscore that would begin such a spelling is spelt itself; what is illegal begins with one once it is spelt.
 _TO_SPELL = re.compile("[%s]|_(?=x%s[_%s])" % (_ILLEGAL, _SPELT, _ILLEGAL))
 _TO_READ = re.compile("_x(%s)_" % _SPELT)
+_ILLEGAL_ONE = re.compile("[%s]" % _ILLEGAL)
 _MARKUP = re.compile("[&<>\"\t\n\r\x7f-\x9f\u2028\u2029]")
 
 
@@ -17,9 +18,16 @@ def quoted(text):
     """`text` as it stands in an attribute between double quotes, or as the content of an element."""
     if _TO_SPELL.search(text):
         text = _TO_SPELL.sub(lambda found: "_x%04X_" % ord(found.group()), text)
-    if _MARKUP.search(text):
-        text = _MARKUP.sub(_reference, text)
-    return text
+    return marked(text)
+
+
+def marked(text):
+    """`text`, which XML can hold, with references for what would be markup or would be read as a blank."""
+    return _MARKUP.sub(_reference, text) if _MARKUP.search(text) else text
+
+
+def is_legal(text):
+    return not _ILLEGAL_ONE.search(text)
 
 
 _NAMED = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"}

@@ -1,8 +1,13 @@
 """How files name the fields of an element: by XML attribute, by XML child, by YAML key.
 
-XML names are as expat gives them: "namespace}name". Every table holds the right spelling and those that are understood.
+XML names are as expat gives them: namespace, SEPARATOR, name. The model has "{namespace}name". Every table holds the right
+spelling and those that are understood.
 """
 from xml.parsers import expat
+
+from rtshell_lite.xmlprofile import escape
+
+SEPARATOR = "\x01"  # expat refuses a namespace that holds it, and XML cannot
 
 NAMESPACES = {
     "rts": "http://www.openrtp.org/namespaces/rts",
@@ -11,21 +16,39 @@ NAMESPACES = {
 }
 XML = "http://www.w3.org/XML/1998/namespace"
 XMLNS = "http://www.w3.org/2000/xmlns/"
-TYPE = NAMESPACES["xsi"] + "}type"
-YAML_KEY = "urn:rtshell_lite:yaml}key"  # an XML element for a key that only YAML knows; its text is YAML
+TYPE = NAMESPACES["xsi"] + SEPARATOR + "type"
+YAML_KEY = "urn:rtshell_lite:yaml" + SEPARATOR + "key"  # an XML element for a key that only YAML knows; its text is YAML
 
 # YAML keys for what only XML knows.
 ATTRIBUTES, ELEMENTS = "xml::attributes", "xml::elements"
 
 
 def exact(field):
-    return NAMESPACES[field.prefix] + "}" + field.local
+    return NAMESPACES[field.prefix] + SEPARATOR + field.local
+
+
+def clark(name):
+    """A name as the model has it."""
+    space, separator, local = name.rpartition(SEPARATOR)
+    return "{%s}%s" % (space, local) if separator else name
+
+
+def parts(clark_name):
+    """(namespace or "", name) of a name as the model has it."""
+    space, _, local = clark_name[1:].rpartition("}") if clark_name.startswith("{") else ("", "", clark_name)
+    return space, local
+
+
+def raw(clark_name):
+    """A name as expat gives it."""
+    space, local = parts(clark_name)
+    return space + SEPARATOR + local if space else local
 
 
 def _spellings(field):
     """Names for a field: with the right namespace, the other one, none."""
     return [space + local for local in (field.local,) + tuple(field.also)
-            for space in (NAMESPACES["rts"] + "}", NAMESPACES["rtsExt"] + "}", "")]
+            for space in (NAMESPACES["rts"] + SEPARATOR, NAMESPACES["rtsExt"] + SEPARATOR, "")]
 
 
 class Table:
@@ -64,8 +87,8 @@ def is_own_key(cls, key):
 
 def is_clark(name):
     """Whether XML can hold an element or attribute called `name`, "{namespace}name" or "name"."""
-    space, brace, local = name[1:].rpartition("}") if name.startswith("{") else ("", "}", name)
-    if not brace or "{" in space or "}" in space or space == XMLNS or not space.isprintable():
+    space, local = parts(name)
+    if clark(raw(name)) != name or space == XMLNS or not escape.is_legal(space):
         return False
     if not local or set(local) & set(" \t\r\n<>&/=\"':!?"):
         return False

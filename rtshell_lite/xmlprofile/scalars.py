@@ -8,6 +8,7 @@ import re
 BREAK = "\n\u2028\u2029"
 LONGEST_TEXT = 4 << 20
 LONGEST_NUMBER = 300  # characters: long ones take quadratic time
+TAB = "a tab; blanks are needed here"
 TAGS = {"!", "str", "int", "float", "bool", "null", "binary", "timestamp", "map", "seq"}
 
 _NOT_FIRST = re.compile("[\t %s\0,\\[\\]{}#&*!|>'\"%%@`]|[-?:](?=[\t %s\0])" % (BREAK, BREAK))
@@ -37,7 +38,7 @@ def bare(doc, pos, indent, flow, key):
     """Text without quotes, which goes on in lines that are indented by more than `indent`, unless it is a key."""
     text, stop = doc.text, _STOP_IN_FLOW if flow else _STOP
     if (_NOT_FIRST_IN_FLOW if flow else _NOT_FIRST).match(text, pos):
-        doc.fail(pos, "a tab; blanks are needed here" if text[pos] == "\t" else
+        doc.fail(pos, TAB if text[pos] == "\t" else
                  "a value is needed here" if text[pos] in ",]}\0" else
                  "a value cannot begin like this; put quotes around it")
     piece = text[pos:stop.search(text, pos).start()].rstrip(" ")
@@ -172,7 +173,7 @@ def block(doc, pos, indent):
     if keep == "+":
         pieces += empty
     if text[pos] == "\t" and here < width:
-        doc.fail(pos, "a tab; blanks are needed here")
+        doc.fail(pos, TAB)
     return pos, "".join(pieces)
 
 
@@ -207,6 +208,8 @@ _DATE = re.compile(r"""[0-9]{4}-(?:[0-9]{2}-[0-9]{2}|[0-9]{1,2}-[0-9]{1,2}(?:[Tt
 
 def is_text(text):
     """Whether plain text means itself: it is no number, date, boolean, null or anything else that YAML knows."""
+    if len(text) > LONGEST_NUMBER:
+        return text[0] not in "-+.0123456789"
     return not (text in NULLS or _BOOLEAN.match(text) or _INTEGER.match(text) or _FLOAT.match(text)
                 or _DATE.match(text) or text in ("=", "<<"))
 
@@ -226,14 +229,14 @@ def plain(node):
     if value in NULLS:
         return None
     for pattern, meaning in ((_BOOLEAN, _boolean), (_INTEGER, _integer), (_FLOAT, _float)):
-        if pattern.match(value):
+        if len(value) <= LONGEST_NUMBER and pattern.match(value):
             return meaning(value)
     return value
 
 
 def _matched(pattern, text, what):
-    found = pattern.match(text)
-    if not found or len(text) > LONGEST_NUMBER:
+    found = len(text) <= LONGEST_NUMBER and pattern.match(text)
+    if not found:
         raise ValueError("not a %s" % what)
     return found
 
@@ -276,7 +279,7 @@ def _sexagesimal(digits, kind):
 
 
 def _number(text):
-    return _float(text) if _FLOAT.match(text) else float(_integer(text))
+    return float(_integer(text)) if len(text) <= LONGEST_NUMBER and _INTEGER.match(text) else _float(text)
 
 
 def _bytes(text):

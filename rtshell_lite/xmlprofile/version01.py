@@ -7,7 +7,7 @@ import re
 
 from rtshell_lite.xmlprofile import model, names
 
-RTS = names.NAMESPACES["rts"] + "}"
+RTS = names.NAMESPACES["rts"] + names.SEPARATOR
 _SECTIONS = {field.local for field in model.SECTIONS}
 _CONNECTORS = {"DataPortConnectors": "sourceDataPort", "ServicePortConnectors": "sourceServicePort"}
 _DURATION = re.compile(r"P(?:(\d{1,6})D)?(?:T(?:(\d{1,6})H)?(?:(\d{1,6})M)?(?:(\d{1,9}(?:\.\d{1,9})?)S)?)?\Z", re.ASCII)
@@ -91,5 +91,6 @@ def _milliseconds(wait, fail):
     if not found:
         fail(wait, "WaitTime: not a duration such as PT1.5S")
     days, hours, minutes, seconds = (float(part or 0) for part in found.groups())
-    wait.attributes[RTS + "waitTime"] = str(int(round(1000 * (((days * 24 + hours) * 60 + minutes) * 60 + seconds))))
+    milliseconds = int(round(1000 * (((days * 24 + hours) * 60 + minutes) * 60 + seconds)))
+    wait.attributes = dict(wait.attributes, **{RTS + "waitTime": str(milliseconds)})
     wait.content = []

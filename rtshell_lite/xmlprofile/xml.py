@@ -15,6 +15,7 @@ MOST_ELEMENTS = 250000  # 16 MiB of <a/> would take 1 GB; a system of 1,000 comp
 LONGEST_TAG = 1 << 20  # expat keeps a whole tag: 16 MiB of attributes would take 500 MB
 DEEPEST = 64  # nesting costs 300 bytes a level here, and Python's stack later
 _CHUNK = 1 << 16
+_NO_ATTRIBUTES = {}  # an empty dict each would double what an empty element takes
 
 # What expat cannot decode itself. Not every codec of Python: some take quadratic time.
 _CODECS = re.compile(r"(shift_?jis|sjis|ms932|ms_kanji|cp932|windows_31j|euc_?(jp|kr)|ujis|iso_?2022_?jp|gbk|gb2312|gb18030"
@@ -25,7 +26,7 @@ _DECLARATION = re.compile(br"""\s*<\?xml[^>]{0,200}?\sencoding\s*=\s*["']([A-Za-
 # ---- reading: text to nodes -------------------------------------------------------------------------------------
 
 class Node:
-    """An XML element as it was read; names are "namespace}name" as expat gives them."""
+    """An XML element as it was read; names are as expat gives them."""
 
     __slots__ = "tag", "attributes", "content", "line", "column"
 
@@ -44,7 +45,7 @@ class Node:
 
     @property
     def local(self):
-        return self.tag.rpartition("}")[2]
+        return self.tag.rpartition(names.SEPARATOR)[2]
 
 
 class _Reader:
@@ -55,7 +56,7 @@ class _Reader:
         self.open = []
         self.root = None
         self.count = self.fed = 0
-        self.parser = expat.ParserCreate("utf-8", "}")
+        self.parser = expat.ParserCreate("utf-8", names.SEPARATOR)
         self.parser.buffer_text = True
         self.parser.StartElementHandler = self.start
         self.parser.EndElementHandler = self.end
@@ -74,7 +75,7 @@ class _Reader:
             self.fail("more than %d elements" % MOST_ELEMENTS)
         if len(self.open) >= DEEPEST:
             self.fail("more than %d levels of elements" % DEEPEST)
-        node = Node(tag, attributes, self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1)
+        node = Node(tag, attributes or _NO_ATTRIBUTES, self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1)
         if self.open:
             self.open[-1].content.append(node)
         else:
@@ -94,6 +95,8 @@ class _Reader:
             self.parser.Parse(data, final)
         except expat.ExpatError as e:
             raise errors.BadProfile(self.name, e.lineno, e.offset + 1, expat.ErrorString(e.code))
+        except UnicodeDecodeError:  # expat is less strict about UTF-8 than Python
+            self.fail("not UTF-8")
         self.fed += len(data)
         if self.fed - max(self.parser.CurrentByteIndex, 0) > LONGEST_TAG and not final:
             self.fail("a tag or comment of more than %d MiB" % (LONGEST_TAG >> 20))
@@ -187,7 +190,7 @@ def _attributes(node, table, fail):
         if field and (field.name not in found or not field.always and found[field.name] == field.default):
             found[field.name] = _value(node, field, node.attributes[name], fail)
         else:
-            _foreign(found).attributes[_clark(name)] = escape.unspelt(node.attributes[name])
+            _foreign(found).attributes[names.clark(name)] = escape.unspelt(node.attributes[name])
     return found
 
 
@@ -202,10 +205,6 @@ def _foreign(found):
     if "foreign" not in found:
         found["foreign"] = model.Foreign()
     return found["foreign"]
-
-
-def _clark(name):
-    return "{" + name if "}" in name else name
 
 
 def _is_plain_text(node):
@@ -226,8 +225,8 @@ def _keep_element(found, cls, node):
 
 
 def _foreign_element(node):
-    attributes = {_clark(name): escape.unspelt(text) for name, text in node.attributes.items()}
-    return model.ForeignElement(_clark(node.tag), attributes, [
+    attributes = {names.clark(name): escape.unspelt(text) for name, text in node.attributes.items()}
+    return model.ForeignElement(names.clark(node.tag), attributes, [
         escape.unspelt(item) if isinstance(item, str) else _foreign_element(item) for item in node.content])
 
 
@@ -237,7 +236,7 @@ def write(profile):
     """The text of an XML file, which says that it is UTF-8."""
     writer = _Writer()
     writer.element("rts:RtsProfile", profile, "")
-    spaces = "".join(' xmlns:%s="%s"' % (prefix, escape.quoted(uri)) for uri, prefix in writer.prefixes.items()
+    spaces = "".join(' xmlns:%s="%s"' % (prefix, escape.marked(uri)) for uri, prefix in writer.prefixes.items()
                      if uri != names.XML)
     head = "<rts:RtsProfile"
     writer.lines[0] = head + spaces + writer.lines[0][len(head):]  # now that all namespaces are known
@@ -264,7 +263,7 @@ class _Writer:
             elif value is not None and (field.always or value != field.default):
                 head.append(' %s="%s"' % (field.tag, escape.quoted(values.to_text(field, value))))
         foreign = element.foreign or model.Foreign()
-        head += [self.attribute(*pair) for pair in foreign.attributes.items()]
+        head += [self.attribute(*pair) for pair in sorted(foreign.attributes.items())]
         if not (children or foreign.elements or foreign.keys):
             self.lines.append("".join(head) + "/>")
             return
@@ -274,7 +273,7 @@ class _Writer:
         for item in foreign.elements:
             self.lines.append(indent + "    " + self.foreign(item))
         for key, data in sorted(foreign.keys.items()):
-            item = model.ForeignElement("{" + names.YAML_KEY, {"name": key}, [yamlwriter.write(data)])
+            item = model.ForeignElement(names.clark(names.YAML_KEY), {"name": key}, [yamlwriter.write(data)])
             self.lines.append(indent + "    " + self.foreign(item))
         self.lines.append("%s</%s>" % (indent, tag))
 
@@ -285,7 +284,7 @@ class _Writer:
             self.element(field.tag, value, indent)
 
     def name(self, clark):
-        space, _, local = clark[1:].rpartition("}") if clark.startswith("{") else ("", "", clark)
+        space, local = names.parts(clark)
         if not space:
             return local
         if space not in self.prefixes:
@@ -298,6 +297,6 @@ class _Writer:
     def foreign(self, element):
         """On one line: blanks between elements that also hold text would be text."""
         tag = self.name(element.tag)
-        head = "<" + tag + "".join(self.attribute(*pair) for pair in element.attributes.items())
+        head = "<" + tag + "".join(self.attribute(*pair) for pair in sorted(element.attributes.items()))
         content = "".join(escape.quoted(item) if isinstance(item, str) else self.foreign(item) for item in element.content)
         return "%s>%s</%s>" % (head, content, tag) if content else head + "/>"

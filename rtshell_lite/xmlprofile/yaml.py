@@ -56,15 +56,16 @@ def _decoded(doc, data):
 
 def _document(doc):
     pos, column = doc.next_token(0)
-    if doc.text[pos] == "%":
+    directive = doc.text[pos] == "%"
+    if directive:
         found = _DIRECTIVE.match(doc.text, pos)
         pos, column = doc.next_token(found.end() if found else pos)
-        if doc.text[pos] == "%" or not doc.text.startswith("---", pos):
-            doc.fail(pos, "a directive other than one %YAML 1.1, or no --- behind it")
-    if column < 0 and doc.text.startswith("---", pos):
-        pos, node = _value(doc, pos + 3, -1, 0, False)
-    else:
-        pos, node = _value(doc, pos, -1, 0, True)
+    begins = column < 0 and doc.text.startswith("---", pos)
+    if directive and not begins:
+        doc.fail(pos, "a directive other than one %YAML 1.1, or no --- behind it")
+    if column < 0 and doc.text[pos] == ".":
+        doc.fail(pos, "the end of a document that has not begun")
+    pos, node = _value(doc, pos + 3, -1, 0, False) if begins else _value(doc, pos, -1, 0, True)
     while doc.text.startswith("...", pos) and doc.here(pos) < 0:
         pos = _line_end(doc, pos + 3)
     if doc.text[pos] != "\0":
@@ -76,7 +77,7 @@ def _line_end(doc, pos):
     """Check that nothing follows on this line; where the next token stands."""
     if not _END_OF_LINE.match(doc.text, pos):
         pos = _BLANKS.match(doc.text, pos).end()
-        doc.fail(pos, {":": "a colon and a blank inside text; put quotes around it", "\t": "a tab; blanks are needed here"}
+        doc.fail(pos, {":": "a colon and a blank inside text: put quotes around it, or mend the indentation", "\t": scalars.TAB}
                  .get(doc.text[pos], "this does not belong to the value before it"))
     return doc.next_token(pos)[0]
 
@@ -97,6 +98,8 @@ def _value(doc, pos, indent, depth, compact, dashes=False):
             return _block(doc, _BLANKS.match(doc.text, start).end(), indent, depth)
         return _anchored(doc, anchor, doc.nodes, _inline(doc, pos, indent, depth, tag))
     pos, column = doc.next_token(pos)
+    if doc.text[pos] in ("&" if anchor else "") + ("!" if tag else "") and column > indent and not _is_key(doc, pos):
+        doc.fail(pos, "a second anchor or tag")
     count = doc.nodes
     pos, node = _below(doc, pos, column, indent, depth, dashes)
     return _anchored(doc, anchor, count, (pos, _tagged(doc, start, node, tag)))
@@ -176,8 +179,7 @@ def _is_key(doc, pos):
     """Whether a key of a mapping begins here: text with a colon on the same line, or a question mark."""
     if _QUESTION.match(doc.text, pos):
         return True
-    pos = _properties(doc, pos)[0]
-    end = scalars.key_end(doc, pos)
+    end = scalars.key_end(doc, _BLANKS.match(doc.text, _properties(doc, pos)[0]).end())
     return bool(end and _COLON.match(doc.text, end))
 
 
@@ -189,7 +191,9 @@ def _key(doc, pos, column, depth):
             return pos, node.value
         doc.fail(pos, "a key that is a list or a mapping")
     if not _is_key(doc, pos):
-        doc.fail(pos, "a key and a colon are needed here")
+        end = scalars.key_end(doc, pos) or pos
+        tab = doc.text.startswith(":\t", end)
+        doc.fail(end + 1 if tab else pos, scalars.TAB if tab else "a key and a colon are needed here")
     start, (pos, anchor, tag) = pos, _properties(doc, pos)
     if doc.text.startswith("<<", pos) and _COLON.match(doc.text, pos + 2):
         doc.fail(pos, "merge keys are not supported here")

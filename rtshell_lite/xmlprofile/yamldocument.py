@@ -2,7 +2,7 @@
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.xmlprofile.scalars import BREAK
+from rtshell_lite.xmlprofile.scalars import BREAK, TAB
 
 MOST_NODES = 500000  # with aliases replaced; a system of 1,000 components and 2,000 connections has 200,000
 DEEPEST = 150  # levels; 64 of XML become twice as many at worst, and Python's stack holds 1,000 calls
@@ -61,7 +61,7 @@ class Document:
                 break
             pos = _COMMENT.match(self.text, found.end()).end()
         if self.text[found.end()] == "\t":
-            self.fail(found.end(), "a tab; blanks are needed here")
+            self.fail(found.end(), TAB)
         return found.end()
 
     def next_token(self, pos):

@@ -156,7 +156,7 @@ def _attributes(doc, node, table=None):
     if not isinstance(node.value, dict):
         doc.fail(node.pos, "a mapping is needed here")
     for name, value in node.value.items():
-        if not names.is_clark(name) or table and (name[1:] in table.attributes or name[1:] == names.TYPE):
+        if not names.is_clark(name) or table and (names.raw(name) in table.attributes or names.raw(name) == names.TYPE):
             doc.fail(value.pos, "%s cannot be an attribute here" % values.shown(name))
     return {name: _text(doc, value) for name, value in node.value.items()}
 
@@ -176,7 +176,7 @@ def _foreign_element(doc, node, table, depth):
     content = parts.pop("content", None)
     if not names.is_clark(tag) or parts or depth > DEEPEST_XML or content and not isinstance(content.value, list):
         doc.fail(at.pos, "an element is needed here: its name, attributes and content")
-    known = table and table.children.get(tag[1:] if tag.startswith("{") else tag)
+    known = table and table.children.get(names.raw(tag))
     if known and known.kind != model.TEXT:
         doc.fail(at.pos, "%s is no foreign element" % values.shown(tag))
     items = [_foreign_element(doc, item, None, depth + 1) if isinstance(item.value, dict) else _text(doc, item)

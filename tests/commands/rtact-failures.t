@@ -5,6 +5,7 @@ world: these Mock:Dead0 Mock:Dead1
 world: these Mock:Hung0 Mock:Hung1
 world: fragile
 world: names --context odd.host_cxt/%n.rtc
+faulty: silent garbage
 
 Wrong usage:
 
@@ -198,6 +199,12 @@ Name servers: nobody listens on one, and ours falls silent:
   $ rtact /localhost:99999/ConsoleIn0.rtc
   rtact: /localhost:99999/ConsoleIn0.rtc: localhost:99999 is not a name server (host or host:tcpport)
   [2]
+  $ within 0.4-1.4 rtact --timeout 0.5 /localhost:$SILENT/ConsoleIn0.rtc
+  rtact: /localhost:$SILENT: no answer within 0.5s
+  [4]
+  $ within 0-1.4 rtact --timeout 0.5 /localhost:$GARBAGE/ConsoleIn0.rtc
+  rtact: /localhost:$GARBAGE: connection lost
+  [4]
   $ hang names
   $ within 0.4-1.4 rtact --timeout 0.5 ConsoleIn0.rtc Fragile0.rtc
   rtact: /localhost:$PORT: no answer within 0.5s

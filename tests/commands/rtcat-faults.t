@@ -27,7 +27,6 @@ A zombie, a hung component, a component whose process has lost it, names of some
   rtcat: /localhost:$PORT/test.host_cxt/HungMock0.rtc: no answer within 0.3s
   rtcat: /localhost:$PORT/test.host_cxt/DeadMock0.rtc: connection refused; its process is gone (zombie)
   {"connectors": [], "interfaces": [], "na
-  took 0.96 s, not 0.3-0.8
   $ RTCSH_CWD=/localhost:$PORT/odd.host_cxt; export RTCSH_CWD
   $ rtcat Gone0.rtc
   rtcat: /localhost:$PORT/odd.host_cxt/Gone0.rtc: zombie (the name is bound, but its object is gone)
@@ -45,7 +44,7 @@ A zombie, a hung component, a component whose process has lost it, names of some
   rtcat: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component or manager (it is a nil reference)
   [3]
   $ rtcat Nil0.rtc:in
-  rtcat: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is a nil reference)
+  rtcat: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component or manager (it is a nil reference)
   [3]
   $ rtcat empty.cxt
   rtcat: /localhost:$PORT/odd.host_cxt/empty.cxt: not a component or manager (it is a directory)
@@ -60,7 +59,7 @@ Names that are hard to type:
 
   +DataInPort: in
 
-  +DataInPort: empty19.in
+  +DataInPort: in
 
   +DataInPort: in
 
@@ -138,7 +137,7 @@ A component that fails to tell something. What says that it is passing is asked 
   $ ctl fail get_ports 1 NO_IMPLEMENT; rtcat ConsoleIn0.rtc
   rtcat: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: CORBA.NO_IMPLEMENT
   [6]
-  $ ctl fail get_ports 1 NO_PERMISSION; rtcat ConsoleIn0.rtc ConsoleOut0.rtc:in
+  $ ctl fail get_ports 1 NO_PERMISSION; rtcat ConsoleIn0.rtc Multi0.rtc:in
   rtcat: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: CORBA.NO_PERMISSION
   +DataInPort: in
   [5]

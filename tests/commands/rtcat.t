@@ -275,7 +275,7 @@ What is no component:
   rtcat: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not a directory (it is a component)
   [3]
   $ rtcat ../test.host_cxt:out
-  rtcat: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
+  rtcat: /localhost:$PORT/test.host_cxt: not a component or manager (it is a directory)
   [3]
   $ rtcat ../../localhost:1/a.rtc
   rtcat: /localhost:1: connection refused; is the name server running?
@@ -322,8 +322,8 @@ The common options:
     rtcat -ll ConsoleIn0.rtc:out             a port, its connections and their properties
     rtcat --json ConsoleIn0.rtc
    (esc)
-  $ rtcat -h | grep -c -e ' -l ' -e '--json' -e '--timeout' -e '--quiet' -e '--verbose'
-  8
+  $ rtcat -h | grep -o '^  --*[a-zR0-9]*' | tr -d '\n'; echo
+    -l  --json  -v  -q  --timeout  --version  -h
   $ rtcat ConsoleIn0.rtc >/dev/full
   rtcat: No space left on device
   [1]

@@ -40,7 +40,7 @@ The same ports again:
   java
   rtcon: /java.host_cxt/ConsoleIn0.rtc:out to /java.host_cxt/ConsoleOut0.rtc:in: already connected (id $UUID)
   rtorb
-  rtcon: /rtorb.host_cxt/ConsoleIn0.rtc:out to /rtorb.host_cxt/ConsoleOut0.rtc:in: refused by the component (RTC_ERROR)
+  rtcon: /rtorb.host_cxt/ConsoleIn0.rtc:out to /rtorb.host_cxt/ConsoleOut0.rtc:in: refused by the component (RTC_ERROR); it is connected already (id $UUID)
   $ each rtcon -d 2>&1 | sed "s|$here||g"
   cpp11
   rtcon: /cpp11.host_cxt/ConsoleIn0.rtc:out to /cpp11.host_cxt/ConsoleOut0.rtc:in: already connected (id $UUID)
@@ -84,7 +84,7 @@ Ids of one's own, which RtORB does not take:
   py2
   java
   rtorb
-  rtcon: /rtorb.host_cxt/ConsoleIn0.rtc:out to /rtorb.host_cxt/ConsoleOut0.rtc:in: refused (a connection with id mine exists already?)
+  rtcon: /rtorb.host_cxt/ConsoleIn0.rtc:out to /rtorb.host_cxt/ConsoleOut0.rtc:in: refused; id mine is in use, or the component takes no ids (RtORB)
   $ each rtdis 2>&1 | sed "s|$here||g"
   cpp11
   cpp12

@@ -122,7 +122,7 @@ Connected already: OpenRTM refuses the same pair twice, unless told otherwise; -
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: already connected (id id-1)
   [6]
   $ rtcon -i id-1 ConsoleIn0.rtc:out ConsoleOut1.rtc:in
-  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: refused (a connection with id id-1 exists already?)
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: refused; id id-1 is in use, or the component takes no ids (RtORB)
   [6]
   $ rtcon -d -i id-1 ConsoleIn0.rtc:out ConsoleOut1.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: has a connection with id id-1 already

@@ -49,10 +49,10 @@ No such set or parameter; of several, nothing is set then:
 Metadata cannot be activated:
 
   $ rtconf ConfigSample0.rtc -a act __widget__
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: InternalError: Configuration.activate_configuration_set()
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: configuration set __widget__ holds metadata and cannot be active
   [6]
   $ rtconf ../cpp.host_cxt/ConfigSample0.rtc -a -s __widget__ act
-  rtconf: /localhost:$PORT/cpp.host_cxt/ConfigSample0.rtc: InvalidParameter: Configuration::activate_configuration_set()
+  rtconf: /localhost:$PORT/cpp.host_cxt/ConfigSample0.rtc: configuration set __widget__ holds metadata and cannot be active
   [6]
 
 A number that is none is taken by the component all the same; it is text to the wire:
@@ -63,7 +63,7 @@ A number that is none is taken by the component all the same; it is text to the 
 Somebody else has set values and activated nothing, so that no set is active:
 
   $ ctl fail activate_configuration_set 1 UNKNOWN; rtconf ConfigSample0.rtc set int_param0 1
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: CORBA.UNKNOWN
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: does not activate configuration set mode1 (CORBA.UNKNOWN)
   [6]
   $ rtconf ConfigSample0.rtc
   +default
@@ -78,6 +78,7 @@ Somebody else has set values and activated nothing, so that no set is active:
   $ rtconf ConfigSample0.rtc -s mode1 get int_param0
   1
   $ rtconf ConfigSample0.rtc -s mode1 set int_param0 2
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: has no active configuration set; nothing is in use until one is activated
   $ rtconf ConfigSample0.rtc act mode1; rtconf ConfigSample0.rtc
   +default
   +mode0

@@ -3,6 +3,7 @@ rtconf dump, load and diff: a configuration as text.
 world: config
 world: config --flavour cpp2 --context cpp.host_cxt/%n.rtc
 world: two
+world: hostile
 
   $ here=/localhost:$PORT/test.host_cxt
   $ rtconf ConfigSample0.rtc dump
@@ -81,17 +82,49 @@ A text may be written by hand: some sets, some parameters, comments; without `ac
   $ printf '[__widget__]\nint_param0=text\n' | rtconf ConfigSample0.rtc load -v
   rtconf: rtconf /localhost:$PORT/test.host_cxt/ConfigSample0.rtc -a -s __widget__ set int_param0=text
 
-Values come back as they were, whatever they hold; sets and parameters of odd names, too:
+Values come back as they were, whatever they hold:
 
-  $ rtconf ConfigSample0.rtc set str_param0 '  =#[]\ 日本
-  > ' str_param1=x
-  rtconf: set: not PARAM=VALUE: str_param0 (see --help)
-  [2]
   $ rtconf ConfigSample0.rtc set str_param0="$(printf ' =#[]\\ 日本\n\t\033\377 ')" str_param1='# no comment '
   $ rtconf ConfigSample0.rtc dump odd.conf; grep str_ odd.conf | tail -2
-  str_param0= =#[]\\\\ 日本\\x0a\\x09\\x1b\\xff\x20 (esc)
-  str_param1=# no comment\x20 (esc)
+  str_param0= =#[]\\ 日本\x0a\x09\x1b\xff\x20
+  str_param1=# no comment\x20
   $ rtconf ConfigSample0.rtc load one.conf; rtconf ConfigSample0.rtc load odd.conf; rtconf ConfigSample0.rtc dump | cmp - odd.conf
+
+Sets and parameters of odd names, 64 kB:
+
+  $ rtconf Hostile0.rtc dump -a hostile.conf; cut -c 1-60 hostile.conf | sort
+  # configuration of /localhost:$PORT/test.host_cxt/Hostile0.r
+  $(touch owned);`id`'"|&<>*?~ -rf=$(touch owned);`id`'"|&<>*?
+  $(touch owned);`id`'"|&<>*?~ -rf=0 <= x <= $(id)
+  =
+  [$(touch owned);`id`'"|&<>*?~ -rf]
+  [\x1b[2J\x1b\]0;owned\x07\x9b31m\x0d\x0a]
+  [__constraints__]
+  [__widget__]
+  [default] active
+  ]]><script>&amp;</rts:Components>%s{}=- : # !!python/object:
+  a\=b&c=d=e?f
+  bad\xff=\xff\xfe
+  long=xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx
+  number=(((
+  number=-5
+  number=slider.0
+  plain=\x1b[2J\x1b]0;owned\x07\x9b31m\x0d\x0a
+  plain=\x1b[2J\x1b]0;owned\x07\x9b31m\x0d\x0a
+  plain=x >=\x20
+  x=1
+  $ LC_ALL=C grep -c '[[:cntrl:]]' hostile.conf
+  0
+  [1]
+  $ rtconf Hostile0.rtc load -v hostile.conf
+  $ sed -E 's/^(x|plain|number|long|bad.xff)=/&y/' hostile.conf > changed.conf; rtconf Hostile0.rtc load changed.conf
+  $ rtconf Hostile0.rtc dump -a | cmp - changed.conf
+  $ rtconf Hostile0.rtc load --dry-run hostile.conf | sh; rtconf Hostile0.rtc dump -a | cmp - hostile.conf
+  $ rtconf Hostile0.rtc set a=b\&c e=f; rtconf Hostile0.rtc get a=b\&c
+  e=f
+  $ rtconf Hostile0.rtc set a=b\&c=e=f =empty; rtconf Hostile0.rtc get a=b\&c; rtconf Hostile0.rtc get ''
+  e=f
+  empty
 
 All is checked before the first change:
 
@@ -105,11 +138,13 @@ All is checked before the first change:
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode2
   [3]
   $ printf '[mode1]\nint_param0=9\n[__widget__] active\n' > bad.conf; rtconf ConfigSample0.rtc load bad.conf
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: InternalError: Configuration.activate_configuration_set()
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: configuration set __widget__ holds metadata and cannot be active
   [6]
   $ printf '[mode1]\nint_param0=9\n[mode1] active\n[mode0] active\n' > bad.conf; rtconf ConfigSample0.rtc load bad.conf
+  rtconf: bad.conf:4: a second active set
+  [1]
   $ rtconf ConfigSample0.rtc get int_param0
-  12345
+  3
 
 What is wrong in a text is told with its line, before anything is contacted:
 
@@ -120,17 +155,17 @@ What is wrong in a text is told with its line, before anything is contacted:
   rtconf: bad.conf:3: neither [set] nor name=value
   [1]
   $ printf '[mode1\n' > bad.conf; rtconf Nope0.rtc load bad.conf
-  rtconf: bad.conf:1: name=value before any [set]
+  rtconf: bad.conf:1: not [set] or [set] active
   [1]
   $ printf '[mode1] passive\n' > bad.conf; rtconf Nope0.rtc load bad.conf
-  rtconf: bad.conf:1: name=value before any [set]
+  rtconf: bad.conf:1: not [set] or [set] active
   [1]
   $ printf '[mode1]\na=\\q\n' | rtconf Nope0.rtc load
   rtconf: -:2: bad escape \q
   [1]
   $ printf '[mode1]\na=1\na=2\n' | rtconf Nope0.rtc load
-  rtconf: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
-  [3]
+  rtconf: -:3: a has a value already
+  [1]
   $ printf '[mode1]\n\033\n' | rtconf Nope0.rtc load
   rtconf: -:2: neither [set] nor name=value
   [1]
@@ -147,22 +182,22 @@ What is wrong in a text is told with its line, before anything is contacted:
 A file is written whole or not at all:
 
   $ rtconf ConfigSample0.rtc dump /dev/full
-  rtconf: No space left on device
+  rtconf: No space left on device: /dev/full
   [1]
   $ rtconf ConfigSample0.rtc dump > /dev/full
   rtconf: No space left on device
   [1]
   $ rtconf ConfigSample0.rtc dump nowhere/x.conf
-  rtconf: No such file or directory: $TMP/nowhere/.x.conf.tmp
+  rtconf: No such file or directory: nowhere/x.conf
   [1]
   $ rtconf ConfigSample0.rtc dump .
-  rtconf: Is a directory: $TMP
+  rtconf: Is a directory: .
   [1]
   $ rtconf Nope0.rtc dump one.conf; wc -l < one.conf
   rtconf: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   25
   $ (ulimit -f 0; rtconf ConfigSample0.rtc dump one.conf 2>&1) 2>&1 | grep -v '^File size'; wc -l < one.conf
-  rtconf: File too large
+  rtconf: File too large: one.conf
   25
   $ ln -s one.conf link.conf; rtconf ConfigSample0.rtc load one.conf; rtconf ConfigSample0.rtc dump link.conf; ls -l link.conf | sed 's/.*link/link/'
   link.conf -> one.conf
@@ -191,7 +226,7 @@ diff, status 1 when there are differences; the active sets are compared, too:
   $ rtconf ConfigSample0.rtc diff ../cpp.host_cxt/ConfigSample0.rtc --json
   {"left": "-1", "parameter": "int_param0", "right": "-999", "set": "mode1"}
   {"left": "a b", "parameter": "str_param0", "right": "mode1", "set": "mode1"}
-  {"left": "default", "parameter": "", "right": "mode1", "set": ""}
+  {"left": "default", "parameter": null, "right": "mode1", "set": null}
   [1]
   $ rtconf ConfigSample0.rtc diff ConsoleIn0.rtc | head -2
   default  double_param0  0.99                              -

@@ -134,6 +134,7 @@ set keeps active what is active, wherever it changes something; act changes that
   +mode0
   +mode1
   $ rtconf ConfigSample0.rtc act default -v
+  rtconf: rtconf /localhost:$PORT/test.host_cxt/ConfigSample0.rtc -s default act
   $ rtconf ConfigSample0.rtc -a -s __widget__ set int_param0 spin; rtconf ConfigSample0.rtc -a
   +__constraints__
   +__widget__
@@ -199,7 +200,7 @@ What a list costs; set adds one request to change and one to keep the active set
 Wrong usage:
 
   $ rtconf
-  rtconf: the following arguments are required: PATH, ARG (see --help)
+  rtconf: the following arguments are required: PATH (see --help)
   [2]
   $ rtconf ConfigSample0.rtc erase
   rtconf: no such command: erase (see --help)
@@ -222,10 +223,9 @@ Wrong usage:
   $ rtconf ConfigSample0.rtc set int_param0=1 2
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration parameter: int_param0=1
   [3]
-  $ rtconf ConfigSample0.rtc set =1
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration parameter:\x20 (esc)
-  [3]
   $ rtconf ConfigSample0.rtc set int_param0=1 int_param0=2
+  rtconf: set: int_param0 is given twice (see --help)
+  [2]
   $ rtconf ConfigSample0.rtc act
   rtconf: act: name one set to activate (see --help)
   [2]
