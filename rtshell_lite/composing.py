@@ -1,6 +1,6 @@
 """What rtcomp does: find or make a composite on a manager, then change its members and exported ports."""
 from rtshell_lite import errors, manager, organisation, tree
-from rtshell_lite.text import shell_word
+from rtshell_lite.text import printable, shell_word
 
 DEFAULT_NAME = "CompositeRTC"
 
@@ -11,32 +11,40 @@ def compose(target, adding, removing, type_name=organisation.COMPOSITE, options=
     `adding` and `removing` are Paths whose port part is a comma-separated list. Everything is checked before the first
     change. Raises WrongKind, NoSuch, Refused, and what `tree.component` raises.
     """
+    name = target.port or DEFAULT_NAME
+    argument = "%s?instance_name=%s%s" % (type_name, name, "&" + options if options else "")
+    if any(c in name for c in "?&="):
+        raise errors.Usage("a composite cannot be called %s" % printable(name))
+    manager.check_argument(argument)
     members = [organisation.member(path) for path in adding]
     leaving = [organisation.member(path, must_live=False) for path in removing]
-    holder = tree.resolve(target)
-    if holder.kind == "component":
-        composite = tree.component(target.object())
-    elif holder.kind == "manager":
-        composite = _of_manager(holder, target.port or DEFAULT_NAME)
-    else:
-        raise errors.WrongKind(str(holder.path), "component or manager", holder.what)
-    if composite is not None:
-        organisation.the_one(composite)
-    elif leaving:
+    holder = tree.component(target.object(), or_manager=True)
+    if holder.kind == "component" and target.port is not None:
+        raise errors.WrongKind(str(target), "component or manager", "port")
+    composite = holder if holder.kind == "component" else _of_manager(holder, name)
+    if composite is None and leaving:
         raise errors.No(str(holder.path), "cannot remove components or ports from a new composite")
+    if composite is not None:
+        organisation.check(composite, organisation.the_one(composite), members, leaving)
     if dry_run:
         return _commands(holder, target, composite, adding, removing, type_name, options)
     lines = []
     if composite is None:
-        name = target.port or DEFAULT_NAME
-        argument = "%s?instance_name=%s%s" % (type_name, name, "&" + options if options else "")
         lines.append("created composite " + manager.create(holder, argument, wait=manager.SETTLE_TIME))
-        composite = _of_manager(holder, name)
-    if members:
-        lines += organisation.add(composite, members)
-    if leaving:
-        lines += organisation.remove(composite, leaving)
-    return lines
+        composite = _new(holder, name)
+    one = organisation.the_one(composite)
+    return lines + organisation.add(composite, one, members) + organisation.remove(composite, one, leaving)
+
+
+def _new(holder, name):
+    """The composite that has been made; deleted again if its type makes it a component of another kind."""
+    made = _of_manager(holder, name)
+    try:
+        organisation.the_one(made)
+    except errors.WrongKind:
+        manager.delete(holder, name)
+        raise
+    return made
 
 
 def _of_manager(holder, name):

@@ -93,11 +93,11 @@ def member(path, must_live=True):
     wanted = [name for name in (path.port or "").split(",") if name]
     try:
         node = tree.component(path.object())
+        instance = from_wire(node.call("get_sdo_id"))
     except (errors.NotFound, errors.Unreachable):
-        if must_live:
+        if must_live or not path.names:
             raise
         return Member(path.names[-1].id, None, wanted)
-    instance = from_wire(node.call("get_sdo_id"))
     if must_live and wanted:
         there = [ports.short_name(each.name, instance) for each in ports.ports(node)]
         for name in wanted:
@@ -114,28 +114,32 @@ def the_one(node):
     return found[0]
 
 
-def add(node, members):
+def check(node, one, joining, leaving):
+    """Raise No or NoSuch for Members that cannot join the Organisation `one` of a composite, or leave it."""
+    if any(orb.same(m.node.ref, node.ref) for m in joining):
+        raise errors.No(str(node.path), "cannot be a member of itself")
+    there = [name for name, _ in one.members]
+    dead = sum(isinstance(name, errors.Error) for name in there)
+    for m in leaving:
+        if not m.ports and m.instance not in there and not (m.node is None and dead):
+            raise errors.NoSuch(str(node.path), "member", printable(m.instance))
+
+
+def add(node, one, members):
     """Make Members part of a composite and export their ports; lines that say what was done. Raises Refused."""
-    one = the_one(node)
     lines = _export(node, add_ports=["%s.%s" % (m.instance, port) for m in members for port in m.ports])
     there = [name for name, _ in one.members]
     new = [m for m in members if m.instance not in there]
     if new:  # an empty list is refused
         if not orb.ask(str(node.path), one.ref, "add_members", [m.node.typed for m in new]):
             raise errors.Refused(str(node.path), "does not take members")
-        lines += ["added component %s" % m.node.path for m in new]
-    return lines + ["component %s is a member already" % m.node.path for m in members if m not in new]
+        lines += ["added component %s" % str(m.node.path) for m in new]
+    return lines + ["component %s is a member already" % str(m.node.path) for m in members if m not in new]
 
 
-def remove(node, members):
-    """Remove Members, or hide their ports where they name some; lines that say what was done. Raises NoSuch, Refused."""
-    one = the_one(node)
-    there = [name for name, _ in one.members]
+def remove(node, one, members):
+    """Remove Members, or hide their ports where they name some; lines that say what was done. Raises Refused."""
     going = [m for m in members if not m.ports]
-    dead = sum(isinstance(name, errors.Error) for name in there)
-    for m in going:
-        if m.instance not in there and not (m.node is None and dead):
-            raise errors.NoSuch(str(node.path), "member", printable(m.instance))
     hidden = ["%s.%s" % (m.instance, port) for m in members for port in m.ports]
     lines = _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
     for m in going:
@@ -152,9 +156,10 @@ def _export(node, add_ports=(), hide=(), hide_all_of=()):
     now = [name.strip() for name in within.values.get(EXPORTED, "").split(",") if name.strip()]
     kept = [name for name in now if name not in hide and name.rpartition(".")[0] not in hide_all_of]
     wanted = kept + [name for name in add_ports if name not in kept]
-    if wanted == now:
-        return []
-    found.store({EXPORTED: ",".join(wanted)}, within)
-    found.activate("default")
+    if wanted != now:
+        found.store({EXPORTED: ",".join(wanted)}, within)
+        found.activate("default")
     return (["exported port " + printable(name) for name in wanted if name not in now]
-            + ["hid port " + printable(name) for name in now if name not in wanted])
+            + ["port %s is exported already" % printable(name) for name in add_ports if name in kept]
+            + ["hid port " + printable(name) for name in now if name not in wanted]
+            + ["port %s is hidden already" % printable(name) for name in hide if name not in now])

@@ -34,7 +34,13 @@ def refs(node):
 
 def port(node, ref):
     """The Port behind a reference (PortService::get_port_profile)."""
-    found = component.once_more(lambda: orb.ask(str(node.path), ref, "get_port_profile"))
+    try:
+        found = component.once_more(lambda: orb.ask(str(node.path), ref, "get_port_profile"))
+    except (errors.Gone, errors.ConnectionRefused):
+        if orb.endpoint(ref) == node.endpoint:
+            raise
+        why = "the process of one of its ports is gone; if that is a member's, rtcomp -r removes it"
+        raise errors.Unreachable(str(node.path), why)
     properties = dict(orb.properties(found.properties))
     kind = properties.get("port.port_type")
     return Port(node, from_wire(found.name), kind if kind in DATA + ("CorbaPort",) else "Port", properties,

@@ -1,0 +1,182 @@
+What rtcomp refuses, and says; nothing has changed then.
+
+world: composite --flavour cpp2
+world: deadmember --flavour cpp2 --context dead.host_cxt/%n.rtc
+world: manager ConsoleOut --flavour cpp2 --context m.host_cxt/%n.rtc
+world: services --context other.host_cxt/%n.rtc
+world: zombie 1
+
+Wrong usage:
+
+  $ rtcomp
+  rtcomp: the following arguments are required: MANAGER[:NAME] | COMPOSITE (see --help)
+  [2]
+  $ rtcomp a b
+  rtcomp: unrecognized arguments: b (see --help)
+  [2]
+  $ rtcomp -a
+  rtcomp: argument -a/--add: expected one argument (see --help)
+  [2]
+  $ rtcomp -a a.rtc:b:c composite0.rtc
+  rtcomp: a.rtc:b:c: bad path (one colon stands before a port; write \: in a name)
+  [2]
+  $ rtcomp ../m.host_cxt/manager.mgr:'a&b=c'
+  rtcomp: internal error: AttributeError: 'NoneType' object has no attribute 'call' (RTSHELL_DEBUG=1 shows where)
+  [70]
+  $ rtcomp -o nonsense ../m.host_cxt/manager.mgr:New
+  rtcomp: not MODULE[?KEY=VALUE&KEY=VALUE…]: PeriodicECSharedComposite?instance_name=New&nonsense (see --help)
+  [2]
+  $ rtcomp -t 'A?b=c' ../m.host_cxt/manager.mgr:New
+  rtcomp: not MODULE[?KEY=VALUE&KEY=VALUE…]: A?b=c?instance_name=New (see --help)
+  [2]
+
+What is no composite and no manager:
+
+  $ rtcomp -a Sensor0.rtc Motor0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/Motor0.rtc: not a composite component (it is a component)
+  [3]
+  $ rtcomp -a Sensor0.rtc ../other.host_cxt
+  rtcomp: /localhost:$PORT/other.host_cxt: not a component or manager (it is a directory)
+  [3]
+  $ rtcomp -a Sensor0.rtc composit0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/composit0.rtc: no such path; did you mean composite0.rtc?
+  [3]
+  $ rtcomp -a Sensor0.rtc composite0.rtc:out
+  rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc:out: not a component or manager (it is a port)
+  [3]
+  $ rtcomp -a Sensor0.rtc Mock0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/Mock0.rtc: connection refused; its process is gone (zombie)
+  [4]
+  $ rtcomp ../m.host_cxt/manager.mgr:ConsoleOut0
+  rtcomp: /localhost:$PORT/m.host_cxt/manager.mgr/ConsoleOut0.rtc: not a composite component (it is a component)
+  [3]
+  $ rtcomp -a Sensor0.rtc nowhere/composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/nowhere: no such path
+  [3]
+
+Members that are not there, are no components, lack the port, are dead:
+
+  $ rtcomp -a Senso0.rtc composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/Senso0.rtc: no such path; did you mean Sensor0.rtc?
+  [3]
+  $ rtcomp -a ../m.host_cxt/manager.mgr composite0.rtc
+  rtcomp: /localhost:$PORT/m.host_cxt/manager.mgr: not a component (it is a manager)
+  [3]
+  $ rtcomp -a ../other.host_cxt composite0.rtc
+  rtcomp: /localhost:$PORT/other.host_cxt: not a component (it is a directory)
+  [3]
+  $ rtcomp -a Sensor0.rtc:nothing composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/Sensor0.rtc: no such port: nothing
+  [3]
+  $ rtcomp -a Sensor0.rtc:in,nothing,out composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/Sensor0.rtc: no such port: nothing
+  [3]
+  $ rtcomp -a Mock0.rtc composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/Mock0.rtc: connection refused; its process is gone (zombie)
+  [4]
+  $ rtcomp -a composite0.rtc composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: cannot be a member of itself
+  [1]
+  $ rtcomp -r ../other.host_cxt/MyServiceProvider0.rtc composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: no such member: MyServiceProvider0
+  [3]
+  $ rtcomp -r nobody.rtc composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: no such member: nobody
+  [3]
+  $ rtcat composite0.rtc | tail -2
+  +DataInPort: Sensor0.in
+  +DataOutPort: Motor0.out
+
+All is checked before the first change:
+
+  $ rtcomp -a ../other.host_cxt/MyServiceConsumer0.rtc -r nobody.rtc composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: no such member: nobody
+  [3]
+  $ rtcat -l ../other.host_cxt/MyServiceConsumer0.rtc | grep -c Parent.composition
+  0
+  [1]
+
+A new composite has nothing to be removed:
+
+  $ rtcomp -r Motor0.rtc ../m.host_cxt/manager.mgr:New
+  rtcomp: /localhost:$PORT/m.host_cxt/manager.mgr: cannot remove components or ports from a new composite
+  [1]
+  $ rtcomp -a ../m.host_cxt/ConsoleOut0.rtc -r Motor0.rtc:in ../m.host_cxt/manager.mgr:New
+  rtcomp: /localhost:$PORT/m.host_cxt/manager.mgr: cannot remove components or ports from a new composite
+  [1]
+  $ rtls ../m.host_cxt
+  ConsoleOut0.rtc
+  a.rtc
+  manager.mgr/
+
+A type that the manager does not know, a type that is no composite (what was made is deleted again):
+
+  $ rtcomp -t Nonsense ../m.host_cxt/manager.mgr:New
+  rtcomp: /localhost:$PORT/m.host_cxt/manager.mgr: does not create Nonsense?instance_name=New (no factory Nonsense; there are: ConsoleOut, Controller, Motor, PeriodicECSharedComposite, Sensor)
+  [6]
+  $ rtcomp -t ConsoleIn ../m.host_cxt/manager.mgr:New
+  rtcomp: /localhost:$PORT/m.host_cxt/manager.mgr/New.rtc: not a composite component (it is a component)
+  [3]
+  $ rtls ../m.host_cxt | grep New
+  [1]
+
+Hiding what is not shown changes nothing:
+
+  $ rtcomp -v -r Sensor0.rtc:out composite0.rtc
+  rtcomp: port Sensor0.out is hidden already
+
+A dead member is removed by its path, although it cannot say its name any more; so are its ports:
+
+  $ rtls ../dead.host_cxt
+  ConsoleIn0.rtc
+  *Peer0.rtc
+  composite0.rtc
+  $ rtls -lv ../dead.host_cxt
+  Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  -         -    -    -    -    *Peer0.rtc
+  ?         -    -    -    -    ?composite0.rtc
+  rtls: /localhost:$PORT/dead.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, rtcomp -r removes it
+  rtls: 1 of 3 did not answer (composite0.rtc)
+  [5]
+  $ rtcat -l ../dead.host_cxt/composite0.rtc | grep Member
+  rtcat: /localhost:$PORT/dead.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, rtcomp -r removes it
+  [1]
+  $ rtcat ../dead.host_cxt/composite0.rtc
+  rtcat: /localhost:$PORT/dead.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, rtcomp -r removes it
+  [4]
+  $ rtcomp -v -r ../dead.host_cxt/Peer0.rtc:in ../dead.host_cxt/composite0.rtc
+  rtcomp: hid port Peer0.in
+  $ rtcomp -v -r ../dead.host_cxt/Peer0.rtc ../dead.host_cxt/composite0.rtc
+  rtcomp: removed component Peer0
+  $ rtcat ../dead.host_cxt/composite0.rtc
+  composite0.rtc  Inactive
+    Category       composite.PeriodicECShared
+    Description    PeriodicECSharedComposite
+    Instance name  composite0
+    Type name      PeriodicECSharedComposite
+    Vendor         jp.go.aist
+    Version        1.0
+    Parent\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
+    Type           Composite
+   +Extra properties
+  +Composition composite0
+  +Execution Context 0
+  +DataOutPort: ConsoleIn0.out
+  $ rtcat -l ../dead.host_cxt/composite0.rtc | grep Member
+    Member  /localhost:$PORT/dead.host_cxt/ConsoleIn0.rtc
+
+A composite that refuses or fails:
+
+  $ ctl fail add_members 1 NO_PERMISSION; rtcomp -a ../other.host_cxt/MyServiceProvider0.rtc composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: CORBA.NO_PERMISSION
+  [6]
+  $ ctl fail remove_member 1 HANG; within 0.5-1.5 rtcomp --timeout 0.5 -r Motor0.rtc composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: no answer within 0.5s
+  [4]
+  $ ctl hang composite0 60; within 0.5-1.5 rtcomp --timeout 0.5 -r Motor0.rtc composite0.rtc; ctl hang composite0 0
+  rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: no answer within 0.5s
+
+Organization::get_owner is never called: C++ tells the owner only once
+
+  $ calls | grep get_owner
+  [1]
