@@ -60,28 +60,28 @@ def main(argv):
 def play(args, worlds, flavour):
     """Set up the world, say so, and stay until told to go."""
     from . import control, naming, process, stage as staging
-    finish = threading.Event()
-    for number in (signal.SIGTERM, signal.SIGINT):
-        signal.signal(number, lambda *_: finish.set())
     here = process.Process(args.port)
     here.ledger.own_thread()
     server = args.nameserver or os.environ.get("RTCTREE_NAMESERVERS", "localhost").split(";")[0]
-    options = Options(context=args.context, rate=args.rate, sync=args.sync, contexts=1, running=True)
+    options = Options(context=args.context, rate=args.rate, sync=args.sync, contexts=1, running=True,
+                      arguments={}, control=args.control, consumers=None, size=0, dies=False)
     stage = staging.Stage(here, naming.Naming(here.orb, server), flavour, options)
+    for number in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(number, lambda *_: stage.finish.set())
     try:
         worlds.WORLDS[args.world](stage, *args.arguments)
         here.ledger.reset()
         if args.control:
-            here.thread(control.serve(args.control, control.Commands(stage, finish)))
-        print("ready", len(stage.components), flush=True)
+            here.thread(control.serve(args.control, control.Commands(stage)))
+        print("ready", len(stage.components), *stage.ready, flush=True)
         if stage.after_ready:
             stage.after_ready()
-        threading.Thread(target=wait_for_end_of_input, args=(finish,), daemon=True).start()
-        finish.wait()
+        threading.Thread(target=wait_for_end_of_input, args=(stage.finish,), daemon=True).start()
+        stage.finish.wait()
     finally:
-        stage.names.unbind_all()
+        stage.end()
     if args.control:
-        os.unlink(args.control)
+        control.forget(args.control)
     sys.stdout.flush()
     os._exit(0)
 

@@ -4,7 +4,10 @@ import time
 from rtshell_lite.idl_stubs.component import RTC
 
 from . import values
+from .composite import Composite
+from .fsm import StateMachine
 from .rtc import Component
+from .sources import Source
 
 SEQUENCE_TYPES = ("Octet", "Short", "Long", "Float", "Double", "OctetSeq", "ShortSeq", "LongSeq", "FloatSeq", "DoubleSeq")
 
@@ -40,7 +43,7 @@ class Sender(Component):
 
     busy = True
 
-    def on_activated(self, handle):
+    def activated(self, handle):
         self.number = 0
         return RTC.RTC_OK
 
@@ -77,7 +80,7 @@ class Failing(Component):
 class Unwilling(Component):
     """Goes to the Error state instead of becoming active."""
 
-    def on_activated(self, handle):
+    def activated(self, handle):
         return RTC.RTC_ERROR
 
 
@@ -86,21 +89,21 @@ class Slow(Component):
 
     DELAY = 0.8
 
-    def on_activated(self, handle):
+    def activated(self, handle):
         time.sleep(self.DELAY)
         return RTC.RTC_OK
 
-    on_deactivated = on_reset = on_activated
+    deactivated = reset = activated
 
 
 class Stuck(Component):
     """Never comes back from a change of state."""
 
-    def on_activated(self, handle):
+    def activated(self, handle):
         time.sleep(3600)
         return RTC.RTC_OK
 
-    on_deactivated = on_reset = on_activated
+    deactivated = reset = activated
 
 
 class Spec:
@@ -108,7 +111,7 @@ class Spec:
 
     def __init__(self, type_name, description, ports=(), sets=None, sets_cpp=None, active_set="default",
                  play=Component, category="example", implementation_id=None, vendor=None, version=None, activity=None,
-                 stamps=False, config_file=""):
+                 stamps=False, config_file="", max_instance=10):
         self.type_name = type_name
         self.description = description
         self.port_list = ports
@@ -123,6 +126,7 @@ class Spec:
         self.activity = activity
         self.stamps = stamps
         self.config_file = config_file
+        self.max_instance = max_instance
 
     def author(self, flavour):
         """(vendor, version)"""
@@ -142,8 +146,18 @@ class Spec:
         changes = self.sets_cpp if flavour.language == "C++" else {}
         return {name: dict(values, **changes.get(name, {})) for name, values in self.set_list.items()}
 
-    def activity_type(self, flavour):
-        return (self.activity or "PERIODIC") if flavour.kind else "DataFlowComponent"
+    def identity(self, flavour):
+        vendor, version = self.author(flavour)
+        return {"implementation_id": self.implementation_id, "type_name": self.type_name, "description": self.description,
+                "version": version, "vendor": vendor, "category": self.category}
+
+    def nature(self, flavour):
+        """What profiles say after that, of components as of factories."""
+        pairs = [("activity_type", (self.activity or "PERIODIC") if flavour.kind else "DataFlowComponent"),
+                 ("max_instance", str(self.max_instance)), ("language", flavour.language), ("lang_type", flavour.lang_type)]
+        if flavour.kind and self.activity != "DataFlowComponent":
+            pairs.append(("kind", "DataFlowComponent"))
+        return pairs
 
 
 _PAIR = {"Python": "Shinji Kurihara, AIST"}
@@ -172,6 +186,12 @@ SPECS = {spec.type_name: spec for spec in (
     Spec("Clusterer", "Groups the readings of a laser scanner", [("in", "ranges", "TimedLongSeq"),
                                                                  ("out", "clusters", "TimedDoubleSeq")],
          play=Sender, category="Perception", vendor="Geoffrey Biggs, AIST", version="2.1"),
+    Spec("PeriodicECSharedComposite", "PeriodicECSharedComposite", sets={"default": {"members": "", "exported_ports": ""}},
+         play=Composite, category="composite.PeriodicECShared", vendor="jp.go.aist", version="1.0",
+         activity="DataFlowComponent", max_instance=0),
+    Spec("Microwave", "A state machine", [("event", "event", "TimedLong")], play=StateMachine, version="1.0"),
+    Spec("Source", "Sends fast or much", [("out", "number", "TimedLong"), ("out", "block", "TimedOctetSeq")], play=Source,
+         category="test"),
     Spec("Mock", "Does nothing", [("in", "in", "TimedLong"), ("out", "out", "TimedLong")], category="test"),
     Spec("Err", "Goes to Error in its first cycle", [("out", "out", "TimedLong")], play=Failing, category="test"),
     Spec("ErrStart", "Goes to Error instead of Active", play=Unwilling, category="test"),

@@ -12,17 +12,32 @@ def error(name, description):
     return getattr(CORBA, name)(0, CORBA.COMPLETED_NO)
 
 
+def of_a_set(key):
+    """Whether a property of a component is the value of a parameter: conf.SET.PARAMETER."""
+    return key.startswith("conf.") and key.count(".") > 1
+
+
 class Configuration(SDOPackage__POA.Configuration):
     """Sets are kept in order of registration; a set whose id starts with `_` is data about the others."""
 
-    def __init__(self, flavour, sets, active):
-        self.flavour = flavour
+    def __init__(self, component, sets, active):
+        self.component = component
+        self.flavour = component.flavour
         self.sets = {"default": {}}
         for name, values in sets.items():
             self.sets[name] = dict(values)
         self.active = active
         self.last_active = active
+        self.applied = dict(self.sets[active])     # the values that the component works with
         self.added = set()
+        self.organizations = []
+
+    def preset(self, arguments):
+        """Take over the `conf.SET.NAME` among the arguments that a component is created with."""
+        for key, value in arguments.items():
+            if of_a_set(key):
+                _, name, parameter = key.split(".", 2)
+                self.sets.setdefault(name, {})[parameter] = value
 
     def profile(self):
         """The `conf.…` properties of the component's profile."""
@@ -87,6 +102,7 @@ class Configuration(SDOPackage__POA.Configuration):
             return False
         self._merge(self.sets.setdefault(config.id, {}), config.configuration_data)
         self._changed()
+        self._report("SET_CONFIG_SET", config.id)
         return True
 
     def add_configuration_set(self, config):
@@ -95,6 +111,7 @@ class Configuration(SDOPackage__POA.Configuration):
         self._merge(self.sets.setdefault(config.id, {}), config.configuration_data)
         self.added.add(config.id)
         self._changed()
+        self._report("ADD_CONFIG_SET", config.id)
         return True
 
     def remove_configuration_set(self, config_id):
@@ -105,6 +122,7 @@ class Configuration(SDOPackage__POA.Configuration):
         self.added.remove(config_id)
         del self.sets[config_id]
         self._changed()
+        self._report("REMOVE_CONFIG_SET", config_id)
         return True
 
     def activate_configuration_set(self, config_id):
@@ -113,7 +131,23 @@ class Configuration(SDOPackage__POA.Configuration):
         if config_id not in self.sets or config_id.startswith("_"):
             raise error(self.flavour.bad_activate, self._where("activate_configuration_set"))
         self.active = self.last_active = config_id
+        self._report("ACTIVATE_CONFIG_SET", config_id)
+        self.component.configured(config_id)
+        if self.component.active():
+            self.update()
         return True
+
+    def update(self):
+        """The component takes over the values of the active set."""
+        values = dict(self.sets[self.last_active])
+        for name, value in values.items():
+            if self.applied.get(name) != value:
+                self._report("UPDATE_CONFIG_PARAM", self.last_active + "." + name)
+        self.applied = values
+        self._report("UPDATE_CONFIG_SET", self.last_active)
+
+    def _report(self, what, name):
+        self.component.report("CONFIGURATION", "%s: %s" % (what, name))
 
     def _merge(self, values, data):
         for item in data:
@@ -122,19 +156,25 @@ class Configuration(SDOPackage__POA.Configuration):
             elif self.flavour.converts_values:
                 values[item.name] = str(item.value.value())
 
-    # device, services and organisations: accepted, of no effect
+    # device and services
 
     def set_device_profile(self, profile):
+        """Accepted, of no effect."""
         return True
 
     def add_service_profile(self, profile):
-        return False
+        return self.component.observers.add(profile)
 
     def remove_service_profile(self, service_id):
-        return False
+        return self.component.observers.remove(service_id)
+
+    # organisations
 
     def add_organization(self, organization):
+        self.organizations.append(organization)
         return True
 
     def remove_organization(self, organization_id):
-        return False
+        before = len(self.organizations)
+        self.organizations = [one for one in self.organizations if one.get_organization_id() != organization_id]
+        return len(self.organizations) < before

@@ -39,6 +39,7 @@ class Behaviour:
         self.thread = None
         self.born = time.monotonic()
         self.dead = False
+        self.more = []                  # further properties
 
     # what others see
 
@@ -58,6 +59,7 @@ class Behaviour:
                      ("transition_timeout", "%g" % TRANSITION_TIMEOUT)] + pairs
         if self.flavour.context_name:
             pairs.append(("name", ""))
+        pairs += self.more
         return RTC.ExecutionContextProfile(self.get_kind(), self.rate, self.owner, list(self.participants), nvlist(pairs))
 
     def get_component_state(self, comp):
@@ -76,6 +78,8 @@ class Behaviour:
         if rate <= 0 and not self.flavour.any_rate:
             return RTC.BAD_PARAMETER
         self.rate = rate
+        for member in list(self.members):
+            self._tell(member, "on_rate_changed")
         self._wake()
         return RTC.RTC_OK
 
@@ -116,6 +120,12 @@ class Behaviour:
         self.dead = True
         self._wake()
 
+    def settle(self, comp):
+        """Wait until no change of a component's state is under way."""
+        member = self._find(comp)
+        with self.changed:
+            self.changed.wait_for(lambda: member.wanted is None)
+
     def fail(self, comp):
         """Put a component into the Error state."""
         member = self._find(comp)
@@ -153,7 +163,7 @@ class Behaviour:
         member.wanted = wanted
         self._wake()
         if self.flavour.transition == "queue":
-            return self._poll(member) if state == RTC.ACTIVE_STATE else RTC.RTC_OK
+            return self.poll(member) if state == RTC.ACTIVE_STATE else RTC.RTC_OK
         return self._wait(member, state, wanted) if self.sync else RTC.RTC_OK
 
     def _wait(self, member, state, wanted):
@@ -166,7 +176,7 @@ class Behaviour:
             return RTC.RTC_OK
         return RTC.RTC_ERROR if member.state == state else RTC.PRECONDITION_NOT_MET
 
-    def _poll(self, member):
+    def poll(self, member):
         """C++ 1.1 looks every ten periods whether the component has stopped, a thousand times."""
         for _ in range(1000):
             time.sleep(10.0 / self.rate)
@@ -178,7 +188,7 @@ class Behaviour:
         time.sleep(min(1.0 / self.rate, 0.3))
         self.members.remove(member)
         self.participants = [p for p in self.participants if not p._is_equivalent(member.reference)]
-        member.component.detach_context(member.handle)
+        self._tell(member, "detach_context")
         self._wake()
 
     # the thread

@@ -4,22 +4,28 @@ import signal
 import socket
 import sys
 
-from . import values
+from . import observers, values
 
 HELP = """\
 calls [COMPONENT]          one `count operation` line per operation received from outside
 highwater                  most calls from outside that were in flight at a time
-reset                      forget calls, high-water mark, faults and hangs
+reset                      forget calls, high-water mark, faults, delays and hangs
 received COMPONENT:PORT [N]  how many values an InPort has got and the last one; waits up to 10 s for N
 sent COMPONENT:PORT        how many values an OutPort has written
 write COMPONENT:PORT NUMBER  let an OutPort send a value made of that number
 connectors COMPONENT:PORT  id and name of each connection
-state COMPONENT            its state in its first context
+state COMPONENT [HANDLE]   its state in its first context, or in another: 1000 of the composite that has taken it
 error COMPONENT            put it into the Error state
 fail OPERATION [N] [KIND]  the Nth next call of it ends badly: a system exception such as TRANSIENT (default),
                            COMM_FAILURE, UNKNOWN or TIMEOUT; HANG (no answer); DIE (the process ends)
-hang COMPONENT SECONDS     its calls wait that long; 0 lets them go
+delay OPERATION SECONDS    every call of it takes that long
+hang COMPONENT SECONDS     its calls wait until so long from now; 0 lets them go
+log COMPONENT LEVEL NAME MESSAGE  hand a record to its loggers, as no real component does
+fsm COMPONENT STATE        let a state machine change its state
+forsake COMPONENT          it ends, but a manager goes on listing it
 components                 instance names
+port                       IIOP port: of a manager, corbaloc:iiop:1.2@127.0.0.1:PORT/manager
+slave N COMMAND …          ask the Nth further process of a world, such as a slave manager, the same way
 pid                        process id
 stop                       SIGSTOP itself
 die                        end at once, names left bound
@@ -29,10 +35,9 @@ exit                       end in good order, names unbound"""
 class Commands:
     """A method per command; each returns the lines to print."""
 
-    def __init__(self, stage, finish):
+    def __init__(self, stage):
         self.stage = stage
         self.ledger = stage.process.ledger
-        self.finish = finish
 
     def calls(self, component=None):
         return self.ledger.report(component)
@@ -60,9 +65,9 @@ class Commands:
     def connectors(self, port):
         return ["%s %s" % (p.connector_id, p.name) for p in list(self.stage.port(port).profiles.values())]
 
-    def state(self, component):
+    def state(self, component, handle=0):
         component = self.stage.components[component]
-        return [str(component.owned[0].get_component_state(component.reference))[:-len("_STATE")]]
+        return [str(component.get_context(int(handle)).get_component_state(component.reference))[:-len("_STATE")]]
 
     def error(self, component):
         component = self.stage.components[component]
@@ -71,8 +76,31 @@ class Commands:
     def fail(self, operation, nth=1, kind="TRANSIENT"):
         self.ledger.fail(operation, int(nth), kind)
 
+    def delay(self, operation, seconds):
+        self.ledger.delay(operation, float(seconds))
+
     def hang(self, component, seconds):
         self.ledger.hang(component, float(seconds))
+
+    def log(self, component, level, name, message):
+        if level not in observers.LEVELS:
+            raise ValueError("no such level: " + level)
+        self.stage.components[component].observers.log(level, name, message)
+
+    def fsm(self, component, state):
+        self.stage.components[component].go(state)
+
+    def forsake(self, component):
+        self.stage.forsake(component)
+
+    def port(self):
+        return [self.stage.process.endpoint.rpartition(":")[2]]
+
+    def slave(self, number, *words):
+        ok, text = request(self.stage.controls[int(number) - 1], words)
+        if not ok:
+            raise ValueError(text.rstrip("\n"))
+        return text.splitlines()
 
     def components(self):
         return sorted(self.stage.components)
@@ -87,7 +115,7 @@ class Commands:
         return self.stage.process.die
 
     def exit(self):
-        return self.finish.set
+        return self.stage.finish.set
 
 
 def shown(value):
@@ -97,12 +125,19 @@ def shown(value):
 
 def serve(path, commands):
     """Answer commands, one a connection, for as long as the process lives."""
-    if os.path.exists(path):
-        os.unlink(path)
+    forget(path)
     listener = socket.socket(socket.AF_UNIX)
     listener.bind(path)
     listener.listen(8)
     return lambda: _answer_all(listener, commands)
+
+
+def forget(path):
+    """Remove the socket, if it is still there."""
+    try:
+        os.unlink(path)
+    except OSError:
+        pass
 
 
 def _answer_all(listener, commands):
@@ -119,13 +154,13 @@ def _answer(connection, commands):
         words = stream.readline().rstrip("\n").split("\0")
         after = None
         try:
-            if words[0].startswith("_") or not callable(getattr(commands, words[0], None)) or words[0] == "finish":
+            if words[0].startswith("_") or not callable(getattr(commands, words[0], None)):
                 raise ValueError("no such command: " + words[0])
             lines = getattr(commands, words[0])(*words[1:]) or []
             if callable(lines):
                 lines, after = [], lines
             stream.write("ok\n" + "".join(line + "\n" for line in lines))
-        except (KeyError, StopIteration):
+        except (KeyError, IndexError, StopIteration):
             stream.write("error\nno such component or port\n")
         except (TypeError, ValueError, AttributeError) as error:
             stream.write("error\n%s\n" % error)
@@ -135,11 +170,20 @@ def _answer(connection, commands):
         after()
 
 
-def ask(path, words):
-    """Send one command to a running mock, print the answer; returns the exit status."""
+def request(path, words):
+    """Send one command to a running mock; returns whether it was done, and the answer."""
     with socket.socket(socket.AF_UNIX) as connection:
-        connection.connect(path)
+        try:
+            connection.connect(path)
+        except OSError as error:
+            return False, "%s: %s\n" % (path, error.strerror)
         connection.sendall(("\0".join(words) + "\n").encode())
         status, _, text = connection.makefile().read().partition("\n")
-    (sys.stdout if status == "ok" else sys.stderr).write(text)
-    return 0 if status == "ok" else 1
+    return status == "ok", text
+
+
+def ask(path, words):
+    """Send one command to a running mock, print the answer; returns the exit status."""
+    ok, text = request(path, words)
+    (sys.stdout if ok else sys.stderr).write(text)
+    return 0 if ok else 1

@@ -22,6 +22,7 @@ class Ledger:
         self.highwater = 0
         self.faults = []                        # [operation, calls to go, kind]
         self.holds = {}                         # owner -> time until which its calls wait
+        self.delays = {}                        # operation -> seconds that each call of it takes
 
     def own_thread(self):
         """Calls made by this thread come from the mock itself: they are not counted."""
@@ -38,7 +39,9 @@ class Ledger:
             self.in_flight += 1
             self.highwater = max(self.highwater, self.in_flight)
             kind = self._fault(operation)
+            delay = self.delays.get(operation, 0)
         try:
+            time.sleep(delay)
             self._hold(owner)
             if kind:
                 self._fail(kind)
@@ -65,11 +68,17 @@ class Ledger:
             self.holds[owner] = time.monotonic() + seconds
             self.lock.notify_all()
 
+    def delay(self, operation, seconds):
+        """Let every call of an operation take that long."""
+        with self.lock:
+            self.delays[operation] = seconds
+
     def reset(self):
         with self.lock:
             self.calls.clear()
             self.faults = []
             self.holds.clear()
+            self.delays.clear()
             self.highwater = self.in_flight
             self.lock.notify_all()
 
@@ -101,3 +110,20 @@ class Ledger:
         if kind == "DIE":
             os._exit(1)
         raise getattr(CORBA, kind)(MINORS.get(kind, 0), CORBA.COMPLETED_MAYBE)
+
+
+def stand_in(servant, ledger, owner):
+    """A servant that notes each call and passes it on, for object adapters that know nothing of the ledger."""
+    def passed_on(operation):
+        def call(self, *args):
+            ledger.begin(owner, operation)
+            try:
+                return getattr(servant, operation)(*args)
+            finally:
+                ledger.end()
+        return call
+
+    lineage = type(servant).__mro__
+    skeleton = next(kind for kind in lineage if "_omni_op_d" in vars(kind))
+    operations = {name for kind in lineage for name in vars(kind).get("_omni_op_d", ())}
+    return type("StandIn", (skeleton,), {name: passed_on(name) for name in operations})()

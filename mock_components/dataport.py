@@ -36,6 +36,11 @@ class DataPort(Port):
             pairs.append(("data_type", self.data_type))
         return pairs
 
+    def moved(self, how):
+        """Data has passed; only 2.x tells that."""
+        if self.flavour.modern:
+            self.component.report("PORT_PROFILE", how + self.name)
+
     # connecting
 
     def prepare(self, profile):
@@ -139,6 +144,7 @@ class OutPort(DataPort):
         """Send a value to all connections, or keep it for those that fetch."""
         self.last = value
         self.sent += 1
+        self.moved("SEND:OutPort:")
         for connector_id, carrier in list(self.transports.items()):
             if not carrier.write(values.encode(self.type_name, value, carrier.little)):
                 self.process.thread(self.disconnect, connector_id)
@@ -185,11 +191,28 @@ class InPort(DataPort):
         with self.process.arrived:
             self.received += 1
             self.process.arrived.notify_all()
+        self.moved("RECEIVE:InPort:")
 
     def read(self):
         """Fetch from all connections that are to be fetched from."""
         for carrier in list(self.transports.values()):
             carrier.fetch()
+
+
+class EventInPort(InPort):
+    """For events of a state machine, of data type `any`; C++ 2.x cannot connect such a port by corba_cdr."""
+
+    def __init__(self, component, name, type_name):
+        InPort.__init__(self, component, name, type_name)
+        self.data_type = "any"
+
+    def properties(self):
+        return [pair for pair in InPort.properties(self) if pair[0] != "dataport.marshaling_types"]
+
+    def publish(self, profile):
+        if self.flavour.language == "C++" and self.flavour.modern:
+            return RTC.RTC_ERROR
+        return InPort.publish(self, profile)
 
 
 def agreed(profile):

@@ -22,7 +22,7 @@ TABLE = {
     "kind":              (False,         False,         True,          False,         False,         False),
     "endpoint_key":      ("endpoint",    "endpoints",   "endpoints",   "endpoints",   "endpoints",   "endpoint"),
     "port_keys":         ("dataport",    "dataport",    "name",        "dataport",    "dataport",    "dataport"),
-    "observer":          ("",            "",            True,          True,          "",            ""),
+    "observer":          (False,         False,         False,         True,          False,         False),
     "component_key":     (None,          "{}/{}",       "{}.{}",       "{}.{}",       None,          None),
     # ports
     "port_prefix":       (True,          True,          True,          True,          True,          False),
@@ -73,6 +73,25 @@ TABLE = {
     "converts_values":   (False,         False,         False,         True,          False,         False),
     "keeps_active":      (False,         False,         False,         False,         True,          False),
     "parameter_value":   ("null",        "null",        "null",        "BAD_PARAM",   "null",        "null"),
+    # composites: waiting for their members, their callbacks block, or make the caller give up; or they do not wait
+    "composite":         ("blocks",      "late",        "async",       "async",       "async",       "async"),
+    # managers
+    "ident_fields":      (5,             6,             6,             6,             6,             5),
+    # a master makes components itself, not in its slaves
+    "creates_here":      (True,          False,         False,         False,         False,         True),
+    "starts_slaves":     (False,         True,          True,          False,         True,          False),
+    # finds and loads the module of a component that is to be made
+    "search_auto":       (False,         True,          True,          True,          True,          False),
+    "by_name":           (False,         True,          True,          True,          True,          False),
+    "delete_unknown":    ("RTC_OK",) + ("BAD_PARAMETER",) * 4 + ("RTC_OK",),
+    # the instance name of one creation stays with the factory for the next
+    "sticky_name":       (False,         False,         False,         True,          False,         False),
+    # creating under a name that is taken: a second one (when both end, so may the process) or the one that is there
+    "twins":             ("crash",       "crash",       "survive",     "same",        "survive",     "survive"),
+    "integer_pid":       (False,         False,         False,         True,          False,         False),
+    # of the UNKNOWN that clients see when an implementation does not catch its own exceptions
+    "exception_minor":   (0x4f4d0001,    0x4f4d0001,    0x4f4d0001,    0x41540062,    0x4f4d0001,    0x4f4d0001),
+    "program":           ("rtcd",        "rtcd",        "rtcd2",       "rtcd2_python", "rtcd_java",  "rtcd"),
     # SDO
     "no_service_profile": ("InternalError", "InvalidParameter", "InvalidParameter", "InternalError",
                            "InvalidParameter", "InvalidParameter"),

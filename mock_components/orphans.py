@@ -1,31 +1,43 @@
-"""Components whose connected peer has been killed."""
-import os
+"""Components whose connected peer has been killed, and composites whose member has."""
+import contextlib
 import subprocess
-import sys
 
 from rtshell_lite.idl_stubs.component import OpenRTM, RTC
 
-from . import naming
+from . import children, naming
 from .properties import nvlist
 from .stage import PUSH
 
 PEER = "Peer0"
 
 
-def leave_behind(stage, instance_name, flavour):
-    """Add a component, connect it to one in another process, and kill that process; its name stays bound."""
-    component = stage.add("ConsoleIn", instance_name, flavour=flavour)
-    command = [sys.executable, "-m", "mock_components", "these", "ConsoleOut:" + PEER, "--context", stage.options.context,
-               "--nameserver", stage.names.address]
-    environment = {key: value for key, value in os.environ.items() if key != "MOCK_CONTROL"}
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment) as process:
+@contextlib.contextmanager
+def doomed(stage):
+    """A ConsoleOut in another process, which is killed in the end; its name stays bound."""
+    command = children.command(stage, ["these", "ConsoleOut:" + PEER])
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=children.environment()) as process:
         try:
             assert process.stdout.readline().startswith(b"ready"), "the peer did not start"
             name = stage.home() + naming.parse("%s.rtc" % PEER)
-            peer = stage.names.resolve(name)._narrow(OpenRTM.DataFlowComponent)
-            ports = [component.ports[0].reference, peer.get_ports()[0]]
-            code, _ = component.ports[0].connect(RTC.ConnectorProfile("lost", "", ports, nvlist(PUSH)))
-            assert code == RTC.RTC_OK, code
+            yield stage.names.resolve(name)._narrow(OpenRTM.DataFlowComponent)
             stage.names.adopt(name)
         finally:
             process.kill()
+
+
+def leave_behind(stage, instance_name, flavour):
+    """Add a component and connect it to the one that dies."""
+    component = stage.add("ConsoleIn", instance_name, flavour=flavour)
+    with doomed(stage) as peer:
+        ports = [component.ports[0].reference, peer.get_ports()[0]]
+        code, _ = component.ports[0].connect(RTC.ConnectorProfile("lost", "", ports, nvlist(PUSH)))
+        assert code == RTC.RTC_OK, code
+
+
+def lose_member(stage, instance_name):
+    """Add a composite of a component that lives and the one that dies."""
+    alive = stage.add("ConsoleIn")
+    composite = stage.add("PeriodicECSharedComposite", instance_name, arguments={
+        "conf.default.exported_ports": "ConsoleIn0.out,%s.in" % PEER})
+    with doomed(stage) as peer:
+        composite.organization.add_members([alive.reference, peer])

@@ -141,6 +141,7 @@ class Port(RTC__POA.PortService):
             return code, profile
         with self.lock:
             self.profiles[profile.connector_id] = profile
+        self.component.report("PORT_PROFILE", "CONNECT:" + self.name)
         return code, profile
 
     def _pass_on(self, profile, port):
@@ -201,6 +202,7 @@ class Port(RTC__POA.PortService):
         if profile.ports[index + 1:]:
             code = forward_disconnect(profile.ports[index + 1], connector_id)
         self.release(connector_id)
+        self.component.report("PORT_PROFILE", "DISCONNECT:" + self.name)
         return code
 
 

@@ -7,7 +7,7 @@ import threading
 
 from omniORB import CORBA, PortableServer, PortableServer__POA
 
-from .counting import Ledger
+from .counting import MINORS, Ledger, stand_in
 
 
 class Locator(PortableServer__POA.ServantLocator):
@@ -20,7 +20,7 @@ class Locator(PortableServer__POA.ServantLocator):
     def preinvoke(self, oid, poa, operation):
         entry = self.objects.get(oid)
         if entry is None or not entry[2]():
-            raise CORBA.OBJECT_NOT_EXIST(0, CORBA.COMPLETED_NO)
+            raise CORBA.OBJECT_NOT_EXIST(MINORS["OBJECT_NOT_EXIST"], CORBA.COMPLETED_NO)
         self.ledger.begin(entry[1], operation)
         return entry[0], None
 
@@ -37,6 +37,7 @@ class Process:
         self.ledger = Ledger()
         self.locator = Locator(self.ledger)
         self.arrived = threading.Condition()    # notified when an InPort has received something
+        self.components = {}                    # instance name -> component that lives here
         self.ids = itertools.count(1)
         root = self.orb.resolve_initial_references("RootPOA")
         root._get_the_POAManager().activate()
@@ -64,9 +65,14 @@ class Process:
         """A reference of that type to nothing."""
         return self.poa.create_reference_with_id(b"%d" % next(self.ids), type_id)
 
-    def serve_key(self, servant, key):
-        """Make a servant callable under a readable key too; the calls that come this way are not counted."""
-        self.keys.activate_object_with_id(key.encode("latin-1"), servant)
+    def serve_key(self, servant, key, owner):
+        """Make a servant callable under a readable key too; of these calls, `_non_existent` and `_is_a` are not counted."""
+        oid = key.encode("latin-1")
+        try:
+            self.keys.activate_object_with_id(oid, stand_in(servant, self.ledger, owner))
+        except PortableServer.POA.ObjectAlreadyActive:
+            return None                 # it stays with the first
+        return self.keys.id_to_reference(oid)
 
     def withdraw_key(self, key):
         self.keys.deactivate_object(key.encode("latin-1"))

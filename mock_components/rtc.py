@@ -1,16 +1,19 @@
 """An RT Component: profile, contexts, ports and configuration behind one CORBA object."""
+from omniORB import CORBA
 from rtshell_lite.idl_stubs.component import OpenRTM__POA, RTC, SDOPackage
 
-from . import configuration, context, dataport, naming, serviceport
+from . import configuration, context, dataport, naming, observers, serviceport
 from .properties import nvlist
 
 LINGER = 0.7            # seconds that the name of an ended component stays bound
+KINDS = {"in": dataport.InPort, "out": dataport.OutPort, "event": dataport.EventInPort, "service": serviceport.ServicePort}
 
 
 class Component(OpenRTM__POA.DataFlowComponent):
     """A component that does nothing of its own; those with behaviour derive from it."""
 
     busy = False        # whether an active one has work in every cycle
+    providers = ()      # interface types of SDO services that it offers
     FIRST_PARTICIPATING = 1000
 
     def __init__(self, process, spec, instance_name, flavour, options):
@@ -27,12 +30,15 @@ class Component(OpenRTM__POA.DataFlowComponent):
         self.ended = None               # called when the component has ended
         for _ in range(options.contexts):
             self.own_context()
-        self.configuration = configuration.Configuration(flavour, spec.sets(flavour), spec.active_set)
+        self.configuration = configuration.Configuration(self, spec.sets(flavour), spec.active_set)
+        self.configuration.preset(options.arguments)
         self.configuration_ref = process.serve(self.configuration, instance_name)
         self.ports = [self._port(port) for port in spec.ports(flavour)]
+        consumers = ((observers.OBSERVER,) if flavour.observer else ()) if options.consumers is None else options.consumers
+        self.observers = observers.Observers(self, consumers)
         self.key = flavour.component_key and flavour.component_key.format(spec.category, instance_name)
-        if self.key:
-            process.serve_key(self, self.key)
+        if self.key and process.serve_key(self, self.key, instance_name) is None:
+            self.key = None
 
     def own_context(self):
         kind = context.ExtTrigContext if self.flavour.ext_trig else context.PeriodicContext
@@ -42,8 +48,7 @@ class Component(OpenRTM__POA.DataFlowComponent):
         self.owned.append(cxt)
 
     def _port(self, port):
-        kind = {"in": dataport.InPort, "out": dataport.OutPort, "service": serviceport.ServicePort}[port[0]]
-        return kind(self, *port[1:])
+        return KINDS[port[0]](self, *port[1:])
 
     def port(self, name):
         """The port of that short name."""
@@ -52,20 +57,14 @@ class Component(OpenRTM__POA.DataFlowComponent):
     # profiles
 
     def identity(self):
-        vendor, version = self.spec.author(self.flavour)
-        return {"implementation_id": self.spec.implementation_id, "type_name": self.type_name,
-                "description": self.spec.description, "version": version, "vendor": vendor,
-                "category": self.spec.category}
+        return self.spec.identity(self.flavour)
 
     def properties(self):
         """The pairs of the component profile, in about the order in which components give them."""
         flavour, options = self.flavour, self.options
         endpoint = self.process.endpoint
         pairs = list(self.identity().items())
-        pairs += [("activity_type", self.spec.activity_type(flavour)), ("max_instance", "10"),
-                  ("language", flavour.language), ("lang_type", flavour.lang_type)]
-        if flavour.kind:
-            pairs.append(("kind", "DataFlowComponent"))
+        pairs += self.spec.nature(flavour)
         pairs += self.configuration.profile()
         pairs += [("instance_name", self.instance_name), ("openrtm.name", "OpenRTM-aist-" + flavour.version),
                   ("openrtm.version", flavour.version), ("os.name", "Linux"), ("os.release", "6.1.0"),
@@ -81,13 +80,20 @@ class Component(OpenRTM__POA.DataFlowComponent):
                   ("logger.enable", "YES"), ("logger.log_level", "INFO"), ("config.version", flavour.version),
                   ("config_file", self.spec.config_file)]
         pairs += self._port_properties()
-        observer = "IDL:OpenRTM/ComponentObserver:1.0" if flavour.observer else ""
-        pairs += [("sdo.service.provider.available_services", ""), ("sdo.service.provider.enabled_services", "ALL"),
-                  ("sdo.service.consumer.available_services", observer),
+        pairs += [("sdo.service.provider.available_services", ",".join(self.providers)),
+                  ("sdo.service.provider.enabled_services", "ALL"),
+                  ("sdo.service.consumer.available_services", ",".join(self.observers.available)),
                   ("sdo.service.consumer.enabled_services", "ALL")]
         if self.spec.active_set != "default":
             pairs.append(("configuration.active_config", self.spec.active_set))
-        return pairs
+        return self._with_arguments(pairs)
+
+    def _with_arguments(self, pairs):
+        """What create_component was told about the component replaces the rest, or is added to it."""
+        given, known = self.options.arguments, {name for name, _ in pairs}
+        return ([(name, given.get(name, value)) for name, value in pairs] +
+                [(name, value) for name, value in given.items()
+                 if name not in known and not configuration.of_a_set(name)])
 
     def _port_properties(self):
         names = []
@@ -137,13 +143,16 @@ class Component(OpenRTM__POA.DataFlowComponent):
 
     def attach_context(self, cxt):
         self.participating.append(cxt)
-        return self.FIRST_PARTICIPATING + len(self.participating) - 1
+        handle = self.FIRST_PARTICIPATING + len(self.participating) - 1
+        self.report("EC_STATUS", "ATTACHED:%d" % handle)
+        return handle
 
     def detach_context(self, handle):
         index = handle - self.FIRST_PARTICIPATING
         if not 0 <= index < len(self.participating) or self.participating[index] is None:
             return RTC.BAD_PARAMETER
         self.participating[index] = None
+        self.report("EC_STATUS", "DETACHED:%d" % handle)
         return RTC.RTC_OK
 
     # life cycle
@@ -158,6 +167,9 @@ class Component(OpenRTM__POA.DataFlowComponent):
 
     def exit(self):
         """The objects are gone at once; the name stays for a while."""
+        self._leave_organizations()
+        self.report("RTC_STATUS", "FINALIZE:0")
+        self.observers.close()
         for port in self.ports:
             port.disconnect_all()
             port.close()
@@ -171,15 +183,59 @@ class Component(OpenRTM__POA.DataFlowComponent):
             self.ended(self, LINGER)
         return RTC.RTC_OK
 
+    def _leave_organizations(self):
+        for organization in self.get_organizations():
+            try:
+                organization.remove_member(self.instance_name)
+            except CORBA.Exception:
+                pass                    # the composite has died, or has just let it go
+
+    def configured(self, config_id):
+        """A configuration set has been activated."""
+
     def active(self):
-        return any(cxt.get_component_state(self.reference) == RTC.ACTIVE_STATE for cxt in self.owned)
+        """Whether it is active, in its own contexts or in others'."""
+        contexts = self.owned + self.get_participating_contexts()
+        return any(cxt.get_component_state(self.reference) == RTC.ACTIVE_STATE for cxt in contexts)
+
+    def report(self, kind, hint):
+        """Tell the observers."""
+        self.observers.report(kind, hint)
+
+    # callbacks: what contexts call, and the part of it that components have their own way of doing
 
     def _fine(self, handle):
         return RTC.RTC_OK
 
+    activated = deactivated = reset = on_execute = on_error = on_state_update = _fine
     on_initialize = on_finalize = lambda self: RTC.RTC_OK
-    on_startup = on_shutdown = on_activated = on_deactivated = _fine
-    on_aborting = on_error = on_reset = on_execute = on_state_update = on_rate_changed = _fine
+
+    def on_activated(self, handle):
+        self.configuration.update()
+        return self._report_done(self.activated(handle), "RTC_STATUS", "ACTIVE", handle)
+
+    def on_deactivated(self, handle):
+        return self._report_done(self.deactivated(handle), "RTC_STATUS", "INACTIVE", handle)
+
+    def on_reset(self, handle):
+        return self._report_done(self.reset(handle), "RTC_STATUS", "INACTIVE", handle)
+
+    def on_aborting(self, handle):
+        return self._report_done(RTC.RTC_OK, "RTC_STATUS", "ERROR", handle)
+
+    def on_startup(self, handle):
+        return self._report_done(RTC.RTC_OK, "EC_STATUS", "STARTUP", handle)
+
+    def on_shutdown(self, handle):
+        return self._report_done(RTC.RTC_OK, "EC_STATUS", "SHUTDOWN", handle)
+
+    def on_rate_changed(self, handle):
+        return self._report_done(RTC.RTC_OK, "EC_STATUS", "RATE_CHANGED", handle)
+
+    def _report_done(self, code, kind, what, handle):
+        if code == RTC.RTC_OK:
+            self.report(kind, "%s:%d" % (what, handle))
+        return code
 
     # SDO
 
@@ -211,7 +267,7 @@ class Component(OpenRTM__POA.DataFlowComponent):
         raise SDOPackage.InterfaceNotImplemented("Exception: get_monitoring")
 
     def get_organizations(self):
-        return []
+        return list(self.configuration.organizations)
 
     def get_status_list(self):
         return []

@@ -47,6 +47,8 @@ MyService._omni_skeleton = MyService    # omniORB aborts the process without it
 class ServicePort(Port):
     """`interfaces` are (polarity, instance name, type name), the polarity `provided` or `required`."""
 
+    port_type = "CorbaPort"
+
     def __init__(self, component, name, interfaces):
         Port.__init__(self, component, name)
         self.entries = interfaces
@@ -66,7 +68,7 @@ class ServicePort(Port):
         return ["port.corba", "port.corbaport." + (self.short_name if with_names else "")]
 
     def properties(self):
-        return [("port.port_type", "CorbaPort")]
+        return [("port.port_type", self.port_type)]
 
     def interfaces(self):
         polarities = {"provided": RTC.PROVIDED, "required": RTC.REQUIRED}

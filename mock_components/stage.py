@@ -3,7 +3,7 @@ import threading
 
 from rtshell_lite.idl_stubs.component import RTC
 
-from . import components, naming
+from . import children, components, naming
 from .properties import nvlist
 
 PUSH = [("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
@@ -18,8 +18,15 @@ class Stage:
         self.names = names
         self.flavour = flavour
         self.options = options
-        self.components = {}
+        self.components = process.components
+        self.listed = {}                # instance name -> component that a manager lists: the first of that name
+        self.twins = {}                 # name that two components have had at a time -> how many of them are gone
+        self.manager = None             # the manager of this process, if it has one
+        self.children = []              # further processes, to be ended with this one
+        self.controls = []              # their control sockets
+        self.ready = []                 # what is said after `ready` and the number of components
         self.after_ready = None         # called once `ready` has been printed
+        self.finish = threading.Event()     # set: the process is to end in good order
 
     def add(self, type_name, instance_name=None, names=None, **changes):
         """Start a component and bind it: under `names`, lists of (id, kind), or as its naming.formats say.
@@ -31,11 +38,19 @@ class Stage:
         instance_name = instance_name or type_name + "0"
         component = spec.play(self.process, spec, instance_name, flavour, self.options.but(**changes))
         component.ended = self._ended
+        if instance_name in self.components:
+            self.twins.setdefault(instance_name, 0)
         self.components[instance_name] = component
+        if self.gone(self.listed.get(instance_name)):
+            self.listed[instance_name] = component
         component.bound = [naming.parse(name) for name in component.names] if names is None else names
         for name in component.bound:
             self.names.bind(name, component.reference)
         return component
+
+    def gone(self, component):
+        """Whether a component has ended, if there ever was one."""
+        return component is None or self.process.local_servant(component.reference) is None
 
     def home(self):
         """The context in which components are bound."""
@@ -55,8 +70,43 @@ class Stage:
         code, _ = ports[0].connect(profile)
         assert code == RTC.RTC_OK, (one, other, code)
 
+    def forsake(self, instance_name):
+        """End a component, but never take it from the manager's list."""
+        component = self.components.pop(instance_name)
+        component.ended = None
+        component.exit()
+        for name in component.bound:
+            self.names.unbind(name)
+
+    def end(self):
+        """Leave in good order: other processes first, then other managers, then the name server."""
+        children.end(self)
+        if self.manager:
+            self.manager.leave()
+        self.names.unbind_all()
+
     def _ended(self, component, linger):
-        self.components.pop(component.instance_name, None)
-        unbind = threading.Timer(linger, lambda: [self.names.unbind(name) for name in component.bound])
-        unbind.daemon = True
-        unbind.start()
+        name = component.instance_name
+        if self.components.get(name) is component:
+            del self.components[name]
+        later(linger, self._forget, component)
+
+    def _forget(self, component):
+        """The name server and the manager follow; two components of one name take a process of C++ 1.x with them."""
+        self.process.ledger.own_thread()
+        name = component.instance_name
+        for bound in component.bound:
+            self.names.unbind(bound)
+        if self.listed.get(name) is component:
+            del self.listed[name]
+        if name in self.twins:
+            self.twins[name] += 1
+            if self.twins[name] == 2 and self.flavour.twins == "crash":
+                self.process.die()
+
+
+def later(seconds, function, *arguments):
+    """Call a function from a thread of its own, in a while."""
+    timer = threading.Timer(seconds, function, arguments)
+    timer.daemon = True
+    timer.start()

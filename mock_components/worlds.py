@@ -2,7 +2,7 @@
 import os
 import signal
 
-from . import components, hostile, odd, orphans
+from . import components, deployment, hostile, observers, odd, orphans
 
 
 def two(stage):
@@ -98,6 +98,39 @@ def contexts(stage):
     driver.owned[0].add_component(multi.reference)
 
 
+def composite(stage):
+    """composite0 made of Sensor0, Controller0 and Motor0; it exports Sensor0.in and Motor0.out"""
+    for type_name in ("Sensor", "Controller", "Motor"):
+        stage.add(type_name)
+    stage.add("PeriodicECSharedComposite", "composite0", arguments={
+        "conf.default.members": "Sensor0, Controller0, Motor0", "conf.default.exported_ports": "Sensor0.in, Motor0.out"})
+
+
+def deadmember(stage):
+    """composite0 made of ConsoleIn0 and of Peer0 whose process has been killed; it exports ConsoleIn0.out and Peer0.in"""
+    orphans.lose_member(stage, "composite0")
+
+
+def fsm(stage, fate=""):
+    """[dies]: Microwave0, a state machine with the service of FSM4RTC; `dies`: as C++, when asked for that by id"""
+    stage.add("Microwave", dies=fate == "dies")
+
+
+def observed(stage):
+    """ConsoleIn0 takes OpenRTM observers, ConsoleOut0 and Microwave0 those of FSM4RTC, Motor0 loggers too, Mock0 none"""
+    stage.add("ConsoleIn", consumers=(observers.OBSERVER,))
+    stage.add("ConsoleOut", consumers=(observers.FSM_OBSERVER,))
+    stage.add("Microwave", consumers=(observers.FSM_OBSERVER,))
+    stage.add("Motor", consumers=(observers.OBSERVER, observers.LOGGER))
+    stage.add("Mock", consumers=())
+
+
+def senders(stage, rate=1000, size=1000):
+    """[RATE [SIZE]]: Source0, active, sends at RATE Hz a TimedLong on `number`, SIZE octets on `block` (default 1000, 1000)"""
+    source = stage.add("Source", rate=float(rate), size=int(size))
+    source.owned[0].activate_component(source.reference)
+
+
 def orphan(stage):
     """Orphan0, connected to Peer0 (`out` to `in`) whose process has been killed"""
     orphans.leave_behind(stage, "Orphan0", stage.flavour)
@@ -131,6 +164,7 @@ def cruel(stage):
 
 
 WORLDS = {world.__name__: world for world in (
-    two, linked, console, services, config, parts, robot, these, many, error, slow, stopped, contexts, orphan, fragile,
-    hung, zombie, names)}
+    two, linked, console, services, config, parts, robot, these, many, error, slow, stopped, contexts, composite, deadmember,
+    fsm, observed, senders, orphan, fragile, hung, zombie, names)}
+WORLDS.update(deployment.WORLDS)
 WORLDS.update({"all": everything, "hostile": cruel})

@@ -109,6 +109,10 @@ def detail(line):
 
 
 def _say(line):
+    try:
+        sys.stdout.flush()  # so that `2>&1` keeps the order
+    except OSError:
+        pass  # the last flush will tell
     if sys.stderr is not None:
         try:
             sys.stderr.write("%s: %s\n" % (os.path.basename(sys.argv[0]), text.safe(line)))
@@ -120,15 +124,22 @@ class Tally:
     """Several objects, each tried: what failed is told at once, the exit status sums it up."""
 
     def __init__(self):
-        self.done, self.statuses = 0, set()
+        self.done, self.statuses, self.told = 0, set(), set()
 
     def add(self, value):
         """Count one result: an errors.Error is told and counted as failed, anything else as done. Returns True if done."""
         if isinstance(value, errors.Error):
-            self.statuses.add(complain(value))
+            if str(value) not in self.told:  # a name server that is down fails all paths alike
+                complain(value)
+            self.told.add(str(value))
+            self.statuses.add(value.status)
             return False
         self.done += 1
         return True
+
+    def fail(self, error):
+        """Count a failure that is told otherwise."""
+        self.statuses.add(error.status)
 
     def status(self):
         """0 when nothing failed, the failures' own status when all failed alike, else 5."""
@@ -204,7 +215,7 @@ class _Parser(argparse.ArgumentParser):
         if not rest or action.nargs == 0:
             return [word]
         # --wait PATH, --shell PATH: a word that cannot be the option's value is not taken for it
-        if action.nargs == "?" and not (rest[0] in action.choices if action.choices else re.match(r"[0-9.]+$", rest[0])):
+        if action.nargs == "?" and not (rest[0] in action.choices if action.choices else re.match(r"\.?[0-9]+\.?[0-9]*$", rest[0])):
             return [word]
         value = rest.pop(0)
         return [word + glue + value] if value.startswith("-") else [word, value]  # argparse would take -n -x for two options
@@ -249,6 +260,15 @@ def seconds(value):
     if not 0 < number <= 86400:
         raise argparse.ArgumentTypeError("not a number of seconds above 0: %s" % text.printable(value))
     return number
+
+
+def one_of(*words):
+    """A type of options that takes one of some words; argparse's own message differs from one Python to the next."""
+    def check(word):
+        if word not in words:
+            raise argparse.ArgumentTypeError("not one of %s: %s" % (", ".join(words), text.printable(word)))
+        return word
+    return check
 
 
 def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):

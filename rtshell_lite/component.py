@@ -7,6 +7,7 @@ from rtshell_lite.text import from_wire, shell_word
 
 STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by number
 KINDS = ("Periodic", "Event-driven", "Other")  # RTC::ExecutionKind by number
+ENDING = 1.0  # seconds that a process may take to end
 POLL = 0.2  # seconds between looks at a state: monitors that ask more often have disturbed real-time threads
 
 # What a transition is called, the operation that asks for it, the state it leads to, the state it starts from.
@@ -138,24 +139,23 @@ def change(node, transition, index=0, wait=None):
     before = state_in(node, ref)
     if before == transition.target:
         return before
-    code = _request(node, ref, transition, node.typed)
+    code = _request(node, ref, transition, node.typed, wait)
     if code == "BAD_PARAMETER":
         canonical = _canonical(node)
         if canonical is None:
             raise errors.Refused(str(node.path), "is not in its execution context %d" % index)
-        code = _request(node, ref, transition, canonical)
+        code = _request(node, ref, transition, canonical, wait)
     if code == "RTC_OK" and wait is None:
         return transition.target
     now = state_in(node, ref)
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
         raise errors.Refused(str(node.path), "cannot %s: %s" % (transition.name, _reason(code, before, now, transition)))
-    return _until(node, ref, transition, now, wait, code)
+    return _until(node, ref, transition, now, rpc.timeout if wait is None else wait)
 
 
-def _request(node, ref, transition, target):
-    # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz
-    rate_limit = rpc.timeout if transition is not DEACTIVATE else max(rpc.timeout, 15.0)
-    return str(orb.call(str(node.path), ref, transition.operation, target, seconds=rate_limit))
+def _request(node, ref, transition, target, wait):
+    # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz: who waits for the state waits for that, too
+    return str(orb.ask(str(node.path), ref, transition.operation, target, seconds=wait))
 
 
 def _reason(code, before, now, transition):
@@ -167,17 +167,16 @@ def _reason(code, before, now, transition):
     return "%s, it is %s" % (code, now)
 
 
-def _until(node, ref, transition, now, wait, code):
-    """Poll until the state is reached; 3 periods of a slow context count as well as seconds."""
-    limit = time.monotonic() + (wait if wait is not None else rpc.timeout)
+def _until(node, ref, transition, now, seconds):
+    """Poll until the state is reached."""
+    limit = time.monotonic() + seconds
     while now != transition.target:
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), "cannot %s: it went to Error" % transition.name)
         if not orb.ask(str(node.path), ref, "is_running"):
             raise errors.Refused(str(node.path), "cannot %s: its execution context is stopped" % transition.name)
         if time.monotonic() > limit:
-            spent = wait if wait is not None else rpc.timeout
-            raise errors.Unreachable(str(node.path), "not %s within %gs, still %s" % (transition.target, spent, now))
+            raise errors.Unreachable(str(node.path), "not %s within %gs, still %s" % (transition.target, seconds, now))
         time.sleep(POLL)
         now = state_in(node, ref)
     return now
@@ -201,17 +200,32 @@ def exit_all(paths, wait=None, dry_run=False):
 
 
 def _exit(node):
+    orb.is_alive(str(node.path), node.ref)  # to know afterwards that it was this call that ended it
     try:
         code = str(node.call("exit"))
     except (errors.Silent, errors.Refused):
         raise
     except errors.Unreachable:
-        # the last component of a process takes the process with it, and the reply may be lost
-        if tree.look([node])[0].kind != "zombie":
+        if not _has_ended(node):
             raise
         return
     if code != "RTC_OK":
         raise errors.Refused(str(node.path), "does not exit (%s)" % code)
+
+
+def _has_ended(node):
+    """Look whether a component is gone whose answer was lost: the last one of a process takes the process with it.
+
+    A process that ends may still accept a connection, and lose it, before it refuses the next.
+    """
+    limit = time.monotonic() + ENDING
+    while True:
+        now, = tree.look([node])
+        if now.kind == "zombie":
+            return True
+        if isinstance(now.error, errors.Silent) or time.monotonic() > limit:
+            return False
+        time.sleep(POLL)
 
 
 def _until_unbound(node, wait):

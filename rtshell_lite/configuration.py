@@ -74,12 +74,22 @@ class Configuration:
         if self.active:
             self.activate(self.active)
 
-    def activate(self, set_id):
-        """Make `set_id` the active set. Raises NoSuch, Refused."""
+    def check_active(self, set_id):
+        """Raise NoSuch or Refused unless `set_id` can be made the active set."""
         if set_id not in self.raw:
             raise errors.NoSuch(self.where, "configuration set", printable(set_id))
-        if not self._call("activate_configuration_set", to_wire(set_id)):
-            raise errors.Refused(self.where, "does not activate configuration set %s" % printable(set_id))
+        if hidden(set_id):
+            raise errors.Refused(self.where, "configuration set %s holds metadata and cannot be active" % printable(set_id))
+
+    def activate(self, set_id):
+        """Make `set_id` the active set. Raises NoSuch, Refused."""
+        self.check_active(set_id)
+        try:
+            why = "" if self._call("activate_configuration_set", to_wire(set_id)) else "it says no"
+        except errors.Refused as e:
+            why = e.args[1]
+        if why:
+            raise errors.Refused(self.where, "does not activate configuration set %s (%s)" % (printable(set_id), why))
 
     def apply(self, wanted, active=""):
         """Bring sets to the values in `wanted` ({set: {name: value}}), then activate `active`; all is checked first.
@@ -104,16 +114,16 @@ class Configuration:
             changed = _changed(within, wanted[set_id])
             if changed:
                 steps.append(self.command(set_id, "set", *["%s=%s" % item for item in changed.items()]))
-        if active and active not in self.raw:
-            raise errors.NoSuch(self.where, "configuration set", printable(active))
+        if active:
+            self.check_active(active)
         if active and active != self.active:
             steps.append(self.command(active, "act"))
         return steps
 
     def command(self, set_id, *words):
         """An rtconf command on a set of this component, ready for a shell."""
-        hidden_too = ["-a"] if hidden(set_id) else []
-        return " ".join(["rtconf"] + [shell_word(word) for word in [self.where] + hidden_too + ["-s", set_id] + list(words)])
+        options = ["-a"] * hidden(set_id) + ["-s", set_id] + ["--"] * any(word.startswith("-") for word in words)
+        return " ".join(["rtconf"] + [shell_word(word) for word in [self.where] + options + list(words)])
 
 
 def _changed(within, values):
@@ -127,15 +137,21 @@ def dumped(configuration, with_hidden=False):
     lines = ["# configuration of %s" % configuration.where]
     for each in configuration.sets(with_hidden):
         lines.append("[%s]%s" % (_spelt(each.id, "]"), " active" if each.active else ""))
-        lines += ["%s=%s" % (_spelt(name, "=#["), printable(value)) for name, value in each.values.items()]
+        lines += ["%s=%s" % (_spelt(name, "=#["), _end_seen(printable(value))) for name, value in each.values.items()]
     return lines
+
+
+def _end_seen(s):
+    """`s` such that an editor that strips blanks from the ends of lines does no harm."""
+    return s[:-1] + "\\x20" if s.endswith(" ") else s
 
 
 def _spelt(s, more):
     return "".join("\\" + c if c in more else c for c in printable(s))
 
 
-_LINE = re.compile(r"\[(?P<set>(?:[^\]\\]|\\.)*)\](?P<active> active)?\Z|(?P<name>(?:[^=\\]|\\.)*)=(?P<value>.*)\Z")
+_SET = re.compile(r"\[((?:[^\]\\]|\\.)*)\]( +active)? *\Z")
+_VALUE = re.compile(r"((?:[^=\\]|\\.)*)=(.*)\Z")
 
 
 def parsed(lines, file_name):
@@ -145,23 +161,43 @@ def parsed(lines, file_name):
         line = line.rstrip("\r\n")
         if not line.strip() or line.startswith("#"):
             continue
-        found = _LINE.match(line)
         try:
-            if found and found.group("set") is not None:
-                set_id = unescaped(found.group("set"))
-                current = wanted.setdefault(set_id, collections.OrderedDict())
-                active = set_id if found.group("active") else active
-            elif found and current is not None:
-                current[unescaped(found.group("name"))] = unescaped(found.group("value"))
+            if line.startswith("["):
+                set_id, is_active = _set_line(line)
+                if is_active and active not in ("", set_id):
+                    raise ValueError("a second active set")
+                current, active = wanted.setdefault(set_id, collections.OrderedDict()), set_id if is_active else active
             else:
-                raise ValueError("neither [set] nor name=value" if current is not None else "name=value before any [set]")
+                _take_value(line, current)
         except ValueError as e:
             raise errors.No("%s:%d" % (printable(file_name), number), e)
     return wanted, active
 
 
+def _set_line(line):
+    found = _SET.match(line)
+    if not found:
+        raise ValueError("not [set] or [set] active")
+    return unescaped(found.group(1)), bool(found.group(2))
+
+
+def _take_value(line, values):
+    found = _VALUE.match(line)
+    if not found:
+        raise ValueError("neither [set] nor name=value")
+    if values is None:
+        raise ValueError("name=value before any [set]")
+    name = unescaped(found.group(1))
+    if name in values:
+        raise ValueError("%s has a value already" % printable(name))
+    values[name] = unescaped(found.group(2))
+
+
 def differences(left, right, with_hidden=False):
-    """Rows (set, parameter, left value, right value) where two Configurations differ; None for what is missing."""
+    """Rows (set, parameter, left value, right value) where two Configurations differ; None for what is missing.
+
+    The row of the active sets has None for the first two.
+    """
     rows = []
     sets = [{each.id: each.values for each in side.sets(with_hidden)} for side in (left, right)]
     for set_id in sorted(set(sets[0]) | set(sets[1])):
@@ -170,7 +206,7 @@ def differences(left, right, with_hidden=False):
             if values[0].get(name) != values[1].get(name):
                 rows.append((set_id, name, values[0].get(name), values[1].get(name)))
     if left.active != right.active:
-        rows.append(("", "", left.active or None, right.active or None))
+        rows.append((None, None, left.active or None, right.active or None))
     return rows
 
 

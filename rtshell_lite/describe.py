@@ -1,21 +1,34 @@
 """What rtcat shows of a component or a port, as lines or as JSON."""
 import collections
 
-from rtshell_lite import component, errors, orb, ports, text
+from rtshell_lite import component, errors, orb, organisation, ports, text
 from rtshell_lite.text import from_wire, printable
 
-# All that rtcat knows of one component; `level` 0, 1, 2 as -l was given.
-Found = collections.namedtuple("Found", "node profile state contexts ports composite member")
+# All that rtcat knows of one component. `compositions` are those that it owns, as (id, [path text of a member]); `parents`
+# those that it belongs to, as (id, name of the composite, its path text). The details are empty at level 0.
+Found = collections.namedtuple("Found", "node profile state contexts ports compositions parents")
 
 
-def collect(node):
-    """Ask a component for everything that rtcat shows, a Found; the profile comes last (it can end a component of 2.1)."""
+def collect(node, level=0):
+    """Ask a component for everything that rtcat shows, a Found; the profile comes last (it can end a component of 2.1).
+
+    `level` is how often -l was given: from 1 on, members and composites are asked for their names.
+    """
     found = ports.ports(node)
     owned, participating = component.context_refs(node)
     contexts = [component.context(node, ref) for ref in owned + participating]
     state = component.merged([component.state_in(node, context.ref) for context in contexts])
-    composite, member = node.call("get_owned_organizations"), node.call("get_organizations")
-    return Found(node, component.profile(node), state, contexts, found, bool(composite), bool(member))
+    if level:
+        compositions = [(one.id, organisation.member_paths(node, one)) for one in organisation.owned(node)]
+    else:
+        compositions = [("", [])] * len(organisation.owned_refs(node))
+    return Found(node, component.profile(node), state, contexts, found, compositions, _parents(node))
+
+
+def _parents(node):
+    ids = organisation.belonging_ids(node)
+    known = organisation.composites(node) if ids else []
+    return [(one,) + known[i] if i < len(known) else (one, "Unknown", "Unknown") for i, one in enumerate(ids)]
 
 
 # ---- lines ----------------------------------------------------------------------------------------------------
@@ -24,7 +37,7 @@ def lines(found, level, ends, paint):
     """The lines of rtcat for a component. `ends` names the far ends of connections (see `ports.far_ends`)."""
     profile = found.profile
     yield "%s  %s" % (found.node.name, paint(found.state))
-    kind = ("Composite" if found.composite else "Monolithic") + (" composite member" if found.member else "")
+    kind = ("Composite" if found.compositions else "Monolithic") + (" composite member" if found.parents else "")
     for line in _pairs([("Category", profile.category), ("Description", profile.description),
                         ("Instance name", profile.instance_name), ("Type name", profile.type_name),
                         ("Vendor", profile.vendor), ("Version", profile.version), ("Parent", profile.parent),
@@ -38,6 +51,8 @@ def lines(found, level, ends, paint):
             yield line
     # rtshell indents what follows more with -ll; scripts cut by column
     tag, more = (" ", "  ") if level > 1 else ("", "")
+    for line in composition_lines(found, level, tag, more, paint):
+        yield line
     for context in found.contexts:
         if _owned(context):
             for line in context_lines(context, found, level, tag, more, paint):
@@ -53,6 +68,19 @@ def _pairs(items, indent):
 
 def _owned(context):
     return context.handle < 1000  # handles of participating contexts start there
+
+
+def composition_lines(found, level, tag, more, paint):
+    """The lines of the compositions that a component owns and of those that it belongs to."""
+    sign = "-" if level else "+"
+    for one, members in found.compositions:
+        yield "%s%sComposition %s" % (tag, sign, paint(printable(found.profile.instance_name), "bold"))
+        for line in text.pairs([("ID", printable(one))] + [("Member", path) for path in members], more + "  ") if level else ():
+            yield line
+    for one, name, path in found.parents:
+        yield "%s%sParent composition %s" % (tag, sign, paint(printable(name), "bold"))
+        for line in text.pairs([("ID", printable(one)), ("Path", path)], more + "  ") if level else ():
+            yield line
 
 
 def context_lines(context, found, level, tag, more, paint):
@@ -125,7 +153,9 @@ def _shown(connector):
 def as_dict(found, ends):
     """The JSON object of a component."""
     fields = dict(found.profile._asdict(), properties=dict(found.profile.properties), path=str(found.node.path),
-                  state=found.state, composite=found.composite, composite_member=found.member)
+                  state=found.state, composite=bool(found.compositions), composite_member=bool(found.parents))
+    fields["compositions"] = [{"id": one, "members": members} for one, members in found.compositions]
+    fields["parent_compositions"] = [{"id": one, "name": name, "path": path} for one, name, path in found.parents]
     fields["execution_contexts"] = [
         {"handle": c.handle, "kind": c.kind, "rate": c.rate, "running": c.running, "owner": _instance(c.owner, found),
          "participants": [_instance(p, found) for p in c.participants], "properties": dict(c.properties),

@@ -73,8 +73,16 @@ class ConnectionRefused(Unreachable):
     """{}: connection refused"""
 
 
+class ProcessGone(ConnectionRefused):
+    """{}: connection refused; its process is gone (zombie)"""
+
+
 class NoNameServer(ConnectionRefused):
     """{}: connection refused; is the name server running?"""
+
+
+class NoManager(ConnectionRefused):
+    """{}: connection refused; is the manager running?"""
 
 
 class Refused(Error):

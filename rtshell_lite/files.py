@@ -31,7 +31,14 @@ def write(name, content):
         sys.stdout.flush()
         sys.stdout.buffer.write(data)
         return
-    target = os.path.realpath(name)  # a link goes on pointing where it does
+    try:
+        _replace(os.path.realpath(name), data)  # a link goes on pointing where it does
+    except OSError as e:
+        e.filename = name
+        raise
+
+
+def _replace(target, data):
     if os.path.exists(target) and not stat.S_ISREG(os.stat(target).st_mode):
         with io.open(target, "wb") as pipe:  # a device or a FIFO; a directory raises
             pipe.write(data)

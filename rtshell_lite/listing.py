@@ -12,7 +12,7 @@ COUNTED = (("ports", None), ("in_ports", "DataInPort"), ("out_ports", "DataOutPo
 
 def all_blocks(paths, recurse, typed):
     """`blocks` for each path, in parallel by name server; an errors.Error for what failed. `typed` is for the headers."""
-    return rpc.gather([rpc.Job(path.server, str(path), lambda path=path, shown=shown: blocks(path, recurse, text.safe(shown)))
+    return rpc.gather([rpc.Job(tree.lane(path), str(path), lambda path=path, shown=shown: blocks(path, recurse, text.safe(shown)))
                        for path, shown in zip(paths, typed)])
 
 
@@ -27,7 +27,7 @@ def blocks(path, recurse=False, shown="."):
     top = tree.resolve(path)
     if top.kind not in tree.DIRECTORIES:
         if path.directory:
-            raise errors.WrongKind(str(path), "directory", top.kind)
+            raise errors.WrongKind(str(path), "directory", top.what)
         return [(None, [top])]
     if not recurse:
         return [(shown + ":", tree.children(top))]
@@ -72,7 +72,8 @@ def figures(node):
         found = ports.ports(node)
     except (errors.Gone, errors.ConnectionRefused) as e:
         # a port or context passed on that something behind it is gone; the component has answered
-        raise errors.Unreachable(str(node.path), "does not tell its ports or states (%s)" % e)
+        why = "one of them is gone" if isinstance(e, errors.Gone) else "connection refused"
+        raise errors.Unreachable(str(node.path), "does not tell its ports or states (%s)" % why)
     counts = []
     for _, kind in COUNTED:
         of_kind = [each for each in found if kind in (None, each.type)]
@@ -93,10 +94,10 @@ def row(node, found, paint, name=None):
     """The columns of a node with -l: state, connected ports of four kinds, name; `-` for what is no component."""
     name = name or node.name
     if found is None:
-        cells = ["?" if node.kind == "silent" else "-"] + ["-"] * len(COUNTED)
+        cells = [paint("?") if node.kind == "silent" else "-"] + ["-"] * len(COUNTED)
         role = "directory" if node.kind in tree.DIRECTORIES else "zombie" if node.kind in ("zombie", "unknown") else None
         return cells + [MARKS.get(node.kind, "") + paint(name, role)]
-    return [found.state] + ["%d/%d" % count for count in found.counts] + [name]
+    return [paint(found.state)] + [paint(str(count), "bold") + "/%d" % linked for count, linked in found.counts] + [name]
 
 
 def as_dict(node, found):

@@ -83,6 +83,16 @@ def corbaloc(where, address, key, default_port):
         raise errors.BadPath("%s: not an address (%s)" % (where, _label(e)))
 
 
+def from_text(where, ior):
+    """The reference that a stringified IOR stands for. Raises Unreachable when it is none."""
+    orb = start()
+    from omniORB import CORBA
+    try:
+        return orb.string_to_object(ior)
+    except CORBA.SystemException as e:
+        raise errors.Unreachable(where, "not a reference (%s)" % _label(e))
+
+
 def narrow(ref, interface):
     """`ref` as a reference of the stub class `interface`, on trust: no remote call."""
     return ref._unchecked_narrow(interface)
@@ -177,16 +187,20 @@ def call(where, ref, operation, *args, seconds=None):
     return result
 
 
-def ask(where, ref, operation, *args):
+def ask(where, ref, operation, *args, seconds=None):
     """`call` for an object that may live in another process than the one whose lane this is."""
     if rpc.lane_of(endpoint(ref)):
-        return call(where, ref, operation, *args)
-    return rpc.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args))
+        return call(where, ref, operation, *args, seconds=seconds)
+    return rpc.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args, seconds=seconds))
 
 
 def is_alive(where, ref):
     """True when the object of `ref` exists. Raises Gone when it does not or nobody listens there, Silent, Unreachable."""
-    if call(where, ref, "_non_existent"):
+    try:
+        gone = call(where, ref, "_non_existent")
+    except errors.ConnectionRefused:
+        raise errors.ProcessGone(where)
+    if gone:
         raise errors.Gone(where)
     return True
 

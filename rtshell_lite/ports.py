@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import component, errors, orb, rpc, tree
-from rtshell_lite.path import ROOT, Name, Path
+from rtshell_lite.places import Places
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 
 # One port. `name` is the full name (ConsoleIn0.out), `type` DataInPort, DataOutPort, CorbaPort or Port, `properties` a dict,
@@ -15,6 +15,8 @@ DATA = ("DataInPort", "DataOutPort")
 # What rtcon asks for where the user says nothing; the data type is the first port's.
 DEFAULTS = (("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
             ("dataport.subscription_type", "new"))
+
+_ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push
 
 
 # ---- asking ---------------------------------------------------------------------------------------------------
@@ -63,11 +65,12 @@ def find(paths):
 
     An errors.Error stands in the place of what failed: NoSuch with what there is, and what `tree.component` raises.
     """
-    listed = tree.on_components(paths, ports)
-    return [found if isinstance(found, errors.Error) else _named(path, found) for path, found in zip(paths, listed)]
+    listed = tree.on_components([path.object() for path in paths], ports)
+    return [found if isinstance(found, errors.Error) else named(path, found) for path, found in zip(paths, listed)]
 
 
-def _named(path, found):
+def named(path, found):
+    """That one of the Ports `found` which `path` names, or the error NoSuch."""
     instance = path.names[-1].id
     exact = [each for each in found if each.name in (path.port, instance + "." + path.port)]
     # the instance name may differ from the bound one
@@ -94,43 +97,21 @@ def far_ends(node, found):
             if ref is not None and orb.identity(ref) not in own:
                 ends.setdefault(orb.identity(ref), ref)
     jobs = [rpc.Job(orb.endpoint(ref), "%s:%d" % orb.endpoint(ref), lambda ref=ref: port(node, ref)) for ref in ends.values()]
-    names = dict(zip(ends, _Owners(node).name_all(rpc.gather(jobs))))
+    places = Places(node)
+    names = dict(zip(ends, [_place(found, places) for found in rpc.gather(jobs)]))
     return lambda ref: names.get(orb.identity(ref)) if ref is not None else "Unknown (nil)"
 
 
-class _Owners:
-    """Finds where the owners of ports are bound: next to a known component first, anywhere else when need be."""
-
-    def __init__(self, node):
-        self.beside = node.path.parent()
-        self.everywhere = None
-
-    def name_all(self, found):
-        return [self.name(each) for each in found]
-
-    def name(self, found):
-        if isinstance(found, errors.Error):
-            return "Unknown (%s)" % found
-        if found.owner is None:
-            return printable(found.name)
-        path = self._beside(found) or self._anywhere(found)
-        if path is None:
-            return "Unknown (%s)" % printable(found.name)
-        return str(path.with_port(short_name(found.name, path.names[-1].id)))
-
-    def _beside(self, found):
-        path = self.beside.child(Name(found.name.rpartition(".")[0], "rtc"))
-        try:
-            return path if orb.same(tree.resolve(path).ref, found.owner) else None
-        except errors.Error:
-            return None
-
-    def _anywhere(self, found):
-        if self.everywhere is None:
-            servers = [tree.resolve(Path(self.beside.server, (), None, False))] + tree.children(tree.resolve(ROOT))
-            self.everywhere = [node for server in servers for node in tree.walk(server)
-                               if node.kind == "component" and node.ref is not None]
-        return next((node.path for node in self.everywhere if orb.same(node.ref, found.owner)), None)
+def _place(found, places):
+    """The path of a Port, or what can be told where there is none."""
+    if isinstance(found, errors.Error):
+        return "Unknown (%s)" % found
+    if found.owner is None:
+        return printable(found.name)
+    path = places.path(found.name.rpartition(".")[0], found.owner)
+    if path is None:
+        return "Unknown (%s)" % printable(found.name)
+    return str(path.with_port(short_name(found.name, path.names[-1].id)))
 
 
 # ---- connecting -----------------------------------------------------------------------------------------------
@@ -166,16 +147,22 @@ def _data_mismatches(found, types, properties):
     if not all(_same_type(data_types[0], other) for other in data_types[1:]):
         reasons.append("data types differ (%s)" % ", ".join(printable(_short_type(t)) for t in data_types))
     for key, value in sorted(properties.items()):
-        for each in found:
-            allowed = _choices(each, key)
-            if allowed is not None and value not in allowed:
-                reasons.append("%s has no %s %s (it has: %s)" % (label(each), _short_key(key), printable(value),
-                                                                 printable(", ".join(allowed))))
+        reasons += _not_offered(found, key, value)
     for key, _ in DEFAULTS:
         if key not in properties and _chosen(found, key, None) == "":
             reasons.append("no %s in common (%s)" % (_short_key(key), "; ".join(
                 printable(",".join(_choices(each, key) or ["any"])) for each in found)))
     return reasons
+
+
+def _not_offered(found, key, value):
+    """Why some of the ports do not take this value of a property."""
+    offers = [(each, _choices(each, key)) for each in found]
+    lacking = [(each, ", ".join(offer)) for each, offer in offers if offer is not None and value not in offer]
+    what = "%s %s" % (_short_key(key), printable(value))
+    if len(lacking) == len(found) > 1 and len({offer for _, offer in lacking}) == 1:
+        return ["no port has %s (all have: %s)" % (what, printable(lacking[0][1]))]
+    return ["%s has no %s (it has: %s)" % (label(each), what, printable(offer)) for each, offer in lacking]
 
 
 def _short_key(key):
@@ -202,7 +189,9 @@ def _choices(each, key):
     if listed is None or key == "dataport.data_type":
         return None
     values = [value.strip() for value in listed.split(",")]
-    return None if any("any" in value.lower() for value in values) else values
+    if key in _ANY_CASE:
+        values = [value.lower() for value in values]
+    return None if any(value.lower() == "any" for value in values) else values
 
 
 def _chosen(found, key, preferred):
@@ -217,7 +206,7 @@ def _service_mismatches(found, properties):
     reasons, (first, *others) = [], found
     for interface in first.interfaces:
         for other in others:
-            if any(".%s" % interface.instance_name in key for key in properties):
+            if any(word.endswith("." + interface.instance_name) for item in properties.items() for word in item):
                 continue  # mapped by hand to an interface of another name
             named = [i for i in other.interfaces if i.instance_name == interface.instance_name]
             if not named:
@@ -253,11 +242,11 @@ def check(found, given):
 
 
 def refuse_duplicate(found, name, connector_id):
-    """Raise Refused when the first port is joined with any of the others already, or has a connection so named."""
-    for connector in found[0].connectors:
+    """Raise Refused when the first port is joined with any of the others already, or any has a connection so named."""
+    for each, connector in [(each, connector) for each in found for connector in each.connectors]:
         for what, wanted, value in (("id", connector_id, connector.id), ("name", name, connector.name)):
             if wanted and wanted == value:
-                raise errors.Refused(label(found[0]), "has a connection with %s %s already" % (what, printable(value)))
+                raise errors.Refused(label(each), "has a connection with %s %s already" % (what, printable(value)))
     for connector in joining(found):
         raise errors.Refused(between(found), "already connected (id %s)" % printable(connector.id))
 
@@ -289,13 +278,27 @@ def connect(found, name="", connector_id="", given=None):
     return _connector(made)
 
 
+def connect_alone(each, name, properties):
+    """A connector of one data port only, as tools use it; nobody else takes part, and the port's side of it is complete.
+
+    Raises Refused, Unreachable.
+    """
+    from rtshell_lite.idl_stubs.component import RTC
+    asked = RTC.ConnectorProfile(to_wire(name), "", [each.ref], orb.nvlist(sorted(properties.items())))
+    code, made = orb.ask(label(each), each.ref, "connect", asked)
+    if str(code) != "RTC_OK":
+        raise errors.Refused(label(each), "refused by the component (%s)" % code, name=str(code))
+    return _connector(made)
+
+
 def _why_refused(code, found, connector_id):
     already = joining(found)
     if code == "PRECONDITION_NOT_MET" and already:
         return "already connected (id %s)" % printable(already[0].id)
     if code == "PRECONDITION_NOT_MET" and connector_id:
-        return "refused (a connection with id %s exists already?)" % printable(connector_id)
-    return "refused by the component (%s)" % code
+        return "refused; id %s is in use, or the component takes no ids (RtORB)" % printable(connector_id)
+    also = "; it is connected already (id %s)" % printable(already[0].id) if already else ""
+    return "refused by the component (%s)%s" % (code, also)
 
 
 def _tidy(found):
@@ -315,13 +318,26 @@ def disconnect(each, connector):
     """Remove a Connector of a Port. Done when the port no longer has it, whatever the far end says. Raises Refused."""
     connector_id = to_wire(connector.id)
     for operation in ("disconnect", "notify_disconnect"):  # the second reaches this end alone, for a dead far end
-        code = str(orb.call(label(each), each.ref, operation, connector_id))
-        if code in ("RTC_OK", "BAD_PARAMETER"):  # BAD_PARAMETER: it does not know the connector, so it is gone
+        failure = _forgetting_failed(each, operation, connector_id)
+        if failure is None:
             return
-        left = orb.call(label(each), each.ref, "get_connector_profiles")
+        left = component.once_more(lambda: orb.call(label(each), each.ref, "get_connector_profiles"))
         if connector_id not in [c.connector_id for c in left]:
             return
-    raise errors.Refused(label(each), "cannot remove connection %s (%s)" % (printable(connector.id), code))
+    raise failure
+
+
+def _forgetting_failed(each, operation, connector_id):
+    """Ask a port to forget a connector; the errors.Error that tells why it may still have it, or None."""
+    try:
+        code = str(orb.call(label(each), each.ref, operation, connector_id))
+    except errors.Silent:
+        raise
+    except errors.Unreachable as e:  # may be the far end's death, passed on
+        return e
+    if code in ("RTC_OK", "BAD_PARAMETER"):  # BAD_PARAMETER: it does not know the connector, so it is gone
+        return None
+    return errors.Refused(label(each), "cannot remove connection %s (%s)" % (printable(from_wire(connector_id)), code))
 
 
 def disconnect_all(pairs, dry_run=False):

@@ -2,13 +2,16 @@
 import collections
 import re
 
-from rtshell_lite import component, errors, tree
+from rtshell_lite import component, errors, rpc, tree
 
 POLL = 0.5  # seconds between two searches of --wait
 
 # What is looked for: `names` a list of functions name → bool (any of them; empty: all names), `kinds` a set (empty: all),
 # `state` in lower case or None, `depth` levels or None.
 Wanted = collections.namedtuple("Wanted", "names kinds state depth")
+
+# What those may turn out to be whose name is bound to them.
+CAN_BE = {"component": {"component", "silent", "zombie"}, "manager": {"manager", "silent", "zombie"}}
 
 
 def patterns(exact, any_case):
@@ -25,13 +28,16 @@ def _expression(pattern):
 def find(paths, wanted):
     """The Nodes at and below `paths` that are Wanted, in the order of the tree, and a list of the errors met."""
     nodes, failures = [], []
-    for path in paths:
-        try:
-            nodes += _below(path, wanted)
-        except errors.Error as e:
-            failures.append(e)
+    jobs = [rpc.Job(tree.lane(path), str(path), lambda path=path: _below(path, wanted)) for path in paths]
+    for found in rpc.gather(jobs):
+        if isinstance(found, errors.Error):
+            failures.append(found)
+        else:
+            nodes += found
     failures += [node.error for node in nodes if node.error is not None]
     nodes = [node for node in nodes if not wanted.names or any(match(node.name) for match in wanted.names)]
+    if wanted.kinds:
+        nodes = [node for node in nodes if node.kind == "unsure" or wanted.kinds & CAN_BE.get(node.kind, {node.kind})]
     if wanted.kinds or wanted.state:  # only then does it matter who lives
         nodes = tree.look(nodes)
     if wanted.kinds:
@@ -47,8 +53,11 @@ def _below(path, wanted):
         raise errors.WrongKind(str(path), "directory", "port")
     top = tree.resolve(path)
     if path.directory and top.kind not in tree.DIRECTORIES:
-        raise errors.WrongKind(str(path), "directory", top.kind)
-    return list(tree.walk(top, wanted.depth))
+        raise errors.WrongKind(str(path), "directory", top.what)
+    found = list(tree.walk(top, wanted.depth))
+    if top.error is not None:
+        raise top.error
+    return found
 
 
 def _in_state(nodes, state):

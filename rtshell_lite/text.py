@@ -1,4 +1,5 @@
 """Text as people see it: off the wire and back, terminal-safe and reversible, in columns, in colour, as JSON."""
+import itertools
 import os
 import re
 import sys
@@ -72,8 +73,19 @@ def _meant(found):
 
 
 def shell_word(s):
-    """`s` as one word of a POSIX shell command."""
-    return s if re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII) else "'" + s.replace("'", "'\"'\"'") + "'"
+    """`s` as one word of a POSIX shell command, printable but for newlines, which the shell itself would drop at an end."""
+    if re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII):
+        return s
+    pieces = itertools.groupby(s, lambda c: c.isprintable() or c == "\n")
+    return "".join(_quoted("".join(piece)) if plain else _by_printf("".join(piece)) for plain, piece in pieces) or "''"
+
+
+def _quoted(s):
+    return "'" + s.replace("'", "'\"'\"'") + "'"
+
+
+def _by_printf(s):
+    return "\"$(printf '%s')\"" % "".join("\\%03o" % byte for byte in s.encode("utf-8", "surrogateescape"))
 
 
 def width():

@@ -10,59 +10,11 @@ import collections
 import os
 
 from rtshell_lite import errors, orb, rpc
+from rtshell_lite.node import DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes  # of which callers use tree's names
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse
 from rtshell_lite.text import from_wire
 
-# What a node can be. `silent` is a component or manager whose process does not answer, `unknown` any other object.
-KINDS = ("root", "server", "directory", "component", "manager", "zombie", "silent", "unknown")
-DIRECTORIES = ("root", "server", "directory", "manager")
 DEPTH = 64  # contexts can be bound inside themselves by another name
-
-_COMPONENTS = ("IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0", "IDL:omg.org/RTC/RTObject:1.0",
-               "IDL:openrtm.aist.go.jp/OpenRTM/FiniteStateMachineComponent:1.0")
-_RTOBJECT = "IDL:omg.org/RTC/RTObject:1.0"
-_MANAGER = "IDL:RTM/Manager:1.0"
-_CONTEXTS = ("IDL:omg.org/CosNaming/NamingContext:1.0", "IDL:omg.org/CosNaming/NamingContextExt:1.0")
-
-
-class Node:
-    """One object of the tree.
-
-    path   its Path
-    kind   one of KINDS, or `unsure` for an object that has to be asked (`look`) because its reference does not tell
-    ref    its object reference; None at the root and for a nil reference
-    error  for kind `silent` and `zombie`: the errors.Error that tells why
-    """
-
-    def __init__(self, path, kind, ref=None, error=None):
-        self.path, self.kind, self.ref, self.error = path, kind, ref, error
-
-    @property
-    def name(self):
-        """How a listing shows it: the last name of its path, spelt for the terminal."""
-        return str(self.path.names[-1]) if self.path.names else str(self.path)[1:] or "/"
-
-    @property
-    def typed(self):
-        """`ref` as a reference of the interface that its kind implies; the stubs are imported only here."""
-        if self.kind in ("server", "directory"):
-            return orb.context(self.ref)
-        if self.kind == "manager":
-            from rtshell_lite.idl_stubs.manager import RTM
-            return orb.narrow(self.ref, RTM.Manager)
-        from rtshell_lite.idl_stubs.component import OpenRTM
-        return orb.narrow(self.ref, OpenRTM.DataFlowComponent)
-
-    def call(self, operation, *args, **more):
-        """Call an operation of its object; errors name its path."""
-        try:
-            return orb.call(str(self.path), self.typed, operation, *args, **more)
-        except errors.ConnectionRefused as e:
-            raise errors.NoNameServer(*e.args) if self.kind == "server" else e
-
-    def __repr__(self):
-        return "<%s %s>" % (self.kind, self.path)
-
 
 # ---- name servers ---------------------------------------------------------------------------------------------
 
@@ -76,6 +28,11 @@ def _server(path):
     """The node of the name server that `path` begins with; contacts nobody."""
     where = Path(path.server, (), None, False)
     return Node(where, "server", orb.corbaloc(str(where), path.server, "NameService", DEFAULT_PORT))
+
+
+def lane(path):
+    """The endpoint of the name server that `path` begins with, for an rpc.Job; None at the root."""
+    return _server(path).endpoint if path.server is not None else None
 
 
 # ---- from a path to a node ------------------------------------------------------------------------------------
@@ -96,92 +53,71 @@ def resolve(path):
 
 
 def _resolved(server, path):
+    for size, name in enumerate(path.names[:-1], 1):
+        if name.kind in ("rtc", "mgr"):  # or the name server asks this object whether it is a naming context
+            above = _directory(_resolved(server, path._replace(names=path.names[:size])))
+            if above.kind == "manager":
+                return _descend(above, path.names[size:])
     try:
         ref = server.call("resolve", orb.naming_name(path.names))
     except errors.Refused as e:
         if e.name in ("NotFound", "CannotProceed", "InvalidName"):
             raise _why_not_found(path)
-        raise _not_a_name_server(server, e)
-    return _classified(path, ref)
+        raise _name_server_error(server, e)
+    return classified(path, ref)
 
 
-def _not_a_name_server(server, e):
-    if e.name in ("BAD_OPERATION", "NO_IMPLEMENT", "INTF_REPOS"):
-        return errors.WrongKind(str(server.path), "name server", "CORBA object of another kind")
-    return e
+def _descend(node, names):
+    """The Node below a manager that `names` lead to."""
+    for name in names:
+        below = children(_directory(node))
+        found = [child for child in below if child.path.names[-1] == name]
+        if not found:
+            raise _near_miss(node.path.child(name), _by_id(child.path.names[-1] for child in below))
+        node = found[0]
+    return node
+
+
+def _directory(node):
+    if node.kind == "unsure":
+        node, = look([node])
+    if node.kind not in DIRECTORIES:
+        raise errors.WrongKind(str(node.path), "directory", node.what)
+    return node
+
+
+def _name_server_error(node, e):
+    """The error for a Refused from what should be a name server or a naming context."""
+    return no_name_server(node) if e.name in ("BAD_OPERATION", "NO_IMPLEMENT", "INTF_REPOS") else e
 
 
 def _why_not_found(path):
     """The error for a path that does not resolve, with a near miss where a listing of its directory offers one."""
     try:
-        above = resolve(path.parent())
-        if above.kind not in DIRECTORIES:
-            return errors.WrongKind(str(above.path), "directory", above.kind)
-        names = [str(above.path.child(name).names[-1]) for name in _names(above)]
+        above = _directory(resolve(path.parent()))
+        names = _by_id(_names(above))
     except (errors.NotFound, errors.WrongKind) as e:
         return e
+    return _near_miss(path, names)
+
+
+def _by_id(names):
+    return {name.id: name for name in names}
+
+
+def _near_miss(path, names):
     import difflib
-    close = difflib.get_close_matches(str(path.names[-1]), names, 1)
-    return errors.Misspelt(str(path), close[0]) if close else errors.NotFound(str(path))
+    close = difflib.get_close_matches(path.names[-1].id, names, 1)  # the kinds, all .rtc, would make any two names alike
+    return errors.Misspelt(str(path), str(names[close[0]])) if close else errors.NotFound(str(path))
 
 
-def _classified(path, ref):
-    """The Node for a reference found under `path`, by the type its IOR tells: no remote call."""
-    if ref is None:
-        return Node(path, "unknown")
-    type_id, kind = orb.address(ref).type_id, path.names[-1].kind
-    if type_id in _CONTEXTS:
-        return Node(path, "directory", ref)
-    if type_id in _COMPONENTS:
-        return Node(path, "component", ref)
-    if type_id == _MANAGER:
-        return Node(path, "manager", ref)
-    return Node(path, "unsure" if kind in ("rtc", "mgr") or not type_id else "unknown", ref)
+def component(path, or_manager=False):
+    """The component (`or_manager`: or the manager) at `path`. Asks it nothing.
 
-
-# ---- liveness -------------------------------------------------------------------------------------------------
-
-def look(nodes):
-    """Find out which of `nodes` live, in parallel, one call each; returns new nodes in the same order.
-
-    A component or manager that is gone becomes `zombie`, one that does not answer `silent`. `_non_existent` is the
-    question: a profile can end a component whose connection has died (protocol of OpenRTM-aist 2.1).
+    Raises as `resolve` does, WrongKind (for a port, too), Gone for a zombie.
     """
-    objects = [node for node in nodes if node.kind in ("component", "manager", "unsure")]
-    answers = dict(zip(objects, on_nodes(objects, _looked_at)))
-    return [judged(node, answers[node]) if node in answers else node for node in nodes]
-
-
-def judged(node, answer):
-    """The Node that `node` turns out to be, given what it answered: itself, or zombie or silent after an errors.Error."""
-    if not isinstance(answer, errors.Error):
-        return answer
-    zombie = isinstance(answer, (errors.Gone, errors.ConnectionRefused))
-    return Node(node.path, "zombie" if zombie else "silent", node.ref, answer)
-
-
-def _looked_at(node):
-    where = str(node.path)
-    if node.kind == "unsure":
-        return _sure(node, where)
-    orb.is_alive(where, node.ref)
-    return node
-
-
-def _sure(node, where):
-    """Ask an object that does not say what it is; a refusal to tell makes it unknown."""
-    orb.is_alive(where, node.ref)
-    try:
-        for kind, type_id in (("component", _RTOBJECT), ("manager", _MANAGER), ("directory", _CONTEXTS[0])):
-            if orb.call(where, node.ref, "_is_a", type_id):
-                return Node(node.path, kind, node.ref)
-    except errors.Refused:
-        pass
-    return Node(node.path, "unknown", node.ref)
-
-
-def component(path):
-    """The component at `path`. Raises as `resolve` does, WrongKind, Gone for a zombie; asks a component nothing."""
+    if path.port is not None:
+        raise errors.WrongKind(str(path), "component", "port")
     node = resolve(path)
     if node.kind == "unsure":
         node, = look([node])
@@ -189,29 +125,26 @@ def component(path):
         raise errors.Gone(str(node.path))
     if node.kind == "silent":
         raise node.error
+    if node.kind == "manager" and or_manager:
+        return node
     if node.kind != "component":
-        raise errors.WrongKind(str(node.path), "component", node.kind)
+        raise errors.WrongKind(str(node.path), "component or manager" if or_manager else "component", node.what)
     if path.directory:
-        raise errors.WrongKind(str(node.path), "directory", "component")
+        raise errors.WrongKind(str(path), "directory", "component")
     return node
 
 
-def on_components(paths, function):
-    """Call function(node) for the component at each path, in parallel; values in order, an errors.Error for what failed."""
+def on_components(paths, function, or_managers=False):
+    """Call function(node) for the component at each path, in parallel; values in order, an errors.Error for what failed.
+
+    With `or_managers`, managers are taken as well.
+    """
     orb.start()  # its failures are not the failure of a path
 
     def resolved(path):
-        return rpc.Job(path.server, str(path), lambda: component(path))
+        return rpc.Job(lane(path), str(path), lambda: component(path, or_managers))
     nodes = rpc.gather([resolved(path) for path in paths])
     return on_nodes(nodes, function)
-
-
-def on_nodes(nodes, function):
-    """Call function(node) for each Node, in parallel by the process that answers; an errors.Error stays in its place."""
-    jobs = [rpc.Job(orb.endpoint(node.ref), str(node.path), lambda node=node: function(node)) for node in nodes
-            if isinstance(node, Node)]
-    values = iter(rpc.gather(jobs))
-    return [next(values) if isinstance(node, Node) else node for node in nodes]
 
 
 # ---- listing --------------------------------------------------------------------------------------------------
@@ -219,24 +152,30 @@ def on_nodes(nodes, function):
 def children(node):
     """The nodes in a directory, sorted by name: one call for the names, one to the name server for each object.
 
-    Nobody but the name server is asked (use `look` on the result). At the root: the name servers. Raises WrongKind for what
-    is no directory, and Unreachable.
+    Nobody but the name server is asked (use `look` on the result). At the root: the name servers. In a manager: its slaves
+    and components, which have to be asked for their names. Raises WrongKind for what is no directory, and Unreachable.
     """
     if node.kind == "root":
-        return sorted((_server(parse("/" + address)) for address in servers()), key=lambda server: str(server.path))
+        return _sorted(_server(parse("/" + address)) for address in servers())
+    if node.kind == "manager":
+        return _sorted(slaves(node) + managed(node))
     if node.kind not in ("server", "directory"):
-        raise errors.WrongKind(str(node.path), "directory", node.kind)
+        raise errors.WrongKind(str(node.path), "directory", node.what)
     jobs = []
-    context, server = node.typed, orb.endpoint(node.ref)
+    context, server = node.typed, node.endpoint
     for name in _names(node):
         path = node.path.child(name)
-        jobs.append(rpc.Job(server, str(path), lambda path=path: _classified(
+        jobs.append(rpc.Job(server, str(path), lambda path=path: classified(
             path, orb.call(str(path), context, "resolve", orb.naming_name(path.names[-1:])))))
     found = [child for child in rpc.gather(jobs) if not isinstance(child, errors.Refused)]  # unbound since the list was made
     for failure in found:
         if isinstance(failure, errors.Error):
             raise failure
-    return sorted(found, key=lambda child: str(child.path))
+    return _sorted(found)
+
+
+def _sorted(nodes):
+    return sorted(nodes, key=lambda node: str(node.path))
 
 
 def _names(node):
@@ -247,7 +186,7 @@ def _names(node):
     try:
         bindings, iterator = node.call("list", size)
     except errors.Refused as e:
-        raise _not_a_name_server(node, e)
+        raise _name_server_error(node, e)
     if iterator is not None:
         try:
             more = True
@@ -260,36 +199,99 @@ def _names(node):
     return [Name(from_wire(name.id), from_wire(name.kind)) for name in names]
 
 
-def walk(node, depth=None):
-    """Yield `node` and everything below it, depth first, sorted; (Node, its children) would be `children` again.
+# ---- below a manager ------------------------------------------------------------------------------------------
 
-    Each naming context is entered once, however often it is bound, and at most `depth` levels (None: DEPTH) down.
-    A directory that does not answer is yielded with its `error` set. Objects are not asked whether they live.
-    """
-    return _walk(node, DEPTH if depth is None else min(depth, DEPTH), set())
-
-
-def _walk(node, depth, seen):
-    yield node
-    if depth <= 0 or node.kind not in ("root", "server", "directory"):
-        return
-    if node.ref is not None:
-        identity = orb.identity(node.ref)
-        if identity in seen:
-            return
-        seen.add(identity)
+def slaves(node):
+    """Nodes of a manager's slaves. Those of one name are told apart by their instance names, or process ids: manager_4711."""
     try:
-        below = children(node)
-    except errors.Error as e:
-        node.error = e
-        return
+        refs = [ref for ref in node.call("get_slave_managers") if ref is not None]
+    except errors.Refused as e:
+        if e.name == "BAD_OPERATION":  # managers of RtORB have no slaves
+            return []
+        raise
+    found = [Node(node.path, "manager", ref) for ref in refs]
+    answers = on_nodes(found, lambda slave: dict(orb.properties(slave.call("get_profile").properties)))
+    return [judged(Node(node.path.child(Name(name, "")), "manager", ref), answer) if isinstance(answer, errors.Error)
+            else Node(node.path.child(Name(name, "")), "manager", ref)
+            for ref, answer, name in zip(refs, answers, _told_apart(answers))]
+
+
+def _told_apart(profiles):
+    """A name for each slave. A dead one has none of its own."""
+    profiles = [{"name": "slave%d" % i} if isinstance(found, errors.Error) else found for i, found in enumerate(profiles)]
+    names = [found.get("name") or "slave%d" % i for i, found in enumerate(profiles)]
+    for key, form in (("instance_name", "{1}"), ("pid", "{0}_{1}")):
+        names = [form.format(name, found[key]) if names.count(name) > 1 and found.get(key) else name
+                 for name, found in zip(names, profiles)]
+    return [name if name not in names[:i] else "%s_%d" % (name, i) for i, name in enumerate(names)]
+
+
+def managed(node):
+    """Nodes of a manager's components; a master tells those of its slaves, too."""
+    refs = [ref for ref in node.call("get_components") if ref is not None]
+    names = on_nodes([Node(node.path, "component", ref) for ref in refs], lambda each: from_wire(each.call("get_sdo_id")))
+    found = []
+    for i, (ref, name) in enumerate(zip(refs, names)):
+        if isinstance(name, errors.Error):  # dead or silent: it cannot tell its name
+            found.append(judged(Node(node.path.child(Name("unknown%d" % i, "rtc")), "component", ref), name))
+        else:
+            found.append(Node(node.path.child(Name(name, "rtc")), "component", ref))
+    return found
+
+
+# ---- walking --------------------------------------------------------------------------------------------------
+
+def walk(node, depth=None, managers=True):
+    """Yield `node` and everything below it, depth first, sorted.
+
+    Each naming context is entered once, however often it is bound, and at most `depth` levels (None: DEPTH) down; managers
+    are entered unless `managers` is False. A directory that cannot be listed is yielded with its `error` set, a manager that
+    does not answer as `zombie` or `silent`. Components are not asked whether they live.
+    """
+    return _walk(node, DEPTH if depth is None else min(depth, DEPTH), set(), managers)
+
+
+def _walk(node, depth, seen, managers):
+    below = _below(node, seen) if depth > 0 and (managers or node.kind != "manager") else []
+    yield node
     if node.kind == "root":  # name servers in parallel: several may be silent
-        parts = rpc.gather([rpc.Job(orb.endpoint(child.ref), str(child.path),
-                                    lambda child=child: list(_walk(child, depth - 1, set()))) for child in below])
+        parts = rpc.gather([rpc.Job(child.endpoint, str(child.path),
+                                    lambda child=child: list(_walk(child, depth - 1, set(), managers))) for child in below])
     else:
-        parts = (_walk(child, depth - 1, seen) for child in below)
+        parts = (_walk(child, depth - 1, seen, managers) for child in below)
     for child, part in zip(below, parts):
         if isinstance(part, errors.Error):
             child.error, part = part, [child]
         for found in part:
             yield found
+
+
+def _below(node, seen):
+    """The children of a node that has not been seen yet; [] for what has none to tell."""
+    if node.kind not in DIRECTORIES:
+        return []
+    if node.ref is not None:
+        identity = orb.identity(node.ref)
+        if identity in seen:
+            return []
+        seen.add(identity)
+    if node.kind == "manager":
+        return _below_manager(node)
+    try:
+        return children(node)
+    except errors.Error as e:
+        node.error = e
+        return []
+
+
+def _below_manager(node):
+    """The children of a manager; a master whose slave does not answer may not answer then, and is no less alive for it."""
+    found = None
+    try:
+        found = slaves(node)
+        return _sorted(found + managed(node))
+    except errors.Error as e:
+        node.error = e
+        if found is None and not isinstance(e, errors.Refused):
+            node.kind = judged(node, e).kind
+    return _sorted(found or [])

@@ -13,15 +13,14 @@ def delete(path, zombie_only=False, recursive=False, dry_run=False):
     """
     if path.port is not None or not path.names:
         raise errors.WrongKind(str(path), "name that can be deleted", "port" if path.port is not None
-                               else "name server" if path.server else "root")
+                               else "name server" if path.server else "root directory")
     node = tree.resolve(path)
+    if tree.resolve(path.parent()).kind == "manager":
+        raise errors.WrongKind(str(path.parent()), "directory with names in it", "manager; rtmgr deletes its components")
     if zombie_only:
-        node, = tree.look([node])
-        if node.kind != "zombie":
-            raise errors.WrongKind(str(node.path), "zombie", node.kind)
-        yield _delete_zombie(node, dry_run)
+        yield _delete_zombie(_dead(node), dry_run)
     elif node.kind == "directory":
-        for line in _delete_context(node, recursive, dry_run):
+        for line in _delete_context(node, recursive, dry_run, _contexts_above(path)):
             yield line
     else:
         yield _unbind(node.path, dry_run)
@@ -29,16 +28,18 @@ def delete(path, zombie_only=False, recursive=False, dry_run=False):
 
 def zombies(top):
     """The zombies at and below the Node `top`: (zombies, Nodes whose listing failed)."""
-    nodes = list(tree.walk(top))
+    nodes = list(tree.walk(top, managers=False))
     return [node for node in tree.look(nodes) if node.kind == "zombie"], [node for node in nodes if node.error is not None]
 
 
 def delete_zombies(found, dry_run=False):
-    """`_delete_zombie` for each: lines, an errors.Error in the place of what failed."""
+    """`_delete_zombie` for each: lines, an errors.Error in the place of what failed. What lives after all just stays."""
     results = []
     for node in found:
         try:
             results.append(_delete_zombie(node, dry_run))
+        except errors.WrongKind:
+            results.append("")
         except errors.Error as e:
             results.append(e)
     return results
@@ -50,10 +51,17 @@ def _delete_zombie(node, dry_run):
         again = tree.resolve(node.path)
     except errors.NotFound:
         return ""
-    second, = tree.look([again])
-    if second.kind != "zombie":
-        raise errors.WrongKind(str(node.path), "zombie", second.kind)
-    return _unbind(node.path, dry_run, zombie=True)
+    return _unbind(_dead(again).path, dry_run, zombie=True)
+
+
+def _dead(node):
+    """Look at a node and return the zombie that it is. Raises WrongKind, or Silent for one that does not tell."""
+    node, = tree.look([node])
+    if node.kind == "silent":
+        raise node.error
+    if node.kind != "zombie":
+        raise errors.WrongKind(str(node.path), "zombie", node.what)
+    return node
 
 
 def _unbind(path, dry_run, zombie=False):
@@ -69,7 +77,12 @@ def _unbind(path, dry_run, zombie=False):
     return str(path) + ": deleted"
 
 
-def _delete_context(node, recursive, dry_run, above=()):
+def _contexts_above(path):
+    """The identities of the naming contexts that a path leads through."""
+    return tuple(orb.identity(tree.resolve(path._replace(names=path.names[:i])).ref) for i in range(len(path.names)))
+
+
+def _delete_context(node, recursive, dry_run, above):
     """Delete a naming context, what is below it first. One that is bound inside itself loses only that name."""
     identity = orb.identity(node.ref)
     below = [] if identity in above else tree.children(node)

@@ -4,8 +4,10 @@ They keep their files in the directory $SESSION: NAME.pid, NAME.out (what they s
 """
 import os
 import random
+import re
 import shutil
 import socket
+import struct
 import subprocess
 import sys
 import time
@@ -54,9 +56,21 @@ def start_name_server(name):
         data = session_file("%s-%d" % (name, attempt))
         os.mkdir(data)
         server = start(name, [omninames(), "-start", port, "-logdir", data, "-ORBendPoint", "giop:tcp:127.0.0.1:" + port])
-        if wait_for_line(server, name, "Root context is"):
+        if wait_until(lambda: answers(int(port)), server):
             return port
     raise Failed("omniNames does not start: " + said(name))
+
+
+def answers(port):
+    """Does a name server say that its root context is there? It listens a little earlier than it knows that."""
+    body = struct.pack("<II", 1, len(b"NameService")) + b"NameService"
+    try:
+        with socket.create_connection(("127.0.0.1", port), START_LIMIT) as connection:
+            connection.sendall(b"GIOP\1\0\1\3" + struct.pack("<I", len(body)) + body)  # a LocateRequest
+            reply = connection.makefile("rb").read(20)
+    except OSError:
+        return False
+    return reply[7:8] == b"\4" and reply[-4:] == b"\1\0\0\0"  # a LocateReply: OBJECT_HERE
 
 
 def start_world(words, port):
@@ -67,8 +81,8 @@ def start_world(words, port):
 
 
 def start_faulty(words):
-    """Start a peer that misbehaves; returns its process and its name."""
-    name = unused_name(words[0])
+    """Start peers that misbehave; returns their process and its name."""
+    name = unused_name("faulty")
     return start(name, [sys.executable, "-m", "mock_components.faulty"] + words), name
 
 
@@ -82,26 +96,26 @@ def start(name, command):
     return process
 
 
-def wait_for_line(process, name, part):
-    """The first line of a peer's output that holds `part`, or nothing if it ended or took too long."""
+def wait_until(condition, process):
+    """The first true value of the condition; nothing if the process ended before, or took too long."""
     deadline = time.monotonic() + START_LIMIT
     while time.monotonic() < deadline:
         ended = process.poll() is not None
-        for line in said(name).splitlines(True):
-            if part in line and line.endswith("\n"):
-                return line
-        if ended:
-            return None
+        value = condition()
+        if value or ended:
+            return value
         time.sleep(0.01)
     return None
 
 
 def ready(process, name):
-    """Wait until a peer says that it is ready; returns that line."""
-    line = wait_for_line(process, name, "ready")
-    if not line:
+    """Wait until a peer says that it is ready, or where, as JSON; returns that line."""
+    def line():
+        return re.search('^(ready.*|{".*)\n', said(name), re.MULTILINE)
+    found = wait_until(line, process)
+    if not found:
         raise Failed("%s is not ready: %s" % (name, said(name)))
-    return line
+    return found.group()
 
 
 def said(name):

@@ -27,7 +27,7 @@ import environments
 import transcripts
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-FULL, PURE, ALL = ["3.7", "3.11", "3.13"], ["3.6"], ["3.%d" % minor for minor in range(6, 14)]
+FULL, PURE, ALL = ["3.11", "3.7", "3.13"], ["3.6"], ["3.%d" % minor for minor in range(6, 14)]
 MODULE_LIMIT = 300.0  # seconds for one test module
 PACKAGING = "test_packaging"
 
@@ -57,13 +57,14 @@ def module_jobs(python, setting, wheel, patterns, modules):
 
     def job(module):
         return Job("%s %s" % (python.version, module), lambda: run_module(module, setting.python, environment, patterns),
-                   measures(module))
+                   says(module, "ALONE"))
     return [job(module) for module in modules]
 
 
-def measures(module):
+def says(module, word):
+    """Does a module say ALONE (it measures times) or ONCE (one Python of the matrix is enough)?"""
     with open(os.path.join(HERE, module + ".py"), encoding="utf-8") as file:
-        return any(line.startswith("ALONE =") for line in file)
+        return any(line.startswith(word + " =") for line in file)
 
 
 def run_module(module, python, environment, patterns):
@@ -156,7 +157,8 @@ class Score:
 
 
 def run_jobs(jobs, score):
-    _run_some([job for job in jobs if not job.alone], os.cpu_count() or 1, score)
+    lanes = (os.cpu_count() or 1) + 1  # they wait about as much as they compute
+    _run_some([job for job in jobs if not job.alone], lanes, score)
     _run_some([job for job in jobs if job.alone], 1, score)
 
 
@@ -217,8 +219,9 @@ def jobs_for(version, wheel, args):
     setting = transcripts.Setting(interpreter, os.path.dirname(interpreter))
     if args.accept:
         return transcript_jobs(python, setting, args.pattern, True)
-    return module_jobs(python, setting, wheel, args.pattern, test_modules()) + \
-        transcript_jobs(python, setting, args.pattern)
+    again = args.all and version != FULL[0]
+    modules = [module for module in test_modules() if not (again and says(module, "ONCE"))]
+    return module_jobs(python, setting, wheel, args.pattern, modules) + transcript_jobs(python, setting, args.pattern)
 
 
 def packaging_jobs(version, wheel, args):
@@ -281,4 +284,7 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:  # what still runs ends with its stdin
+        sys.exit(130)

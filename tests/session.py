@@ -7,7 +7,7 @@ when its stdin ends, so that nothing survives a runner that was killed.
 Lines at the margin of a transcript that ask for surroundings:
     world: two            mock components, in a process of their own; several such lines, several processes
     server: another       a second omniNames, on $PORT2 (`world: two --nameserver localhost:$PORT2`), and so on
-    faulty: silent        a peer that misbehaves; its port is $FAULTY, the next one's $FAULTY2
+    faulty: silent drip   peers that misbehave, their ports $SILENT and $DRIP; see python3 -m mock_components.faulty -h
     python: pure          needs no omniORB: no name server runs (nothing listens on $PORT)
     alone: it measures    run while nothing else runs
 
@@ -51,7 +51,7 @@ def run(request):
     environment["RTCTREE_NAMESERVERS"] = "localhost:" + environment["PORT"]
     environment["RTCSH_CWD"] = "/localhost:%(PORT)s/test.host_cxt" % environment
     for name in sorted(environment):
-        if re.match("(PORT|FAULTY)[0-9]*$", name):
+        if re.match("[0-9]{5}$", environment[name]):  # a port; all have five digits, so that columns stay where they are
             substitutions.append((r"(?<![0-9])%s(?![0-9])" % environment[name], "$" + name))
     results, problem = play(request, environment, home)
     return {"results": results, "substitutions": substitutions, "problem": problem}
@@ -126,15 +126,13 @@ def start_peers(asked, environment):
         elif kind == "world":
             process, name = peers.start_world(words.split(), environment["PORT"])
             environment[unused(environment, "MOCK_CONTROL")] = peers.control(name)
-            waiting.append((process, name, None))
+            waiting.append((process, name))
         elif kind == "faulty":
-            variable = unused(environment, "FAULTY")
-            environment[variable] = ""
-            waiting.append(peers.start_faulty(words.split()) + (variable,))
-    for process, name, variable in waiting:
-        ready = peers.ready(process, name)
-        if variable:
-            environment[variable] = re.search(r"\b\d{4,5}\b", ready).group()
+            waiting.append(peers.start_faulty(words.split()))
+    for process, name in waiting:
+        line = peers.ready(process, name)
+        if line.startswith("{"):
+            environment.update((re.sub(r"\W", "_", mode).upper(), str(port)) for mode, port in json.loads(line).items())
 
 
 def unused(environment, variable):

@@ -22,7 +22,7 @@ LARGEST = 400000
 MISSING = "omniORBpy is not installed"
 # Arguments with which a command must ask somebody; the others get one path.
 ASKING = {"rtcon": ["/localhost/a.rtc:o", "/localhost/b.rtc:i"], "rtls": [], "rtpwd": [],
-          "rtconf": ["/localhost/a.rtc", "list"]}
+          "rtconf": ["/localhost/a.rtc", "list"], "rtmgr": ["-r", "/localhost/a.mgr"]}
 LOCAL = {"rtpwd"}  # contacts nothing
 
 
@@ -129,9 +129,9 @@ class Robot(unittest.TestCase):
     def from_wheel(self, *words, **keywords):
         return run([self.python, "-m", "rtshell_lite"] + list(words), environment={"PYTHONPATH": WHEEL}, **keywords)
 
-    def check_without_omniorb(self, command):
+    def check_without_omniorb(self, command, chosen=("rtls", "rtpwd", "rtcon")):
         """`command(name)` gives the words that start a command; there is no omniORBpy."""
-        for name in names("bin"):
+        for name in chosen:
             with self.subTest(name):
                 start = command(name)
                 environment = {"PYTHONPATH": WHEEL} if "-m" in start else {}
@@ -161,7 +161,7 @@ class Installed(Robot):
         programs = os.path.join(environment, "bin")
         pip = [os.path.join(programs, "python"), "-m", "pip", "--disable-pip-version-check", "-q"]
         self.assertEqual(run(pip + ["install", "--no-index", WHEEL])[0], 0)
-        self.check_without_omniorb(lambda name: [os.path.join(programs, name)])
+        self.check_without_omniorb(lambda name: [os.path.join(programs, name)], names("bin"))
         status, out, _ = run([os.path.join(programs, "python"), "-m", "rtshell_lite"])
         self.assertEqual(re.findall(r"^  (rt\w+)  +[A-Z]", out, re.MULTILINE), names("bin"))
         unpacked = os.path.join(self.directory, "unpacked")

@@ -149,11 +149,12 @@ class Peers(unittest.TestCase):
 PEERS = """world: two
 server: another
 world: linked --nameserver localhost:$PORT2
+faulty: silent half-header
 
 Each server has a port, each world a control socket:
 
-  $ echo $PORT $PORT2 $MOCK_CONTROL $MOCK_CONTROL2
-  $PORT $PORT2 $SESSION/two.control $SESSION/linked.control
+  $ echo $PORT $PORT2 $MOCK_CONTROL $MOCK_CONTROL2 $SILENT $HALF_HEADER
+  $PORT $PORT2 $SESSION/two.control $SESSION/linked.control $SILENT $HALF_HEADER
   $ ctl components; calls; ctl @linked components
   ConsoleIn0
   ConsoleOut0

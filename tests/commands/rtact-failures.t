@@ -5,6 +5,7 @@ world: these Mock:Dead0 Mock:Dead1
 world: these Mock:Hung0 Mock:Hung1
 world: fragile
 world: names --context odd.host_cxt/%n.rtc
+faulty: silent garbage
 
 Wrong usage:
 
@@ -21,7 +22,7 @@ Wrong usage:
   rtact: empty path
   [2]
   $ rtact 'a\q.rtc'
-  rtact: a\q.rtc: bad escape \\q
+  rtact: a\q.rtc: bad escape \q
   [2]
   $ rtact ConsoleIn0.rtc:out:in
   rtact: ConsoleIn0.rtc:out:in: bad path (one colon stands before a port; write \: in a name)
@@ -47,13 +48,13 @@ Nothing is done when one path cannot be one:
 No such path:
 
   $ rtact Nope0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path; did you mean Peer0.rtc?
+  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   [3]
   $ rtact ConsolIn0.rtc
   rtact: /localhost:$PORT/test.host_cxt/ConsolIn0.rtc: no such path; did you mean ConsoleIn0.rtc?
   [3]
   $ rtact /localhost:$PORT/nowhere.host_cxt/ConsoleIn0.rtc
-  rtact: /localhost:$PORT/nowhere.host_cxt: no such path; did you mean odd.host_cxt?
+  rtact: /localhost:$PORT/nowhere.host_cxt: no such path
   [3]
   $ rtact ConsoleIn0.rtc/below.rtc
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not a directory (it is a component)
@@ -62,30 +63,32 @@ No such path:
 Not a component:
 
   $ rtact /
-  rtact: /: not a component (it is a root)
+  rtact: /: not a component (it is a root directory)
   [3]
   $ rtact .
   rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
   [3]
   $ rtact /localhost:$PORT
-  rtact: /localhost:$PORT: not a component (it is a server)
+  rtact: /localhost:$PORT: not a component (it is a name server)
   [3]
   $ rtact ConsoleIn0.rtc/
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not a directory (it is a component)
   [3]
   $ rtact ConsoleIn0.rtc:out
+  rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: not a component (it is a port)
+  [3]
   $ odd=../odd.host_cxt
   $ rtact $odd/NotAComponent0.rtc
-  rtact: /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc: not a component (it is a unknown)
+  rtact: /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc: not a component (it is a CORBA object of unknown kind)
   [3]
   $ rtact $odd/NotAManager0.mgr
-  rtact: /localhost:$PORT/odd.host_cxt/NotAManager0.mgr: not a component (it is a unknown)
+  rtact: /localhost:$PORT/odd.host_cxt/NotAManager0.mgr: not a component (it is a CORBA object of unknown kind)
   [3]
   $ rtact $odd/Thing0.obj
-  rtact: /localhost:$PORT/odd.host_cxt/Thing0.obj: not a component (it is a unknown)
+  rtact: /localhost:$PORT/odd.host_cxt/Thing0.obj: not a component (it is a CORBA object of unknown kind)
   [3]
   $ rtact $odd/Nil0.rtc
-  rtact: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is a unknown)
+  rtact: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is a nil reference)
   [3]
   $ rtact $odd/empty.cxt
   rtact: /localhost:$PORT/odd.host_cxt/empty.cxt: not a component (it is a directory)
@@ -110,7 +113,7 @@ Dead and silent peers. The dead are told at once, the silent after --timeout, on
 
   $ kill-mock these; hang these2
   $ rtact Dead0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [4]
   $ within 0.4-1.4 rtact --timeout 0.5 Hung0.rtc Hung1.rtc
   rtact: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
@@ -128,29 +131,29 @@ Dead and silent peers. The dead are told at once, the silent after --timeout, on
 Several paths: all are tried, each failure is told, and the status is 5 when something was done or when the failures differ:
 
   $ within 0.4-1.4 rtact --timeout 0.5 -v Dead0.rtc ConsoleIn0.rtc Nope0.rtc Hung0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active
-  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path; did you mean Peer0.rtc?
+  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   rtact: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
   [5]
   $ ctl state ConsoleIn0
   ACTIVE
   $ rtact Nope0.rtc Nope1.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path; did you mean Peer0.rtc?
-  rtact: /localhost:$PORT/test.host_cxt/Nope1.rtc: no such path; did you mean Dead1.rtc?
+  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
+  rtact: /localhost:$PORT/test.host_cxt/Nope1.rtc: no such path
   [3]
   $ rtact Nope0.rtc Dead0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path; did you mean Peer0.rtc?
-  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtact: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
+  rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [5]
   $ rtdeact ConsoleIn0.rtc Dead0.rtc Dead1.rtc
-  rtdeact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
-  rtdeact: /localhost:$PORT/test.host_cxt/Dead1.rtc: connection refused
+  rtdeact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
+  rtdeact: /localhost:$PORT/test.host_cxt/Dead1.rtc: connection refused; its process is gone (zombie)
   [5]
   $ ctl state ConsoleIn0
   INACTIVE
   $ rtreset ConsoleIn0.rtc Dead0.rtc
-  rtreset: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused
+  rtreset: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [5]
   $ resume these2
 
@@ -196,8 +199,13 @@ Name servers: nobody listens on one, and ours falls silent:
   $ rtact /localhost:99999/ConsoleIn0.rtc
   rtact: /localhost:99999/ConsoleIn0.rtc: localhost:99999 is not a name server (host or host:tcpport)
   [2]
-  $ hang names0
+  $ within 0.4-1.4 rtact --timeout 0.5 /localhost:$SILENT/ConsoleIn0.rtc
+  rtact: /localhost:$SILENT: no answer within 0.5s
+  [4]
+  $ within 0-1.4 rtact --timeout 0.5 /localhost:$GARBAGE/ConsoleIn0.rtc
+  rtact: /localhost:$GARBAGE: connection lost
+  [4]
+  $ hang names
   $ within 0.4-1.4 rtact --timeout 0.5 ConsoleIn0.rtc Fragile0.rtc
-  rtact: /localhost:$PORT: no answer within 0.5s
   rtact: /localhost:$PORT: no answer within 0.5s
   [4]

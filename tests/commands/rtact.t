@@ -5,6 +5,8 @@ world: error
 world: slow
 world: stopped --flavour cpp2 --context stopped.host_cxt/%n.rtc
 world: contexts
+world: error --flavour cpp11 --context old.host_cxt/%n.rtc
+world: stopped --flavour cpp11 --context oldstopped.host_cxt/%n.rtc
 
 It is silent, and the component has changed its state when it ends (those of OpenRTM 1.1 will change it soon):
 
@@ -98,6 +100,19 @@ In a stopped execution context nothing changes (with Python components it does):
   $ ctl @stopped state ConsoleIn0; ctl @stopped state ConsoleOut0
   INACTIVE
   ACTIVE
+
+Components of OpenRTM 1.1 accept at once and change later, if at all; only --wait tells what came of it:
+
+  $ rtact ../oldstopped.host_cxt/ConsoleIn0.rtc
+  $ ctl @stopped2 state ConsoleIn0
+  INACTIVE
+  $ rtact --wait=1 ../oldstopped.host_cxt/ConsoleIn0.rtc
+  rtact: /localhost:$PORT/oldstopped.host_cxt/ConsoleIn0.rtc: cannot activate: its execution context is stopped
+  [6]
+  $ rtact --wait ../oldstopped.host_cxt/ConsoleOut0.rtc
+  $ rtact ../old.host_cxt/ErrStart0.rtc --wait
+  rtact: /localhost:$PORT/old.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
+  [6]
 
 -e chooses the execution context: the owned ones from 0, then those that it takes part in; below zero counts the owned
 ones from their end:

@@ -301,8 +301,8 @@ Help holds what the command is for, its examples, and the exit statuses.
     0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
     4 the peer is dead, silent or garbled, 5 some succeeded and some failed, 6 the peer refused,
     70 a bug in the tool, 130 Ctrl-C, 141 the reader of the output went away
-  $ rtls -h | grep -c -e ' -l ' -e '--recurse' -e '--null' -e '--json' -e '--timeout' -e '--quiet' -e '--verbose'
-  11
+  $ rtls -h | grep -o '^  --*[a-zR0-9]*' | tr -d '\n'; echo
+    -l  -R  -0  --json  -v  -q  --timeout  --version  -h
 
 A reader that goes away, a full disk, no stdout at all, no stdin, no stderr.
 
@@ -339,6 +339,6 @@ failure, for the path given by name neither.
   $ rtls -l Mock0.rtc
   -  -  -  -  -  *Mock0.rtc
   $ rtls --json -l Mock0.rtc
-  {"error": "/localhost:$PORT/test.host_cxt/Mock0.rtc: connection refused", "kind": "zombie", "name": "Mock0.rtc", "path": "/localhost:$PORT/test.host_cxt/Mock0.rtc"}
+  {"error": "/localhost:$PORT/test.host_cxt/Mock0.rtc: connection refused; its process is gone (zombie)", "kind": "zombie", "name": "Mock0.rtc", "path": "/localhost:$PORT/test.host_cxt/Mock0.rtc"}
   $ rtls -0 Mock0.rtc | tr '\0' '\n'
   /localhost:$PORT/test.host_cxt/Mock0.rtc

@@ -1,0 +1,62 @@
+"""More processes of one world: each is started like the first, has a control socket of its own, and ends with it."""
+import os
+import subprocess
+import sys
+
+from omniORB import CORBA
+from rtshell_lite.idl_stubs.manager import RTM
+
+from .process import address as endpoint_of
+
+GRACE = 3               # seconds that a process gets for ending in good order
+
+
+def command(stage, words):
+    """The command line of a mock like this one, without a control socket."""
+    options = stage.options
+    line = [sys.executable, "-m", "mock_components", "--nameserver", stage.names.address, "--context", options.context,
+            "--flavour", stage.flavour.name, "--rate", "%g" % options.rate]
+    return line + ([] if options.sync else ["--async"]) + list(words)
+
+
+def environment():
+    return {key: value for key, value in os.environ.items() if key != "MOCK_CONTROL"}
+
+
+def start(stage, words, port=""):
+    """Start one more process and wait until it is ready; its control socket is numbered: PATH.1, PATH.2 …"""
+    line = command(stage, words) + (["--port", port] if port else [])
+    if stage.options.control:
+        line += ["--control", control(stage, len(stage.controls) + 1)]
+        stage.controls.append(line[-1])
+    child = subprocess.Popen(line, stdout=subprocess.PIPE, env=environment())
+    stage.children.append(child)
+    stage.process.thread(child.wait)
+    assert child.stdout.readline().startswith(b"ready"), "did not start: %s" % " ".join(words)
+    return child
+
+
+def control(stage, number):
+    return "%s.%d" % (stage.options.control, number)
+
+
+def end(stage):
+    """End what was started here."""
+    for child in stage.children:
+        child.terminate()
+    for child in stage.children:
+        try:
+            child.wait(GRACE)
+        except subprocess.TimeoutExpired:
+            child.kill()
+
+
+def manager_at(orb, place):
+    """The manager that listens on HOST:PORT."""
+    reference = orb.string_to_object("corbaloc:iiop:1.2@%s/manager" % place)
+    return reference._unchecked_narrow(RTM.Manager)
+
+
+def address(reference):
+    """HOST:PORT of an object."""
+    return "%s:%d" % endpoint_of(CORBA.ORB_init([], CORBA.ORB_ID).object_to_string(reference))

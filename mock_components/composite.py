@@ -1,0 +1,231 @@
+"""Composite components: one execution context and one face for several components, through an Organization."""
+import time
+import uuid
+
+from omniORB import CORBA
+from rtshell_lite.idl_stubs.component import OpenRTM, RTC, SDOPackage, SDOPackage__POA
+
+from .context import TRANSITION_TIMEOUT
+from .rtc import Component
+
+LATE = 1.0              # seconds: C++ 1.2 waits no longer than that for all members
+
+
+class Member:
+    """A component that an organization has taken, known by name and port names even when it has died."""
+
+    def __init__(self, reference):
+        self.reference = reference
+        self.name = reference.get_sdo_id()
+        self.ports = []                 # (name with the component's before it, reference)
+        for port in reference.get_ports():
+            name = port.get_port_profile().name
+            self.ports.append((name if name.startswith(self.name + ".") else self.name + "." + name, port))
+
+
+class Organization(SDOPackage__POA.Organization):
+    """The members of a composite; taking one stops its own contexts, letting it go starts them."""
+
+    def __init__(self, composite):
+        self.composite = composite
+        self.id = str(uuid.uuid4())
+        self.members = []
+        self.properties = []
+        self.owner_told = False
+
+    def get_organization_id(self):
+        return self.id
+
+    def get_owner(self):
+        """C++ tells it once, whoever asks."""
+        if self.owner_told and self.composite.flavour.language == "C++":
+            return None
+        self.owner_told = True
+        return self.composite.reference
+
+    def set_owner(self, owner):
+        return True
+
+    def get_dependency(self):
+        return SDOPackage.OWN
+
+    def set_dependency(self, dependency):
+        return True
+
+    # members
+
+    def get_members(self):
+        return [member.reference for member in self.members]
+
+    def add_members(self, references):
+        if not references:
+            raise SDOPackage.InvalidParameter("add_members(): SDOList is empty.")
+        for reference in references:
+            component = reference._narrow(OpenRTM.DataFlowComponent)
+            if component is not None and not any(component._is_equivalent(m.reference) for m in self.members):
+                self._take(component)
+        self.composite.export()
+        return True
+
+    def set_members(self, references):
+        if not references:
+            raise SDOPackage.InvalidParameter("set_members(): SDOList is empty.")
+        self.dissolve()
+        return self.add_members(references)
+
+    def remove_member(self, name):
+        if not name:
+            raise SDOPackage.InvalidParameter("remove_member(): Empty name.")
+        member = next((member for member in self.members if member.name == name), None)
+        if member is None:
+            raise SDOPackage.InvalidParameter("remove_member(): Not found.")
+        self._release(member)
+        self.composite.export()
+        return True
+
+    def dissolve(self):
+        """Give all members back to themselves."""
+        for member in list(self.members):
+            self._release(member)
+
+    def _take(self, component):
+        member = Member(component)
+        for context in component.get_owned_contexts():
+            context.stop()
+        component.get_configuration().add_organization(self.reference)
+        self.composite.owned[0].add_component(component)
+        self.members.append(member)
+
+    def _release(self, member):
+        self.members.remove(member)
+        self.composite.owned[0].remove_component(member.reference)
+        try:
+            member.reference.get_configuration().remove_organization(self.id)
+            for context in member.reference.get_owned_contexts():
+                context.start()
+        except CORBA.SystemException:
+            pass                        # it has died
+
+    # properties
+
+    def get_organization_property(self):
+        return SDOPackage.OrganizationProperty(self.properties)
+
+    def get_organization_property_value(self, name):
+        return next(item.value for item in self._named(name))
+
+    def add_organization_property(self, added):
+        self.properties = list(added.properties)
+        return True
+
+    def set_organization_property_value(self, name, value):
+        if any(item.name == name for item in self.properties):
+            self.remove_organization_property(name)
+        self.properties.append(SDOPackage.NameValue(name, value))
+        return True
+
+    def remove_organization_property(self, name):
+        found = self._named(name)
+        self.properties = [item for item in self.properties if item not in found]
+        return True
+
+    def _named(self, name):
+        found = [item for item in self.properties if item.name == name]
+        if not found:
+            raise SDOPackage.InvalidParameter("Not found.")
+        return found
+
+
+class Composite(Component):
+    """PeriodicECSharedComposite: its context drives its members, and it shows the ports of theirs that it is told to."""
+
+    def __init__(self, *arguments):
+        self.exported = []              # references
+        Component.__init__(self, *arguments)
+        self.organization = Organization(self)
+        self.organization.reference = self.process.serve(self.organization, self.instance_name)
+        named = [self.process.components.get(name) for name in words(self._parameters()["members"])]
+        members = [component.reference for component in named if component]
+        if members:
+            self.organization.add_members(members)
+
+    def own_context(self):
+        Component.own_context(self)
+        context = self.owned[-1]
+        if self.flavour.composite == "async":
+            context.sync = False
+            context.more = [(name, "NO") for name in ("sync_activation", "sync_deactivation", "sync_reset")]
+
+    def _parameters(self):
+        return self.configuration.sets["default"]
+
+    # ports
+
+    def export(self):
+        """Show the ports that `exported_ports` names; a name without its component gets one."""
+        ports = [pair for member in self.organization.members for pair in member.ports]
+        full = {name.partition(".")[2]: name for name, _ in ports}
+        parameters = self._parameters()
+        wanted = words(parameters["exported_ports"])
+        if any("." not in name and name in full for name in wanted):
+            wanted = [full.get(name, name) for name in wanted]
+            parameters["exported_ports"] = ",".join(wanted)
+        self.exported = [reference for name, reference in ports if name in wanted]
+
+    def configured(self, config_id):
+        if config_id == "default":
+            self.export()
+
+    def get_ports(self):
+        return Component.get_ports(self) + self.exported
+
+    def get_component_profile(self):
+        profile = Component.get_component_profile(self)
+        profile.port_profiles += [port.get_port_profile() for port in self.exported]
+        return profile
+
+    def properties(self):
+        pairs = Component.properties(self)
+        if self.flavour.composite == "async":
+            pairs += [("exec_cxt.periodic." + name, "NO")
+                      for name in ("sync_transition", "sync_activation", "sync_deactivation", "sync_reset")]
+        return pairs + [("exported_ports", "")]
+
+    def get_owned_organizations(self):
+        return [self.organization.reference]
+
+    # life cycle
+
+    def activated(self, handle):
+        return self._move(RTC.INACTIVE_STATE, RTC.ACTIVE_STATE)
+
+    def deactivated(self, handle):
+        return self._move(RTC.ACTIVE_STATE, RTC.INACTIVE_STATE)
+
+    def reset(self, handle):
+        return self._move(RTC.ERROR_STATE, RTC.INACTIVE_STATE)
+
+    def _move(self, before, after):
+        """Called by the thread of the context, which is to move the members, too: waiting for them is in vain."""
+        context = self.owned[0]
+        members = [member for member in context.members if member.state == before and member.component is not self]
+        for member in members:
+            member.wanted = after
+        if self.flavour.composite == "late":
+            time.sleep(min(TRANSITION_TIMEOUT * len(members), LATE))
+        if self.flavour.composite == "blocks" and before == RTC.ACTIVE_STATE:
+            for member in members:
+                context.poll(member)
+        return RTC.RTC_OK
+
+    def exit(self):
+        if self.flavour.composite == "blocks":
+            self.owned[0].settle(self.reference)
+        self.organization.dissolve()
+        self.process.withdraw(self.organization)
+        return Component.exit(self)
+
+
+def words(text):
+    """The words of a comma-separated list."""
+    return [word.strip() for word in text.split(",") if word.strip()]

@@ -1,0 +1,274 @@
+"""A manager: the CORBA object through which components are made and unmade in its process, or, of a master, in others."""
+import itertools
+
+import omniORB
+from omniORB import CORBA
+from rtshell_lite.idl_stubs.component import RTC
+from rtshell_lite.idl_stubs.manager import RTM, RTM__POA
+
+from . import children, modules
+from .creation import Wanted, extract
+from .properties import get, nvlist
+from .stage import later
+
+KEY = "manager"             # its object key, whatever its name
+SHUTDOWN_TIME = 0.5         # seconds from the answer to shutdown() to the end of the process
+
+
+class Manager(RTM__POA.Manager):
+    """Lives in the process of a stage, whose components are its own."""
+
+    def __init__(self, stage, name="manager", master=True):
+        self.stage = stage
+        self.flavour = stage.flavour
+        self.name = name
+        self.master = master
+        self.modules = modules.Modules(self.flavour)
+        self.names_kept = {}            # implementation id -> instance name that the factory has kept
+        self.masters = []
+        self.slaves = []
+        self.changed = {}               # configuration that did take
+        self.reference = stage.process.serve_key(self, KEY, name)._narrow(RTM.Manager)
+        stage.manager = self
+        if master:
+            stage.names.bind(stage.home() + [(name, "mgr")], self.reference)
+
+    # modules
+
+    def load_module(self, path, function):
+        """RTC_OK, whatever happens."""
+        self.modules.load(path, function)
+        return RTC.RTC_OK
+
+    def unload_module(self, path):
+        if path not in self.modules.loaded:
+            raise CORBA.UNKNOWN(self.flavour.exception_minor, CORBA.COMPLETED_MAYBE)
+        self.modules.unload(path)
+        return RTC.RTC_OK
+
+    def get_loadable_modules(self):
+        return modules.profiles(self.modules.loadable_profiles())
+
+    def get_loaded_modules(self):
+        return modules.profiles(self.modules.loaded_profiles()) + self._of_slaves("get_loaded_modules")
+
+    def get_factory_profiles(self):
+        return modules.profiles(self.modules.factory_profiles()) + self._of_slaves("get_factory_profiles")
+
+    # components
+
+    def create_component(self, line):
+        if self.master and not self.flavour.creates_here:
+            return self._create_in_slave(line)
+        address, line = extract(line, "manager") if self.flavour.creates_here else (None, line)
+        if address:
+            return self._create_at(address, line)
+        component = self.create(line)
+        return component and component.reference
+
+    def create(self, line):
+        """Make a component here: the new one, the one that is there already, or None."""
+        wanted = Wanted(line, self.flavour.ident_fields)
+        spec = self.modules.factory(wanted.implementation_id) if wanted.valid else None
+        if spec is None or not wanted.matches(dict(modules.factory(spec, self.flavour))):
+            return None
+        if wanted.arguments.get("language", self.flavour.language) != self.flavour.language:
+            return None
+        name = self._instance_name(spec, wanted.arguments)
+        if self.flavour.twins == "same" and name in self.stage.components:
+            return self.stage.components[name]
+        alike = [one for one in list(self.stage.components.values()) if one.spec is spec]
+        if spec.max_instance and len(alike) >= spec.max_instance:
+            return None
+        return self.stage.add(spec, name, **options(wanted.arguments))
+
+    def _instance_name(self, spec, arguments):
+        """As given, now or (in Python) earlier to the same factory; else the type with the first free number."""
+        name = arguments.get("instance_name")
+        if self.flavour.sticky_name:
+            name = name or self.names_kept.get(spec.implementation_id)
+            self.names_kept[spec.implementation_id] = name
+        if name:
+            return name
+        return next(name for name in map((spec.type_name + "%d").__mod__, itertools.count()) if name not in self.stage.listed)
+
+    def _create_in_slave(self, line):
+        """In the first slave of that name that does it; one is started where there is none."""
+        name, line = extract(line, "manager_name")
+        address, line = extract(line, "manager_address")
+        slaves = self._live_slaves(name)
+        if address:
+            if any(children.address(slave) == address for slave in slaves):
+                return None
+            slaves = []
+        for slave in slaves or self._started(name, address):
+            component = slave.create_component(line)
+            if component is not None:
+                return component
+        return None
+
+    def _started(self, name, address):
+        if not self.flavour.starts_slaves:
+            return []
+        before = list(self.slaves)
+        name = "manager" if not name or name == "manager_%p" else name
+        children.start(self.stage, ["slave", self.stage.process.endpoint, name], (address or "").partition(":")[2])
+        return [slave for slave in self.slaves if not _among(slave, before)]
+
+    def _create_at(self, address, line):
+        """In the manager at HOST:PORT."""
+        try:
+            return children.manager_at(self.stage.process.orb, address).create_component(line)
+        except CORBA.SystemException:
+            return None
+
+    def delete_component(self, instance_name):
+        component = self.stage.listed.get(instance_name)
+        if self.stage.gone(component):
+            return getattr(RTC, self.flavour.delete_unknown)
+        return component.exit()
+
+    def get_components(self):
+        return [component.reference for component in list(self.stage.listed.values())] + self._of_slaves("get_components")
+
+    def get_component_profiles(self):
+        own = [component.get_component_profile() for component in list(self.stage.listed.values())]
+        return own + self._of_slaves("get_component_profiles")
+
+    def get_components_by_name(self, pattern):
+        """NAME, */NAME or CATEGORY/NAME; of a master, its own only."""
+        if not self.flavour.by_name:
+            raise CORBA.BAD_OPERATION(0, CORBA.COMPLETED_NO)
+        category, _, name = pattern.rpartition("/")
+        return [component.reference for component in list(self.stage.listed.values())
+                if component.instance_name == name and category in ("", "*", component.spec.category)]
+
+    # what it is
+
+    def _configuration(self):
+        stage = self.stage
+        pairs = modules.configuration(self.flavour, self.modules, self.name, stage.options.context, stage.process.endpoint,
+                                      self.master)
+        known = dict(pairs)
+        return ([(name, self.changed.get(name, value)) for name, value in pairs] +
+                [pair for pair in self.changed.items() if pair[0] not in known])
+
+    def get_profile(self):
+        prefix = "manager."
+        return RTM.ManagerProfile(nvlist([(name[len(prefix):], value) for name, value in self._configuration()
+                                          if name.startswith(prefix)]))
+
+    def get_configuration(self):
+        return nvlist(self._configuration())
+
+    def set_configuration(self, name, value):
+        """RTC_OK; what there is keeps its value (it is read at the start), but for the logger's; new names are taken."""
+        if name.startswith("logger.") or name not in dict(self._configuration()):
+            self.changed[name] = value
+        return RTC.RTC_OK
+
+    def is_master(self):
+        return self.master
+
+    # other managers
+
+    def get_master_managers(self):
+        return list(self.masters)
+
+    def get_slave_managers(self):
+        return list(self.slaves)
+
+    def add_master_manager(self, manager):
+        return _add(self.masters, manager)
+
+    def remove_master_manager(self, manager):
+        return _remove(self.masters, manager)
+
+    def add_slave_manager(self, manager):
+        return _add(self.slaves, manager)
+
+    def remove_slave_manager(self, manager):
+        return _remove(self.slaves, manager)
+
+    def join(self, master):
+        """Become a slave of another manager."""
+        master.add_slave_manager(self.reference)
+        self.add_master_manager(master)
+
+    def leave(self):
+        """Tell the others; the slaves of a master live on."""
+        for others, tell in ((self.masters, "remove_slave_manager"), (self.slaves, "remove_master_manager")):
+            for other in list(others):
+                omniORB.setClientCallTimeout(other, 1000)
+                try:
+                    getattr(other, tell)(self.reference)
+                except CORBA.SystemException:
+                    pass
+
+    def _of_slaves(self, operation):
+        """What all slaves answer, in one list; those that are gone are forgotten now, not earlier."""
+        answers = []
+        for slave in list(self.slaves):
+            try:
+                answers += getattr(slave, operation)()
+            except CORBA.SystemException:
+                _remove(self.slaves, slave)
+        return answers
+
+    def _live_slaves(self, name):
+        """The slaves that answer and, if a name is given, have it."""
+        found = []
+        for slave in list(self.slaves):
+            try:
+                if name in (None, get(slave.get_profile().properties, "instance_name")):
+                    found.append(slave)
+            except CORBA.SystemException:
+                _remove(self.slaves, slave)
+        return found
+
+    # the process
+
+    def fork(self):
+        return RTC.RTC_OK
+
+    def restart(self):
+        return RTC.RTC_OK
+
+    def shutdown(self):
+        self.stage.children = []        # they live on
+        later(SHUTDOWN_TIME, self.stage.finish.set)
+        return RTC.RTC_OK
+
+    def get_service(self, name):
+        return None
+
+
+def options(arguments):
+    """What the arguments of create_component change in the options of a component."""
+    changes = {"arguments": arguments}
+    if "naming.formats" in arguments:
+        changes["context"] = arguments["naming.formats"]
+    if "exec_cxt.periodic.rate" in arguments:
+        changes["rate"] = float(arguments["exec_cxt.periodic.rate"])
+    if "execution_contexts" in arguments:
+        changes["contexts"] = len(arguments["execution_contexts"].split(","))
+    return changes
+
+
+def _among(manager, managers):
+    return any(manager._is_equivalent(other) for other in managers)
+
+
+def _add(managers, manager):
+    if manager is None or _among(manager, managers):
+        return RTC.BAD_PARAMETER
+    managers.append(manager)
+    return RTC.RTC_OK
+
+
+def _remove(managers, manager):
+    for index, other in enumerate(managers):
+        if manager is not None and other._is_equivalent(manager):
+            del managers[index]
+            return RTC.RTC_OK
+    return RTC.BAD_PARAMETER

@@ -1,0 +1,162 @@
+"""Whom a component tells what happens to it: observers of two kinds, and loggers."""
+import threading
+import time
+
+import omniORB
+from omniORB import CORBA
+from rtshell_lite.idl_stubs.data import RTC as Data
+from rtshell_lite.idl_stubs.observer import OpenRTM, RTC
+
+from .properties import get
+
+# interface types
+OBSERVER = "IDL:OpenRTM/ComponentObserver:1.0"
+FSM_OBSERVER = "IDL:omg.org/RTC/ComponentObserver:1.0"
+LOGGER = "IDL:OpenRTM/Logger:1.0"
+
+LEVELS = ["SILENT", "ERROR", "WARN", "INFO", "NORMAL", "DEBUG", "TRACE", "VERBOSE", "PARANOID"]
+CONNECT_LIMIT = 2000        # milliseconds that a dead observer may cost the component
+
+
+class Consumer:
+    """A service that somebody has registered."""
+
+    def __init__(self, component, profile, kind):
+        self.component = component
+        self.reference = profile.service._unchecked_narrow(kind)
+        omniORB.setClientCallTimeout(self.reference, CONNECT_LIMIT)
+        self.ended = threading.Event()
+        self.configure(profile.properties)
+
+    def configure(self, properties):
+        self.properties = properties
+
+    def switch(self, name):
+        return get(self.properties, name, "NO").upper() == "YES"
+
+    def interval(self, name):
+        return float(get(self.properties, name, "1.0"))
+
+    def close(self):
+        self.ended.set()
+
+
+class Observer(Consumer):
+    """Gets update_status(); `heartbeats` are (kind, hint, prefix of its properties)."""
+
+    heartbeats = [("HEARTBEAT", "", "heartbeat")]
+    module = OpenRTM
+
+    def __init__(self, component, profile):
+        self.last = {}              # hint -> time of the last event of a kind that must not come too often
+        Consumer.__init__(self, component, profile, self.module.ComponentObserver)
+
+    def configure(self, properties):
+        """Take over the properties, once more if they have changed; the hearts of before stop beating."""
+        Consumer.configure(self, properties)
+        self.ended.set()
+        self.ended = threading.Event()
+        self.wanted = [word.strip() for word in get(properties, "observed_status", "ALL").split(",")]
+        for kind, hint, prefix in self.heartbeats:
+            if self.switch(prefix + ".enable"):
+                self.component.process.thread(self._beat, self.ended, kind, hint, self.interval(prefix + ".interval"))
+
+    def _beat(self, ended, kind, hint, pause):
+        while not ended.wait(pause) and self.send(kind, hint):
+            pass
+
+    def wants(self, kind, hint):
+        if kind not in self.wanted and "ALL" not in self.wanted or not hasattr(self.module, kind):
+            return False
+        direction = hint.partition(":")[0].lower()
+        if direction not in ("send", "receive"):
+            return True
+        now = time.monotonic()
+        if now - self.last.get(hint, 0) < self.interval("port_profile.%s_event.min_interval" % direction):
+            return False
+        self.last[hint] = now
+        return True
+
+    def send(self, kind, hint):
+        """Whether the observer is still to be reached; if not, it is forgotten."""
+        try:
+            self.reference.update_status(getattr(self.module, kind), hint)
+        except CORBA.SystemException:
+            self.component.observers.drop(self)
+            return False
+        return True
+
+
+class FsmObserver(Observer):
+    """The observer of FSM4RTC."""
+
+    heartbeats = [("RTC_HEARTBEAT", "", "rtc_heartbeat"), ("EC_HEARTBEAT", "HEARTBEAT:0", "ec_heartbeat")]
+    module = RTC
+
+
+class Logger(Consumer):
+    """Gets log records when ctl says so: real components accept loggers and never tell them anything."""
+
+    def __init__(self, component, profile):
+        Consumer.__init__(self, component, profile, OpenRTM.Logger)
+
+    def publish(self, level, name, message):
+        limit = get(self.properties, "logger.log_level", "NORMAL").upper()
+        names = get(self.properties, "logger.filter", "ALL").split(",")
+        if LEVELS.index(level) > LEVELS.index(limit if limit in LEVELS else "NORMAL"):
+            return
+        if "ALL" not in names and name not in names:
+            return
+        now = time.time()
+        stamp = Data.Time(int(now), int(now % 1 * 1e9))
+        try:
+            self.reference.publish(OpenRTM.LogRecord(stamp, name, getattr(OpenRTM, "RTM_" + level), message))
+        except CORBA.SystemException:
+            self.component.observers.drop(self)
+
+
+KINDS = {OBSERVER: Observer, FSM_OBSERVER: FsmObserver, LOGGER: Logger}
+
+
+class Observers:
+    """All that are registered with one component; nobody can list them."""
+
+    def __init__(self, component, available):
+        self.component = component
+        self.available = available
+        self.registered = {}        # id -> Consumer
+
+    def add(self, profile):
+        if not profile.id or profile.interface_type not in self.available or profile.service is None:
+            return False
+        if profile.id in self.registered:
+            self.registered[profile.id].configure(profile.properties)
+        else:
+            self.registered[profile.id] = KINDS[profile.interface_type](self.component, profile)
+        return True
+
+    def remove(self, service_id):
+        consumer = self.registered.pop(service_id, None)
+        if consumer:
+            consumer.close()
+        return consumer is not None
+
+    def drop(self, consumer):
+        for service_id, one in list(self.registered.items()):
+            if one is consumer:
+                self.remove(service_id)
+
+    def report(self, kind, hint):
+        """Tell all observers that want to know."""
+        for consumer in list(self.registered.values()):
+            if isinstance(consumer, Observer) and consumer.wants(kind, hint):
+                consumer.send(kind, hint)
+
+    def log(self, level, name, message):
+        for consumer in list(self.registered.values()):
+            if isinstance(consumer, Logger):
+                consumer.publish(level, name, message)
+
+    def close(self):
+        for service_id in list(self.registered):
+            self.remove(service_id)

@@ -1,0 +1,37 @@
+"""A component that sends at a rate of its own, faster than contexts of mocks run."""
+import threading
+import time
+
+from rtshell_lite.idl_stubs.component import RTC
+from rtshell_lite.idl_stubs.data import RTC as Data
+
+from . import values
+from .rtc import Component
+
+PATIENCE = 1.0              # seconds that it may be late before it gives up catching up
+
+
+class Source(Component):
+    """While active it sends, at the rate of its context: on `number` 1, 2, 3 …, on `block` as many octets as it was told."""
+
+    def activated(self, handle):
+        self.halt = threading.Event()
+        self.process.thread(self._send, self.halt)
+        return RTC.RTC_OK
+
+    def deactivated(self, handle):
+        self.halt.set()
+        return RTC.RTC_OK
+
+    def _send(self, halt):
+        number, due = 0, time.monotonic()
+        while not halt.wait(max(0, due - time.monotonic())):
+            number += 1
+            stamped = values.make("TimedLong", number, True)
+            self.port("number").write(stamped)
+            self.port("block").write(Data.TimedOctetSeq(stamped.tm, self._octets(number)))
+            due = max(due + 1.0 / self.owned[0].rate, time.monotonic() - PATIENCE)
+
+    def _octets(self, number):
+        """The number, least significant octet first, then zeros."""
+        return number.to_bytes(8, "little")[:self.options.size].ljust(self.options.size, b"\0")

@@ -1,0 +1,112 @@
+"""Execution contexts from outside: rate, start and stop, who takes part, and the rate that is really kept (OMG RTC 1.1, 5.2.2.5)."""
+import collections
+import time
+
+from rtshell_lite import component, dataport, errors, orb, ports
+from rtshell_lite.text import from_wire, printable, shell_word
+
+SETTLE_TIME = 2.0  # seconds: a component leaves at the context's next cycle, in 0.3 s as a rule
+
+# One line of rtec: `index` as -e counts, a component.Context, the component's state in it, names of owner and participants.
+Entry = collections.namedtuple("Entry", "index context state owner participants")
+
+
+def entries(node):
+    """An Entry for each execution context of a component, the owned ones first."""
+    owned, participating = component.context_refs(node)
+    found = []
+    for index, ref in enumerate(owned + participating):
+        context = component.context(node, ref)
+        found.append(Entry(index, context, component.state_in(node, ref), _name(node, context.owner),
+                           [_name(node, each) for each in context.participants]))
+    return found
+
+
+def _name(node, ref):
+    if ref is None:
+        return ""
+    try:
+        return from_wire(orb.ask(str(node.path), ref, "get_sdo_id"))
+    except errors.Error:
+        return "Unknown"
+
+
+# ---- changing -------------------------------------------------------------------------------------------------
+
+def set_rate(node, index, rate):
+    """Set the rate (Hz) of a context and check that it took it. Raises Refused."""
+    ref, where = component.context_ref(node, index), str(node.path)
+    code = str(orb.ask(where, ref, "set_rate", rate))
+    now = orb.ask(where, ref, "get_rate")
+    if code != "RTC_OK" or abs(now - rate) > 0.01 * rate:
+        raise errors.Refused(where, "does not take a rate of %g Hz (%s; it is %g Hz)" % (rate, code, now))
+    return "%s: %g Hz" % (node.path, now)
+
+
+def start(node, index):
+    """Start a context. Raises Refused."""
+    return _run(node, index, "start", True)
+
+
+def stop(node, index):
+    """Stop a context: its components keep their states, and none of them is executed. Raises Refused."""
+    return _run(node, index, "stop", False)
+
+
+def _run(node, index, operation, wanted):
+    ref, where = component.context_ref(node, index), str(node.path)
+    code = str(orb.ask(where, ref, operation))  # PRECONDITION_NOT_MET where it is so already
+    if bool(orb.ask(where, ref, "is_running")) != wanted:
+        raise errors.Refused(where, "its execution context does not %s (%s)" % (operation, code))
+    return "%s: %s" % (node.path, "running" if wanted else "stopped")
+
+
+def attach(node, index, other):
+    """Let the component `other` take part in a context. Raises Refused."""
+    ref, where = component.context_ref(node, index), str(node.path)
+    if not _takes_part(where, ref, other):
+        code = str(orb.ask(where, ref, "add_component", other.typed))
+        if code != "RTC_OK" or not _takes_part(where, ref, other):
+            raise errors.Refused(where, "its execution context does not take %s (%s)" % (other.path, code))
+    return "%s: %s takes part" % (node.path, other.path)
+
+
+def detach(node, index, other):
+    """Let the component `other` leave a context, which happens at its next cycle. Raises NoSuch, Refused."""
+    ref, where = component.context_ref(node, index), str(node.path)
+    if not _takes_part(where, ref, other):
+        raise errors.NoSuch(where, "participant", str(other.path))
+    code = str(orb.ask(where, ref, "remove_component", other.typed))
+    end = time.monotonic() + SETTLE_TIME
+    while _takes_part(where, ref, other):
+        if time.monotonic() > end:
+            raise errors.Refused(where, "its execution context does not let go of %s (%s)" % (other.path, code))
+        time.sleep(component.POLL)
+    return "%s: %s left" % (node.path, other.path)
+
+
+def _takes_part(where, ref, other):
+    return any(orb.same(each, other.ref) for each in orb.ask(where, ref, "get_profile").participants)
+
+
+def command(node, index, *words):
+    """An rtec command for a context of a component, ready for a shell."""
+    return " ".join(["rtec"] + (["-e", str(index)] if index else []) + [shell_word(w) for w in (str(node.path),) + words])
+
+
+# ---- measuring ------------------------------------------------------------------------------------------------
+
+def measured(node, seconds):
+    """What can be observed of the rate at which a component is executed: (Hz, how), the former None where nothing can.
+
+    Nobody outside sees the cycles of a context; but a component that writes to an out port in each shows them. The values
+    are fetched through a connector of our own, which only queues them, and which is removed again.
+    """
+    if component.state(node) != "Active":
+        return None, "the component is not Active"
+    for port in ports.ports(node):
+        if port.type == "DataOutPort":
+            count, spent = dataport.count_writes(port, seconds)
+            if count > 1:
+                return count / spent, "writes to " + printable(ports.short_name(port.name, node.path.names[-1].id))
+    return None, "no out port is written to"

@@ -1,0 +1,139 @@
+"""The objects of the RTC Tree: what each is, told by its reference, and whether it lives, told by itself."""
+from rtshell_lite import errors, orb, rpc
+
+DIRECTORIES = ("root", "server", "directory", "manager")
+
+_COMPONENTS = ("IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0", "IDL:omg.org/RTC/RTObject:1.0",
+               "IDL:openrtm.aist.go.jp/OpenRTM/FiniteStateMachineComponent:1.0")
+_RTOBJECT = "IDL:omg.org/RTC/RTObject:1.0"
+_MANAGER = "IDL:RTM/Manager:1.0"
+_CONTEXTS = ("IDL:omg.org/CosNaming/NamingContext:1.0", "IDL:omg.org/CosNaming/NamingContextExt:1.0")
+
+
+class Node:
+    """One object of the tree.
+
+    path   its Path
+    kind   root, server, directory, component, manager; zombie, whose object is gone; silent, a component or manager whose
+           process does not answer; unknown, any other object; unsure, one that has to be asked (`look`) because its
+           reference does not tell
+    ref    its object reference; None at the root and for a nil reference
+    error  for kind `silent` and `zombie`: the errors.Error that tells why
+    """
+
+    def __init__(self, path, kind, ref=None, error=None):
+        self.path, self.kind, self.ref, self.error = path, kind, ref, error
+        self._endpoint = None
+
+    @property
+    def name(self):
+        """How a listing shows it: the last name of its path, spelt for the terminal."""
+        return str(self.path.names[-1]) if self.path.names else str(self.path)[1:] or "/"
+
+    @property
+    def endpoint(self):
+        """(host, port) of its process."""
+        if self._endpoint is None:
+            self._endpoint = orb.endpoint(self.ref)
+        return self._endpoint
+
+    @property
+    def what(self):
+        """Its kind in the words of an error: it is a …"""
+        if self.kind in ("unknown", "unsure"):
+            return "nil reference" if self.ref is None else "CORBA object of unknown kind"
+        return {"root": "root directory", "server": "name server", "silent": "component that does not answer"}.get(self.kind, self.kind)
+
+    @property
+    def typed(self):
+        """`ref` as a reference of the interface that its kind implies; the stubs are imported only here."""
+        if self.kind in ("server", "directory"):
+            return orb.context(self.ref)
+        if self.kind == "manager":
+            from rtshell_lite.idl_stubs.manager import RTM
+            return orb.narrow(self.ref, RTM.Manager)
+        from rtshell_lite.idl_stubs.component import OpenRTM
+        return orb.narrow(self.ref, OpenRTM.DataFlowComponent)
+
+    def call(self, operation, *args, **more):
+        """Call an operation of its object; errors name its path."""
+        def call():
+            return orb.call(str(self.path), self.typed, operation, *args, **more)
+        try:
+            if rpc.in_lane() and not rpc.lane_of(self.endpoint):
+                return rpc.ask(self.endpoint, str(self.path), call)
+            return call()
+        except errors.ConnectionRefused as e:
+            raise (errors.NoNameServer if self.kind == "server" else errors.ProcessGone)(*e.args)
+        except errors.Gone as e:
+            raise no_name_server(self) if self.kind == "server" else e
+
+    def __repr__(self):
+        return "<%s %s>" % (self.kind, self.path)
+
+
+def no_name_server(node):
+    return errors.WrongKind(str(node.path), "name server", "CORBA process of another kind")
+
+
+def classified(path, ref):
+    """The Node for a reference found under `path`, by the type its IOR tells: no remote call."""
+    if ref is None:
+        return Node(path, "unknown")
+    type_id, kind = orb.address(ref).type_id, path.names[-1].kind
+    if type_id in _CONTEXTS:
+        return Node(path, "directory", ref)
+    if type_id in _COMPONENTS:
+        return Node(path, "component", ref)
+    if type_id == _MANAGER:
+        return Node(path, "manager", ref)
+    return Node(path, "unsure" if kind in ("rtc", "mgr") or not type_id else "unknown", ref)
+
+
+# ---- liveness -------------------------------------------------------------------------------------------------
+
+def look(nodes):
+    """Find out which of `nodes` live, in parallel, one call each; returns new nodes in the same order.
+
+    A component or manager that is gone becomes `zombie`, one that does not answer `silent`. `_non_existent` is the
+    question: a profile can end a component whose connection has died (protocol of OpenRTM-aist 2.1).
+    """
+    objects = [node for node in nodes if node.kind in ("component", "manager", "unsure")]
+    answers = dict(zip(objects, on_nodes(objects, _looked_at)))
+    return [judged(node, answers[node]) if node in answers else node for node in nodes]
+
+
+def judged(node, answer):
+    """The Node that `node` turns out to be, given what it answered: itself, or zombie or silent after an errors.Error."""
+    if not isinstance(answer, errors.Error):
+        return answer
+    zombie = isinstance(answer, (errors.Gone, errors.ConnectionRefused))
+    return Node(node.path, "zombie" if zombie else "silent", node.ref, answer)
+
+
+def _looked_at(node):
+    where = str(node.path)
+    if node.kind == "unsure":
+        return _sure(node, where)
+    orb.is_alive(where, node.ref)
+    return node
+
+
+def _sure(node, where):
+    """Ask an object that does not say what it is; a refusal to tell makes it unknown."""
+    orb.is_alive(where, node.ref)
+    try:
+        for kind, type_id in (("component", _RTOBJECT), ("manager", _MANAGER), ("directory", _CONTEXTS[0])):
+            if orb.call(where, node.ref, "_is_a", type_id):
+                return Node(node.path, kind, node.ref)
+    except errors.Refused:
+        pass
+    return Node(node.path, "unknown", node.ref)
+
+
+def on_nodes(nodes, function):
+    """Call function(node) for each Node, in parallel by the process that answers; an errors.Error stays in its place."""
+    jobs = [rpc.Job(node.endpoint, str(node.path), lambda node=node: function(node)) for node in nodes
+            if isinstance(node, Node)]
+    values = iter(rpc.gather(jobs))
+    return [next(values) if isinstance(node, Node) else node for node in nodes]

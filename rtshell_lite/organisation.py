@@ -1,0 +1,160 @@
+"""Composite components: the organisations that they own and that their members belong to (SDOPackage::Organization).
+
+Organization::get_owner is never asked: a C++ component tells it once in its life, and has no owner to tell for ever after.
+"""
+import collections
+
+from rtshell_lite import component, configuration, errors, orb, ports, rpc, tree
+from rtshell_lite.places import Places
+from rtshell_lite.text import from_wire, printable, to_wire
+
+# One organisation: `members` are (instance name, reference), an errors.Error in the place of a name that was not told.
+Organisation = collections.namedtuple("Organisation", "id ref members")
+COMPOSITE = "PeriodicECSharedComposite"
+EXPORTED = "exported_ports"  # parameter of a composite's set `default`: a comma-separated list of INSTANCE.port
+
+
+# ---- asking ---------------------------------------------------------------------------------------------------
+
+def owned(node):
+    """The Organisations that a composite component owns, with their members, each of which is asked for its name."""
+    return [_organisation(node, ref) for ref in owned_refs(node)]
+
+
+def owned_refs(node):
+    """References of the organisations that a component owns: it is a composite if there are any."""
+    return _refs(node, "get_owned_organizations")
+
+
+def belonging_ids(node):
+    """Ids of the organisations that a component is a member of."""
+    return [from_wire(orb.ask(str(node.path), ref, "get_organization_id"))
+            for ref in _refs(node, "get_organizations")]
+
+
+def _refs(node, operation):
+    try:
+        return [ref for ref in node.call(operation) if ref is not None]
+    except errors.Refused as e:
+        if e.name in ("NO_IMPLEMENT", "BAD_OPERATION"):  # small implementations know no compositions
+            return []
+        raise
+
+
+def _organisation(node, ref):
+    where = str(node.path)
+    members = [member for member in orb.ask(where, ref, "get_members") if member is not None]
+    names = rpc.gather([rpc.Job(orb.endpoint(member), where, lambda member=member: from_wire(
+        orb.call(where, member, "get_sdo_id"))) for member in members])
+    return Organisation(from_wire(orb.ask(where, ref, "get_organization_id")), ref, list(zip(names, members)))
+
+
+def member_paths(node, found):
+    """Where the members of an Organisation are bound, as text; `Unknown (…)` for those that are nowhere or dead."""
+    places = Places(node)
+    return [_path_text(places, name, ref) for name, ref in found.members]
+
+
+def _path_text(places, name, ref):
+    path = None if isinstance(name, errors.Error) else places.path(name, ref)
+    return str(path) if path else "Unknown (%s)" % (name if isinstance(name, errors.Error) else printable(name))
+
+
+def composites(node):
+    """(instance name, path as text) of the composites that a component is a member of.
+
+    They are the owners of the contexts that it takes part in.
+    """
+    _, participating = component.context_refs(node)
+    places, found = Places(node), []
+    for ref in participating:
+        owner = orb.ask(str(node.path), ref, "get_profile").owner
+        if owner is None:
+            continue
+        try:
+            name = from_wire(orb.ask(str(node.path), owner, "get_sdo_id"))
+        except errors.Unreachable as e:
+            name = e
+        found.append(("Unknown" if isinstance(name, errors.Error) else name, _path_text(places, name, owner)))
+    return found
+
+
+# ---- changing -------------------------------------------------------------------------------------------------
+
+# A member to add or to remove, with the ports of it to export or to hide: `node` is None for one that is gone.
+Member = collections.namedtuple("Member", "instance node ports")
+
+
+def member(path, must_live=True):
+    """The Member that PATH[:PORT,PORT…] names. Raises NoSuch for ports that it lacks, and what `tree.component` raises.
+
+    With `must_live` False a component that is gone is named by its path alone.
+    """
+    wanted = [name for name in (path.port or "").split(",") if name]
+    try:
+        node = tree.component(path.object())
+    except (errors.NotFound, errors.Unreachable):
+        if must_live:
+            raise
+        return Member(path.names[-1].id, None, wanted)
+    instance = from_wire(node.call("get_sdo_id"))
+    if must_live and wanted:
+        there = [ports.short_name(each.name, instance) for each in ports.ports(node)]
+        for name in wanted:
+            if name not in there:
+                raise errors.NoSuch(str(path.object()), "port", printable(name))
+    return Member(instance, node, wanted)
+
+
+def the_one(node):
+    """The first Organisation of a composite. Raises WrongKind for a component that is none."""
+    found = owned(node)
+    if not found:
+        raise errors.WrongKind(str(node.path), "composite component", "component")
+    return found[0]
+
+
+def add(node, members):
+    """Make Members part of a composite and export their ports; lines that say what was done. Raises Refused."""
+    one = the_one(node)
+    lines = _export(node, add_ports=["%s.%s" % (m.instance, port) for m in members for port in m.ports])
+    there = [name for name, _ in one.members]
+    new = [m for m in members if m.instance not in there]
+    if new:  # an empty list is refused
+        if not orb.ask(str(node.path), one.ref, "add_members", [m.node.typed for m in new]):
+            raise errors.Refused(str(node.path), "does not take members")
+        lines += ["added component %s" % m.node.path for m in new]
+    return lines + ["component %s is a member already" % m.node.path for m in members if m not in new]
+
+
+def remove(node, members):
+    """Remove Members, or hide their ports where they name some; lines that say what was done. Raises NoSuch, Refused."""
+    one = the_one(node)
+    there = [name for name, _ in one.members]
+    going = [m for m in members if not m.ports]
+    dead = sum(isinstance(name, errors.Error) for name in there)
+    for m in going:
+        if m.instance not in there and not (m.node is None and dead):
+            raise errors.NoSuch(str(node.path), "member", printable(m.instance))
+    hidden = ["%s.%s" % (m.instance, port) for m in members for port in m.ports]
+    lines = _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
+    for m in going:
+        if not orb.ask(str(node.path), one.ref, "remove_member", to_wire(m.instance)):
+            raise errors.Refused(str(node.path), "does not remove member %s" % printable(m.instance))
+        lines.append("removed component %s" % printable(m.instance))
+    return lines
+
+
+def _export(node, add_ports=(), hide=(), hide_all_of=()):
+    """Change the list of exported ports and make the composite take it up."""
+    found = configuration.Configuration(node)
+    within = found.set("default")
+    now = [name.strip() for name in within.values.get(EXPORTED, "").split(",") if name.strip()]
+    kept = [name for name in now if name not in hide and name.rpartition(".")[0] not in hide_all_of]
+    wanted = kept + [name for name in add_ports if name not in kept]
+    if wanted == now:
+        return []
+    found.store({EXPORTED: ",".join(wanted)}, within)
+    found.activate("default")
+    return (["exported port " + printable(name) for name in wanted if name not in now]
+            + ["hid port " + printable(name) for name in now if name not in wanted])

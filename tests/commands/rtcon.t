@@ -1,0 +1,144 @@
+rtcon connects ports.
+
+world: console
+world: these Mock:Mock0 ConsoleIn:ConsoleIn1 Motor
+
+  $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcat -ll ConsoleIn0.rtc:out | sed -n '/Connected/,$p'
+   -Connected to  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
+      Name                            outin
+      ID                              $UUID
+      dataport.data_type              IDL:RTC/TimedLong:1.0
+      dataport.dataflow_type          push
+      dataport.interface_type         corba_cdr
+      dataport.subscription_type      new
+      dataport.serializer.cdr.endian  little,big
+      dataport.outport.data_type      IDL:RTC/TimedLong:1.0
+      dataport.inport.data_type       IDL:RTC/TimedLong:1.0
+
+Data arrives:
+
+  $ ctl write ConsoleIn0:out 42; ctl received ConsoleOut0:in 1
+  1 42
+
+What it costs: of each component the list of its ports, each port's profile, and the request:
+
+  $ rtdis ConsoleIn0.rtc; ctl reset
+  $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ ctl calls ConsoleIn0
+  1 connect
+  1 get_port_profile
+  1 get_ports
+
+The component chooses the id; --verbose tells:
+
+  $ rtdis ConsoleIn0.rtc
+  $ rtcon -v ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: connected, id $UUID
+
+The order does not matter; options may stand behind the paths:
+
+  $ rtdis ConsoleIn0.rtc
+  $ rtcon ConsoleOut0.rtc:in ConsoleIn0.rtc:out -n backwards --id=b1
+  $ ctl connectors ConsoleIn0:out
+  b1 backwards
+  $ ctl write ConsoleIn0:out 43; ctl received ConsoleOut0:in 2
+  2 43
+  $ rtdis ConsoleIn0.rtc
+
+--name and --id may hold anything, a blank, a quote, an equals sign:
+
+  $ rtcon -n 'a "name" = 日本' -i '$(id)' ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcat -ll ConsoleIn0.rtc:out | grep -E ' (Name|ID) '
+      Name                            a "name" = 日本
+      ID                              $(id)
+  $ rtdis -i '$(id)' ConsoleIn0.rtc
+
+--dry-run checks, prints a command that does it, and changes nothing:
+
+  $ rtcon --dry-run -p 'a.key=x y=z' -n n -i i -p dataport.subscription_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon -n n -i i -p 'a.key=x y=z' -p dataport.subscription_type=flush /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
+  $ ctl connectors ConsoleIn0:out
+  $ rtcon --dry-run -p 'a.key=x y=z' -n n -i i -p dataport.subscription_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in | sh
+  $ rtcat -ll ConsoleIn0.rtc:out | grep -E 'a.key|subscr|ID'
+    data_type                                IDL:RTC/TimedLong:1.0
+    dataport.data_type                       IDL:RTC/TimedLong:1.0
+    dataport.subscription_type               block,flush,new,nonblock,periodic
+      ID                              i
+      a.key                           x y=z
+      dataport.data_type              IDL:RTC/TimedLong:1.0
+      dataport.subscription_type      flush
+      dataport.outport.data_type      IDL:RTC/TimedLong:1.0
+      dataport.inport.data_type       IDL:RTC/TimedLong:1.0
+  $ rtdis ConsoleIn0.rtc
+  $ rtcon --dry-run ConsoleIn0.rtc:out SequenceInComponent0.rtc:Double
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Double: data types differ (RTC/TimedLong, RTC/TimedDouble)
+  [6]
+
+Properties: a value may hold an equals sign, or be empty; of two the last one counts:
+
+  $ rtcon -p dataport.dataflow_type=pull -p dataport.buffer.length=3 -p 'x=a=b' -p y= ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcat -ll ConsoleOut0.rtc:in | grep -E 'flow_type +pull|length|^    [xy]' | sed 's/ *$//'
+      dataport.buffer.length          3
+      dataport.dataflow_type          pull
+      x                               a=b
+      y
+  $ rtdis ConsoleIn0.rtc
+  $ rtcon -p x=1 -p x=2 ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: duplicate property, the last one counts: x=2
+  $ rtcat -ll ConsoleOut0.rtc:in | grep -E '^    x'
+      x                               2
+  $ rtdis ConsoleIn0.rtc
+  $ rtcon -q --property x=1 --property=x=2 ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcon -p novalue ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: not KEY=VALUE: novalue (see --help)
+  [2]
+  $ rtcon -p =novalue ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: not KEY=VALUE: =novalue (see --help)
+  [2]
+
+More than two ports make one connection:
+
+  $ rtdis ConsoleIn0.rtc
+  $ rtcon -i all ConsoleIn0.rtc:out ConsoleOut0.rtc:in ConsoleOut1.rtc:in
+  $ ctl connectors ConsoleOut0:in; ctl connectors ConsoleOut1:in
+  all outin_in
+  all outin_in
+  $ rtdis ConsoleIn0.rtc
+  $ rtcon -v ConsoleOut0.rtc:in ConsoleIn0.rtc:out ConsoleOut1.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: connected, id $UUID
+  $ rtdis ConsoleIn0.rtc
+
+Connected already: OpenRTM refuses the same pair twice, unless told otherwise; -d refuses in any case:
+
+  $ rtcon -n first -i id-1 ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected (id id-1)
+  [6]
+  $ rtcon -d ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected (id id-1)
+  [6]
+  $ rtcon --no-duplicates ConsoleOut0.rtc:in ConsoleIn0.rtc:out
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: already connected (id id-1)
+  [6]
+  $ rtcon -i id-1 ConsoleIn0.rtc:out ConsoleOut1.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: refused; id id-1 is in use, or the component takes no ids (RtORB)
+  [6]
+  $ rtcon -d -i id-1 ConsoleIn0.rtc:out ConsoleOut1.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: has a connection with id id-1 already
+  [6]
+  $ rtcon -d -n first ConsoleIn0.rtc:out ConsoleOut1.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: has a connection with name first already
+  [6]
+  $ rtcon -d -i id-1 ConsoleIn1.rtc:out ConsoleOut0.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: has a connection with id id-1 already
+  [6]
+  $ rtcon -d -n outin ConsoleIn0.rtc:out ConsoleOut1.rtc:in
+  $ rtcon -i twice -p dataport.allow_dup_connection=YES ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ ctl connectors ConsoleIn0:out
+  id-1 first
+  $UUID outin
+  twice outin
+  $ rtcon -d -p dataport.allow_dup_connection=YES ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected (id id-1)
+  [6]

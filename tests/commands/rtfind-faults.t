@@ -1,0 +1,133 @@
+What rtfind says when something does not work, and with names that are hard to type.
+
+world: two
+world: names --context odd.host_cxt/%n.rtc
+world: hung 3 --context test.host_cxt/Hung%n.rtc
+world: fragile
+faulty: silent hostile
+faulty: --bind localhost:$PORT/bad.host_cxt a=close
+alone: it measures
+
+A hung component is a component, but nobody knows its state. By its name it is found without asking.
+The same goes for one whose reference does not tell what it is, and which does not answer.
+
+  $ within 0.3-0.8 rtfind --timeout 0.3 . -t c
+  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
+  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+  /localhost:$PORT/test.host_cxt/Fragile0.rtc
+  /localhost:$PORT/test.host_cxt/HungMock0.rtc
+  /localhost:$PORT/test.host_cxt/HungMock1.rtc
+  /localhost:$PORT/test.host_cxt/HungMock2.rtc
+  rtfind: /localhost:$PORT/test.host_cxt/HungMock0.rtc: no answer within 0.3s
+  rtfind: /localhost:$PORT/test.host_cxt/HungMock1.rtc: no answer within 0.3s
+  rtfind: /localhost:$PORT/test.host_cxt/HungMock2.rtc: no answer within 0.3s
+  [5]
+  $ within 0.3-0.8 rtfind --timeout 0.3 . --state inactive
+  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
+  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+  /localhost:$PORT/test.host_cxt/Fragile0.rtc
+  rtfind: /localhost:$PORT/test.host_cxt/HungMock0.rtc: no answer within 0.3s
+  rtfind: /localhost:$PORT/test.host_cxt/HungMock1.rtc: no answer within 0.3s
+  rtfind: /localhost:$PORT/test.host_cxt/HungMock2.rtc: no answer within 0.3s
+  [5]
+  $ within 0.3-0.8 rtfind --timeout 0.3 -q . --state inactive -n 'Hung*'
+  rtfind: /localhost:$PORT/test.host_cxt/HungMock0.rtc: no answer within 0.3s
+  rtfind: /localhost:$PORT/test.host_cxt/HungMock1.rtc: no answer within 0.3s
+  rtfind: /localhost:$PORT/test.host_cxt/HungMock2.rtc: no answer within 0.3s
+  [4]
+  $ rtfind ../bad.host_cxt -t c
+  /localhost:$PORT/bad.host_cxt/a.rtc
+  rtfind: /localhost:$PORT/bad.host_cxt/a.rtc: connection lost
+  [5]
+  $ rtfind ../bad.host_cxt -t mz
+  $ within 0-0.5 rtfind . -n 'Hung*'
+  /localhost:$PORT/test.host_cxt/HungMock0.rtc
+  /localhost:$PORT/test.host_cxt/HungMock1.rtc
+  /localhost:$PORT/test.host_cxt/HungMock2.rtc
+  $ interrupt 0.3 rtfind . -t c
+  [130]
+  $ interrupt 0.3 rtfind --wait 30 . -n nothing
+  [130]
+
+The fragile one survives:
+
+  $ rtfind . --state active -t c --timeout 0.3 -n 'F*'; ctl @fragile components
+  Fragile0
+
+Names are matched, and printed, in the spelling that rtls shows; what is printed can be typed.
+
+  $ cd=/localhost:$PORT/odd.host_cxt
+  $ rtfind $cd -n '*\*' -n 'esc*' -n '日*' -n '?l.rtc' -n '$(*' -n '*
+  > *'
+  /localhost:$PORT/odd.host_cxt/$(id);'"*.rtc
+  /localhost:$PORT/odd.host_cxt/-l.rtc
+  /localhost:$PORT/odd.host_cxt/\e
+  /localhost:$PORT/odd.host_cxt/back\\slash.rtc
+  /localhost:$PORT/odd.host_cxt/bad\xff\xfe.rtc
+  /localhost:$PORT/odd.host_cxt/bell\x07del\x7f.rtc
+  /localhost:$PORT/odd.host_cxt/co\:lon.rtc
+  /localhost:$PORT/odd.host_cxt/csi\x9b31m.rtc
+  /localhost:$PORT/odd.host_cxt/esc\x1b[31mred.rtc
+  /localhost:$PORT/odd.host_cxt/kind\/slash.r\/tc
+  /localhost:$PORT/odd.host_cxt/kinddot.r\.tc
+  /localhost:$PORT/odd.host_cxt/rtl\u202ecba.rtc
+  /localhost:$PORT/odd.host_cxt/sl\/ash.rtc
+  /localhost:$PORT/odd.host_cxt/tab\x09new\x0aline.rtc
+  /localhost:$PORT/odd.host_cxt/日本語.rtc
+  $ rtfind $cd -i 'BAD\XFF*' | xargs -d '\n' rtls
+  bad\xff\xfe.rtc
+  $ rtfind $cd -m 1 -t c -0 | xargs -0 rtfind -m 1 | wc -l; rtfind $cd -m 1 -t c | wc -l
+  25
+  25
+  $ rtfind --json $cd -m 1 | LC_ALL=C grep -c -v '^{[ -~]*}$'
+  0
+  [1]
+
+Zombies, wrong objects, loops:
+
+  $ rtfind $cd -t z
+  /localhost:$PORT/odd.host_cxt/Gone0.rtc
+  $ rtfind $cd -n '[A-Z]*' -n 'N*[a-z]0.*' -n 'Not*' -n 'Nil*' -n 'Thing*' -n 'Gone*'
+  /localhost:$PORT/odd.host_cxt/Gone0.rtc
+  /localhost:$PORT/odd.host_cxt/Nil0.rtc
+  /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc
+  /localhost:$PORT/odd.host_cxt/NotAManager0.mgr
+  /localhost:$PORT/odd.host_cxt/Thing0.obj
+  $ rtfind $cd -t c -n 'N*[a-z]0.*' -n 'Not*' -n 'Nil*' -n 'Thing*' -n 'Gone*'
+  $ rtfind $cd -t d
+  /localhost:$PORT/odd.host_cxt
+  /localhost:$PORT/odd.host_cxt/a.cxt
+  /localhost:$PORT/odd.host_cxt/a.cxt/b.cxt
+  /localhost:$PORT/odd.host_cxt/a.cxt/b.cxt/c.cxt
+  /localhost:$PORT/odd.host_cxt/empty.cxt
+  /localhost:$PORT/odd.host_cxt/loop.cxt
+  /localhost:$PORT/odd.host_cxt/many.cxt
+  $ rtfind $cd -n Deep0.rtc -n Same0.rtc
+  /localhost:$PORT/odd.host_cxt/Same0.rtc
+  /localhost:$PORT/odd.host_cxt/a.cxt/Same0.rtc
+  /localhost:$PORT/odd.host_cxt/a.cxt/b.cxt/c.cxt/Deep0.rtc
+  $ rtfind $cd/many.cxt -n 'Name*' | wc -l
+  300
+  $ rtfind $cd/Nil0.rtc/ $cd/Nil0.rtc
+  /localhost:$PORT/odd.host_cxt/Nil0.rtc
+  rtfind: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a directory (it is a nil reference)
+  [5]
+
+Name servers:
+
+  $ within 0.3-0.8 rtfind --timeout 0.3 /localhost:$SILENT
+  rtfind: /localhost:$SILENT: no answer within 0.3s
+  [4]
+  $ RTCTREE_NAMESERVERS="127.0.0.1:$PORT;localhost:$SILENT;localhost:1" within 0.3-0.8 rtfind --timeout 0.3 / -n 'Console*'
+  /127.0.0.1:$PORT/test.host_cxt/ConsoleIn0.rtc
+  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc
+  rtfind: /localhost:1: connection refused; is the name server running?
+  rtfind: /localhost:$SILENT: no answer within 0.3s
+  [5]
+  $ rtfind /localhost:$HOSTILE -m 1 | LC_ALL=C grep -c '[[:cntrl:]]'; ls
+  0
+  $ hang names
+  $ within 0.3-0.8 rtfind --timeout 0.3 -q ConsoleIn0.rtc
+  rtfind: /localhost:$PORT: no answer within 0.3s
+  [4]
+  $ resume names
