@@ -12,15 +12,24 @@ Entry = collections.namedtuple("Entry", "index context state owner participants"
 
 
 def entries(node, only=None):
-    """An Entry for each execution context of a component, the owned ones first; `only`: for the context number `only`."""
+    """An Entry for each execution context of a component, the owned ones first; `only`: for the context number `only`.
+
+    The Context of an Entry is None where it belongs to another component, which does not answer.
+    """
     owned, participating = component.context_refs(node)
     chosen = list(enumerate(owned + participating))
     if only is not None:
         chosen = [(only, component.context_ref(node, only))]
     found = []
     for index, ref in chosen:
-        context = component.context(node, ref)
-        found.append(Entry(index, context, component.state_in(node, ref), _name(node, context.owner),
+        try:
+            context = component.context(node, ref)
+        except errors.Unreachable:
+            if orb.endpoint(ref) == node.endpoint:
+                raise
+            found.append(Entry(index, None, "Unknown", "", []))
+            continue
+        found.append(Entry(index, context, component.states(node, [ref])[0], _name(node, context.owner),
                            [_name(node, each) for each in context.participants]))
     return found
 
@@ -62,6 +71,17 @@ def _run(node, index, operation, wanted):
     if bool(orb.ask(where, ref, "is_running")) != wanted:
         raise errors.Refused(where, "its execution context does not %s (%s)" % (operation, code))
     return "%s: %s" % (node.path, "running" if wanted else "stopped")
+
+
+def one_by_one(change, node, index, others):
+    """`attach` or `detach` for each component, in their order; an errors.Error in the place of what failed."""
+    results = []
+    for other in others:
+        try:
+            results.append(other if isinstance(other, errors.Error) else change(node, index, other))
+        except errors.Error as e:
+            results.append(e)
+    return results
 
 
 def attach(node, index, other):

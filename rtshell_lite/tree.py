@@ -16,6 +16,7 @@ from rtshell_lite.text import from_wire
 
 DEPTH = 64  # contexts can be bound inside themselves by another name
 
+
 # ---- name servers ---------------------------------------------------------------------------------------------
 
 def servers():

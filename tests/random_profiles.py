@@ -5,7 +5,7 @@ from rtshell_lite.xmlprofile import model, names
 
 CHARACTERS = ("aZ0 19.:-_#'\"\\,[]{}&*!|>%@`?=~<x/+\n\t\r\x00\x07\x1b\x7f\x85\xa0\u2028\u2029\ufeff\ufffe\uffffé日\U0001f600"
               "\ud800\udc80")
-WORDS = ["", " ", "\n", "0", "010", "0x1F", "1:30", "1e3", "1_0", ".inf", ".nan", "true", "no", "On", "null", "~", "=", "<<", 
+WORDS = ["", " ", "\n", "0", "010", "0x1F", "1:30", "1e3", "1_0", ".inf", ".nan", "true", "no", "On", "null", "~", "=", "<<",
          "- a", "? a", "---", "...", "a: b", "a #b", "a:", "#", "  x", "x  ", "a\nb", "a\n b", "a \n\nb\n", "2010-01-02",
          "2010-01-02T03:04:05Z", "]]>", "<!--", "&amp;", "&#10;", "<a/>", "_x001B_", "_x005F_", "_x005F_x001B_",
          "_x001B_x001B_", "_x001B\x1b", "_x0041_", "IDL:RTC/TimedLong:1.0", "RTC:A B, C:d:e:1", "../../etc/passwd", "a" * 300,

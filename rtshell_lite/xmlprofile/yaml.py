@@ -1,8 +1,8 @@
 """Reads a subset of YAML 1.1: all that PyYAML writes for plain data, and what people write by hand.
 
 Read: block and flow collections, plain, quoted, literal and folded text, comments, `? ` keys, anchors and aliases, tags of
-plain types, %YAML, one document. Refused with line and column: anything else, and what is legal but a trap: keys given
-twice, merge keys, several documents. Nothing is ever evaluated.
+plain types, %YAML, one document. Refused with line and column: anything else, and what is legal but a trap: keys and
+anchors given twice, merge keys, several documents. Nothing is ever evaluated.
 
 Most functions take a document and a position and return where they ended and a node: (doc, pos) -> (pos, Node). Those of
 block style end at the next token, which is what tells them from flow style.
@@ -98,8 +98,10 @@ def _value(doc, pos, indent, depth, compact, dashes=False):
             return _block(doc, _BLANKS.match(doc.text, start).end(), indent, depth)
         return _anchored(doc, anchor, doc.nodes, _inline(doc, pos, indent, depth, tag))
     pos, column = doc.next_token(pos)
-    if doc.text[pos] in ("&" if anchor else "") + ("!" if tag else "") and column > indent and not _is_key(doc, pos):
-        doc.fail(pos, "a second anchor or tag")
+    if (anchor or tag) and column > indent and not _is_key(doc, pos):  # below may stand the one that is missing here
+        _, second_anchor, second_tag = _properties(doc, pos)
+        if anchor and second_anchor or tag and second_tag:
+            doc.fail(pos, "a second anchor or tag")
     count = doc.nodes
     pos, node = _below(doc, pos, column, indent, depth, dashes)
     return _anchored(doc, anchor, count, (pos, _tagged(doc, start, node, tag)))
@@ -246,6 +248,8 @@ def _properties(doc, pos):
 def _anchored(doc, anchor, count, result):
     """Remember `result`, (pos, node), by its anchor; it was begun when there were `count` nodes."""
     if anchor:
+        if anchor in doc.anchors:
+            doc.fail(result[1].pos, "the anchor &%s was given before" % anchor)
         _measure(result[1])
         doc.anchors[anchor] = (result[1], doc.nodes - count)
     return result

@@ -71,9 +71,9 @@ A component that fails to tell one of the figures:
   rtls: /localhost:$PORT/test.host_cxt/Slow0.rtc: CORBA.UNKNOWN
   rtls: 1 of 1 did not answer (Slow0.rtc)
   [6]
-  $ ctl @these fail get_port_profile 1 DIE; rtls -lv --timeout 1 Slow0.rtc Driver0.rtc
-  ?       -    -    -    -    ?Slow0.rtc
-  Active  2/[01]  1/[01]  1/0  0/0  Driver0.rtc (re)
+  $ ctl @these fail get_port_profile 1 DIE; rtls -lv --timeout 1 Slow0.rtc MyServiceProvider0.rtc
+  ?         -    -    -    -    ?Slow0.rtc
+  Inactive  1/0  0/0  0/0  1/0  MyServiceProvider0.rtc
   rtls: /localhost:\$PORT/test.host_cxt/Slow0.rtc: (does not tell its ports or states \(connection refused\)|connection lost) (re)
   rtls: 1 of 2 did not answer (Slow0.rtc)
   [5]

@@ -109,7 +109,7 @@ class PyYAML(unittest.TestCase):
 
 def keyed_by_text(data):
     if isinstance(data, dict):
-        return {{None: "~", 1: "1", 11: "11", 111: "111"}.get(key, key): keyed_by_text(value) for key, value in data.items()}
+        return {"~" if key is None else str(key): keyed_by_text(value) for key, value in data.items()}
     return [keyed_by_text(item) for item in data] if isinstance(data, list) else data
 
 
