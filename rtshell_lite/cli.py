@@ -215,8 +215,10 @@ class _Parser(argparse.ArgumentParser):
         if not rest or action.nargs == 0:
             return [word]
         # --wait PATH, --shell PATH: a word that cannot be the option's value is not taken for it
-        if action.nargs == "?" and not (rest[0] in action.choices if action.choices else re.match(r"\.?[0-9]+\.?[0-9]*$", rest[0])):
-            return [word]
+        if action.nargs == "?":
+            fits = rest[0] in action.choices if action.choices else re.match(r"\.?[0-9]+\.?[0-9]*$", rest[0])
+            if not fits:
+                return [word]
         value = rest.pop(0)
         return [word + glue + value] if value.startswith("-") else [word, value]  # argparse would take -n -x for two options
 

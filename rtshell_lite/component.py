@@ -84,7 +84,20 @@ def _by_number(names, enumerator):
 def state(node):
     """The state of a component over all its contexts: Error before Active before Inactive before Created, or Unknown."""
     owned, participating = context_refs(node)
-    return merged([state_in(node, ref) for ref in owned + participating])
+    return merged(states(node, owned + participating))
+
+
+def states(node, refs):
+    """Its state in each context; Unknown in a context of another process that does not answer."""
+    found = []
+    for ref in refs:
+        try:
+            found.append(state_in(node, ref))
+        except errors.Unreachable:
+            if orb.endpoint(ref) == node.endpoint:
+                raise
+            found.append("Unknown")
+    return found
 
 
 def merged(states):

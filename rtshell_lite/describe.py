@@ -1,7 +1,7 @@
 """What rtcat shows of a component or a port, as lines or as JSON."""
 import collections
 
-from rtshell_lite import component, errors, orb, organisation, ports, text
+from rtshell_lite import component, errors, orb, organisation, ports, rpc, text
 from rtshell_lite.text import from_wire, printable
 
 # All that rtcat knows of one component. `compositions` are those that it owns, as (id, [path text of a member]); `parents`
@@ -16,13 +16,20 @@ def collect(node, level=0):
     """
     found = ports.ports(node)
     owned, participating = component.context_refs(node)
-    contexts = [component.context(node, ref) for ref in owned + participating]
-    state = component.merged([component.state_in(node, context.ref) for context in contexts])
+    contexts = [component.context(node, ref) for ref in owned + _answering(node, participating)]
+    state = component.merged(component.states(node, [context.ref for context in contexts]))
     if level:
         compositions = [(one.id, organisation.member_paths(node, one)) for one in organisation.owned(node)]
     else:
         compositions = [("", [])] * len(organisation.owned_refs(node))
     return Found(node, component.profile(node), state, contexts, found, compositions, _parents(node))
+
+
+def _answering(node, refs):
+    """Those contexts of other components that answer: a hung composite must not hide its members."""
+    answers = rpc.gather([rpc.Job(orb.endpoint(ref), str(node.path), lambda ref=ref: orb.is_alive(str(node.path), ref))
+                          for ref in refs])
+    return [ref for ref, answer in zip(refs, answers) if not isinstance(answer, errors.Error)]
 
 
 def _parents(node):
@@ -159,7 +166,7 @@ def as_dict(found, ends):
     fields["execution_contexts"] = [
         {"handle": c.handle, "kind": c.kind, "rate": c.rate, "running": c.running, "owner": _instance(c.owner, found),
          "participants": [_instance(p, found) for p in c.participants], "properties": dict(c.properties),
-         "state": component.state_in(found.node, c.ref)} for c in found.contexts]
+         "state": component.states(found.node, [c.ref])[0]} for c in found.contexts]
     fields["ports"] = [port_dict(port, ends) for port in found.ports]
     return fields
 

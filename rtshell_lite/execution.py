@@ -11,13 +11,25 @@ SETTLE_TIME = 2.0  # seconds: a component leaves at the context's next cycle, in
 Entry = collections.namedtuple("Entry", "index context state owner participants")
 
 
-def entries(node):
-    """An Entry for each execution context of a component, the owned ones first."""
+def entries(node, only=None):
+    """An Entry for each execution context of a component, the owned ones first; `only`: for the context number `only`.
+
+    The Context of an Entry is None where it belongs to another component, which does not answer.
+    """
     owned, participating = component.context_refs(node)
+    chosen = list(enumerate(owned + participating))
+    if only is not None:
+        chosen = [(only, component.context_ref(node, only))]
     found = []
-    for index, ref in enumerate(owned + participating):
-        context = component.context(node, ref)
-        found.append(Entry(index, context, component.state_in(node, ref), _name(node, context.owner),
+    for index, ref in chosen:
+        try:
+            context = component.context(node, ref)
+        except errors.Unreachable:
+            if orb.endpoint(ref) == node.endpoint:
+                raise
+            found.append(Entry(index, None, "Unknown", "", []))
+            continue
+        found.append(Entry(index, context, component.states(node, [ref])[0], _name(node, context.owner),
                            [_name(node, each) for each in context.participants]))
     return found
 
@@ -61,36 +73,53 @@ def _run(node, index, operation, wanted):
     return "%s: %s" % (node.path, "running" if wanted else "stopped")
 
 
+def one_by_one(change, node, index, others):
+    """`attach` or `detach` for each component, in their order; an errors.Error in the place of what failed."""
+    results = []
+    for other in others:
+        try:
+            results.append(other if isinstance(other, errors.Error) else change(node, index, other))
+        except errors.Error as e:
+            results.append(e)
+    return results
+
+
 def attach(node, index, other):
-    """Let the component `other` take part in a context. Raises Refused."""
+    """Let the component `other` take part in a context. Raises No, Refused, and what tells that `other` is gone."""
     ref, where = component.context_ref(node, index), str(node.path)
-    if not _takes_part(where, ref, other):
+    orb.is_alive(str(other.path), other.ref)
+    found = orb.ask(where, ref, "get_profile")
+    if orb.same(found.owner, other.ref):
+        raise errors.No(where, "%s owns this execution context" % str(other.path))
+    if not _takes_part(found, other):
         code = str(orb.ask(where, ref, "add_component", other.typed))
-        if code != "RTC_OK" or not _takes_part(where, ref, other):
-            raise errors.Refused(where, "its execution context does not take %s (%s)" % (other.path, code))
+        if code != "RTC_OK" or not _takes_part(orb.ask(where, ref, "get_profile"), other):
+            raise errors.Refused(where, "its execution context does not take %s (%s)" % (str(other.path), code))
     return "%s: %s takes part" % (node.path, other.path)
 
 
 def detach(node, index, other):
     """Let the component `other` leave a context, which happens at its next cycle. Raises NoSuch, Refused."""
     ref, where = component.context_ref(node, index), str(node.path)
-    if not _takes_part(where, ref, other):
+    found = orb.ask(where, ref, "get_profile")
+    if not _takes_part(found, other):
         raise errors.NoSuch(where, "participant", str(other.path))
     code = str(orb.ask(where, ref, "remove_component", other.typed))
-    end = time.monotonic() + SETTLE_TIME
-    while _takes_part(where, ref, other):
+    end = time.monotonic() + max(SETTLE_TIME, 3 / found.rate if found.rate > 0 else 0)
+    while _takes_part(orb.ask(where, ref, "get_profile"), other):
         if time.monotonic() > end:
-            raise errors.Refused(where, "its execution context does not let go of %s (%s)" % (other.path, code))
+            raise errors.Refused(where, "its execution context does not let go of %s (%s)" % (str(other.path), code))
         time.sleep(component.POLL)
     return "%s: %s left" % (node.path, other.path)
 
 
-def _takes_part(where, ref, other):
-    return any(orb.same(each, other.ref) for each in orb.ask(where, ref, "get_profile").participants)
+def _takes_part(found, other):
+    return any(orb.same(each, other.ref) for each in found.participants)
 
 
 def command(node, index, *words):
-    """An rtec command for a context of a component, ready for a shell."""
+    """An rtec command for a context of a component, ready for a shell. Raises NoSuch."""
+    component.context_ref(node, index)
     return " ".join(["rtec"] + (["-e", str(index)] if index else []) + [shell_word(w) for w in (str(node.path),) + words])
 
 

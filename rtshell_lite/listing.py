@@ -68,7 +68,7 @@ def figures(node):
     from rtshell_lite import component, ports  # not needed, and not loaded, for names alone
     owned, participating = component.context_refs(node)  # tells whether the component itself is there
     try:
-        state = component.merged([component.state_in(node, ref) for ref in owned + participating])
+        state = component.merged(component.states(node, owned + participating))
         found = ports.ports(node)
     except (errors.Gone, errors.ConnectionRefused) as e:
         # a port or context passed on that something behind it is gone; the component has answered

@@ -42,7 +42,8 @@ class Node:
         """Its kind in the words of an error: it is a …"""
         if self.kind in ("unknown", "unsure"):
             return "nil reference" if self.ref is None else "CORBA object of unknown kind"
-        return {"root": "root directory", "server": "name server", "silent": "component that does not answer"}.get(self.kind, self.kind)
+        words = {"root": "root directory", "server": "name server", "silent": "component that does not answer"}
+        return words.get(self.kind, self.kind)
 
     @property
     def typed(self):

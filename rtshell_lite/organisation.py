@@ -68,7 +68,10 @@ def composites(node):
     _, participating = component.context_refs(node)
     places, found = Places(node), []
     for ref in participating:
-        owner = orb.ask(str(node.path), ref, "get_profile").owner
+        try:
+            owner = orb.ask(str(node.path), ref, "get_profile").owner
+        except errors.Unreachable:
+            continue
         if owner is None:
             continue
         try:

@@ -21,6 +21,11 @@ timeout = 3.0  # seconds a peer may stay silent; set once by cli from --timeout
 Job = collections.namedtuple("Job", "endpoint where call")  # (host, port) or anything hashable; path text; function()
 
 
+# When which process was found silent, and the words for it. For as long as the timeout it is not asked again: what comes
+# next in a command, or another component's question about it, must not cost one more timeout.
+silent = {}
+
+
 class _Peer:
     """One remote process while it is being asked."""
 
@@ -30,7 +35,12 @@ class _Peer:
         self.open = set()
         self.heard = time.monotonic()
         self.limit = timeout
-        self.silence = None  # why the rest of its calls fail
+        since, why = silent.get(endpoint, (0, None))
+        self.silence = why if time.monotonic() - since < timeout else None  # why the rest of its calls fail
+
+    def fall_silent(self, why):
+        self.silence = why
+        silent[self.endpoint] = time.monotonic(), why
 
 
 _lane = threading.local()
@@ -110,7 +120,8 @@ def _work(peer, done):
         try:
             value = job.call()
         except errors.Silent as e:
-            peer.silence, value = e.args[1], e
+            value = e
+            peer.fall_silent(e.args[1])
         except Exception as e:
             value = e
         done.put((peer, i, value))
@@ -121,7 +132,7 @@ def _give_up(peers, jobs, values):
     count, now = 0, time.monotonic()
     for peer in peers:
         if peer.open and now - peer.heard > peer.limit + GRACE:
-            peer.silence = peer.silence or no_answer(peer.limit)
+            peer.fall_silent(peer.silence or no_answer(peer.limit))
             peer.todo.clear()
             for i in peer.open:
                 values[i] = errors.Silent(jobs[i].where, peer.silence)

@@ -10,6 +10,7 @@ class Gather(unittest.TestCase):
     def setUp(self):
         self.before, rpc.timeout = rpc.timeout, 0.4
         self.release = threading.Event()
+        rpc.silent.clear()
 
     def tearDown(self):
         self.release.set()
@@ -77,6 +78,23 @@ class Gather(unittest.TestCase):
         values = rpc.gather([self.job("p", outer), self.job("p", lambda: 1), self.job("p", outer), self.job("p", lambda: 2)])
         self.assertEqual([values[1], values[3]], [1, 2])
         self.assertTrue(all(type(values[i]) is errors.Unreachable for i in (0, 2)))
+
+    def test_a_silent_process_is_not_asked_again_at_once(self):
+        rpc.gather([self.job("p", self.release.wait)])
+        start = time.monotonic()
+        value, = rpc.gather([self.job("p", lambda: 1)])
+        self.assertIsInstance(value, errors.Silent)
+        self.assertLess(time.monotonic() - start, 0.1)
+        while time.monotonic() - start < 0.45:
+            self.release.wait(0.05)
+        self.assertEqual(rpc.gather([self.job("p", lambda: 1)]), [1])  # but later, when it may be back
+
+    def test_many_that_ask_one_silent_process_wait_once(self):
+        def outer():
+            return rpc.ask("other", "other", self.release.wait)
+        start = time.monotonic()
+        rpc.gather([self.job("p", outer) for _ in range(12)])
+        self.assertLess(time.monotonic() - start, 0.9)
 
     def test_a_bug_is_not_taken_for_a_failure_of_the_peer(self):
         with self.assertRaises(KeyError):

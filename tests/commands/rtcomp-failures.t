@@ -21,8 +21,8 @@ Wrong usage:
   rtcomp: a.rtc:b:c: bad path (one colon stands before a port; write \: in a name)
   [2]
   $ rtcomp ../m.host_cxt/manager.mgr:'a&b=c'
-  rtcomp: internal error: AttributeError: 'NoneType' object has no attribute 'call' (RTSHELL_DEBUG=1 shows where)
-  [70]
+  rtcomp: a composite cannot be called a&b=c (see --help)
+  [2]
   $ rtcomp -o nonsense ../m.host_cxt/manager.mgr:New
   rtcomp: not MODULE[?KEY=VALUE&KEY=VALUE…]: PeriodicECSharedComposite?instance_name=New&nonsense (see --help)
   [2]
@@ -106,7 +106,6 @@ A new composite has nothing to be removed:
   [1]
   $ rtls ../m.host_cxt
   ConsoleOut0.rtc
-  a.rtc
   manager.mgr/
 
 A type that the manager does not know, a type that is no composite (what was made is deleted again):

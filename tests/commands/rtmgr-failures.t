@@ -33,10 +33,10 @@ Wrong usage is told before anything is contacted:
   rtmgr: argument -s/--setconfig: not KEY=VALUE: =b (see --help)
   [2]
   $ rtmgr -c '' nowhere/manager.mgr
-  rtmgr: argument -c/--create: not MODULE[?KEY=VALUE&KEY=VALUE…]:  (see --help)
+  rtmgr: not MODULE[?KEY=VALUE&KEY=VALUE…]:  (see --help)
   [2]
   $ rtmgr -c 'A?b' nowhere/manager.mgr
-  rtmgr: argument -c/--create: not MODULE[?KEY=VALUE&KEY=VALUE…]: A?b (see --help)
+  rtmgr: not MODULE[?KEY=VALUE&KEY=VALUE…]: A?b (see --help)
   [2]
   $ rtmgr -c
   rtmgr: argument -c/--create: expected one argument (see --help)
@@ -135,7 +135,7 @@ Components: a name that is unknown or taken, a module that is unknown, an argume
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create Motor?language=Python (a wrong argument, or its max_instance of 10 is reached)
   [6]
   $ rtmgr -c 'Motor?instance_name=a?instance_name=b' manager.mgr
-  rtmgr: argument -c/--create: not MODULE[?KEY=VALUE&KEY=VALUE…]: Motor?instance_name=a?instance_name=b (see --help)
+  rtmgr: not MODULE[?KEY=VALUE&KEY=VALUE…]: Motor?instance_name=a?instance_name=b (see --help)
   [2]
   $ rtmgr -v -c 'Motor?instance_name=a' -c 'Sensor?instance_name=a' manager.mgr
   rtmgr: created a
