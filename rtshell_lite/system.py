@@ -283,3 +283,27 @@ def locator(profile):
 def port_of(end):
     """The name of the port that an end means, without the instance name before it."""
     return ports.short_name(end.port_name, end.instance_name)
+
+
+# ---- what is running of a profile -----------------------------------------------------------------------------
+
+def look(profile, function=ask):
+    """function(node) for each component of a profile; an errors.Error in the place of one that is not there or fails."""
+    paths = []
+    for each in profile.components:
+        try:
+            paths.append(path_of(each))
+        except errors.BadPath as e:
+            paths.append(errors.No("/" + printable(each.path_uri), e))
+    answers = iter(tree.on_components([one for one in paths if not isinstance(one, errors.Error)], function))
+    return [one if isinstance(one, errors.Error) else next(answers) for one in paths]
+
+
+def states(profile):
+    """The state of each component of a profile, as `look` gives it."""
+    return look(profile, component.state)
+
+
+def state(found):
+    """One state of a Found over all its contexts."""
+    return component.merged(found.states.values())
