@@ -103,8 +103,8 @@ def dot(graph):
     for service in (False, True):
         for one, out, other, into, is_service in graph.edges:
             if is_service == service:
-                yield "  %s:%s -> %s:%s%s;" % (_node_id(names[one]), ports[one][out], _node_id(names[other]), ports[other][into],
-                                               ' [arrowhead="odot"]' if service else "")
+                yield "  %s:%s -> %s:%s%s;" % (_node_id(names[one]), ports[one][out], _node_id(names[other]),
+                                               ports[other][into], ' [arrowhead="odot"]' if service else "")
     yield "}"
 
 

@@ -11,8 +11,9 @@ from rtshell_lite.xmlprofile import model
 # The grammar of DOT, as far as we write it.
 ID = r'(?:[A-Za-z_][A-Za-z_0-9]*|"(?:[^"\\]|\\.)*")'
 VALUE = r'(?:[a-z]+|"(?:[^"\\]|\\.)*")'
-STATEMENT = re.compile(r"\s*(?:{id} \[[a-z]+={value}(?:, [a-z]+={value})*\];|{id}:{id} -> {id}:{id}(?: \[arrowhead=\"odot\"\])?;"
-                       r"|subgraph {id} \{{|\}}|(?:label|bgcolor)={value};|{id};)\Z".format(id=ID, value=VALUE))
+STATEMENT = re.compile(r"\s*(?:{id} \[[a-z]+={value}(?:, [a-z]+={value})*\];|"
+                       r"{id}:{id} -> {id}:{id}(?: \[arrowhead=\"odot\"\])?;"
+                       r"subgraph {id} \{{|\}}|(?:label|bgcolor)={value};|{id};)\Z".format(id=ID, value=VALUE))
 LABEL = re.compile(r'label="((?:[^"\\]|\\.)*)"')
 
 
@@ -98,7 +99,8 @@ class Dot(unittest.TestCase):
         self.assertIn('  Gone [label="{{<in>in}|Gone|{}}", style=dashed];', self.check(profile))
 
     def test_composites_of_composites_and_of_themselves(self):
-        profile = model.RtsProfile(components=[component("A", "BCA"), component("B", "DA"), component("C"), component("D", "AC")])
+        family = [component("A", "BCA"), component("B", "DA"), component("C"), component("D", "AC")]
+        profile = model.RtsProfile(components=family)
         found = self.check(profile)
         self.assertEqual([line.strip() for line in found if "subgraph" in line or line.strip() in ("C;", "D;")],
                          ["subgraph cluster_A {", "subgraph cluster_B {", "D;", "C;"])

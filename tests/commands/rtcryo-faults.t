@@ -48,6 +48,8 @@ Hostile names and values come through both forms:
   $ rtcryo -q --timeout 0.5 -y localhost:$PORT/test.host_cxt -o h.yaml
   $ grep -o 'pathUri="[^"]*"' h.xml
   pathUri="localhost:$PORT/test.host_cxt/Hostile0.rtc"
+  $ rtcheck -s inactive h.xml; rtcheck -s inactive h.yaml; rtstodot h.xml | grep -c -e '->'
+  1
   $ grep -c 'Configuration' h.xml
   25
 
