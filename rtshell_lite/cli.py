@@ -316,3 +316,9 @@ def json_output(parser):
 def null(parser):
     """-0."""
     parser.add_argument("-0", "--null", action="store_true", help="full paths, each ended by a NUL byte (for xargs -0)")
+
+
+def profile_form(parser, verb):
+    """-x and -y: args.form is the form of an RtsProfile file, None where the user did not say; the last one counts."""
+    parser.add_argument("-x", "--xml", action="store_const", dest="form", const="xml", help="%s XML" % verb)
+    parser.add_argument("-y", "--yaml", action="store_const", dest="form", const="yaml", help="%s YAML" % verb)
