@@ -49,6 +49,14 @@ def _run(arguments, run, doc, argv):
         return 70
 
 
+def unwind_when_ended():
+    """Let SIGTERM and SIGHUP end the command as Ctrl-C does, by way of its `finally`s: it has put something into a component."""
+    import signal
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores SIGHUP
+            signal.signal(number, lambda number, frame: sys.exit(128 + number))
+
+
 def _settle(args):
     global _quiet, _verbose
     _quiet, _verbose = args.quiet, args.verbose
@@ -308,3 +316,9 @@ def json_output(parser):
 def null(parser):
     """-0."""
     parser.add_argument("-0", "--null", action="store_true", help="full paths, each ended by a NUL byte (for xargs -0)")
+
+
+def profile_form(parser, verb):
+    """-x and -y: args.form is the form of an RtsProfile file, None where the user did not say; the last one counts."""
+    parser.add_argument("-x", "--xml", action="store_const", dest="form", const="xml", help="%s XML" % verb)
+    parser.add_argument("-y", "--yaml", action="store_const", dest="form", const="yaml", help="%s YAML" % verb)

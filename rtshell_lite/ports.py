@@ -16,7 +16,7 @@ DATA = ("DataInPort", "DataOutPort")
 DEFAULTS = (("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
             ("dataport.subscription_type", "new"))
 
-_ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push
+ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push
 
 
 # ---- asking ---------------------------------------------------------------------------------------------------
@@ -150,7 +150,7 @@ def _data_mismatches(found, types, properties):
                 % ("it is" if len(found) == 1 else "each is", types[0])]
     reasons = []
     data_types = [each.properties.get("dataport.data_type", "") for each in found]
-    if not all(_same_type(data_types[0], other) for other in data_types[1:]):
+    if not all(same_type(data_types[0], other) for other in data_types[1:]):
         reasons.append("data types differ (%s)" % ", ".join(printable(_short_type(t)) for t in data_types))
     for key, value in sorted(properties.items()):
         reasons += _not_offered(found, key, value)
@@ -181,7 +181,7 @@ def _short_type(type_id):
     return name.rpartition(":")[0] or name
 
 
-def _same_type(one, other):
+def same_type(one, other):
     """Repository ids name one type when their last parts agree and, where both have modules, the modules too."""
     one, other = (_short_type(t).split("/") for t in (one, other))
     if "any" in (one[-1].lower(), other[-1].lower()) or [""] in (one, other):
@@ -195,7 +195,7 @@ def _choices(each, key):
     if listed is None or key == "dataport.data_type":
         return None
     values = [value.strip() for value in listed.split(",")]
-    if key in _ANY_CASE:
+    if key in ANY_CASE:
         values = [value.lower() for value in values]
     return None if any(value.lower() == "any" for value in values) else values
 

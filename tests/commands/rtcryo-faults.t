@@ -1,0 +1,99 @@
+What rtcryo makes of systems that are broken, hostile, composed, or empty.
+
+server: composites
+server: empty
+world: hostile
+world: names
+world: linked --context good.host_cxt/%n.rtc
+world: orphan --context orphan.host_cxt/%n.rtc
+world: fragile --context orphan.host_cxt/%n.rtc
+world: composite --nameserver localhost:$PORT2
+world: hung 2 --context hung.host_cxt/%n.rtc
+world: zombie 1 --context good.host_cxt/%n.rtc
+
+A process that hangs costs one line for each of its components, and one timeout; the rest is saved:
+
+  $ within 0.4-2 rtcryo --timeout 0.5 localhost:$PORT/good.host_cxt localhost:$PORT/hung.host_cxt -o part.xml
+  rtcryo: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.5s
+  rtcryo: /localhost:$PORT/hung.host_cxt/Mock1.rtc: no answer within 0.5s
+  rtcryo: /localhost:$PORT/good.host_cxt/Mock0.rtc: zombie, left out
+  [5]
+  $ grep -o 'pathUri="[^"]*"' part.xml
+  pathUri="localhost:$PORT/good.host_cxt/ConsoleIn0.rtc"
+  pathUri="localhost:$PORT/good.host_cxt/ConsoleOut0.rtc"
+
+Where nothing answers, nothing is written:
+
+  $ rtcryo --timeout 0.3 localhost:$PORT/hung.host_cxt -o none.xml
+  rtcryo: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.3s
+  rtcryo: /localhost:$PORT/hung.host_cxt/Mock1.rtc: no answer within 0.3s
+  [4]
+  $ [ -e none.xml ]
+  [1]
+
+Components whose peer has died forget the connection when they are asked for their ports; none dies of being asked:
+
+  $ rtcryo localhost:$PORT/orphan.host_cxt | grep -o -E 'pathUri="[^"]*"|connectorId="[^"]*"'
+  rtcryo: /localhost:$PORT/orphan.host_cxt/Peer0.rtc: zombie, left out
+  rtcryo: no components with connections; --all saves the others, too
+  [1]
+  $ rtls ../orphan.host_cxt
+  Fragile0.rtc
+  Orphan0.rtc
+  *Peer0.rtc
+
+Hostile names and values come through both forms:
+
+  $ rtcryo -q --timeout 0.5 localhost:$PORT/test.host_cxt -o h.xml
+  $ rtcryo -q --timeout 0.5 -y localhost:$PORT/test.host_cxt -o h.yaml
+  $ grep -o 'pathUri="[^"]*"' h.xml
+  pathUri="localhost:$PORT/test.host_cxt/Hostile0.rtc"
+  $ rtcheck -s inactive h.xml; rtcheck -s inactive h.yaml; rtstodot h.xml | grep -c -e '->'
+  1
+  $ grep -c 'Configuration' h.xml
+  25
+
+A composite is saved with its members, as soon as one of them is connected:
+
+  $ rtcryo localhost:$PORT2 | grep -c pathUri
+  rtcryo: no components with connections; --all saves the others, too
+  0
+  [1]
+  $ rtcon /localhost:$PORT2/test.host_cxt/composite0.rtc:Motor0.out /localhost:$PORT2/test.host_cxt/Sensor0.rtc:in
+  $ rtcryo localhost:$PORT2 | grep -o -E 'pathUri="[^"]*"|<rts:Participant.*|compositeType="P[^"]*"|portName="[^"]*"|DataPorts.*name="[^"]*"'
+  pathUri="localhost:$PORT2/test.host_cxt/Controller0.rtc"
+  DataPorts xsi:type="rtsExt:dataport_ext" rts:name="in"
+  DataPorts xsi:type="rtsExt:dataport_ext" rts:name="out"
+  pathUri="localhost:$PORT2/test.host_cxt/Motor0.rtc"
+  DataPorts xsi:type="rtsExt:dataport_ext" rts:name="in"
+  DataPorts xsi:type="rtsExt:dataport_ext" rts:name="out"
+  pathUri="localhost:$PORT2/test.host_cxt/Sensor0.rtc"
+  DataPorts xsi:type="rtsExt:dataport_ext" rts:name="in"
+  DataPorts xsi:type="rtsExt:dataport_ext" rts:name="out"
+  pathUri="localhost:$PORT2/test.host_cxt/composite0.rtc"
+  compositeType="PeriodicECShared"
+  DataPorts xsi:type="rtsExt:dataport_ext" rts:name="Sensor0.in"
+  DataPorts xsi:type="rtsExt:dataport_ext" rts:name="Motor0.out"
+  <rts:Participants>
+  <rts:Participant xsi:type="rtsExt:target_component_ext" rts:componentId="RTC:Shinji Kurihara, AIST:example:Controller:1.0" rts:instanceName="Controller0">
+  <rts:Participants>
+  <rts:Participant xsi:type="rtsExt:target_component_ext" rts:componentId="RTC:Shinji Kurihara, AIST:example:Motor:1.0" rts:instanceName="Motor0">
+  <rts:Participants>
+  <rts:Participant xsi:type="rtsExt:target_component_ext" rts:componentId="RTC:Shinji Kurihara, AIST:example:Sensor:1.0" rts:instanceName="Sensor0">
+  portName="Motor0.out"
+  portName="Sensor0.in"
+
+A member that is gone from the name server is named:
+
+  $ rtdel /localhost:$PORT2/test.host_cxt/Controller0.rtc
+  $ rtcryo localhost:$PORT2 | grep -c pathUri
+  rtcryo: /localhost:$PORT2/test.host_cxt/composite0.rtc: its member Controller0 is not in the system, left out
+  3
+
+Nothing at all:
+
+  $ rtcryo localhost:$PORT3 -o empty.xml; grep -c RtsProfile empty.xml
+  rtcryo: no components with connections; --all saves the others, too
+  1
+  $ rtcryo --all -q localhost:$PORT3 | grep -c RtsProfile
+  1

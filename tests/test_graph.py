@@ -1,0 +1,129 @@
+"""Pictures of systems: if this fails, rtstodot prints what Graphviz refuses, or leaves out what there is."""
+import os
+import re
+import unittest
+
+import random_profiles
+import test_xmlprofile
+from rtshell_lite import graph, xmlprofile
+from rtshell_lite.xmlprofile import model
+
+# The grammar of DOT, as far as we write it.
+ID = r'(?:[A-Za-z_][A-Za-z_0-9]*|"(?:[^"\\]|\\.)*")'
+VALUE = r'(?:[a-z]+|"(?:[^"\\]|\\.)*")'
+STATEMENT = re.compile(r"\s*(?:{id} \[[a-z]+={value}(?:, [a-z]+={value})*\];|"
+                       r"{id}:{id} -> {id}:{id}(?: \[arrowhead=\"odot\"\])?;"
+                       r"subgraph {id} \{{|\}}|(?:label|bgcolor)={value};|{id};)\Z".format(id=ID, value=VALUE))
+LABEL = re.compile(r'label="((?:[^"\\]|\\.)*)"')
+
+
+def target(name, port, kind=model.TargetPort):
+    return kind(component_id="RTC:" + name, instance_name=name, port_name=port)
+
+
+def component(name, members=(), path=None):
+    return model.Component(id="RTC:" + name, path_uri=path or "localhost/%s.rtc" % name, instance_name=name, participants=[
+        model.Participant(component=model.TargetComponent(component_id="RTC:" + each, instance_name=each)) for each in members])
+
+
+def data(*ends):
+    made = model.DataPortConnector(connector_id="x")
+    made.ends = [target(*end) for end in ends]
+    return made
+
+
+def lines(profile, states=None):
+    return list(graph.dot(graph.of(profile, states)))
+
+
+class Dot(unittest.TestCase):
+    def check(self, profile):
+        """Every line is of the grammar, braces and records are balanced, every name of a connection is declared."""
+        found = lines(profile)
+        self.assertEqual(found[:3], ["digraph rtsprofile {", "  rankdir=LR;", "  node [shape=Mrecord];"])
+        self.assertEqual(found[-1], "}")
+        depth = 1
+        for line in found[3:-1]:
+            self.assertTrue(STATEMENT.match(line), line)
+            depth += line.endswith("{") - (line.strip() == "}")
+            self.assertGreaterEqual(depth, 1)
+        self.assertEqual(depth, 1)
+        declared = {}
+        for line in found:
+            node = re.match(r"  (%s) \[label" % ID, line)
+            if node:
+                self.assertNotIn(node.group(1), declared)
+                declared[node.group(1)] = self.record(LABEL.search(line).group(1))
+        for line in found:
+            for node, port in re.findall(r"(%s):(%s)(?= ->|;| \[)" % (ID, ID), line) if " -> " in line else ():
+                self.assertIn(port, declared[node])
+        return found
+
+    def record(self, label):
+        """The ports of a record label, whose brackets must be in order."""
+        bare = re.sub(r"\\.", "", label)
+        self.assertEqual(bare.count("{"), bare.count("}"), label)
+        ports = re.findall(r"<(\w+)>", bare)
+        self.assertEqual(len(ports), bare.count("<"), label)
+        self.assertEqual(len(ports), len(set(ports)), label)
+        return ports
+
+    def test_as_rtshell_draws(self):
+        profile = model.RtsProfile(components=[component("Snk0"), component("Src0")],
+                                   data_port_connectors=[data(("Src0", "Src0.out"), ("Snk0", "Snk0.in"))])
+        self.assertEqual(self.check(profile)[3:-1], [
+            '  Snk0 [label="{{<in>in}|Snk0|{}}"];', '  Src0 [label="{{}|Src0|{<out>out}}"];', "  Src0:out -> Snk0:in;"])
+
+    def test_names_that_mean_something_in_dot(self):
+        names = ["node", "n", "a b", 'q"', "back\\", "{x|<y>}", "\x1b[31m", "", "日本", "&amp;", "1", "a.b/(c)", "digraph"]
+        ends = [(name, port) for name in names for port in names]
+        profile = model.RtsProfile(components=[component(name, path="h/x%d" % i) for i, name in enumerate(names)])
+        profile.data_port_connectors = [data(one, other) for one, other in zip(ends, ends[1:])]
+        self.check(profile)
+
+    def test_components_of_one_name(self):
+        profile = model.RtsProfile(components=[component("A", path="h1/A.rtc"), component("A", path="h2/A.rtc")])
+        self.assertEqual(self.check(profile)[3:5], ['  A [label="{{}|A|{}}"];', '  A_2 [label="{{}|A|{}}"];'])
+
+    def test_more_than_two_ends(self):
+        profile = model.RtsProfile(components=[component(name) for name in "ABC"],
+                                   data_port_connectors=[data(("A", "A.out"), ("B", "B.in"), ("C", "C.in"))])
+        self.assertEqual(self.check(profile)[-3:-1], ["  A:out -> B:in;", "  A:out -> C:in;"])
+
+    def test_one_end(self):
+        profile = model.RtsProfile(components=[component("A")], data_port_connectors=[data(("A", "A.out"))])
+        self.assertEqual(self.check(profile)[3:-1], ['  A [label="{{}|A|{<out>out}}"];'])
+
+    def test_a_component_that_the_profile_lacks(self):
+        profile = model.RtsProfile(components=[component("A")], data_port_connectors=[data(("A", "A.out"), ("Gone", "in"))])
+        self.assertIn('  Gone [label="{{<in>in}|Gone|{}}", style=dashed];', self.check(profile))
+
+    def test_composites_of_composites_and_of_themselves(self):
+        family = [component("A", "BCA"), component("B", "DA"), component("C"), component("D", "AC")]
+        profile = model.RtsProfile(components=family)
+        found = self.check(profile)
+        self.assertEqual([line.strip() for line in found if "subgraph" in line or line.strip() in ("C;", "D;")],
+                         ["subgraph cluster_A {", "subgraph cluster_B {", "D;", "C;"])
+
+    def test_states(self):
+        profile = model.RtsProfile(components=[component("A"), component("B")])
+        self.assertEqual(lines(profile, {"localhost/A.rtc": "Active", "localhost/B.rtc": "?"})[3:5], [
+            '  A [label="{{}|A|{}}", style=filled, fillcolor=palegreen];',
+            '  B [label="{{}|B|{}}", style=filled, fillcolor=lightgrey];'])
+
+    def test_random_profiles(self):
+        for seed in range(200):
+            self.check(random_profiles.Maker(seed).profile())
+
+    def test_real_files(self):
+        names = test_xmlprofile.real_files()
+        if not names:
+            self.skipTest("no real profiles: RTSHELL_PROFILES is not set and no shared/data/profiles is near")
+        for name in names:
+            with self.subTest(os.path.basename(name)):
+                with open(name, "rb") as file:
+                    self.check(xmlprofile.load(file.read(), name))
+
+
+if __name__ == "__main__":
+    unittest.main()
