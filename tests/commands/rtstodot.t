@@ -71,6 +71,80 @@ Composites are boxes around their members; a port that a composite exports belon
     Sensor0:out -> Controller0:in;
   }
 
+--text draws in the terminal, data from top to bottom; --ascii does with less:
+
+  $ rtstodot --text a.xml
+  ┌─────────────┐
+  │ ConsoleIn0  │
+  │         out ├─┐
+  ├─────────────┤ │
+  │ ConsoleOut0 │ │
+  │ in          │<┘
+  └─────────────┘
+  $ rtcryo | rtstodot --text
+  ┌────────────────────┐
+  │ ConsoleIn0         │
+  │                out ├─┐
+  ├────────────────────┤ │
+  │ ConsoleIn1         │ │
+  │                out ├─│─┐
+  ├────────────────────┤ │ │
+  │ ConsoleOut0        │ │ │
+  │ in                 │<┴─┤
+  ├────────────────────┤   │
+  │ ConsoleOut1        │   │
+  │ in                 │<──┘
+  ├────────────────────┤
+  │ MyServiceConsumer0 │
+  │          MyService ╞═╗
+  ├────────────────────┤ ║
+  │ MyServiceProvider0 │ ║
+  │ MyService          │<╝
+  └────────────────────┘
+  $ rtcryo | rtstodot --ascii
+  +--------------------+
+  | ConsoleIn0         |
+  |                out +-+
+  +--------------------+ |
+  | ConsoleIn1         | |
+  |                out +-|-+
+  +--------------------+ | |
+  | ConsoleOut0        | | |
+  | in                 |<+-+
+  +--------------------+   |
+  | ConsoleOut1        |   |
+  | in                 |<--+
+  +--------------------+
+  | MyServiceConsumer0 |
+  |          MyService +=+
+  +--------------------+ :
+  | MyServiceProvider0 | :
+  | MyService          |<+
+  +--------------------+
+  $ rtcryo localhost:$PORT2 | rtstodot --text
+  ┌──────────────────────────────────────┐
+  │ Motor0  (in composite0)              │
+  │                                  out ├─┐
+  ├──────────────────────────────────────┤ │
+  │ Sensor0  (in composite0)             │ │
+  │ in                                   │<┘
+  │                                  out ├─┐
+  ├──────────────────────────────────────┤ │
+  │ Controller0  (in composite0)         │ │
+  │ in                                   │<┘
+  ├──────────────────────────────────────┤
+  │ composite0                           │
+  │ made of Controller0, Motor0, Sensor0 │
+  └──────────────────────────────────────┘
+  $ rtstodot --live --text a.xml
+  ┌───────────────────────┐
+  │ ConsoleIn0  Inactive  │
+  │                   out ├─┐
+  ├───────────────────────┤ │
+  │ ConsoleOut0  Inactive │ │
+  │ in                    │<┘
+  └───────────────────────┘
+
 --live colours components by their states; without a file it draws what is running:
 
   $ rtact ConsoleIn0.rtc ConsoleOut0.rtc
