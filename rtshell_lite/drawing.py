@@ -1,4 +1,4 @@
-"""A system drawn in the terminal: boxes below each other, in the order of the data, and a lane for each out port beside them.
+"""A system drawn in the terminal, or as SVG: boxes below each other, as the data goes, and a lane for each out port beside.
 
     ┌────────────┐
     │ ConsoleIn0 │
@@ -12,6 +12,7 @@ Where lines meet they are joined; a line that only passes is drawn over the othe
 """
 import collections
 
+from rtshell_lite.graph import COLOURS
 from rtshell_lite.text import cells, printable
 
 # A row of the stack of boxes: text between its borders, and the borders.
@@ -133,3 +134,37 @@ def _beside(row, nets, lanes):
             drawn.append("─═"[service] if lane < far else " ")
     border = "├╞"[service] if joined and not arrives else ""
     return "".join(drawn), border
+
+
+# ---- SVG ------------------------------------------------------------------------------------------------------
+
+_ROW, _CELL, _LANE = 20, 9, 14  # pixels: height of a row, width of a character, between lanes
+_HEAD = ('<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" font-family="monospace" font-size="14">\n'
+         '<defs><marker id="arrow" markerWidth="8" markerHeight="8" refX="7" refY="4" orient="auto">'
+         '<path d="M0,0 L8,4 L0,8 z"/></marker></defs>\n<rect width="100%%" height="100%%" fill="white"/>')
+
+
+def svg(graph):
+    """Lines of an SVG file: the same drawing, boxes coloured by their states."""
+    rows, at = _stack(graph)
+    nets = _nets(graph, at)
+    lanes = _lanes(nets)
+    wide = max([cells(row.text) for row in rows] or [0]) * _CELL
+    yield _HEAD % (wide + (max(lanes or [0]) + 3) * _LANE + _LANE, (len(rows) + 1) * _ROW)
+    tops = [number for number, row in enumerate(rows) if not row.text]
+    for box, top, bottom in zip(_order(graph), tops, tops[1:]):
+        colour = COLOURS.get(graph.boxes[box].state, "white" if graph.boxes[box].state is None else "lightgrey")
+        yield '<rect x="%d" y="%d" width="%d" height="%d" rx="5" fill="%s" stroke="black"%s/>' % (
+            _LANE, top * _ROW + 14, wide, (bottom - top) * _ROW - 6, colour,
+            ' stroke-dasharray="4"' if graph.boxes[box].missing else "")
+    for number, row in enumerate(rows):
+        if row.text:
+            x, anchor = (_LANE + wide - 5, "end") if row.right == ">" else (_LANE + 5, "start")
+            yield '<text x="%d" y="%d" text-anchor="%s">%s</text>' % (
+                x, number * _ROW + 16, anchor, row.text.strip().replace("&", "&amp;").replace("<", "&lt;"))
+    for net, lane in zip(nets, lanes):
+        for end in sorted(net.rows - {net.start}):
+            yield '<path d="M%d,%d H%d V%d H%d" fill="none" stroke="%s" marker-end="url(#arrow)"/>' % (
+                _LANE + wide, net.start * _ROW + 11, wide + (lane + 3) * _LANE, end * _ROW + 11, _LANE + wide,
+                'black" stroke-dasharray="5,3' if net.service else "black")
+    yield "</svg>"
