@@ -49,6 +49,14 @@ def _run(arguments, run, doc, argv):
         return 70
 
 
+def unwind_when_ended():
+    """Let SIGTERM and SIGHUP end the command as Ctrl-C does, by way of its `finally`s: it has put something into a component."""
+    import signal
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores SIGHUP
+            signal.signal(number, lambda number, frame: sys.exit(128 + number))
+
+
 def _settle(args):
     global _quiet, _verbose
     _quiet, _verbose = args.quiet, args.verbose

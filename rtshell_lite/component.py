@@ -109,13 +109,13 @@ def state_in(node, ref):
     """The state of a component in the execution context `ref` (ExecutionContext::get_component_state)."""
     found = _by_number(STATES, orb.ask(str(node.path), ref, "get_component_state", node.typed))
     if found == "Created":
-        canonical = _canonical(node)
+        canonical = canonical(node)
         if canonical is not None:
             return _by_number(STATES, orb.ask(str(node.path), ref, "get_component_state", canonical))
     return found
 
 
-def _canonical(node):
+def canonical(node):
     """The reference by which its contexts know a component, None where it is the one that we have.
 
     A component bound under a rewritten address, or reached by its key, is a stranger to its own contexts.
@@ -141,6 +141,18 @@ def change_all(paths, transition, index=0, wait=None, dry_run=False):
     return tree.on_components(paths, one)
 
 
+def _members_first(node, ref, wait):
+    """Deactivate the members of a composite of C++ 1.1 before it: the thread that is to do it would wait for them, in vain."""
+    if not orb.address(ref).type_id.endswith("/ExtTrigExecutionContextService:1.0"):
+        return
+    where, found = str(node.path), orb.ask(str(node.path), ref, "get_profile")
+    if not orb.same(found.owner, node.ref) or not found.participants or not node.call("get_owned_organizations"):
+        return
+    for member in found.participants:
+        if _by_number(STATES, orb.ask(where, ref, "get_component_state", member)) == "Active":
+            orb.ask(where, ref, "deactivate_component", member, seconds=wait)
+
+
 def change(node, transition, index=0, wait=None):
     """Take a component through a Transition in its execution context number `index`; returns the state reached or asked for.
 
@@ -152,9 +164,11 @@ def change(node, transition, index=0, wait=None):
     before = state_in(node, ref)
     if before == transition.target:
         return before
+    if transition is DEACTIVATE:
+        _members_first(node, ref, wait)
     code = _request(node, ref, transition, node.typed, wait)
     if code == "BAD_PARAMETER":
-        canonical = _canonical(node)
+        canonical = canonical(node)
         if canonical is None:
             raise errors.Refused(str(node.path), "is not in its execution context %d" % index)
         code = _request(node, ref, transition, canonical, wait)
@@ -187,7 +201,8 @@ def _until(node, ref, transition, now, seconds):
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), "cannot %s: it went to Error" % transition.name)
         if not orb.ask(str(node.path), ref, "is_running"):
-            raise errors.Refused(str(node.path), "cannot %s: its execution context is stopped" % transition.name)
+            raise errors.Refused(str(node.path), "cannot %s: its execution context is stopped%s" % (
+                transition.name, "; it takes part in others, named with -e (see rtec)" if context_refs(node)[1] else ""))
         if time.monotonic() > limit:
             raise errors.Unreachable(str(node.path), "not %s within %gs, still %s" % (transition.target, seconds, now))
         time.sleep(POLL)

@@ -52,11 +52,17 @@ class Pull:
 def count_writes(port, seconds):
     """How many values a DataOutPort is given within `seconds`: (count, seconds between the first and the last look)."""
     with Pull(port) as source:
-        while source.get() is not None:
-            pass  # a value from before may be there
+        _drain(source)  # values from before may be there
         count, start = 0, time.monotonic()
         while time.monotonic() - start < seconds:
             time.sleep(POLL)
-            while source.get() is not None and count < QUEUE * 1000:
-                count += 1
+            count += _drain(source)
         return count, time.monotonic() - start
+
+
+def _drain(source):
+    """Fetch what is queued and return how many values there were; one that never runs dry is left after a queue of them."""
+    for count in range(QUEUE):
+        if source.get() is None:
+            return count
+    return QUEUE

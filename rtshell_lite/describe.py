@@ -5,8 +5,9 @@ from rtshell_lite import component, errors, orb, organisation, ports, rpc, text
 from rtshell_lite.text import from_wire, printable
 
 # All that rtcat knows of one component. `compositions` are those that it owns, as (id, [path text of a member]); `parents`
-# those that it belongs to, as (id, name of the composite, its path text). The details are empty at level 0.
-Found = collections.namedtuple("Found", "node profile state contexts ports compositions parents")
+# those that it belongs to, as (id, name of the composite, its path text). `states` are those in its contexts. The details are
+# empty at level 0.
+Found = collections.namedtuple("Found", "node profile states contexts ports compositions parents")
 
 
 def collect(node, level=0):
@@ -17,12 +18,13 @@ def collect(node, level=0):
     found = ports.ports(node)
     owned, participating = component.context_refs(node)
     contexts = [component.context(node, ref) for ref in owned + _answering(node, participating)]
-    state = component.merged(component.states(node, [context.ref for context in contexts]))
+    states = component.states(node, [context.ref for context in contexts])
     if level:
         compositions = [(one.id, organisation.member_paths(node, one)) for one in organisation.owned(node)]
     else:
         compositions = [("", [])] * len(organisation.owned_refs(node))
-    return Found(node, component.profile(node), state, contexts, found, compositions, _parents(node))
+    parents = _parents(node, contexts[len(owned):])
+    return Found(node, component.profile(node), states, contexts, found, compositions, parents)
 
 
 def _answering(node, refs):
@@ -32,10 +34,10 @@ def _answering(node, refs):
     return [ref for ref, answer in zip(refs, answers) if not isinstance(answer, errors.Error)]
 
 
-def _parents(node):
+def _parents(node, participating):
     ids = organisation.belonging_ids(node)
-    known = organisation.composites(node) if ids else []
-    return [(one,) + known[i] if i < len(known) else (one, "Unknown", "Unknown") for i, one in enumerate(ids)]
+    known = organisation.composites(node, participating) if ids else {}
+    return [(one,) + known.get(one, ("Unknown", "Unknown")) for one in ids]
 
 
 # ---- lines ----------------------------------------------------------------------------------------------------
@@ -43,7 +45,7 @@ def _parents(node):
 def lines(found, level, ends, paint):
     """The lines of rtcat for a component. `ends` names the far ends of connections (see `ports.far_ends`)."""
     profile = found.profile
-    yield "%s  %s" % (found.node.name, paint(found.state))
+    yield "%s  %s" % (found.node.name, paint(component.merged(found.states)))
     kind = ("Composite" if found.compositions else "Monolithic") + (" composite member" if found.parents else "")
     for line in _pairs([("Category", profile.category), ("Description", profile.description),
                         ("Instance name", profile.instance_name), ("Type name", profile.type_name),
@@ -160,13 +162,13 @@ def _shown(connector):
 def as_dict(found, ends):
     """The JSON object of a component."""
     fields = dict(found.profile._asdict(), properties=dict(found.profile.properties), path=str(found.node.path),
-                  state=found.state, composite=bool(found.compositions), composite_member=bool(found.parents))
+                  state=component.merged(found.states), composite=bool(found.compositions), composite_member=bool(found.parents))
     fields["compositions"] = [{"id": one, "members": members} for one, members in found.compositions]
     fields["parent_compositions"] = [{"id": one, "name": name, "path": path} for one, name, path in found.parents]
     fields["execution_contexts"] = [
         {"handle": c.handle, "kind": c.kind, "rate": c.rate, "running": c.running, "owner": _instance(c.owner, found),
          "participants": [_instance(p, found) for p in c.participants], "properties": dict(c.properties),
-         "state": component.states(found.node, [c.ref])[0]} for c in found.contexts]
+         "state": state} for c, state in zip(found.contexts, found.states)]
     fields["ports"] = [port_dict(port, ends) for port in found.ports]
     return fields
 

@@ -33,7 +33,7 @@ def collect(node):
 def lines(found):
     """The lines of rtcat for a manager; what a version does not tell is left out."""
     for heading, entries in _SECTIONS:
-        if heading:
+        if heading and any(key in found.profile for key, _ in entries):
             yield heading + ":"
         for key, label in entries:
             if key in found.profile:

@@ -183,7 +183,7 @@ def call(where, ref, operation, *args, seconds=None):
         result = getattr(ref, operation)(*args)
     except CORBA.Exception as e:
         raise _error(where, e, max(seconds or 0, rpc.timeout))
-    rpc.alive()
+    rpc.answered()
     return result
 
 

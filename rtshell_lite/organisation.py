@@ -56,29 +56,29 @@ def member_paths(node, found):
 
 
 def _path_text(places, name, ref):
-    path = None if isinstance(name, errors.Error) else places.path(name, ref)
-    return str(path) if path else "Unknown (%s)" % (name if isinstance(name, errors.Error) else printable(name))
+    if isinstance(name, (errors.Gone, errors.ConnectionRefused)):
+        return "Unknown (it is gone)"
+    if isinstance(name, errors.Error):
+        return "Unknown (%s)" % name.args[-1]
+    path = places.path(name, ref)
+    return str(path) if path else "Unknown (%s)" % printable(name)
 
 
-def composites(node):
-    """(instance name, path as text) of the composites that a component is a member of.
+def composites(node, contexts):
+    """{id of its organisation: (instance name, path as text)} of the composites that a component is a member of.
 
-    They are the owners of the contexts that it takes part in.
+    They are among the owners of `contexts`, the component.Contexts that it takes part in.
     """
-    _, participating = component.context_refs(node)
-    places, found = Places(node), []
-    for ref in participating:
+    places, found = Places(node), {}
+    for owner in [context.owner for context in contexts if context.owner is not None]:
+        above = tree.Node(node.path, "component", owner)
         try:
-            owner = orb.ask(str(node.path), ref, "get_profile").owner
+            name = from_wire(above.call("get_sdo_id"))
+            for ref in owned_refs(above):
+                one = from_wire(orb.ask(str(node.path), ref, "get_organization_id"))
+                found[one] = (name, _path_text(places, name, owner))
         except errors.Unreachable:
-            continue
-        if owner is None:
-            continue
-        try:
-            name = from_wire(orb.ask(str(node.path), owner, "get_sdo_id"))
-        except errors.Unreachable as e:
-            name = e
-        found.append(("Unknown" if isinstance(name, errors.Error) else name, _path_text(places, name, owner)))
+            continue  # dead or silent: unknown
     return found
 
 
@@ -119,13 +119,21 @@ def the_one(node):
 
 def check(node, one, joining, leaving):
     """Raise No or NoSuch for Members that cannot join the Organisation `one` of a composite, or leave it."""
-    if any(orb.same(m.node.ref, node.ref) for m in joining):
-        raise errors.No(str(node.path), "cannot be a member of itself")
-    there = [name for name, _ in one.members]
-    dead = sum(isinstance(name, errors.Error) for name in there)
+    known = {name: ref for name, ref in one.members if not isinstance(name, errors.Error)}
+    for m in joining:
+        if orb.same(m.node.ref, node.ref):
+            raise errors.No(str(node.path), "cannot be a member of itself")
+        if m.instance in known and not _is(m, known[m.instance]):
+            raise errors.No(str(node.path), "has another member called %s" % printable(m.instance))
     for m in leaving:
-        if not m.ports and m.instance not in there and not (m.node is None and dead):
+        there = m.instance in known if m.node is None else _is(m, known.get(m.instance))
+        dead = m.node is None and len(known) < len(one.members)
+        if not (m.ports or there or dead):
             raise errors.NoSuch(str(node.path), "member", printable(m.instance))
+
+
+def _is(m, ref):
+    return orb.same(ref, m.node.ref) or orb.same(ref, component.canonical(m.node))
 
 
 def add(node, one, members):

@@ -81,7 +81,7 @@ def named(path, found):
     exact = [each for each in found if each.name in (path.port, instance + "." + path.port)]
     # the instance name may differ from the bound one
     same_end = [each for each in found if each.name.endswith("." + path.port)]
-    if exact or same_end:
+    if exact or len(same_end) == 1:  # several: of members of a composite
         return (exact or same_end)[0]
     there = ", ".join(printable(short_name(each.name, instance)) for each in found) or "none"
     return errors.NoSuch(str(path.object()), "port", "%s (its ports: %s)" % (printable(path.port), there))

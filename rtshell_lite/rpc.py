@@ -24,6 +24,7 @@ Job = collections.namedtuple("Job", "endpoint where call")  # (host, port) or an
 # When which process was found silent, and the words for it. For as long as the timeout it is not asked again: what comes
 # next in a command, or another component's question about it, must not cost one more timeout.
 silent = {}
+_answered = {}  # when which process answered last
 
 
 class _Peer:
@@ -39,6 +40,9 @@ class _Peer:
         self.silence = why if time.monotonic() - since < timeout else None  # why the rest of its calls fail
 
     def fall_silent(self, why):
+        """Fail the rest of its calls, unless it has answered others meanwhile: one object may hang while its process does not."""
+        if time.monotonic() - _answered.get(self.endpoint, 0) < self.limit:
+            return
         self.silence = why
         silent[self.endpoint] = time.monotonic(), why
 
@@ -57,11 +61,18 @@ def lane_of(endpoint):
 
 
 def alive(limit=None):
-    """Say that the peer of this lane answered, and that its next answer may take `limit` seconds (default: the timeout)."""
+    """Start the clock of the peer of this lane: its next answer may take `limit` seconds (default: the timeout)."""
     peer = getattr(_lane, "peer", None)
     if peer:
         peer.heard = time.monotonic()
         peer.limit = limit or timeout
+
+
+def answered():
+    """Say that the peer of this lane has answered a call."""
+    alive()
+    if in_lane():
+        _answered[_lane.peer.endpoint] = time.monotonic()
 
 
 def ask(endpoint, where, call):
@@ -132,10 +143,11 @@ def _give_up(peers, jobs, values):
     count, now = 0, time.monotonic()
     for peer in peers:
         if peer.open and now - peer.heard > peer.limit + GRACE:
-            peer.fall_silent(peer.silence or no_answer(peer.limit))
+            why = peer.silence or no_answer(peer.limit)
+            peer.fall_silent(why)
             peer.todo.clear()
             for i in peer.open:
-                values[i] = errors.Silent(jobs[i].where, peer.silence)
+                values[i] = errors.Silent(jobs[i].where, why)
             count += len(peer.open)
             peer.open.clear()
     return count

@@ -34,7 +34,7 @@ def find(paths, wanted):
             failures.append(found)
         else:
             nodes += found
-    failures += [node.error for node in nodes if node.error is not None]
+    failures += [node.error for node in nodes if node.error is not None and node.kind != "zombie"]
     nodes = [node for node in nodes if not wanted.names or any(match(node.name) for match in wanted.names)]
     if wanted.kinds:
         nodes = [node for node in nodes if node.kind == "unsure" or wanted.kinds & CAN_BE.get(node.kind, {node.kind})]

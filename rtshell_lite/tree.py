@@ -210,11 +210,11 @@ def slaves(node):
         if e.name == "BAD_OPERATION":  # managers of RtORB have no slaves
             return []
         raise
-    found = [Node(node.path, "manager", ref) for ref in refs]
-    answers = on_nodes(found, lambda slave: dict(orb.properties(slave.call("get_profile").properties)))
-    return [judged(Node(node.path.child(Name(name, "")), "manager", ref), answer) if isinstance(answer, errors.Error)
-            else Node(node.path.child(Name(name, "")), "manager", ref)
-            for ref, answer, name in zip(refs, answers, _told_apart(answers))]
+    asked = [Node(node.path.child(Name("slave%d" % i, "")), "manager", ref) for i, ref in enumerate(refs)]
+    answers = on_nodes(asked, lambda slave: dict(orb.properties(slave.call("get_profile").properties)))
+    return [judged(each, answer) if isinstance(answer, errors.Error)
+            else Node(node.path.child(Name(name, "")), "manager", each.ref)
+            for each, answer, name in zip(asked, answers, _told_apart(answers))]
 
 
 def _told_apart(profiles):
@@ -230,14 +230,10 @@ def _told_apart(profiles):
 def managed(node):
     """Nodes of a manager's components; a master tells those of its slaves, too."""
     refs = [ref for ref in node.call("get_components") if ref is not None]
-    names = on_nodes([Node(node.path, "component", ref) for ref in refs], lambda each: from_wire(each.call("get_sdo_id")))
-    found = []
-    for i, (ref, name) in enumerate(zip(refs, names)):
-        if isinstance(name, errors.Error):  # dead or silent: it cannot tell its name
-            found.append(judged(Node(node.path.child(Name("unknown%d" % i, "rtc")), "component", ref), name))
-        else:
-            found.append(Node(node.path.child(Name(name, "rtc")), "component", ref))
-    return found
+    asked = [Node(node.path.child(Name("unknown%d" % i, "rtc")), "component", ref) for i, ref in enumerate(refs)]
+    names = on_nodes(asked, lambda each: from_wire(each.call("get_sdo_id")))
+    return [judged(each, name) if isinstance(name, errors.Error)  # dead or silent: it cannot tell its name
+            else Node(node.path.child(Name(name, "rtc")), "component", each.ref) for each, name in zip(asked, names)]
 
 
 # ---- walking --------------------------------------------------------------------------------------------------

@@ -11,6 +11,7 @@ class Gather(unittest.TestCase):
         self.before, rpc.timeout = rpc.timeout, 0.4
         self.release = threading.Event()
         rpc.silent.clear()
+        rpc._answered.clear()
 
     def tearDown(self):
         self.release.set()
@@ -88,6 +89,20 @@ class Gather(unittest.TestCase):
         while time.monotonic() - start < 0.45:
             self.release.wait(0.05)
         self.assertEqual(rpc.gather([self.job("p", lambda: 1)]), [1])  # but later, when it may be back
+
+    def test_a_process_that_answers_others_is_not_silent(self):
+        def hung():
+            self.release.wait(rpc.timeout)
+            raise errors.Silent("p", "no answer")
+
+        def answering():
+            self.release.wait(0.1)
+            rpc.answered()
+            return 1
+        values = rpc.gather([self.job("p", hung)] + [self.job("p", answering) for _ in range(2)])
+        self.assertEqual(values[1:], [1, 1])
+        self.assertIsInstance(values[0], errors.Silent)
+        self.assertEqual(rpc.gather([self.job("p", lambda: 1)]), [1])  # at once
 
     def test_many_that_ask_one_silent_process_wait_once(self):
         def outer():

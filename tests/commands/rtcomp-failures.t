@@ -4,6 +4,7 @@ world: composite --flavour cpp2
 world: deadmember --flavour cpp2 --context dead.host_cxt/%n.rtc
 world: manager ConsoleOut --flavour cpp2 --context m.host_cxt/%n.rtc
 world: services --context other.host_cxt/%n.rtc
+world: these Motor --flavour cpp2 --context twin.host_cxt/%n.rtc
 world: zombie 1
 
 Wrong usage:
@@ -86,6 +87,15 @@ Members that are not there, are no components, lack the port, are dead:
   $ rtcat composite0.rtc | tail -2
   +DataInPort: Sensor0.in
   +DataOutPort: Motor0.out
+
+Members are known by their instance names; another one of the same name is not taken for it:
+
+  $ rtcomp -a ../twin.host_cxt/Motor0.rtc composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: has another member called Motor0
+  [1]
+  $ rtcomp -r ../twin.host_cxt/Motor0.rtc composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: no such member: Motor0
+  [3]
 
 All is checked before the first change:
 
