@@ -245,7 +245,10 @@ def properties(nvlist):
 
 def _value(value):
     from omniORB import CORBA
-    kind, value = value.typecode().kind(), value.value()
+    typecode, value = value.typecode(), value.value()
+    kind = typecode.kind()
+    if kind in (CORBA.tk_struct, CORBA.tk_union, CORBA.tk_except):  # the data_value of 1.1, a TimedLong of zeros
+        return "<%s>" % from_wire(typecode.id())
     if kind == CORBA.tk_string:
         return from_wire(value)
     if kind == CORBA.tk_objref:

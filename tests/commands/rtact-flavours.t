@@ -1,0 +1,73 @@
+rtact with components of C++ 1.1, 1.2 and 2.x, Python, Java, RtORB: some answer at once, some when it is done; --wait waits
+in any case.
+
+world: these ConsoleIn ErrStart --flavour cpp11 --context cpp11.host_cxt/%n.rtc --rate 100
+world: these ConsoleIn ErrStart --flavour cpp12 --context cpp12.host_cxt/%n.rtc --rate 100
+world: these ConsoleIn ErrStart --flavour cpp2 --context cpp2.host_cxt/%n.rtc --rate 100
+world: these ConsoleIn ErrStart --flavour py2 --context py2.host_cxt/%n.rtc --rate 100
+world: these ConsoleIn ErrStart --flavour java --context java.host_cxt/%n.rtc --rate 100
+world: these ConsoleIn ErrStart --flavour rtorb --context rtorb.host_cxt/%n.rtc --rate 100
+
+What the other versions print as C++ 1.1 does is not repeated:
+
+  $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do
+  >   { RTCSH_CWD=/localhost:$PORT/$v.host_cxt "$@" 2>&1; s=$?; [ $s = 0 ] || echo "status $s"; } | sed "s/$v.host/V.host/g" >$v
+  >   [ $v != cpp11 ] && cmp -s cpp11 $v || { echo "$v:"; cat $v; }
+  > done; }
+
+  $ each rtact -v --wait ConsoleIn0.rtc
+  cpp11:
+  rtact: /localhost:$PORT/V.host_cxt/ConsoleIn0.rtc: Active
+  $ each rtls -l ConsoleIn0.rtc
+  cpp11:
+  Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  $ each rtact -v ConsoleIn0.rtc
+  cpp11:
+  rtact: /localhost:$PORT/V.host_cxt/ConsoleIn0.rtc: Active
+
+One that fails in its activation; C++ 1.1 and RtORB have said RTC_OK, and without --wait that would be believed:
+
+  $ each rtact --wait ErrStart0.rtc
+  cpp11:
+  rtact: /localhost:$PORT/V.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
+  status 6
+  $ each rtact ErrStart0.rtc
+  cpp11:
+  rtact: /localhost:$PORT/V.host_cxt/ErrStart0.rtc: cannot activate: it is in Error; reset it first
+  status 6
+  $ each rtreset --wait ErrStart0.rtc
+  cpp11:
+  $ each rtact ErrStart0.rtc
+  cpp11:
+  cpp12:
+  rtact: /localhost:$PORT/V.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
+  status 6
+  cpp2:
+  rtact: /localhost:$PORT/V.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
+  status 6
+  py2:
+  rtact: /localhost:$PORT/V.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
+  status 6
+  java:
+  rtact: /localhost:$PORT/V.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
+  status 6
+
+A stopped context changes the state all the same in C++ 1.2, Python, Java and RtORB; not so in C++ 1.1 and 2.x:
+
+  $ each rtdeact --wait ConsoleIn0.rtc
+  cpp11:
+  $ each rtec ConsoleIn0.rtc stop
+  cpp11:
+  $ each rtact --wait=0.5 ConsoleIn0.rtc
+  cpp11:
+  rtact: /localhost:$PORT/V.host_cxt/ConsoleIn0.rtc: cannot activate: its execution context is stopped
+  status 6
+  cpp12:
+  py2:
+  java:
+  rtorb:
+  $ each rtec ConsoleIn0.rtc start
+  cpp11:
+  $ each rtls -l ConsoleIn0.rtc
+  cpp11:
+  Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
