@@ -161,7 +161,7 @@ def svg(graph):
         if row.text:
             x, anchor = (_LANE + wide - 5, "end") if row.right == ">" else (_LANE + 5, "start")
             yield '<text x="%d" y="%d" text-anchor="%s">%s</text>' % (
-                x, number * _ROW + 16, anchor, row.text.strip().replace("&", "&amp;").replace("<", "&lt;"))
+                x, number * _ROW + 16, anchor, row.text.strip().replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;"))
     for net, lane in zip(nets, lanes):
         for end in sorted(net.rows - {net.start}):
             yield '<path d="M%d,%d H%d V%d H%d" fill="none" stroke="%s" marker-end="url(#arrow)"/>' % (

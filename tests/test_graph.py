@@ -127,8 +127,8 @@ class Dot(unittest.TestCase):
                     self.check(xmlprofile.load(file.read(), name))
 
 
-ARMS = {"─": "lr", "═": "lr", "<": "lr", "│": "ud", "║": "ud", "┐": "ld", "╗": "ld", "┘": "lu", "╝": "lu", "┤": "lud", "╣": "lud",
-        "┬": "lrd", "╦": "lrd", "┴": "lru", "╩": "lru", "┼": "lrud", "╬": "lrud"}
+ARMS = {"─": "lr", "═": "lr", "<": "lr", "│": "ud", "║": "ud", "┐": "ld", "╗": "ld", "┘": "lu", "╝": "lu", "┤": "lud",
+        "╣": "lud", "┬": "lrd", "╦": "lrd", "┴": "lru", "╩": "lru", "┼": "lrud", "╬": "lrud"}
 STEPS = {"l": (0, -1, "r"), "r": (0, 1, "l"), "u": (-1, 0, "d"), "d": (1, 0, "u")}
 
 
