@@ -100,8 +100,11 @@ def _leave(status):
 
 def complain(what):
     """Print the one line of a failure on stderr; returns its exit status."""
-    _say(what.strerror + (": " + what.filename if what.filename else "") if isinstance(what, OSError) else str(what))
-    return getattr(what, "status", 1)
+    status = getattr(what, "status", 1)
+    if isinstance(what, OSError):
+        what = "%s: %s" % (text.printable(str(what.filename)), what.strerror) if what.filename else what.strerror
+    _say(str(what))
+    return status
 
 
 def note(line):

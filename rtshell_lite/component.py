@@ -109,9 +109,9 @@ def state_in(node, ref):
     """The state of a component in the execution context `ref` (ExecutionContext::get_component_state)."""
     found = _by_number(STATES, orb.ask(str(node.path), ref, "get_component_state", node.typed))
     if found == "Created":
-        canonical = canonical(node)
-        if canonical is not None:
-            return _by_number(STATES, orb.ask(str(node.path), ref, "get_component_state", canonical))
+        known = canonical(node)
+        if known is not None:
+            return _by_number(STATES, orb.ask(str(node.path), ref, "get_component_state", known))
     return found
 
 
@@ -168,10 +168,10 @@ def change(node, transition, index=0, wait=None):
         _members_first(node, ref, wait)
     code = _request(node, ref, transition, node.typed, wait)
     if code == "BAD_PARAMETER":
-        canonical = canonical(node)
-        if canonical is None:
+        known = canonical(node)
+        if known is None:
             raise errors.Refused(str(node.path), "is not in its execution context %d" % index)
-        code = _request(node, ref, transition, canonical, wait)
+        code = _request(node, ref, transition, known, wait)
     if code == "RTC_OK" and wait is None:
         return transition.target
     now = state_in(node, ref)

@@ -106,7 +106,7 @@ class Command(unittest.TestCase):
         self.assertIn("Traceback", self.foo("bug", RTSHELL_DEBUG="1")[2])
 
     def test_a_local_failure_is_1(self):
-        self.assertEqual(self.foo("io")[0::2], (1, "rtfoo: No such file or directory: /does/not/exist\n"))
+        self.assertEqual(self.foo("io")[0::2], (1, "rtfoo: /does/not/exist: No such file or directory\n"))
 
     def test_help_and_version(self):
         status, out, err = self.foo("--help")

@@ -10,6 +10,9 @@ PIECES = "ab./:\\e x\x1b\udcff日\n*"
 
 
 class Parsing(unittest.TestCase):
+    def setUp(self):
+        self.addCleanup(os.environ.update, {name: os.environ.pop(name) for name in ["RTCSH_CWD"] if name in os.environ})
+
     def check(self, typed, expected, cwd="/"):
         self.assertEqual(str(parse(typed, cwd)), expected)
 

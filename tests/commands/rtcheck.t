@@ -206,7 +206,7 @@ What cannot be asked is told once, and no difference:
 Files that are none:
 
   $ rtcheck nofile
-  rtcheck: No such file or directory: nofile
+  rtcheck: nofile: No such file or directory
   [1]
   $ echo '<a/>' > bad.xml; rtcheck bad.xml
   rtcheck: bad.xml:1:1: not an RtsProfile: its root element is "a"

@@ -104,7 +104,7 @@ Dead and silent peers:
   $ within 0.4-1.4 rtcon --timeout 0.5 Nope0.rtc:out Hung0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   rtcon: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
-  [4]
+  [5]
   $ interrupt 0.5 rtcon ConsoleIn0.rtc:out Hung0.rtc:in
   [130]
   $ resume these3

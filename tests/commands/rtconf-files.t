@@ -170,10 +170,10 @@ What is wrong in a text is told with its line, before anything is contacted:
   rtconf: -:2: neither [set] nor name=value
   [1]
   $ rtconf Nope0.rtc load missing.conf
-  rtconf: No such file or directory: missing.conf
+  rtconf: missing.conf: No such file or directory
   [1]
   $ rtconf Nope0.rtc load .
-  rtconf: Is a directory: .
+  rtconf: .: Is a directory
   [1]
   $ rtconf Nope0.rtc load /dev/null
   rtconf: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
@@ -182,22 +182,22 @@ What is wrong in a text is told with its line, before anything is contacted:
 A file is written whole or not at all:
 
   $ rtconf ConfigSample0.rtc dump /dev/full
-  rtconf: No space left on device: /dev/full
+  rtconf: /dev/full: No space left on device
   [1]
   $ rtconf ConfigSample0.rtc dump > /dev/full
   rtconf: No space left on device
   [1]
   $ rtconf ConfigSample0.rtc dump nowhere/x.conf
-  rtconf: No such file or directory: nowhere/x.conf
+  rtconf: nowhere/x.conf: No such file or directory
   [1]
   $ rtconf ConfigSample0.rtc dump .
-  rtconf: Is a directory: .
+  rtconf: .: Is a directory
   [1]
   $ rtconf Nope0.rtc dump one.conf; wc -l < one.conf
   rtconf: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   25
   $ (ulimit -f 0; rtconf ConfigSample0.rtc dump one.conf 2>&1) 2>&1 | grep -v '^File size'; wc -l < one.conf
-  rtconf: File too large: one.conf
+  rtconf: one.conf: File too large
   25
   $ ln -s one.conf link.conf; rtconf ConfigSample0.rtc load one.conf; rtconf ConfigSample0.rtc dump link.conf; ls -l link.conf | sed 's/.*link/link/'
   link.conf -> one.conf

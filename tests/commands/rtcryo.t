@@ -260,7 +260,7 @@ A name server that is not there, a path that is none, a file that cannot be writ
   rtcryo: /localhost:x: localhost:x is not a name server (host or host:tcpport)
   [2]
   $ rtcryo -o no/such/dir.xml
-  rtcryo: No such file or directory: no/such/dir.xml
+  rtcryo: no/such/dir.xml: No such file or directory
   [1]
   $ rtcryo --json
   rtcryo: unrecognized arguments: --json (see --help)

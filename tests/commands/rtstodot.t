@@ -224,7 +224,7 @@ Not there any more, or not answering: grey, and told.
 Files that are none, told with line and column:
 
   $ rtstodot nofile
-  rtstodot: No such file or directory: nofile
+  rtstodot: nofile: No such file or directory
   [1]
   $ rtstodot
   rtstodot: -:1:1: the file is empty
