@@ -178,12 +178,21 @@ def _state_checks(each, state):
 
 def _state_check(each, state, handle):
     def differences(check, found):
-        in_context = found.states.get(int(handle)) if handle is not None else None
-        actual = in_context or component.merged(found.states.values())
+        actual = _state_in(found, handle) or component.merged(found.states.values())
         if actual.lower() != state.lower():
             yield _difference(check, "Component %s is in incorrect state %s" % (_path(each), actual), each, state, actual)
     what = "state is %s for %s%s" % (state, _path(each), " in execution context %s" % handle if handle is not None else "")
     return Check("state", each.is_required, what, [each], differences)
+
+
+def _state_in(found, handle):
+    """The state in one execution context; None where there is none, or where it means nothing."""
+    if handle is None:
+        return None
+    stopped = any(context.handle == int(handle) and not context.running for context in found.owned)
+    if stopped and len(found.states) > len(found.owned):
+        return None  # a member of a composite, whose context is the one that counts
+    return found.states.get(int(handle))
 
 
 # ---- connections ----------------------------------------------------------------------------------------------

@@ -1,4 +1,6 @@
 """What rtcomp does: find or make a composite on a manager, then change its members and exported ports."""
+import collections
+
 from rtshell_lite import errors, manager, organisation, tree
 from rtshell_lite.text import printable, shell_word
 
@@ -16,8 +18,8 @@ def compose(target, adding, removing, type_name=organisation.COMPOSITE, options=
     if any(c in name for c in "?&="):
         raise errors.Usage("a composite cannot be called %s" % printable(name))
     manager.check_argument(argument)
-    members = [organisation.member(path) for path in adding]
-    leaving = [organisation.member(path, must_live=False) for path in removing]
+    members = organisation.together([organisation.member(path) for path in adding])
+    leaving = [organisation.member(path, must_live=False) for path in collections.OrderedDict.fromkeys(removing)]
     holder = tree.component(target.object(), or_manager=True)
     if holder.kind == "component" and target.port is not None:
         raise errors.WrongKind(str(target), "component or manager", "port")
@@ -27,7 +29,7 @@ def compose(target, adding, removing, type_name=organisation.COMPOSITE, options=
     if composite is not None:
         organisation.check(composite, organisation.the_one(composite), members, leaving)
     if dry_run:
-        return _commands(holder, target, composite, adding, removing, type_name, options)
+        return _commands(target, composite, adding, removing, type_name, options)
     lines = []
     if composite is None:
         lines.append("created composite " + manager.create(holder, argument, wait=manager.SETTLE_TIME))
@@ -51,7 +53,7 @@ def _of_manager(holder, name):
     return dict(manager.components(holder)).get(name)
 
 
-def _commands(holder, target, composite, adding, removing, type_name, options):
+def _commands(target, composite, adding, removing, type_name, options):
     words = ["rtcomp"] + ["-t", type_name] * (composite is None) + ["-o", options] * bool(options)
     for option, paths in (("-a", adding), ("-r", removing)):
         for path in paths:

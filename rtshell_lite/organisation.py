@@ -109,6 +109,17 @@ def member(path, must_live=True):
     return Member(instance, node, wanted)
 
 
+def together(members):
+    """Live Members, each once with all the ports wanted of it. Raises No for two that a composite could not tell apart."""
+    found = collections.OrderedDict()
+    for m in members:
+        known = found.setdefault(m.instance, m)
+        if not _is(m, known.node.ref):
+            raise errors.No(str(m.node.path), "has the same name as %s; a composite cannot have both" % str(known.node.path))
+        found[m.instance] = known._replace(ports=list(collections.OrderedDict.fromkeys(known.ports + m.ports)))
+    return list(found.values())
+
+
 def the_one(node):
     """The first Organisation of a composite. Raises WrongKind for a component that is none."""
     found = owned(node)

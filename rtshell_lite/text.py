@@ -69,7 +69,9 @@ def _meant(found):
     if literal or not (byte or short or long):
         raise ValueError("bad escape " + found.group())
     n = int(byte or short or long, 16)
-    return chr(n + 0xDC00 if byte and n >= 0x80 else n)  # chr() raises ValueError beyond Unicode
+    if n > sys.maxunicode:
+        raise ValueError("bad escape " + found.group())
+    return chr(n + 0xDC00 if byte and n >= 0x80 else n)
 
 
 def shell_word(s):
@@ -181,6 +183,13 @@ def painter():
 # ---- JSON -----------------------------------------------------------------------------------------------------
 
 def json_line(value):
-    """One object as one line: ASCII, sorted keys. Undecodable bytes stand as \\udcXX, Python's surrogate escapes."""
+    """One object as one line: ASCII, sorted keys. Undecodable bytes stand as \\udcXX, Python's surrogate escapes.
+
+    A peer may send numbers that JSON has no words for, a rate of NaN say; they become null.
+    """
     import json
-    return json.dumps(value, sort_keys=True, ensure_ascii=True)
+    try:
+        return json.dumps(value, sort_keys=True, ensure_ascii=True, allow_nan=False)
+    except ValueError:
+        tame = json.loads(json.dumps(value), parse_constant=lambda word: None)
+        return json.dumps(tame, sort_keys=True, ensure_ascii=True)

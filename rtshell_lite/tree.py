@@ -14,6 +14,7 @@ from rtshell_lite.node import DIRECTORIES, Node, classified, judged, look, no_na
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse
 from rtshell_lite.text import from_wire
 
+MOST = 1000000  # names in one context: an iterator may say for ever that there is more
 DEPTH = 64  # contexts can be bound inside themselves by another name
 
 
@@ -191,7 +192,7 @@ def _names(node):
     if iterator is not None:
         try:
             more = True
-            while more:
+            while more and len(bindings) < MOST:
                 more, batch = orb.call(str(node.path), iterator, "next_n", size)
                 bindings += batch
         finally:

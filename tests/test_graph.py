@@ -1,19 +1,21 @@
 """Pictures of systems: if this fails, rtstodot prints what Graphviz refuses, or leaves out what there is."""
 import os
+import random
 import re
 import unittest
+from xml.etree import ElementTree
 
 import random_profiles
 import test_xmlprofile
-from rtshell_lite import graph, xmlprofile
+from rtshell_lite import drawing, graph, xmlprofile
 from rtshell_lite.xmlprofile import model
 
 # The grammar of DOT, as far as we write it.
 ID = r'(?:[A-Za-z_][A-Za-z_0-9]*|"(?:[^"\\]|\\.)*")'
 VALUE = r'(?:[a-z]+|"(?:[^"\\]|\\.)*")'
-STATEMENT = re.compile(r"\s*(?:{id} \[[a-z]+={value}(?:, [a-z]+={value})*\];|"
-                       r"{id}:{id} -> {id}:{id}(?: \[arrowhead=\"odot\"\])?;"
-                       r"subgraph {id} \{{|\}}|(?:label|bgcolor)={value};|{id};)\Z".format(id=ID, value=VALUE))
+STATEMENT = re.compile(r"\s*(?:{id} \[[a-z]+={value}(?:, [a-z]+={value})*\];"
+                       r"|{id}:{id} -> {id}:{id}(?: \[arrowhead=\"odot\"\])?;"
+                       r"|subgraph {id} \{{|\}}|(?:label|bgcolor)={value};|{id};)\Z".format(id=ID, value=VALUE))
 LABEL = re.compile(r'label="((?:[^"\\]|\\.)*)"')
 
 
@@ -123,6 +125,78 @@ class Dot(unittest.TestCase):
             with self.subTest(os.path.basename(name)):
                 with open(name, "rb") as file:
                     self.check(xmlprofile.load(file.read(), name))
+
+
+ARMS = {"─": "lr", "═": "lr", "<": "lr", "│": "ud", "║": "ud", "┐": "ld", "╗": "ld", "┘": "lu", "╝": "lu", "┤": "lud",
+        "╣": "lud", "┬": "lrd", "╦": "lrd", "┴": "lru", "╩": "lru", "┼": "lrud", "╬": "lrud"}
+STEPS = {"l": (0, -1, "r"), "r": (0, 1, "l"), "u": (-1, 0, "d"), "d": (1, 0, "u")}
+
+
+def reached(lines, row, column):
+    """Rows where the line ends that starts at this border: out to its lane, up and down there, back to the left."""
+    todo, rows = [(row, column, "r")], set()
+    while todo:
+        row, column, way = todo.pop()
+        step, aside, back = STEPS[way]
+        row, column = row + step, column + aside
+        sign = lines[row][column]
+        if sign == "<":
+            rows.add(row)
+        elif way == "l" or back not in ARMS[sign]:  # what only passes is stepped over
+            todo.append((row, column, way))
+        else:
+            todo += [(row, column, arm) for arm in ARMS[sign] if arm == way or arm in ("l" if way in "ud" else "ud")]
+    return rows
+
+
+class Text(unittest.TestCase):
+    def draw(self, graph):
+        lines = list(drawing.lines(graph))
+        for line in drawing.lines(graph, ascii_only=True):
+            line.encode("ascii")
+        picture = ElementTree.fromstring("\n".join(drawing.svg(graph)))
+        texts = [element for element in picture if element.tag.endswith("text")]
+        self.assertEqual(len(texts), sum(bool(row.text) for row in drawing._stack(graph)[0]))
+        return lines
+
+    def check(self, graph):
+        """Following each line from its start leads to the ports that it connects, and to no other."""
+        lines = self.draw(graph)
+        border = lines[0].index("┐")
+        rows, at = drawing._stack(graph)
+        self.assertEqual(len(rows), len(lines))
+        wide = [line + " " * (max(map(len, lines)) - len(line) + 1) for line in lines]
+        for start in {edge[:2] for edge in graph.edges}:
+            ends = {at[edge[2:4]] for edge in graph.edges if edge[:2] == start} - {at[start]}
+            if ends and wide[at[start]][border] == "├":
+                self.assertEqual(reached(wide, at[start], border), ends)
+
+    def test_data_flows_down(self):
+        profile = model.RtsProfile(components=[component("Snk"), component("Src")],
+                                   data_port_connectors=[data(("Src", "Src.out"), ("Snk", "Snk.in"))])
+        self.assertEqual(self.draw(graph.of(profile)), [
+            "┌─────┐", "│ Src │", "│ out ├─┐", "├─────┤ │", "│ Snk │ │", "│ in  │<┘", "└─────┘"])
+
+    def test_nothing(self):
+        self.assertEqual(self.draw(graph.of(model.RtsProfile())), [])
+
+    def test_lines_lead_where_they_should(self):
+        for seed in range(300):
+            chance = random.Random(seed)
+            names = "ABCDEF"[:chance.randint(1, 6)]
+            profile = model.RtsProfile(components=[component(name) for name in names])
+            for _ in range(chance.randint(0, 9)):
+                ends = [(chance.choice(names), "in%d" % chance.randint(1, 2)) for _ in range(chance.randint(1, 3))]
+                profile.data_port_connectors.append(data((chance.choice(names), "out%d" % chance.randint(1, 2)), *ends))
+            with self.subTest(seed):
+                self.check(graph.of(profile))
+
+    def test_real_files_and_random_ones(self):
+        for seed in range(50):
+            self.draw(graph.of(random_profiles.Maker(seed).profile()))
+        for name in test_xmlprofile.real_files():
+            with self.subTest(os.path.basename(name)), open(name, "rb") as file:
+                self.draw(graph.of(xmlprofile.load(file.read(), name)))
 
 
 if __name__ == "__main__":

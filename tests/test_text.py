@@ -87,6 +87,10 @@ class Layout(unittest.TestCase):
     def test_json_is_ascii_and_sorted(self):
         self.assertEqual(text.json_line({"b": "日", "a": "\udcff"}), '{"a": "\\udcff", "b": "\\u65e5"}')
 
+    def test_json_stays_json_when_a_number_is_none(self):
+        self.assertEqual(text.json_line({"b": [float("nan"), float("-inf"), 1.5], "a": "\udcffNaN"}),
+                         '{"a": "\\udcffNaN", "b": [null, null, 1.5]}')
+
 
 if __name__ == "__main__":
     unittest.main()

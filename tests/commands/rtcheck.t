@@ -179,6 +179,11 @@ Composites and their members:
   [1]
   $ rtcomp -a /localhost:$PORT2/test.host_cxt/Motor0.rtc /localhost:$PORT2/test.host_cxt/composite0.rtc
 
+The context of the composite counts, not those of its members, which are stopped:
+
+  $ rtcryo --all -q localhost:$PORT2 -o c.xml; rtact --wait=5 /localhost:$PORT2/test.host_cxt/composite0.rtc
+  $ rtcheck c.xml
+
 What cannot be asked is told once, and no difference:
 
   $ hang linked; within 0.4-2 rtcheck --timeout 0.5 a.xml

@@ -189,3 +189,9 @@ Organization::get_owner is never called: C++ tells the owner only once
 
   $ calls | grep get_owner
   [1]
+
+Two new members of one name, which nobody could tell apart afterwards:
+
+  $ rtcomp -a ../twin.host_cxt/Motor0.rtc -a Motor0.rtc ../m.host_cxt/manager.mgr:Pair
+  rtcomp: /localhost:$PORT/test.host_cxt/Motor0.rtc: has the same name as /localhost:$PORT/twin.host_cxt/Motor0.rtc; a composite cannot have both
+  [1]

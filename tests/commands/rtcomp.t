@@ -186,3 +186,12 @@ Below the manager, members and composites are the same:
   $ rtcomp -v -r manager.mgr/ConsoleOut0.rtc manager.mgr/Arm.rtc
   rtcomp: hid port ConsoleOut0.in
   rtcomp: removed component ConsoleOut0
+
+One component given several times is one member, with all the ports:
+
+  $ rtcomp -v -a manager.mgr/ConsoleOut0.rtc -a manager.mgr/ConsoleOut0.rtc:in,in -a manager.mgr/ConsoleOut0.rtc:in manager.mgr/Arm.rtc
+  rtcomp: exported port ConsoleOut0.in
+  rtcomp: added component /localhost:$PORT/test.host_cxt/manager.mgr/ConsoleOut0.rtc
+  $ rtcomp -v -r manager.mgr/ConsoleOut0.rtc -r manager.mgr/ConsoleOut0.rtc manager.mgr/Arm.rtc
+  rtcomp: hid port ConsoleOut0.in
+  rtcomp: removed component ConsoleOut0

@@ -71,6 +71,98 @@ Composites are boxes around their members; a port that a composite exports belon
     Sensor0:out -> Controller0:in;
   }
 
+--text draws in the terminal, data from top to bottom; --ascii does with less:
+
+  $ rtstodot --text a.xml
+  ┌─────────────┐
+  │ ConsoleIn0  │
+  │         out ├─┐
+  ├─────────────┤ │
+  │ ConsoleOut0 │ │
+  │ in          │<┘
+  └─────────────┘
+  $ rtcryo | rtstodot --text
+  ┌────────────────────┐
+  │ ConsoleIn0         │
+  │                out ├─┐
+  ├────────────────────┤ │
+  │ ConsoleIn1         │ │
+  │                out ├─│─┐
+  ├────────────────────┤ │ │
+  │ ConsoleOut0        │ │ │
+  │ in                 │<┴─┤
+  ├────────────────────┤   │
+  │ ConsoleOut1        │   │
+  │ in                 │<──┘
+  ├────────────────────┤
+  │ MyServiceConsumer0 │
+  │          MyService ╞═╗
+  ├────────────────────┤ ║
+  │ MyServiceProvider0 │ ║
+  │ MyService          │<╝
+  └────────────────────┘
+  $ rtcryo | rtstodot --ascii
+  +--------------------+
+  | ConsoleIn0         |
+  |                out +-+
+  +--------------------+ |
+  | ConsoleIn1         | |
+  |                out +-|-+
+  +--------------------+ | |
+  | ConsoleOut0        | | |
+  | in                 |<+-+
+  +--------------------+   |
+  | ConsoleOut1        |   |
+  | in                 |<--+
+  +--------------------+
+  | MyServiceConsumer0 |
+  |          MyService +=+
+  +--------------------+ :
+  | MyServiceProvider0 | :
+  | MyService          |<+
+  +--------------------+
+  $ rtcryo localhost:$PORT2 | rtstodot --text
+  ┌──────────────────────────────────────┐
+  │ Motor0  (in composite0)              │
+  │                                  out ├─┐
+  ├──────────────────────────────────────┤ │
+  │ Sensor0  (in composite0)             │ │
+  │ in                                   │<┘
+  │                                  out ├─┐
+  ├──────────────────────────────────────┤ │
+  │ Controller0  (in composite0)         │ │
+  │ in                                   │<┘
+  ├──────────────────────────────────────┤
+  │ composite0                           │
+  │ made of Controller0, Motor0, Sensor0 │
+  └──────────────────────────────────────┘
+  $ rtstodot --live --text a.xml
+  ┌───────────────────────┐
+  │ ConsoleIn0  Inactive  │
+  │                   out ├─┐
+  ├───────────────────────┤ │
+  │ ConsoleOut0  Inactive │ │
+  │ in                    │<┘
+  └───────────────────────┘
+
+--svg makes a picture that any browser shows:
+
+  $ rtstodot --svg --live a.xml | sed 's/<defs>.*/…/'
+  <svg xmlns="http://www.w3.org/2000/svg" width="263" height="160" font-family="monospace" font-size="14">
+  …
+  <rect width="100%" height="100%" fill="white"/>
+  <rect x="14" y="14" width="207" height="54" rx="5" fill="lightblue" stroke="black"/>
+  <rect x="14" y="74" width="207" height="54" rx="5" fill="lightblue" stroke="black"/>
+  <text x="19" y="36" text-anchor="start">ConsoleIn0  Inactive</text>
+  <text x="216" y="56" text-anchor="end">out</text>
+  <text x="19" y="96" text-anchor="start">ConsoleOut0  Inactive</text>
+  <text x="19" y="116" text-anchor="start">in</text>
+  <path d="M221,51 H249 V111 H221" fill="none" stroke="black" marker-end="url(#arrow)"/>
+  </svg>
+  $ rtstodot --svg --text a.xml
+  rtstodot: --svg does not go with --text or --ascii (see --help)
+  [2]
+
 --live colours components by their states; without a file it draws what is running:
 
   $ rtact ConsoleIn0.rtc ConsoleOut0.rtc
