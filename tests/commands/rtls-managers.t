@@ -175,4 +175,5 @@ A slave that hangs holds up its master, which lives all the same:
   /localhost:$PORT/test.host_cxt/manager.mgr
   /localhost:$PORT/test.host_cxt/manager.mgr/manager
   rtfind: /localhost:$PORT/test.host_cxt/manager.mgr: no answer within 0.5s
+  rtfind: /localhost:$PORT/test.host_cxt/manager.mgr/slave0: no answer within 0.5s
   [5]
