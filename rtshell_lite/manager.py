@@ -36,7 +36,7 @@ def find(word):
     Raises BadPath before anything is contacted, what `tree.resolve` raises, WrongKind, Gone, Silent.
     """
     direct = word.startswith("corbaloc:")
-    node, = tree.look([tree.Node(Address(word), "unsure", _direct(word)) if direct else _bound(parse(word))])
+    node, = tree.look([tree.Node(Address(word), "unsure", reference(word)) if direct else _bound(parse(word))])
     if node.kind == "manager":
         return node
     if direct and isinstance(node.error, errors.Gone):
@@ -70,7 +70,7 @@ def check_argument(argument):
         raise errors.Usage("not MODULE[?KEY=VALUE&KEY=VALUE…]: %s" % printable(argument))
 
 
-def _direct(word):
+def reference(word):
     check(word)
     return orb.corbaloc(word, _CORBALOC.match(word).group("address"), _key(word), DEFAULT_PORT)
 

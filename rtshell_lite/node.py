@@ -18,7 +18,7 @@ class Node:
            process does not answer; unknown, any other object; unsure, one that has to be asked (`look`) because its
            reference does not tell
     ref    its object reference; None at the root and for a nil reference
-    error  for kind `silent` and `zombie`: the errors.Error that tells why
+    error  for kind `silent` and `zombie`: the errors.Error that tells why; for others: why what is below could not be listed
     """
 
     def __init__(self, path, kind, ref=None, error=None):
@@ -99,7 +99,8 @@ def look(nodes):
     A component or manager that is gone becomes `zombie`, one that does not answer `silent`. `_non_existent` is the
     question: a profile can end a component whose connection has died (protocol of OpenRTM-aist 2.1).
     """
-    objects = [node for node in nodes if node.kind in ("component", "manager", "unsure")]
+    # a manager with an error has answered: to another question than that which it did not answer
+    objects = [node for node in nodes if node.kind in ("component", "manager", "unsure") and node.error is None]
     answers = dict(zip(objects, on_nodes(objects, _looked_at)))
     return [judged(node, answers[node]) if node in answers else node for node in nodes]
 

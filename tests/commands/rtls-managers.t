@@ -58,11 +58,11 @@ The components of a master's slaves are the master's, too. Two slaves of one nam
   ./manager_*: (glob)
   Inactive  1/0  1/0  0/0  0/0  ConsoleOut0.rtc
    (esc)
-  $ rtls --json manager.mgr
+  $ rtls --json manager.mgr | sed 's/manager_[0-9]*/manager_N/g'
   {"kind": "component", "name": "ConsoleIn0.rtc", "path": "/localhost:$PORT/test.host_cxt/manager.mgr/ConsoleIn0.rtc"}
   {"kind": "component", "name": "ConsoleOut0.rtc", "path": "/localhost:$PORT/test.host_cxt/manager.mgr/ConsoleOut0.rtc"}
-  {"kind": "manager", "name": "manager_6929", "path": "/localhost:$PORT/test.host_cxt/manager.mgr/manager_6929"}
-  {"kind": "manager", "name": "manager_6991", "path": "/localhost:$PORT/test.host_cxt/manager.mgr/manager_6991"}
+  {"kind": "manager", "name": "manager_N", "path": "/localhost:$PORT/test.host_cxt/manager.mgr/manager_N"}
+  {"kind": "manager", "name": "manager_N", "path": "/localhost:$PORT/test.host_cxt/manager.mgr/manager_N"}
   $ rtls -0 manager.mgr/$SLAVE | tr '\0' '\n'
   /localhost:$PORT/test.host_cxt/manager.mgr/manager_*/ConsoleIn0.rtc (glob)
 
@@ -175,4 +175,5 @@ A slave that hangs holds up its master, which lives all the same:
   /localhost:$PORT/test.host_cxt/manager.mgr
   /localhost:$PORT/test.host_cxt/manager.mgr/manager
   rtfind: /localhost:$PORT/test.host_cxt/manager.mgr: no answer within 0.5s
+  rtfind: /localhost:$PORT/test.host_cxt/manager.mgr/slave0: no answer within 0.5s
   [5]
