@@ -75,6 +75,21 @@ def context(node, ref):
                    properties=orb.properties(found.properties))
 
 
+def elsewhere(node, ref, ask, otherwise):
+    """ask(), or `otherwise` where `ref`, a context of another process, does not answer: a hung composite hides no member."""
+    try:
+        return ask()
+    except errors.Unreachable:
+        if orb.endpoint(ref) == node.endpoint:
+            raise
+        return otherwise
+
+
+def contexts(node, refs):
+    """The Context behind each reference; None for one of another process that does not answer."""
+    return [elsewhere(node, ref, lambda ref=ref: context(node, ref), None) for ref in refs]
+
+
 def _by_number(names, enumerator):
     return names[enumerator._v] if enumerator._v < len(names) else "Unknown"
 
@@ -89,15 +104,7 @@ def state(node):
 
 def states(node, refs):
     """Its state in each context; Unknown in a context of another process that does not answer."""
-    found = []
-    for ref in refs:
-        try:
-            found.append(state_in(node, ref))
-        except errors.Unreachable:
-            if orb.endpoint(ref) == node.endpoint:
-                raise
-            found.append("Unknown")
-    return found
+    return [elsewhere(node, ref, lambda ref=ref: state_in(node, ref), "Unknown") for ref in refs]
 
 
 def merged(states):

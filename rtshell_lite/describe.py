@@ -1,7 +1,7 @@
 """What rtcat shows of a component or a port, as lines or as JSON."""
 import collections
 
-from rtshell_lite import component, errors, orb, organisation, ports, rpc, text
+from rtshell_lite import component, errors, orb, organisation, ports, text
 from rtshell_lite.text import from_wire, printable
 
 # All that rtcat knows of one component. `compositions` are those that it owns, as (id, [path text of a member]); `parents`
@@ -17,7 +17,7 @@ def collect(node, level=0):
     """
     found = ports.ports(node)
     owned, participating = component.context_refs(node)
-    contexts = [component.context(node, ref) for ref in owned + _answering(node, participating)]
+    contexts = [each for each in component.contexts(node, owned + participating) if each is not None]
     states = component.states(node, [context.ref for context in contexts])
     if level:
         compositions = [(one.id, organisation.member_paths(node, one)) for one in organisation.owned(node)]
@@ -25,13 +25,6 @@ def collect(node, level=0):
         compositions = [("", [])] * len(organisation.owned_refs(node))
     parents = _parents(node, contexts[len(owned):])
     return Found(node, component.profile(node), states, contexts, found, compositions, parents)
-
-
-def _answering(node, refs):
-    """Those contexts of other components that answer: a hung composite must not hide its members."""
-    answers = rpc.gather([rpc.Job(orb.endpoint(ref), str(node.path), lambda ref=ref: orb.is_alive(str(node.path), ref))
-                          for ref in refs])
-    return [ref for ref, answer in zip(refs, answers) if not isinstance(answer, errors.Error)]
 
 
 def _parents(node, participating):

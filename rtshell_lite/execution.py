@@ -22,11 +22,8 @@ def entries(node, only=None):
         chosen = [(only, component.context_ref(node, only))]
     found = []
     for index, ref in chosen:
-        try:
-            context = component.context(node, ref)
-        except errors.Unreachable:
-            if orb.endpoint(ref) == node.endpoint:
-                raise
+        context, = component.contexts(node, [ref])
+        if context is None:
             found.append(Entry(index, None, "Unknown", "", []))
             continue
         found.append(Entry(index, context, component.states(node, [ref])[0], _name(node, context.owner),
