@@ -29,9 +29,11 @@ def collect(node, level=0):
 
 def _answering(node, refs):
     """Those contexts of other components that answer: a hung composite must not hide its members."""
+    far = [ref for ref in refs if orb.endpoint(ref) != node.endpoint]
     answers = rpc.gather([rpc.Job(orb.endpoint(ref), str(node.path), lambda ref=ref: orb.is_alive(str(node.path), ref))
-                          for ref in refs])
-    return [ref for ref, answer in zip(refs, answers) if not isinstance(answer, errors.Error)]
+                          for ref in far])
+    silent = [ref for ref, answer in zip(far, answers) if isinstance(answer, errors.Error)]
+    return [ref for ref in refs if ref not in silent]
 
 
 def _parents(node, participating):
