@@ -40,9 +40,9 @@ class Server:
         cls.directory = tempfile.mkdtemp()
         cls.orb = CORBA.ORB_init(["test", "-ORBclientCallTimeOutPeriod", "8000", "-ORBtraceLevel", "0"], CORBA.ORB_ID)
         for _ in range(5):      # the port may have been taken since it was found free
-            cls.port = peers.free_port()
+            cls.port = peers.nameserver.free_port()
             cls.process = subprocess.Popen(
-                [peers.omninames(), "-start", str(cls.port), "-always", "-datadir", cls.directory,
+                [peers.nameserver.binary(), "-start", str(cls.port), "-always", "-datadir", cls.directory,
                  "-ORBendPoint", "giop:tcp:127.0.0.1:%d" % cls.port], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             cls.root = cls.orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%d/NameService" % cls.port)
             cls.root = cls.root._unchecked_narrow(CosNaming.NamingContext)
@@ -68,7 +68,7 @@ class Server:
 
 def start_name_server():
     """For setUpModule: a name server, or no test at all where there is no omniORB."""
-    if omniORB is None or not peers.omninames():
+    if omniORB is None or not peers.nameserver.binary():
         raise unittest.SkipTest("needs omniORBpy and omniNames")
     Server.start()
 
@@ -77,7 +77,7 @@ class World:
     """A world in a process of its own, and the objects bound by it."""
 
     def __init__(self, *words):
-        self.control = os.path.join(Server.directory, "control%d" % peers.free_port())
+        self.control = os.path.join(Server.directory, "control%d" % peers.nameserver.free_port())
         self.process = subprocess.Popen(
             [sys.executable, "-m", "mock_components"] + list(words) +
             ["--nameserver", "127.0.0.1:%d" % Server.port, "--control", self.control],

@@ -3,9 +3,7 @@
 They keep their files in the directory $SESSION: NAME.pid, NAME.out (what they say) and NAME.control.
 """
 import os
-import random
 import re
-import shutil
 import socket
 import struct
 import subprocess
@@ -13,6 +11,8 @@ import sys
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.append(ROOT)  # behind what is installed
+from mock_components import nameserver  # noqa: E402
 START_LIMIT = 30.0  # seconds until a peer must have said that it is ready
 
 
@@ -22,40 +22,13 @@ class Failed(Exception):
 
 # ---- starting ----
 
-def omninames():
-    """The real omniNames of this Python's omniORBpy: the script on PATH is a wrapper that survives its death."""
-    for entry in sys.path:
-        for package in ("jeteve_omniorb", "omniORB"):
-            path = os.path.join(entry, package, "bin", "omniNames")
-            if os.path.exists(path):
-                return path
-    try:
-        import omniORB  # noqa: F401  an operating system's package brings its own omniNames
-    except ImportError:
-        return None
-    return shutil.which("omniNames")
-
-
-def free_port():
-    """A port below the kernel's ephemeral range, so that no outgoing connection takes it in between."""
-    for _ in range(200):
-        port = random.randrange(12000, 32000)
-        with socket.socket() as probe:
-            try:
-                probe.bind(("127.0.0.1", port))
-                return port
-            except OSError:
-                pass
-    raise Failed("no free port")
-
-
 def start_name_server(name):
     """Start an omniNames of its own data directory; returns its port as text."""
     for attempt in range(5):  # another session may have taken the port since it was found free
-        port = str(free_port())
+        port = str(nameserver.free_port())
         data = session_file("%s-%d" % (name, attempt))
         os.mkdir(data)
-        server = start(name, [omninames(), "-start", port, "-logdir", data, "-ORBendPoint", "giop:tcp:127.0.0.1:" + port])
+        server = start(name, [nameserver.binary(), "-start", port, "-logdir", data, "-ORBendPoint", "giop:tcp:127.0.0.1:" + port])
         if wait_until(lambda: answers(int(port)), server):
             return port
     raise Failed("omniNames does not start: " + said(name))

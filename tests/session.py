@@ -37,14 +37,14 @@ def run(request):
     os.mkdir(home)
     asked = [tuple(pair) for pair in request["directives"]]
     pure = ("python", "pure") in asked
-    if not pure and not peers.omninames():
+    if not pure and not peers.nameserver.binary():
         return {"skip": "omniORBpy is not installed in %s" % sys.prefix}
     os.environ["SESSION"] = top  # where the functions below keep their files
     keep_alive()
     environment = surroundings(top, home, request["commands"])
     substitutions = [(re.escape(home), "$TMP"), (re.escape(top), "$SESSION"), (UUID, "$UUID")]
     try:
-        environment["PORT"] = str(peers.free_port()) if pure else peers.start_name_server("names")
+        environment["PORT"] = str(peers.nameserver.free_port()) if pure else peers.start_name_server("names")
         start_peers(asked, environment)
     except peers.Failed as e:
         return {"results": [], "substitutions": substitutions, "problem": str(e)}

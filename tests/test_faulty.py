@@ -1,5 +1,4 @@
 """The misbehaving peers: each fails a client in its own way, and none holds it longer than its deadline."""
-import glob
 import json
 import os
 import resource
@@ -14,7 +13,7 @@ import unittest
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path.append(ROOT)
 
-from mock_components import faulty, giop    # noqa: E402: the path first
+from mock_components import faulty, giop, nameserver    # noqa: E402: the path first
 
 try:
     import omniORB
@@ -211,19 +210,11 @@ class ProcessTest(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (1, b"faulty: no such mode: polite (see --help)\n"))
 
 
-def omninames():
-    """The omniNames binary itself (the script of that name would leave it running), or None."""
-    package = os.path.dirname(os.path.dirname(os.path.abspath(omniORB.__file__)))
-    found = glob.glob(os.path.join(package, "*", "bin", "omniNames"))
-    found += [os.path.join(place, "omniNames") for place in ("/usr/bin", "/usr/local/bin")]
-    return next(filter(os.path.exists, found), None)
-
-
 class BindTest(WithDeadline):
     """A faulty component beside live ones."""
 
     def setUp(self):
-        if not omninames():
+        if not nameserver.binary():
             self.skipTest("omniNames is not installed")
         directory = tempfile.TemporaryDirectory()
         self.addCleanup(directory.cleanup)
@@ -231,7 +222,7 @@ class BindTest(WithDeadline):
             reserved.bind(("127.0.0.1", 0))
             self.port = reserved.getsockname()[1]
         server = subprocess.Popen(
-            [omninames(), "-start", str(self.port), "-logdir", directory.name,
+            [nameserver.binary(), "-start", str(self.port), "-logdir", directory.name,
              "-ORBendPoint", "giop:tcp:127.0.0.1:{}".format(self.port)],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(server.wait)

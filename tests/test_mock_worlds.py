@@ -168,7 +168,7 @@ class Worlds(unittest.TestCase):
 
     def test_keys(self):
         """A component of 2.x answers under a key, but its contexts do not know that reference."""
-        given = str(peers.free_port())
+        given = str(peers.nameserver.free_port())
         world = self.world("two", "--port", given)
         port = value(world.component("ConsoleIn0").get_component_profile().properties, "corba.endpoints").split(":")[1]
         self.assertEqual(port, given)

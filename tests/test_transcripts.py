@@ -134,7 +134,7 @@ class Running(unittest.TestCase):
         self.assertEqual(run(text)[:2], ("pass", ""))
 
 
-@unittest.skipUnless(peers.omninames(), "omniORBpy is not installed")
+@unittest.skipUnless(peers.nameserver.binary(), "omniORBpy is not installed")
 class Peers(unittest.TestCase):
     def test_worlds_and_servers(self):
         outcome, explanation, _ = run(PEERS, pure=False)
