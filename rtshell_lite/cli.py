@@ -50,11 +50,21 @@ def _run(arguments, run, doc, argv):
 
 
 def unwind_when_ended():
-    """Let SIGTERM and SIGHUP end the command as Ctrl-C does, by way of its `finally`s: it has put something into a component."""
+    """Let SIGTERM and SIGHUP end the command as Ctrl-C does, by way of its `finally`s: it has put something into a component.
+
+    The first of them counts: a terminal that closes and systemd send both, and the second must not cut the unwinding short.
+    """
     import signal
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores SIGHUP
-            signal.signal(number, lambda number, frame: sys.exit(128 + number))
+    ours = [number for number in (signal.SIGTERM, signal.SIGHUP)
+            if signal.getsignal(number) == signal.SIG_DFL]  # nohup ignores SIGHUP
+
+    def unwind(number, frame):
+        for each in ours:
+            signal.signal(each, signal.SIG_IGN)
+        sys.exit(128 + number)
+
+    for number in ours:
+        signal.signal(number, unwind)
 
 
 def _settle(args):
@@ -244,8 +254,11 @@ def _parser(arguments, doc):
     parser.add_argument(*[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
                         help="tell on stderr what is done")
     parser.add_argument("-q", "--quiet", action="store_true", help="no notes on stderr, errors only")
-    parser.add_argument("--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
-                        help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)")
+    if "--timeout" in taken:  # how long rtprint, rtinject and rtlog run
+        parser.set_defaults(timeout=_default_timeout())
+    else:
+        parser.add_argument("--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
+                            help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)")
     parser.add_argument("--version", action="version", version=__version__)
     parser.add_argument("-h", "--help", action="help", help="show this and exit")
     return parser
