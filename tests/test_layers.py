@@ -14,7 +14,7 @@ LAYERS = [
     ["bin"],
     ["__main__"],
     ["system", "compare", "plan", "graph", "drawing", "listing", "describe", "describe_manager", "markup", "manual",
-     "search", "unbind", "composing", "unpack"],
+     "search", "unbind", "composing", "unpack", "interpreter", "prompt"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
      "configuration"],
     ["tree"],
