@@ -1,5 +1,6 @@
 """What every command shares: its parser and common options, its exit status, its one line on stderr."""
 import argparse
+import collections
 import errno
 import io
 import os
@@ -22,15 +23,23 @@ def main(arguments, run, doc, argv=None):
     """Run one command and exit: `arguments(parser)` declares, `run(args)` does the work and returns the exit status."""
     _prepare_streams()
     try:
-        _leave(_run(arguments, run, doc, sys.argv[1:] if argv is None else argv))
+        _leave(command(arguments, run, doc, sys.argv[1:] if argv is None else argv))
     except KeyboardInterrupt:
         _leave(130)
+    except Ended as e:
+        _leave(e.args[0])
 
 
-def _run(arguments, run, doc, argv):
+class Ended(BaseException):
+    """SIGTERM or SIGHUP, on its way through the `finally`s; its argument is the exit status."""
+
+
+def command(arguments, run, doc, argv):
+    """Run one command in this process, named by sys.argv[0], and return its exit status. Raises KeyboardInterrupt, Ended."""
+    before = _quiet, _verbose, rpc.timeout
     try:
         args = _parser(arguments, doc).parse_args(argv)
-        _settle(args)
+        _settle(args.quiet, args.verbose, args.timeout)
         return run(args) or 0
     except errors.Error as e:
         return complain(e)
@@ -47,6 +56,8 @@ def _run(arguments, run, doc, argv):
             traceback.print_exc()
         complain("internal error: %s: %s (RTSHELL_DEBUG=1 shows where)" % (type(e).__name__, e))
         return 70
+    finally:
+        _settle(*before)  # to those of the rtsh that runs this command
 
 
 def unwind_when_ended():
@@ -55,22 +66,22 @@ def unwind_when_ended():
     The first of them counts: a terminal that closes and systemd send both, and the second must not cut the unwinding short.
     """
     import signal
-    ours = [number for number in (signal.SIGTERM, signal.SIGHUP)
-            if signal.getsignal(number) == signal.SIG_DFL]  # nohup ignores SIGHUP
-
-    def unwind(number, frame):
-        for each in ours:
-            signal.signal(each, signal.SIG_IGN)
-        sys.exit(128 + number)
-
-    for number in ours:
-        signal.signal(number, unwind)
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores SIGHUP
+            signal.signal(number, _end)
 
 
-def _settle(args):
+def _end(number, frame):
+    import signal
+    for each in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(each, signal.SIG_IGN)
+    raise Ended(128 + number)
+
+
+def _settle(quiet, verbose, timeout):
     global _quiet, _verbose
-    _quiet, _verbose = args.quiet, args.verbose
-    rpc.timeout = args.timeout
+    _quiet, _verbose, rpc.timeout = quiet, verbose, timeout
+    rpc.silent.clear()  # in rtsh: what was silent for one command is asked again by the next
 
 
 class _Closed(io.TextIOBase):
@@ -178,6 +189,43 @@ def report(args, results):
     for result in results:
         if tally.add(result) and result:
             (print if args.dry_run else detail)(result)
+    return tally.status()
+
+
+def report_steps(args, outcomes, carry_out):
+    """Carry out steps (apply.Outcomes) and tell what has become of them; returns the exit status.
+
+    After --dry-run the commands that would do them by hand are printed instead. What is not required may fail without
+    spoiling the status, as in rtshell. An interruption is passed on, after the report.
+    """
+    unwind_when_ended()
+    try:
+        if not args.dry_run:
+            carry_out(outcomes, args.rollback)
+    finally:
+        status = _told(args, outcomes)
+    return status
+
+
+def _told(args, outcomes):
+    tally, counts = Tally(), collections.OrderedDict((status, 0) for status in ("done", "already so"))
+    for each in outcomes:
+        counts[each.status] = counts.get(each.status, 0) + 1
+        if args.json:
+            print(text.json_line(each.as_dict()))
+        elif args.dry_run and each.pending:
+            print(each.step.command)
+        if not each.failed:
+            good = each.status in ("done", "already so") or args.dry_run and each.pending
+            tally.done += good and not args.rollback
+            if each.status != "already so":
+                detail("%s: %s%s" % (each.step.title, each.status, " (%s)" % each.error if each.error else ""))
+        elif each.step.required:
+            tally.add(each.error)
+        else:
+            note("%s (not required)" % each.error)
+    if not args.dry_run:
+        (note if tally.statuses else detail)(", ".join("%d %s" % (number, status) for status, number in counts.items() if number))
     return tally.status()
 
 
