@@ -78,13 +78,10 @@ def _options(parser, word, others):
     options = {text: action for action in parser._actions for text in action.option_strings
                if action.help is not argparse.SUPPRESS}
     if not equals:
-        return [Candidate(text, True, _help(action)) for text, action in options.items()]
+        formatter = parser._get_formatter()
+        return [Candidate(text, True, formatter._expand_help(action)) for text, action in options.items()]
     found = _for_action(options[name], value, others) if name in options else []
     return [each._replace(text=name + "=" + each.text) for each in found]
-
-
-def _help(action):
-    return re.sub(r"%\(default\)s", str(action.default), action.help or "").replace("%%", "%")
 
 
 def _positional(parser, doc, others, word):
