@@ -38,7 +38,7 @@ def command(arguments, run, doc, argv):
     """Run one command in this process, named by sys.argv[0], and return its exit status. Raises KeyboardInterrupt, Ended."""
     before = _quiet, _verbose, rpc.timeout
     try:
-        args = _parser(arguments, doc).parse_args(argv)
+        args = parser(arguments, doc, os.path.basename(sys.argv[0])).parse_args(argv)
         _settle(args.quiet, args.verbose, args.timeout)
         return run(args) or 0
     except errors.Error as e:
@@ -241,6 +241,26 @@ class _Parser(argparse.ArgumentParser):
         options, words = self._sorted(argv)
         return super().parse_args(options + ["--"] + words if words else options)
 
+    def unfinished(self, words):
+        """What the first words of a command line leave open, for completion.
+
+        Returns the words that are no options, the option whose value comes next (None), and whether `--` ended the options.
+        Raises Usage for an unknown option.
+        """
+        others, rest = [], list(words)
+        while rest:
+            word = rest.pop(0)
+            if word == "--":
+                return others + rest, None, True
+            if not self._is_option(word):
+                others.append(word)
+                continue
+            last = not rest
+            action = self._option_string_actions.get(self._option(word, rest)[-1])  # None when a value is glued to it
+            if last and action and action.nargs != 0:
+                return others, action, False
+        return others, None, False
+
     def _sorted(self, argv):
         """Separate options with their values from the other words; argparse itself cannot mix them on all Pythons."""
         options, words, rest = [], [], list(argv)
@@ -292,9 +312,10 @@ class _Parser(argparse.ArgumentParser):
         return [word + glue + value] if value.startswith("-") else [word, value]  # argparse would take -n -x for two options
 
 
-def _parser(arguments, doc):
+def parser(arguments, doc, prog):
+    """The parser of the command called `prog`, whose file has these `arguments` and this docstring."""
     summary, _, details = doc.strip().partition("\n\n")
-    parser = _Parser(prog=os.path.basename(sys.argv[0]), description=summary, add_help=False,
+    parser = _Parser(prog=prog, description=summary, add_help=False,
                      epilog=(details + "\n\n" if details else "") + EXIT_STATUSES,
                      formatter_class=_formatter)
     arguments(parser)
@@ -342,12 +363,13 @@ def one_of(*words):
         if word not in words:
             raise argparse.ArgumentTypeError("not one of %s: %s" % (", ".join(words), text.printable(word)))
         return word
+    check.words = words  # for completion
     return check
 
 
 def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
-    """The positional arguments `paths`."""
-    parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)
+    """The positional arguments `paths`; `metavar` tells completion.py what they are."""
+    return parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)
 
 
 def parsed(words):

@@ -13,9 +13,9 @@ ONCE = "it reads the source: one Python is enough"
 LAYERS = [
     ["bin"],
     ["__main__"],
-    ["restore", "apply", "steps"],
+    ["restore", "apply", "steps", "completion", "manpages", "interpreter", "prompt"],
     ["system", "compare", "plan", "graph", "drawing", "listing", "describe", "describe_manager", "markup", "manual",
-     "search", "unbind", "composing", "unpack", "interpreter", "prompt", "printing"],
+     "search", "unbind", "composing", "unpack", "printing"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
      "configuration", "servants", "targets", "inbox", "flow", "values"],
     ["tree"],
