@@ -51,6 +51,12 @@ class BadValue(Error):
     status = 2
 
 
+class BadLine(Error):
+    """{}"""  # of rtsh
+
+    status = 2
+
+
 class NotFound(Error):
     """{}: no such path"""
 
