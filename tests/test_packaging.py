@@ -23,7 +23,8 @@ MISSING = "omniORBpy is not installed"
 # Arguments with which a command must ask somebody; the others get one path.
 ASKING = {"rtcon": ["/localhost/a.rtc:o", "/localhost/b.rtc:i"], "rtls": [], "rtpwd": [],
           "rtconf": ["/localhost/a.rtc", "list"], "rtmgr": ["-r", "/localhost/a.mgr"], "rtstodot": ["--live"]}
-LOCAL = {"rtpwd", "rtsh", "rtcheck", "rtresurrect", "rtteardown"}  # contacts nothing, or has a file to read first
+# contacts nothing, or has a file to read first
+LOCAL = {"rtpwd", "rtsh", "rtcheck", "rtresurrect", "rtteardown", "rtstart", "rtstop"}
 
 
 def names(directory, suffix=""):
