@@ -16,7 +16,7 @@ LAYERS = [
     ["system", "compare", "plan", "graph", "drawing", "listing", "describe", "describe_manager", "markup", "manual",
      "search", "unbind", "composing", "unpack"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
-     "configuration"],
+     "configuration", "fsm"],
     ["tree"],
     ["node"],
     ["orb", "cli", "installation"],
