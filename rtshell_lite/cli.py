@@ -1,5 +1,6 @@
 """What every command shares: its parser and common options, its exit status, its one line on stderr."""
 import argparse
+import collections
 import errno
 import io
 import os
@@ -168,6 +169,43 @@ def report(args, results):
     for result in results:
         if tally.add(result) and result:
             (print if args.dry_run else detail)(result)
+    return tally.status()
+
+
+def report_steps(args, outcomes, carry_out):
+    """Carry out steps (apply.Outcomes) and tell what has become of them; returns the exit status.
+
+    After --dry-run the commands that would do them by hand are printed instead. What is not required may fail without
+    spoiling the status, as in rtshell. An interruption is passed on, after the report.
+    """
+    unwind_when_ended()
+    try:
+        if not args.dry_run:
+            carry_out(outcomes, args.rollback)
+    finally:
+        status = _told(args, outcomes)
+    return status
+
+
+def _told(args, outcomes):
+    tally, counts = Tally(), collections.OrderedDict((status, 0) for status in ("done", "already so"))
+    for each in outcomes:
+        counts[each.status] = counts.get(each.status, 0) + 1
+        if args.json:
+            print(text.json_line(each.as_dict()))
+        elif args.dry_run and each.pending:
+            print(each.step.command)
+        if not each.failed:
+            good = each.status in ("done", "already so") or args.dry_run and each.pending
+            tally.done += good and not args.rollback
+            if each.status != "already so":
+                detail("%s: %s%s" % (each.step.title, each.status, " (%s)" % each.error if each.error else ""))
+        elif each.step.required:
+            tally.add(each.error)
+        else:
+            note("%s (not required)" % each.error)
+    if not args.dry_run:
+        (note if tally.statuses else detail)(", ".join("%d %s" % (number, status) for status, number in counts.items() if number))
     return tally.status()
 
 

@@ -13,10 +13,11 @@ ONCE = "it reads the source: one Python is enough"
 LAYERS = [
     ["bin"],
     ["__main__"],
+    ["restore", "apply", "steps"],
     ["system", "compare", "plan", "graph", "drawing", "listing", "describe", "describe_manager", "markup", "manual",
      "search", "unbind", "composing", "unpack"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
-     "configuration", "fsm"],
+     "configuration", "servants", "fsm"],
     ["tree"],
     ["node"],
     ["orb", "cli", "installation"],
@@ -25,7 +26,7 @@ LAYERS = [
     ["errors"],
     ["__init__"],
 ]
-OMNIORB_HOMES = {"orb", "dataport", "observer"}  # the last two serve CORBA objects themselves
+OMNIORB_HOMES = {"orb", "dataport", "servants", "observer"}  # all but the first serve CORBA objects themselves
 STUB_LAYERS = LAYERS[3] + ["node", "orb"]  # inside functions; a command must not pay for stubs that it does not use
 CATCH_ALL_HOMES = {"cli", "rpc"}
 LONGEST = 400
