@@ -17,7 +17,7 @@ LAYERS = [
     ["system", "compare", "plan", "starting", "graph", "drawing", "listing", "describe", "describe_manager", "markup",
      "manual", "search", "unbind", "composing", "unpack", "printing"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
-     "configuration", "servants", "targets", "inbox", "flow"],
+     "configuration", "servants", "targets", "inbox", "flow", "fsm"],
     ["tree"],
     ["node"],
     ["orb", "cli", "streams", "installation"],
