@@ -21,7 +21,7 @@ LAYERS = [
     ["tree"],
     ["node"],
     ["orb", "cli", "installation"],
-    ["path", "xmlprofile"],
+    ["path", "xmlprofile", "values", "constants", "construct", "cdr", "descriptors", "portable", "idl"],
     ["rpc", "text", "files", "shell"],
     ["errors"],
     ["__init__"],
