@@ -23,15 +23,23 @@ def main(arguments, run, doc, argv=None):
     """Run one command and exit: `arguments(parser)` declares, `run(args)` does the work and returns the exit status."""
     _prepare_streams()
     try:
-        _leave(_run(arguments, run, doc, sys.argv[1:] if argv is None else argv))
+        _leave(command(arguments, run, doc, sys.argv[1:] if argv is None else argv))
     except KeyboardInterrupt:
         _leave(130)
+    except Ended as e:
+        _leave(e.args[0])
 
 
-def _run(arguments, run, doc, argv):
+class Ended(BaseException):
+    """SIGTERM or SIGHUP, on its way through the `finally`s; its argument is the exit status."""
+
+
+def command(arguments, run, doc, argv):
+    """Run one command in this process, named by sys.argv[0], and return its exit status. Raises KeyboardInterrupt, Ended."""
+    before = _quiet, _verbose, rpc.timeout
     try:
         args = _parser(arguments, doc).parse_args(argv)
-        _settle(args)
+        _settle(args.quiet, args.verbose, args.timeout)
         return run(args) or 0
     except errors.Error as e:
         return complain(e)
@@ -48,6 +56,8 @@ def _run(arguments, run, doc, argv):
             traceback.print_exc()
         complain("internal error: %s: %s (RTSHELL_DEBUG=1 shows where)" % (type(e).__name__, e))
         return 70
+    finally:
+        _settle(*before)  # to those of the rtsh that runs this command
 
 
 def unwind_when_ended():
@@ -55,13 +65,17 @@ def unwind_when_ended():
     import signal
     for number in (signal.SIGTERM, signal.SIGHUP):
         if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores SIGHUP
-            signal.signal(number, lambda number, frame: sys.exit(128 + number))
+            signal.signal(number, _end)
 
 
-def _settle(args):
+def _end(number, frame):
+    raise Ended(128 + number)
+
+
+def _settle(quiet, verbose, timeout):
     global _quiet, _verbose
-    _quiet, _verbose = args.quiet, args.verbose
-    rpc.timeout = args.timeout
+    _quiet, _verbose, rpc.timeout = quiet, verbose, timeout
+    rpc.silent.clear()  # in rtsh: what was silent for one command is asked again by the next
 
 
 class _Closed(io.TextIOBase):

@@ -45,6 +45,12 @@ class BadPath(Error):
     status = 2
 
 
+class BadLine(Error):
+    """{}"""  # of rtsh
+
+    status = 2
+
+
 class BadValue(Error):
     """{}: {}"""  # type and field, why the value does not fit
 

@@ -15,7 +15,7 @@ LAYERS = [
     ["__main__"],
     ["restore", "apply", "steps"],
     ["system", "compare", "plan", "graph", "drawing", "listing", "describe", "describe_manager", "markup", "manual",
-     "search", "unbind", "composing", "unpack"],
+     "search", "unbind", "composing", "unpack", "interpreter", "prompt"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
      "configuration", "servants"],
     ["tree"],
