@@ -1,8 +1,12 @@
 """Playing a log: which entries, and when each is due."""
 import itertools
+import math
 import time
 
-from rtshell_lite import errors
+from rtshell_lite import errors, ports
+from rtshell_lite.text import printable
+
+LONGEST = 86400  # seconds: what a log asks for may be more than time.sleep takes
 
 
 class Range:
@@ -42,10 +46,27 @@ class Range:
         return number
 
 
-def due(entries, rate, cycle=None):
+def channel(log, port, name, place):
+    """The number of the channel that is played to a Port: that of the NAME, or the one at that place among all.
+
+    Raises errors.NoSuch; errors.No when the types differ.
+    """
+    where, names = ports.label(port), [each.name for each in log.channels]
+    number = names.index(name) if name in names else place if name is None and place < len(names) else None
+    if number is None:
+        raise errors.NoSuch(where, "channel in %s" % log.where, "%s (there are: %s)" % (
+            printable(name or "number %d" % (place + 1)), ", ".join(map(printable, names)) or "none"))
+    recorded, wanted = log.channels[number].type_id, port.properties.get("dataport.data_type", "")
+    if not ports.same_type(recorded, wanted):
+        raise errors.No(where, "data types differ: %s in the log, %s here" % (printable(recorded), printable(wanted)))
+    return number
+
+
+def due(entries, rate, cycle=None, seconds=None):
     """The entries, each when it is due: time runs `rate` times as fast as when they were recorded; it starts with the first.
 
-    With `cycle` (seconds) entries come only at its multiples. Clocks that were set back while recording cost no time.
+    With `cycle` (seconds) entries come only at its multiples, and after `seconds` no more. A clock that was set back while
+    recording costs no time.
     """
     begun, last, elapsed = time.monotonic(), None, 0
     for entry in entries:
@@ -54,21 +75,25 @@ def due(entries, rate, cycle=None):
         last = entry.received
         moment = elapsed / 1e9 / rate
         if cycle:
-            moment = -(-moment // cycle) * cycle
-        _wait(begun + moment)
+            moment = math.ceil(moment / cycle) * cycle
+        if not _waited(begun, moment, seconds):
+            return
         yield entry
 
 
-def portions(entries, count, cycle):
-    """The entries, `count` of them every `cycle` seconds, whenever they were recorded."""
+def portions(entries, count, cycle, seconds=None):
+    """The entries, `count` of them every `cycle` seconds, whenever they were recorded; after `seconds` no more."""
     begun = time.monotonic()
     for number, entry in enumerate(entries):
-        if number % count == 0:
-            _wait(begun + number // count * cycle)
+        if number % count == 0 and not _waited(begun, number // count * cycle, seconds):
+            return
         yield entry
 
 
-def _wait(moment):
-    seconds = moment - time.monotonic()
-    if seconds > 0:
-        time.sleep(seconds)
+def _waited(begun, moment, seconds):
+    """Wait until `moment` seconds after the begin; False when `seconds` end it before."""
+    wait = begun + (moment if seconds is None else min(moment, seconds)) - time.monotonic()
+    while wait > 0:
+        time.sleep(min(wait, LONGEST))
+        wait = begun + (moment if seconds is None else min(moment, seconds)) - time.monotonic()
+    return seconds is None or moment <= seconds

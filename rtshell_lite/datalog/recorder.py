@@ -14,24 +14,32 @@ SYNC = 5.0  # seconds between two fsyncs: a power failure costs so much
 
 
 class Recorder:
-    """Takes messages and lets a Writer write them on a thread of its own.
+    """Takes messages and lets a Writer write them on a thread of its own, from `start` on.
 
-    `accept` may be called by any thread; `done` is an Event that is set when `most` messages are in, or nothing more can
-    be written. `count` and `octets` are what was accepted, `dropped` what was not.
+    `done` is an Event that is set when `most` messages are in, or nothing more can be written. `count` and `octets` are
+    what was accepted, `dropped` what was not.
     """
 
-    def __init__(self, writer, most=None):
-        self._writer, self._most = writer, most
+    def __init__(self, most=None):
+        self._writer, self._most = None, most
         self._queue, self._octets, self._closing = [], 0, False
         self._change = threading.Condition()
         self.done = threading.Event()
         self.count = self.octets = self.dropped = 0
-        self.failure = None
+        self.failure = self._thread = None
+
+    def start(self, writer):
+        """Write what has come and what will come."""
+        self._writer = writer
         self._thread = threading.Thread(target=self._write, daemon=True)
         self._thread.start()
 
-    def accept(self, channel, message):
-        """Put one dataport.Message of a channel (its number) into the queue, or drop it; never waits."""
+    def taker(self, channel):
+        """A function for messages of a channel (its number), to be called by any thread."""
+        return lambda message: self._accept(channel, message)
+
+    def _accept(self, channel, message):
+        """Put one dataport.Message into the queue, or drop it; never waits."""
         size = len(message.data)
         with self._change:
             if self.done.is_set() or self._closing:
@@ -48,12 +56,17 @@ class Recorder:
             if len(self._queue) == 1:
                 self._change.notify()
 
-    def close(self):
-        """Take no more, and wait until all is written and on the disk. Raises OSError: why writing failed."""
+    def stop(self):
+        """Take no more."""
         with self._change:
             self._closing = True
             self._change.notify()
-        self._thread.join()
+
+    def close(self):
+        """Take no more, and wait until all is written and on the disk. Raises OSError: why writing failed."""
+        self.stop()
+        if self._thread:
+            self._thread.join()
         if self.failure:
             raise self.failure
 
