@@ -62,7 +62,7 @@ def channel(log, port, name, place):
     return number
 
 
-def due(entries, rate, cycle=None, seconds=None):
+def due(entries, rate, cycle=None, seconds=math.inf):
     """The entries, each when it is due: time runs `rate` times as fast as when they were recorded; it starts with the first.
 
     With `cycle` (seconds) entries come only at its multiples, and after `seconds` no more. A clock that was set back while
@@ -81,7 +81,7 @@ def due(entries, rate, cycle=None, seconds=None):
         yield entry
 
 
-def portions(entries, count, cycle, seconds=None):
+def portions(entries, count, cycle, seconds=math.inf):
     """The entries, `count` of them every `cycle` seconds, whenever they were recorded; after `seconds` no more."""
     begun = time.monotonic()
     for number, entry in enumerate(entries):
@@ -92,8 +92,7 @@ def portions(entries, count, cycle, seconds=None):
 
 def _waited(begun, moment, seconds):
     """Wait until `moment` seconds after the begin; False when `seconds` end it before."""
-    wait = begun + (moment if seconds is None else min(moment, seconds)) - time.monotonic()
-    while wait > 0:
-        time.sleep(min(wait, LONGEST))
-        wait = begun + (moment if seconds is None else min(moment, seconds)) - time.monotonic()
-    return seconds is None or moment <= seconds
+    end = begun + min(moment, seconds)
+    while time.monotonic() < end:
+        time.sleep(max(0, min(end - time.monotonic(), LONGEST)))
+    return moment <= seconds

@@ -1,96 +1,63 @@
-"""Recording: a bounded queue between the threads that receive messages and the one that writes them.
-
-A sender waits for its `put` to return: nothing here makes it wait for a disk. What the queue cannot hold is dropped and
-counted.
-"""
+"""Recording: what waits in an inbox.Inbox is written by a thread of its own, so that no sender waits for a disk."""
 import threading
 import time
 
-from rtshell_lite.datalog import blocks
+from rtshell_lite import inbox
 
-ROOM = 64 << 20  # octets that may wait
-COUNT = 200000  # messages that may wait: small ones cost more than their octets
-SYNC = 5.0  # seconds between two fsyncs: a power failure costs so much
+VALUES, OCTETS = 200000, 64 << 20  # that may wait; robots have little memory
+TICK = 0.1  # seconds between two looks whether recording is over
+SYNC = 5.0  # seconds between two fsyncs: what a power failure costs
 
 
 class Recorder:
-    """Takes messages and lets a Writer write them on a thread of its own, from `start` on.
+    """Writes the Messages that come into its `box`, whose keys are numbers of channels.
 
-    `done` is an Event that is set when `most` messages are in, or nothing more can be written. `count` and `octets` are
-    what was accepted, `dropped` what was not.
+    `done` is an Event that is set when `most` messages are written, or no more can be. `count` and `octets` tell how many
+    were written, `failure` (OSError or None) why no more could be.
     """
 
     def __init__(self, most=None):
-        self._writer, self._most = None, most
-        self._queue, self._octets, self._closing = [], 0, False
-        self._change = threading.Condition()
-        self.done = threading.Event()
-        self.count = self.octets = self.dropped = 0
+        self.box, self._most = inbox.Inbox(VALUES, OCTETS), most
+        self.count = self.octets = 0
         self.failure = self._thread = None
+        self.done, self._stopped = threading.Event(), threading.Event()
 
     def start(self, writer):
-        """Write what has come and what will come."""
-        self._writer = writer
-        self._thread = threading.Thread(target=self._write, daemon=True)
+        """Write what has come and what will come with a Writer (of writer or textlog)."""
+        self._thread = threading.Thread(target=self._run, args=(writer,), daemon=True)
         self._thread.start()
 
-    def taker(self, channel):
-        """A function for messages of a channel (its number), to be called by any thread."""
-        return lambda message: self._accept(channel, message)
-
-    def _accept(self, channel, message):
-        """Put one dataport.Message into the queue, or drop it; never waits."""
-        size = len(message.data)
-        with self._change:
-            if self.done.is_set() or self._closing:
-                return
-            if self._octets + size > ROOM or len(self._queue) >= COUNT or size > blocks.LARGEST:
-                self.dropped += 1
-                return
-            self._queue.append((channel, message.received, message.little, message.data))
-            self._octets += size
-            self.count += 1
-            self.octets += size
-            if self.count == self._most:
-                self.done.set()
-            if len(self._queue) == 1:
-                self._change.notify()
-
-    def stop(self):
-        """Take no more."""
-        with self._change:
-            self._closing = True
-            self._change.notify()
-
     def close(self):
-        """Take no more, and wait until all is written and on the disk. Raises OSError: why writing failed."""
-        self.stop()
+        """Wait until all that has come is written and on the disk. Raises OSError: why writing failed."""
+        self._stopped.set()
         if self._thread:
             self._thread.join()
         if self.failure:
             raise self.failure
 
-    def _write(self):
-        due, closing = time.monotonic() + SYNC, False
+    def _run(self, writer):
         try:
-            while not closing:
-                batch, closing = self._next(due - time.monotonic())
-                self._writer.write(batch)
-                if time.monotonic() >= due:
-                    self._writer.sync()
-                    due = time.monotonic() + SYNC
+            self._write(writer)
         except OSError as e:
             self.failure = e
         try:
-            self._writer.close()
+            writer.close()
         except OSError as e:
             self.failure = self.failure or e
         self.done.set()
 
-    def _next(self, seconds):
-        """All that waits (at most so many seconds until there is something), and whether it is the last."""
-        with self._change:
-            if not self._queue and not self._closing:
-                self._change.wait(max(seconds, 0))
-            batch, self._queue, self._octets = self._queue, [], 0
-            return batch, self._closing
+    def _write(self, writer):
+        due, last = time.monotonic() + SYNC, False
+        while not (last or self.done.is_set()):
+            last = self._stopped.is_set()
+            batch = self.box.get(0 if last else TICK)
+            if self._most is not None:
+                batch = batch[:self._most - self.count]
+            writer.write([(channel, message.received, message.little, message.data) for channel, message in batch])
+            self.count += len(batch)
+            self.octets += sum(len(message.data) for _, message in batch)
+            if self.count == self._most:
+                self.done.set()
+            if time.monotonic() >= due:
+                writer.sync()
+                due = time.monotonic() + SYNC
