@@ -38,7 +38,7 @@ def command(arguments, run, doc, argv):
     """Run one command in this process, named by sys.argv[0], and return its exit status. Raises KeyboardInterrupt, Ended."""
     before = _quiet, _verbose, rpc.timeout
     try:
-        args = _parser(arguments, doc).parse_args(argv)
+        args = parser(arguments, doc, os.path.basename(sys.argv[0])).parse_args(argv)
         _settle(args.quiet, args.verbose, args.timeout)
         return run(args) or 0
     except errors.Error as e:
@@ -61,7 +61,10 @@ def command(arguments, run, doc, argv):
 
 
 def unwind_when_ended():
-    """Let SIGTERM and SIGHUP end the command as Ctrl-C does, by way of its `finally`s: it has put something into a component."""
+    """Let SIGTERM and SIGHUP end the command as Ctrl-C does, by way of its `finally`s: it has put something into a component.
+
+    The first of them counts: a terminal that closes and systemd send both, and the second must not cut the unwinding short.
+    """
     import signal
     for number in (signal.SIGTERM, signal.SIGHUP):
         if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores SIGHUP
@@ -69,6 +72,9 @@ def unwind_when_ended():
 
 
 def _end(number, frame):
+    import signal
+    for each in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(each, signal.SIG_IGN)
     raise Ended(128 + number)
 
 
@@ -235,6 +241,26 @@ class _Parser(argparse.ArgumentParser):
         options, words = self._sorted(argv)
         return super().parse_args(options + ["--"] + words if words else options)
 
+    def unfinished(self, words):
+        """What the first words of a command line leave open, for completion.
+
+        Returns the words that are no options, the option whose value comes next (None), and whether `--` ended the options.
+        Raises Usage for an unknown option.
+        """
+        others, rest = [], list(words)
+        while rest:
+            word = rest.pop(0)
+            if word == "--":
+                return others + rest, None, True
+            if not self._is_option(word):
+                others.append(word)
+                continue
+            last = not rest
+            action = self._option_string_actions.get(self._option(word, rest)[-1])  # None when a value is glued to it
+            if last and action and action.nargs != 0:
+                return others, action, False
+        return others, None, False
+
     def _sorted(self, argv):
         """Separate options with their values from the other words; argparse itself cannot mix them on all Pythons."""
         options, words, rest = [], [], list(argv)
@@ -286,9 +312,10 @@ class _Parser(argparse.ArgumentParser):
         return [word + glue + value] if value.startswith("-") else [word, value]  # argparse would take -n -x for two options
 
 
-def _parser(arguments, doc):
+def parser(arguments, doc, prog):
+    """The parser of the command called `prog`, whose file has these `arguments` and this docstring."""
     summary, _, details = doc.strip().partition("\n\n")
-    parser = _Parser(prog=os.path.basename(sys.argv[0]), description=summary, add_help=False,
+    parser = _Parser(prog=prog, description=summary, add_help=False,
                      epilog=(details + "\n\n" if details else "") + EXIT_STATUSES,
                      formatter_class=_formatter)
     arguments(parser)
@@ -296,8 +323,11 @@ def _parser(arguments, doc):
     parser.add_argument(*[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
                         help="tell on stderr what is done")
     parser.add_argument("-q", "--quiet", action="store_true", help="no notes on stderr, errors only")
-    parser.add_argument("--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
-                        help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)")
+    if "--timeout" in taken:  # how long rtprint, rtinject and rtlog run
+        parser.set_defaults(timeout=_default_timeout())
+    else:
+        parser.add_argument("--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
+                            help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)")
     parser.add_argument("--version", action="version", version=__version__)
     parser.add_argument("-h", "--help", action="help", help="show this and exit")
     return parser
@@ -333,12 +363,13 @@ def one_of(*words):
         if word not in words:
             raise argparse.ArgumentTypeError("not one of %s: %s" % (", ".join(words), text.printable(word)))
         return word
+    check.words = words  # for completion
     return check
 
 
 def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
-    """The positional arguments `paths`."""
-    parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)
+    """The positional arguments `paths`; `metavar` tells completion.py what they are."""
+    return parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)
 
 
 def parsed(words):

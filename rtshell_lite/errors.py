@@ -45,14 +45,14 @@ class BadPath(Error):
     status = 2
 
 
-class BadLine(Error):
-    """{}"""  # of rtsh
+class BadValue(Error):
+    """{}: {}"""  # type and field, why the value does not fit
 
     status = 2
 
 
-class BadValue(Error):
-    """{}: {}"""  # type and field, why the value does not fit
+class BadLine(Error):
+    """{}"""  # of rtsh
 
     status = 2
 

@@ -347,8 +347,9 @@ def _forgetting_failed(each, operation, connector_id):
         raise
     except errors.Unreachable as e:  # may be the far end's death, passed on
         return e
-    if code in ("RTC_OK", "BAD_PARAMETER"):  # BAD_PARAMETER: it does not know the connector, so it is gone
+    if code == "RTC_OK":
         return None
+    # BAD_PARAMETER: it does not know the connector; or another end does not, which it has asked to tell all the others
     return errors.Refused(label(each), "cannot remove connection %s (%s)" % (printable(from_wire(connector_id)), code))
 
 

@@ -302,12 +302,11 @@ def _connections(profile, at):
         made.append([apply.Outcome(step, error=error)])
         if error is None:
             broken += _seen(made, step)
-    strangers = rpc.gather([rpc.Job(orb.endpoint(ref), "", lambda ref=ref: orb.is_alive("", ref)) for _, refs in broken
-                            for ref in refs])
-    answers = iter(strangers)
+    answers = iter(rpc.gather([rpc.Job(orb.endpoint(ref), "", lambda ref=ref: orb.is_alive("", ref))
+                               for _, refs in broken for ref in refs]))
     for outcomes, refs in broken:
-        alive = [not steps.is_gone(answer) for answer in [next(answers) for _ in refs]]
-        _mend(outcomes, any(alive))
+        found = [next(answers) for _ in refs]
+        _mend(outcomes, any(isinstance(answer, errors.Silent) or not isinstance(answer, errors.Error) for answer in found))
     return [each for outcomes in made for each in outcomes]
 
 

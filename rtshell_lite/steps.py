@@ -79,6 +79,9 @@ class Step:
     def undo(self, before, after):
         """Undo it; the answers before and after it was done."""
 
+    def give_up(self, error):
+        """Note for the steps that follow that it could not be done."""
+
 
 def given(answers):
     """The answers; raises the first error among them."""
@@ -146,6 +149,9 @@ class Create(Step):
 
     def undo(self, before, after):
         manager.delete(self.holder.node, self.site.instance)
+
+    def give_up(self, error):
+        self.site.error = error
 
 
 class Members(Step):
