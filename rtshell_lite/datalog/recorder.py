@@ -3,6 +3,7 @@ import threading
 import time
 
 from rtshell_lite import inbox
+from rtshell_lite.datalog import blocks
 
 VALUES, OCTETS = 200000, 64 << 20  # that may wait; robots have little memory
 TICK = 0.1  # seconds between two looks whether recording is over
@@ -46,11 +47,18 @@ class Recorder:
             self.failure = self.failure or e
         self.done.set()
 
+    def _fits(self, channel, message):
+        if len(message.data) <= blocks.LARGEST:
+            return True
+        self.box.dropped[channel] += 1
+        return False
+
     def _write(self, writer):
         due, last = time.monotonic() + SYNC, False
         while not (last or self.done.is_set()):
             last = self._stopped.is_set()
             batch = self.box.get(0 if last else TICK)
+            batch = [each for each in batch if self._fits(*each)]
             if self._most is not None:
                 batch = batch[:self._most - self.count]
             writer.write([(channel, message.received, message.little, message.data) for channel, message in batch])

@@ -19,8 +19,8 @@ class Writer:
         """Append messages, each (channel number, received, little, data). Raises OSError."""
         try:
             for channel, received, little, data in messages:
-                line = "%d.%09d\t(%r, %s)\n" % (divmod(received, 10 ** 9) + (self._names[channel],
-                                                                            self._spelt(channel, little, data)))
+                said = (self._names[channel], self._spelt(channel, little, data))
+                line = "%d.%09d\t(%r, %s)\n" % (divmod(received, 10 ** 9) + said)
                 self._file.write(line.encode("utf-8", "backslashreplace"))
             self._file.flush()
         except OSError as e:
