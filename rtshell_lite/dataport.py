@@ -52,15 +52,15 @@ class Pull:
 def count_writes(port, seconds):
     """How many values a DataOutPort is given within `seconds`: (count, seconds between the first and the last look)."""
     with Pull(port) as source:
-        _drain(source)  # values from before may be there
+        drain(source)  # values from before may be there
         count, start = 0, time.monotonic()
         while time.monotonic() - start < seconds:
             time.sleep(POLL)
-            count += _drain(source)
+            count += drain(source)
         return count, time.monotonic() - start
 
 
-def _drain(source):
+def drain(source):
     """Fetch what is queued and return how many values there were; one that never runs dry is left after a queue of them."""
     for count in range(QUEUE):
         if source.get() is None:

@@ -1,0 +1,188 @@
+"""Each component that lives: its ports, execution contexts and states, and whether it knows the name it is bound by."""
+import collections
+
+from rtshell_lite import component, errors, orb, ports, rpc
+from rtshell_lite.doctor.finding import counted, fail, ok, warn
+from rtshell_lite.text import printable, shell_word
+
+
+class Examined:
+    """A component and what could be asked of it; where it fell silent or refused, the rest is missing.
+
+    nodes     the Nodes by which it is bound, sorted by path; `node` is the first
+    asking    what it was asked for last, in words
+    error     the errors.Error that ended the questions, or None
+    ports     its ports.Ports; `refusing` (number from 1, errors.Error) of ports that do not tell their profiles
+    dropped   names of ports that have just dropped a connection whose far end is dead
+    contexts  component.Contexts, None where one of another component does not answer; `states` in them
+    profile   its component.Profile, or None
+    """
+
+    def __init__(self, nodes):
+        self.nodes, self.node = nodes, nodes[0]
+        self.asking, self.error, self.profile = "its ports", None, None
+        self.ports, self.refusing, self.dropped, self.contexts, self.states = [], [], [], [], []
+
+    @property
+    def where(self):
+        """Its path, spelt for the terminal."""
+        return str(self.node.path)
+
+    @property
+    def word(self):
+        """Its path as a word of a command."""
+        return shell_word(self.where)
+
+
+def examined(nodes):
+    """An Examined for each component among the Nodes, each object once, however often it is bound."""
+    by_object = collections.OrderedDict()
+    for node in sorted(nodes, key=lambda node: str(node.path)):
+        if node.kind == "component":
+            by_object.setdefault(orb.identity(node.ref), []).append(node)
+    all_of_them = [Examined(nodes) for nodes in by_object.values()]
+    jobs = [rpc.Job(each.node.endpoint, each.where, lambda each=each: _ask(each)) for each in all_of_them]
+    for each, answer in zip(all_of_them, rpc.gather(jobs)):
+        each.error = answer if isinstance(answer, errors.Error) else None
+    return all_of_them
+
+
+def _ask(each):
+    """Ask a component, in the order that harms none: ports, contexts, and the profile only when all ports have answered."""
+    node = each.node
+    for number, ref in enumerate(ports.refs(node), 1):
+        each.asking = "the profile of its port %d" % number
+        failed_once = []
+        try:
+            found = ports.port(node, ref, lambda call: _noting(call, failed_once))
+        except errors.Silent:
+            raise
+        except errors.Error as e:
+            each.refusing.append((number, e))
+            continue
+        each.ports.append(found)
+        each.dropped += [found] * len(failed_once)
+    each.asking = "its execution contexts"
+    owned, participating = component.context_refs(node)
+    each.contexts = component.contexts(node, owned + participating)
+    each.states = component.states(node, owned + participating)
+    each.asking = "its profile"
+    if not each.refusing:
+        each.profile = component.profile(node)
+
+
+def _noting(call, failures):
+    """`component.once_more`, which also notes the failure: it tells that the port had a connection with a dead far end."""
+    try:
+        return call()
+    except (errors.Silent, errors.Refused):
+        raise
+    except errors.Unreachable as e:
+        failures.append(e)
+        return call()
+
+
+# ---- findings -------------------------------------------------------------------------------------------------
+
+def findings(all_of_them, rates):
+    """Findings on all components, sorted by path; `rates` tells what was measured, see rates.findings."""
+    found = []
+    for each in all_of_them:
+        troubles = _troubles(each) + rates.get(each.where, [])
+        found += troubles
+        if not any(one.level == "fail" for one in troubles) and each.error is None:
+            found.append(ok("component", each.where, _summary(each)))
+    return sorted(found, key=lambda one: one.path)
+
+
+def _troubles(each):
+    found = _names(each) + _ports(each)
+    if each.error is not None:
+        return found + [_stopped_answering(each)]
+    return found + _contexts(each)
+
+
+def _summary(each):
+    """Active, 1000 Hz, 2 ports, 1 connection."""
+    state = component.merged(each.states)
+    rates = ["%g Hz" % one.rate for one in each.contexts if one is not None and one.running and one.kind == "Periodic"]
+    number = len({one.id for port in each.ports for one in port.connectors})
+    return ", ".join([state] + rates[:1] + [counted(len(each.ports), "port"), counted(number, "connection")])
+
+
+def _stopped_answering(each):
+    e = each.error
+    if e.args[1:] == (rpc.NO_TIME,):
+        return warn("component", each.where, "not looked at: " + rpc.NO_TIME, "rtdoctor --timeout 30 " + each.word)
+    if isinstance(e, errors.Refused) and e.name in ("BAD_OPERATION", "NO_IMPLEMENT"):
+        return fail("reference", each.where, "somebody else's: it knows nothing of %s" % each.asking, "rtdel " + each.word)
+    if isinstance(e, errors.Silent):
+        far = ", perhaps because the far end of a connection hangs" if "port" in each.asking else ""
+        return fail("component", each.where, "hangs when asked for %s%s" % (each.asking, far), _restart(each))
+    return fail("component", each.where, "does not tell %s (%s)" % (each.asking, e.args[-1]), _restart(each))
+
+
+def _restart(each):
+    return "end and restart it: rtexit %s, or its process: netstat -ltnp | grep :%d" % (each.word, each.node.endpoint[1])
+
+
+# ---- names ----------------------------------------------------------------------------------------------------
+
+def _names(each):
+    """Names that a component has been given by others; its own are in its property naming.names."""
+    if each.profile is None:
+        return []
+    own = dict(each.profile.properties).get("naming.names", "")
+    if not own:
+        return []
+    known = [node for node in each.nodes if _bound_as(node) in own.split(",")]
+    strange = [node for node in each.nodes if node not in known]
+    if known:
+        return [_on_name(node, "the same component as " + str(known[0].path), "rtdel %s") for node in strange]
+    message = "somebody else's name: this component calls itself " + printable(own)
+    return [_on_name(node, message, "restart who should have this name; else: rtdel %s") for node in strange]
+
+
+def _on_name(node, message, remedy):
+    return warn("reference", str(node.path), message, remedy % shell_word(str(node.path)))
+
+
+def _bound_as(node):
+    """Its path below the name server as OpenRTM writes it: no escapes."""
+    return "/".join(name.id + "." + name.kind if name.kind else name.id for name in node.path.names)
+
+
+# ---- ports ----------------------------------------------------------------------------------------------------
+
+def _ports(each):
+    found = [fail("port", each.where, "its port %d refuses its profile (%s)" % (number, e.args[-1]), _restart(each))
+             for number, e in each.refusing]
+    message = "had a connection whose far end is dead, and dropped it when asked"
+    return found + [warn("connection", ports.label(port), message, "restart the far end and connect it again: rtcon")
+                    for port in each.dropped]
+
+
+# ---- execution contexts ---------------------------------------------------------------------------------------
+
+def _contexts(each):
+    """Errors, and what keeps a component from being executed."""
+    if not each.contexts:
+        return [fail("context", each.where, "has no execution context: nothing executes it", _restart(each))]
+    found = []
+    for index, (context, state) in enumerate(zip(each.contexts, each.states)):
+        which = " -e %d" % index if index else ""
+        if context is None:
+            message = "its execution context %d belongs to another component, which does not answer" % index
+            found.append(warn("context", each.where, message, "rtec%s %s" % (which, each.word)))
+        elif state == "Error":
+            found.append(fail("component", each.where, "in Error", "rtreset%s %s" % (which, each.word)))
+    alive = [one for one in each.contexts if one is not None]
+    if alive and not any(one.running for one in alive):
+        message = "its execution context is stopped: nothing executes it"
+        found.append(fail("context", each.where, message, "rtec %s start" % each.word))
+    for index, context in enumerate(each.contexts):
+        if context is not None and context.running and context.kind == "Periodic" and not context.rate > 0:
+            which = " -e %d" % index if index else ""
+            found.append(fail("context", each.where, "its execution context has a rate of %g Hz" % context.rate,
+                              "rtec%s %s rate 100" % (which, each.word)))
+    return found
