@@ -13,8 +13,7 @@ ONCE = "it reads the source: one Python is enough"
 LAYERS = [
     ["bin"],
     ["__main__"],
-    ["doctor"],
-    ["system", "compare", "plan", "graph", "drawing", "listing", "describe", "describe_manager", "markup", "manual",
+    ["system", "compare", "plan", "graph", "drawing", "listing", "describe", "describe_manager", "doctor", "markup", "manual",
      "search", "unbind", "composing", "unpack"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
      "configuration"],

@@ -44,7 +44,8 @@ def _robot(tops, measure):
     nodes = [node for visit in visits for node in visit.nodes]
     examined = components.examined(nodes)
     links, managed = connections.findings(examined), managers.findings(nodes)
-    yield components.findings(examined, _rates(examined, measure) if measure else {})
+    hung = sorted(str(node.path) for node in nodes if node.kind == "silent")
+    yield components.findings(examined, _rates(examined, measure) if measure else {}, hung)
     yield links
     yield managed
 

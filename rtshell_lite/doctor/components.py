@@ -2,15 +2,18 @@
 import collections
 
 from rtshell_lite import component, errors, orb, ports, rpc
-from rtshell_lite.doctor.finding import counted, fail, ok, warn
+from rtshell_lite.doctor.finding import counted, fail, ok, reason, warn
 from rtshell_lite.text import printable, shell_word
+
+
+MOST = 3  # names of one component that are told one by one
 
 
 class Examined:
     """A component and what could be asked of it; where it fell silent or refused, the rest is missing.
 
     nodes     the Nodes by which it is bound, sorted by path; `node` is the first
-    asking    what it was asked for last, in words
+    asking    what it was asked for last, in words, '' as long as it has not been asked
     error     the errors.Error that ended the questions, or None
     ports     its ports.Ports; `refusing` (number from 1, errors.Error) of ports that do not tell their profiles
     dropped   names of ports that have just dropped a connection whose far end is dead
@@ -20,7 +23,7 @@ class Examined:
 
     def __init__(self, nodes):
         self.nodes, self.node = nodes, nodes[0]
-        self.asking, self.error, self.profile = "its ports", None, None
+        self.asking, self.error, self.profile = "", None, None
         self.ports, self.refusing, self.dropped, self.contexts, self.states = [], [], [], [], []
 
     @property
@@ -49,7 +52,7 @@ def examined(nodes):
 
 def _ask(each):
     """Ask a component, in the order that harms none: ports, contexts, and the profile only when all ports have answered."""
-    node = each.node
+    node, each.asking = each.node, "its ports"
     for number, ref in enumerate(ports.refs(node), 1):
         each.asking = "the profile of its port %d" % number
         failed_once = []
@@ -84,46 +87,65 @@ def _noting(call, failures):
 
 # ---- findings -------------------------------------------------------------------------------------------------
 
-def findings(all_of_them, rates):
-    """Findings on all components, sorted by path; `rates` tells what was measured, see rates.findings."""
+def findings(all_of_them, rates, hung):
+    """Findings on all components, sorted by path.
+
+    rates  what was measured, see rates.measured
+    hung   paths of what does not answer at all: those connected to it may seem to hang, too
+    """
     found = []
     for each in all_of_them:
-        troubles = _troubles(each) + rates.get(each.where, [])
+        troubles = _troubles(each, hung) + rates.get(each.where, [])
         found += troubles
         if not any(one.level == "fail" for one in troubles) and each.error is None:
             found.append(ok("component", each.where, _summary(each)))
-    return sorted(found, key=lambda one: one.path)
+    return sorted(found, key=lambda one: one.path) + _nothing_moves(all_of_them)
 
 
-def _troubles(each):
+def _nothing_moves(all_of_them):
+    """A robot does not work, either, when everything is well and nobody has started it."""
+    states = [component.merged(each.states) for each in all_of_them if each.states]
+    if not states or any(state != "Inactive" for state in states):
+        return []
+    words = [each.word for each in all_of_them[:MOST]] + ["..."] * (len(all_of_them) > MOST)
+    return [warn("component", "/", "all components are Inactive: nothing has been started", "rtact " + " ".join(words))]
+
+
+def _troubles(each, hung):
     found = _names(each) + _ports(each)
     if each.error is not None:
-        return found + [_stopped_answering(each)]
+        return found + [_stopped_answering(each, hung)]
     return found + _contexts(each)
 
 
 def _summary(each):
     """Active, 1000 Hz, 2 ports, 1 connection."""
     state = component.merged(each.states)
-    rates = ["%g Hz" % one.rate for one in each.contexts if one is not None and one.running and one.kind == "Periodic"]
+    rate = next(("claims %g Hz" % one.rate for one in each.contexts if _is_periodic(one)), "not periodic")
     number = len({one.id for port in each.ports for one in port.connectors})
-    return ", ".join([state] + rates[:1] + [counted(len(each.ports), "port"), counted(number, "connection")])
+    return ", ".join([state, rate] + [counted(len(each.ports), "port"), counted(number, "connection")])
 
 
-def _stopped_answering(each):
+def _stopped_answering(each, hung):
     e = each.error
     if e.args[1:] == (rpc.NO_TIME,):
         return warn("component", each.where, "not looked at: " + rpc.NO_TIME, "rtdoctor --timeout 30 " + each.word)
+    if isinstance(e, errors.Silent) and not each.asking:
+        message = "not looked at: others of its process hang"
+        return warn("component", each.where, message, "mend those first, then: rtdoctor " + each.word)
     if isinstance(e, errors.Refused) and e.name in ("BAD_OPERATION", "NO_IMPLEMENT"):
-        return fail("reference", each.where, "somebody else's: it knows nothing of %s" % each.asking, "rtdel " + each.word)
+        message = "somebody else's: it is registered as a component, and is none"
+        return fail("reference", each.where, message, "rtdel " + each.word)
     if isinstance(e, errors.Silent):
-        far = ", perhaps because the far end of a connection hangs" if "port" in each.asking else ""
-        return fail("component", each.where, "hangs when asked for %s%s" % (each.asking, far), _restart(each))
-    return fail("component", each.where, "does not tell %s (%s)" % (each.asking, e.args[-1]), _restart(each))
+        message = "hangs when asked for " + each.asking
+        if "port" in each.asking and hung:  # a port asks the far ends of its connections before it answers
+            return fail("component", each.where, message + ", maybe waiting for a hung far end", "mend %s first" % hung[0])
+        return fail("component", each.where, message, _restart(each))
+    return fail("component", each.where, "does not tell %s (%s)" % (each.asking, reason(e)), _restart(each))
 
 
 def _restart(each):
-    return "end and restart it: rtexit %s, or its process: netstat -ltnp | grep :%d" % (each.word, each.node.endpoint[1])
+    return "restart it; netstat -ltnp | grep :%d there names its process" % each.node.endpoint[1]
 
 
 # ---- names ----------------------------------------------------------------------------------------------------
@@ -138,9 +160,14 @@ def _names(each):
     known = [node for node in each.nodes if _bound_as(node) in own.split(",")]
     strange = [node for node in each.nodes if node not in known]
     if known:
-        return [_on_name(node, "the same component as " + str(known[0].path), "rtdel %s") for node in strange]
-    message = "somebody else's name: this component calls itself " + printable(own)
-    return [_on_name(node, message, "restart who should have this name; else: rtdel %s") for node in strange]
+        message, remedy = "the same component as " + str(known[0].path), "rtdel %s"
+    else:
+        message = "somebody else's name: this component calls itself " + printable(own)
+        remedy = "restart who should have this name; else: rtdel %s"
+    found = [_on_name(node, message, remedy) for node in strange[:MOST]]
+    if strange[MOST:]:
+        found.append(_on_name(strange[MOST], "and %s like it" % counted(len(strange) - MOST, "name"), remedy))
+    return found
 
 
 def _on_name(node, message, remedy):
@@ -155,7 +182,7 @@ def _bound_as(node):
 # ---- ports ----------------------------------------------------------------------------------------------------
 
 def _ports(each):
-    found = [fail("port", each.where, "its port %d refuses its profile (%s)" % (number, e.args[-1]), _restart(each))
+    found = [fail("port", each.where, "its port %d refuses its profile (%s)" % (number, reason(e)), _restart(each))
              for number, e in each.refusing]
     message = "had a connection whose far end is dead, and dropped it when asked"
     return found + [warn("connection", ports.label(port), message, "restart the far end and connect it again: rtcon")
@@ -181,8 +208,13 @@ def _contexts(each):
         message = "its execution context is stopped: nothing executes it"
         found.append(fail("context", each.where, message, "rtec %s start" % each.word))
     for index, context in enumerate(each.contexts):
-        if context is not None and context.running and context.kind == "Periodic" and not context.rate > 0:
+        if _is_periodic(context) and not context.rate > 0:
             which = " -e %d" % index if index else ""
             found.append(fail("context", each.where, "its execution context has a rate of %g Hz" % context.rate,
                               "rtec%s %s rate 100" % (which, each.word)))
     return found
+
+
+def _is_periodic(context):
+    """True for a context that is there, runs, and executes its components at a rate."""
+    return context is not None and context.running and context.kind == "Periodic"

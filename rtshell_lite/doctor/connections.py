@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import errors, orb, ports, rpc, system
-from rtshell_lite.doctor.finding import fail, warn
+from rtshell_lite.doctor.finding import fail, reason, warn
 from rtshell_lite.text import printable, shell_word
 
 # One connection as its first end, the ports.Port `port` of the Examined `each`, tells it; `connector` is a ports.Connector.
@@ -103,16 +103,15 @@ def _troubles(link, ends):
     undo = "rtdis -i %s %s" % (shell_word(connector.id), shell_word(where))
     if None in connector.ports:
         return [fail("connection", where, "connection %s has an end that is nothing (nil)" % _called(connector), undo)]
-    others = [ends[orb.identity(ref)] for ref in connector.ports if not orb.same(ref, link.port.ref)]
-    found = []
+    others, found = [ends[orb.identity(ref)] for ref in connector.ports if not orb.same(ref, link.port.ref)], []
     for end in others:
         if end.port is None:
             found.append(_lost(where, end, undo))
         elif connector.id not in [one.id for one in end.port.connectors]:
             found.append(fail("connection", where, "connection %s is one-sided: %s does not know it" % (
-                _called(connector), end.name), undo + "; then connect them again: rtcon"))
+                _called(connector), end.name), "%s; %s" % (undo, _redo(link, others))))
         else:
-            found += _differences(where, connector, end, undo)
+            found += _differences(link, end, "%s; %s" % (undo, _redo(link, others)))
     if not others:
         return _left_behind(link, where, undo)
     if all(end.port is not None for end in others):
@@ -124,16 +123,24 @@ def _called(connector):
     return printable(connector.name or connector.id)
 
 
+def _redo(link, others):
+    """The command that connects all ends again as this one has it."""
+    given = {key: value for key, value in link.connector.properties if key in SETTLED}
+    found = [link.port] + [end.port for end in others if end.port is not None]
+    return ports.command(found, link.connector.name, "", given)
+
+
 def _lost(where, end, undo):
     """The far end of a connection does not answer."""
     if isinstance(end.error, (errors.Gone, errors.ConnectionRefused)):
         return fail("connection", where, "the far end of a connection is dead (%s)" % end.name, undo)
-    return fail("connection", where, "the far end of a connection does not answer (%s: %s)" % (end.name, end.error.args[-1]),
+    return fail("connection", where, "the far end of a connection does not answer (%s: %s)" % (end.name, reason(end.error)),
                 "restart the process of the far end, or: " + undo)
 
 
-def _differences(where, connector, end, undo):
+def _differences(link, end, remedy):
     """Properties that the two ends of a connection have stored otherwise."""
+    where, connector = ports.label(link.port), link.connector
     far = dict(next(one for one in end.port.connectors if one.id == connector.id).properties)
     near = dict(connector.properties)
     found = []
@@ -142,7 +149,7 @@ def _differences(where, connector, end, undo):
         if _is_reference(key, one) or _is_reference(key, other) or _plain(key, one) == _plain(key, other):
             continue
         found.append(warn("connection", where, "%s is %s here, %s at %s" % (
-            printable(key), _shown(one), _shown(other), end.name), undo + "; then connect them again: rtcon"))
+            printable(key), _shown(one), _shown(other), end.name), remedy))
     return found
 
 
@@ -160,15 +167,15 @@ def _shown(value):
 
 
 def _mismatches(link, where, found, undo):
-    """Why these ports should not be connected in this way: components themselves connect nearly everything."""
+    """Why these ports should not be connected in this way (components themselves connect nearly everything)."""
     if link.port.type not in ports.DATA:
         return []
     properties = {key: _plain(key, value) for key, value in link.connector.properties if key in SETTLED}
     if properties.get("dataport.dataflow_type") == "pull":
         properties.pop("dataport.subscription_type", None)  # it says nothing then
     far = ", ".join(ports.label(port) for port in found[1:])
-    return [fail("connection", where, "connected to %s: %s" % (far, reason), undo)
-            for reason in ports.mismatches(found, properties)]
+    return [fail("connection", where, "connected to %s: %s" % (far, why), undo)
+            for why in ports.mismatches(found, properties)]
 
 
 def _left_behind(link, where, undo):
@@ -179,7 +186,8 @@ def _left_behind(link, where, undo):
     try:
         orb.is_alive(where, orb.from_text(where, ior))
     except (errors.Gone, errors.ConnectionRefused):
-        return [warn("connection", where, "connection %s was left behind by a tool that is gone" % _called(link.connector), undo)]
+        message = "connection %s was left behind by a tool that is gone" % _called(link.connector)
+        return [warn("connection", where, message, undo)]
     except errors.Error:
         pass  # it may live where we cannot reach it
     return []

@@ -26,3 +26,8 @@ def fail(check, path, message, remedy):
 def counted(number, noun):
     """`1 port`, `2 ports`."""
     return "%d %s%s" % (number, noun, "" if number == 1 else "s")
+
+
+def reason(e):
+    """What an errors.Error says behind its object."""
+    return str(e).partition(": ")[2] or str(e)

@@ -6,7 +6,7 @@ import sys
 
 from rtshell_lite import errors, orb, path, tree
 from rtshell_lite.doctor import addresses
-from rtshell_lite.doctor.finding import HERE, fail, ok, warn
+from rtshell_lite.doctor.finding import HERE, fail, ok, reason, warn
 from rtshell_lite.text import printable
 
 INSTALL = "apt install python3-omniorb, or: pip install 'rtshell_lite[omniorb]'"
@@ -17,7 +17,9 @@ LEAST_PATIENCE = 500  # ms: a component that waits for its next cycle takes that
 
 def findings():
     """Findings on Python and omniORB, their settings, the names of this host, and our environment."""
-    return _programs() + _settings() + _host_name() + _localhost() + _name_servers() + _working_directory()
+    found = _programs()
+    found += _settings(started=found[-1].level != "fail")
+    return found + _host_name() + _localhost() + _name_servers() + _working_directory()
 
 
 # ---- programs -------------------------------------------------------------------------------------------------
@@ -34,9 +36,8 @@ def _programs():
     try:
         orb.start()
     except errors.Error:
-        where = ", ".join(name for name, _ in _sources()) or "its settings"
-        found.append(fail("ORB", HERE, "omniORB does not start: it does not understand " + where,
-                          "correct or remove %s, one after the other" % where))
+        where = " or ".join(name for name, _ in _sources()) or "its settings"
+        found.append(fail("ORB", HERE, "omniORB does not start: it does not understand " + where, "correct or remove it"))
     return found
 
 
@@ -46,7 +47,7 @@ def _number(word):
 
 # ---- settings of the ORB --------------------------------------------------------------------------------------
 
-def _settings():
+def _settings(started):
     """Settings of omniORB that break things, wherever they come from. The last source wins, but each is told."""
     found, sources = [], _sources()
     named = os.environ.get("OMNIORB_CONFIG")
@@ -56,21 +57,22 @@ def _settings():
     for source, settings in sources:
         for option, value in settings:
             why = _harm(option, value)
-            if why:
-                found.append(warn("ORB", HERE, "%s sets %s to %s: %s" % (source, option, printable(value), why),
-                                  "remove %s from %s" % (option, source)))
-    if not found and sources:
-        found.append(ok("ORB", HERE, "omniORB's settings from " + ", ".join(name for name, _ in sources)))
+            if not why:
+                continue
+            remedy = "remove it from " + source if source.startswith("/") else "unset " + source
+            found.append(warn("ORB", HERE, "%s sets %s to %s: %s" % (source, option, printable(value), why), remedy))
+    if not found and sources and started:
+        found.append(ok("ORB", HERE, "settings of omniORB that break nothing: " + ", ".join(name for name, _ in sources)))
     return found
 
 
 def _sources():
-    """(what it is called, [(option, value)]) of each place that has settings: file, environment, RTCTREE_ORB_ARGS."""
-    name = os.environ.get("OMNIORB_CONFIG") or CONFIGURATION
-    variables = [(key[3:], value) for key, value in sorted(os.environ.items()) if re.match("ORB[a-z]", key)]
+    """(what it is called, [(option, value)]) of each place that has settings: file, variables ORB…, RTCTREE_ORB_ARGS."""
+    name = os.path.abspath(os.environ.get("OMNIORB_CONFIG") or CONFIGURATION)
+    found = [(printable(name), _configured(name))]
+    found += [(key, [(key[3:], value)]) for key, value in sorted(os.environ.items()) if re.match("ORB[a-z]+[A-Za-z]*$", key)]
     words = [word for word in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if word]
     arguments = [(word[4:], value) for word, value in zip(words, words[1:] + [""]) if word.startswith("-ORB")]
-    found = [(printable(name), _configured(name)), ("the environment (ORB…)", variables)]
     return [each for each in found if each[1]] + ([("RTCTREE_ORB_ARGS", arguments)] if words else [])
 
 
@@ -125,7 +127,7 @@ def _host_name():
     try:
         found = addresses.resolve(name)
     except errors.Error as e:
-        return [warn("host name", HERE, shown + "is not known here (%s)" % e.args[1], cure)]
+        return [warn("host name", HERE, shown + "is not known here (%s)" % reason(e), cure)]
     told = ", ".join(found)
     if all(addresses.is_loopback(each) for each in found):
         return [warn("host name", HERE, shown + "means %s: who publishes it is lost to other hosts" % told, cure)]
@@ -139,7 +141,7 @@ def _localhost():
     try:
         found = addresses.resolve("localhost")
     except errors.Error as e:
-        return [fail("host name", HERE, "localhost is not known here (%s)" % e.args[1], cure)]
+        return [fail("host name", HERE, "localhost is not known here (%s)" % reason(e), cure)]
     if not all(addresses.is_loopback(each) for each in found):
         return [fail("host name", HERE, "localhost means %s" % ", ".join(found), cure)]
     return []

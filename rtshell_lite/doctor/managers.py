@@ -1,6 +1,6 @@
 """Each manager: whether it answers, and whether what it lists is there."""
 from rtshell_lite import errors, tree
-from rtshell_lite.doctor.finding import counted, fail, ok
+from rtshell_lite.doctor.finding import counted, fail, ok, reason
 from rtshell_lite.text import shell_word
 
 
@@ -32,17 +32,17 @@ def _ask(node):
 def _troubles(node, answer):
     where, word = str(node.path), shell_word(str(node.path))
     if isinstance(answer, errors.Error):
-        return [fail("manager", where, "does not tell what it has (%s)" % answer.args[-1],
-                     "end and restart its process: netstat -ltnp | grep :%d" % node.endpoint[1])]
+        return [fail("manager", where, "does not tell what it has (%s)" % reason(answer),
+                     "restart it; netstat -ltnp | grep :%d there names its process" % node.endpoint[1])]
     slaves, components, twice = answer
     found = []
     if twice:
         found = [fail("manager", where, "one of its slaves has died, and its components with it", "restart that slave")]
     for each in slaves + components:
-        what = "slave" if each in slaves else "component"
+        what = "lists a slave that " if each in slaves else "lists a component that "
         if each.kind == "zombie":
-            found.append(fail("manager", where, "lists a %s that is gone" % what, "restart it; rtls %s marks what is gone" % word))
+            found.append(fail("manager", where, what + "is gone", "restart it; rtls %s marks what is gone" % word))
         elif each.kind == "silent":
-            found.append(fail("manager", where, "lists a %s that hangs (%s)" % (what, each.error.args[-1]), "rtls -l " + word))
+            found.append(fail("manager", where, what + "hangs (%s)" % reason(each.error), "rtls -l " + word))
     return found or [ok("manager", where, "manager of %s, %s" % (
         counted(len(components), "component"), counted(len(slaves), "slave")))]

@@ -1,6 +1,6 @@
 """What rtcheck finds, as findings: where the running system differs from an RtsProfile."""
 from rtshell_lite import compare, path
-from rtshell_lite.doctor.finding import counted, fail, ok, warn
+from rtshell_lite.doctor.finding import counted, fail, ok, reason, warn
 from rtshell_lite.text import safe
 
 REMEDIES = {
@@ -17,7 +17,7 @@ TRANSITIONS = {("Inactive", "Active"): "rtact", ("Active", "Inactive"): "rtdeact
 def findings(profile, state):
     """Findings from the comparison of an RtsProfile with what runs; what is not required is a warning."""
     result = compare.compare(profile, state)
-    found = [fail("profile", str(e.args[0]), str(e.args[-1]), "rtcat %s" % e.args[0]) for e in result.failures]
+    found = [fail("profile", str(e.args[0]), reason(e), "rtcat %s" % e.args[0]) for e in result.failures]
     for each in result.differences:
         found.append((fail if each.required else warn)("profile", each.path, safe(each.message), _remedy(each)))
     return found or [ok("profile", str(path.ROOT), "as the profile says: %s, %s" % (

@@ -3,7 +3,7 @@ import collections
 import time
 
 from rtshell_lite import component, dataport, errors, ports, rpc
-from rtshell_lite.doctor.finding import ok, warn
+from rtshell_lite.doctor.finding import ok, reason, warn
 from rtshell_lite.text import printable
 
 TOGETHER = 4  # components of a process measured at a time: fetching their values is work for it
@@ -88,7 +88,7 @@ def _watch(batch, seconds):
         for one in batch:
             if one.source is not None:
                 _try(one, one.source.__exit__)
-    return [_unmeasured(one.each, one.failure.args[-1]) if one.failure else _finding(one, spent) for one in batch]
+    return [_unmeasured(one.each, reason(one.failure)) if one.failure else _finding(one, spent) for one in batch]
 
 
 def _try(one, step):

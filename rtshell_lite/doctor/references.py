@@ -1,7 +1,7 @@
 """Each name in a name server and the reference behind it: where it leads, whether it can be reached, whether it lives."""
 from rtshell_lite import errors, orb
 from rtshell_lite.doctor import addresses
-from rtshell_lite.doctor.finding import fail, warn
+from rtshell_lite.doctor.finding import fail, reason, warn
 from rtshell_lite.text import printable, shell_word
 
 
@@ -65,21 +65,21 @@ def _silent(visit, node, offered, told):
     """An object that does not answer: because of its host, the network, its process, or itself."""
     where, failures = str(node.path), [visit.probes.get(each) for each in offered]
     if all(isinstance(each, errors.Error) for each in failures):
-        return fail("reference", where, "publishes %s, out of reach (%s)" % (told, failures[0].args[1]),
+        return fail("reference", where, "publishes %s, out of reach (%s)" % (told, reason(failures[0])),
                     "ping %s; else give its process an address that others reach" % printable(offered[0][0]))
     if isinstance(node.error, errors.Silent):
-        return fail("reference", where, "hung: %s accepts TCP, but %s" % (told, node.error.args[1]),
-                    "end and restart it; netstat -ltnp | grep :%d there names its process" % offered[0][1])
-    return fail("reference", where, "somebody else's: %s does not speak CORBA (%s)" % (told, node.error.args[1]),
+        return fail("reference", where, "hung: %s accepts TCP, but %s" % (told, reason(node.error)),
+                    "restart it; netstat -ltnp | grep :%d there names its process" % offered[0][1])
+    return fail("reference", where, "somebody else's: %s does not speak CORBA (%s)" % (told, reason(node.error)),
                 "netstat -ltnp | grep :%d there names it; then %s" % (offered[0][1], _command("rtdel", node)))
 
 
 def _half_reachable(visit, where, offered):
     """Of several addresses some may be out of reach; each caller tries them in turn and waits for the bad ones."""
     bad = [each for each in offered if isinstance(visit.probes.get(each), errors.Error)]
+    cure = "have its process publish only addresses that others reach: corba.endpoints in rtc.conf"
     return [warn("reference", where, "also publishes %s:%d, out of reach (%s)" % (
-        printable(each[0]), each[1], visit.probes[each].args[1]), "have its process publish only addresses that others reach")
-        for each in bad]
+        printable(each[0]), each[1], reason(visit.probes[each])), cure) for each in bad]
 
 
 # ---- what it is -----------------------------------------------------------------------------------------------

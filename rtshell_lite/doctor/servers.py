@@ -4,7 +4,7 @@ import time
 
 from rtshell_lite import errors, orb, path, rpc, tree
 from rtshell_lite.doctor import addresses
-from rtshell_lite.doctor.finding import fail, ok, warn
+from rtshell_lite.doctor.finding import fail, ok, reason, warn
 from rtshell_lite.text import printable, shell_word
 
 SLOW = 0.5  # seconds: a step that takes longer makes every command slow
@@ -17,7 +17,7 @@ Visit = collections.namedtuple("Visit", "path addresses findings nodes probes")
 
 
 def visits(tops):
-    """A Visit for each name server that the Paths `tops` lead to, all at once; only what is at or below them is looked at."""
+    """A Visit for each name server that the Paths `tops` lead to, all at once, with what is at and below them."""
     by_server = collections.OrderedDict()
     for top in sorted(tops, key=str):
         by_server.setdefault(top.server, []).append(top)
@@ -29,7 +29,7 @@ def visits(tops):
 
 def _too_late(place, e):
     where = str(place)
-    return Visit(place, [], [fail("name server", where, _reason(e), "rtdoctor --timeout 30 " + shell_word(where))], [], {})
+    return Visit(place, [], [fail("name server", where, reason(e), "rtdoctor --timeout 30 " + shell_word(where))], [], {})
 
 
 def _visit(place, tops):
@@ -92,7 +92,7 @@ def _transport(visit, endpoint, times):
     try:
         visit.addresses.extend(_timed(times, "name", lambda: addresses.resolve(host)))
     except errors.Error as e:
-        raise _Stop(where, "host name %s not known here (%s)" % (shown, e.args[1]),
+        raise _Stop(where, "host name %s not known here (%s)" % (shown, reason(e)),
                     "correct the name, or write its address into /etc/hosts")
     try:
         _timed(times, "TCP", lambda: addresses.connect(visit.addresses, port))
@@ -100,7 +100,7 @@ def _transport(visit, endpoint, times):
         raise _Stop(where, "connection refused: %s runs, but nothing listens on port %d" % (shown, port),
                     "start the name server there: rtm-naming %d" % port)
     except errors.Error as e:
-        raise _Stop(where, "no TCP connection to %s port %d (%s)" % (visit.addresses[0], port, e.args[1]),
+        raise _Stop(where, "no TCP connection to %s port %d (%s)" % (visit.addresses[0], port, reason(e)),
                     "ping %s; if that answers, open port %d in its firewall" % (shown, port))
 
 
@@ -111,13 +111,15 @@ def _is_there(where, ref):
     except errors.Gone:
         gone = True
     except errors.Silent as e:
-        raise _Stop(where, "hung: accepts TCP, but %s" % e.args[1],
+        raise _Stop(where, "hung: accepts TCP, but %s" % reason(e),
                     "restart it; netstat -ltnp | grep :%d there names its process" % port)
     except errors.Unreachable as e:
-        raise _Stop(where, "something that does not speak CORBA has the port (%s)" % e.args[1],
+        if not reason(e).startswith(("connection lost", "garbled")):
+            raise _Stop(where, "TCP connects, omniORB does not (%s)" % reason(e), "correct the ORB: rtdoctor | grep ORB")
+        raise _Stop(where, "what listens there does not speak CORBA (%s)" % reason(e),
                     "netstat -ltnp | grep :%d there names it; correct the address" % port)
     except errors.Refused as e:
-        raise _Stop(where, "answers with %s" % e.args[1], "restart it")
+        raise _Stop(where, "answers with %s" % reason(e), "restart it")
     if gone:
         raise _Stop(where, "a CORBA process, but no name server: a component or manager, perhaps",
                     "correct the port; netstat -ltnp | grep omniNames there tells it")
@@ -127,7 +129,7 @@ def _is_context(where, ref):
     try:
         found = orb.call(where, ref, "_is_a", _NAMING_CONTEXT)
     except errors.Error as e:
-        raise _Stop(where, "is there, but does not say what it is (%s)" % e.args[1], "restart it")
+        raise _Stop(where, "is there, but does not say what it is (%s)" % reason(e), "restart it")
     if not found:
         raise _Stop(where, "its object NameService is no naming context", "correct the port, or restart it")
 
@@ -139,18 +141,13 @@ def _below(visit, top):
     try:
         nodes = list(tree.walk(tree.resolve(top), managers=False))
     except errors.Error as e:
-        visit.findings.append(fail("path", str(top), _reason(e), "rtls " + shell_word(str(top.parent()))))
+        visit.findings.append(fail("path", str(top), reason(e), "rtls " + shell_word(str(top.parent()))))
         return []
     for node in nodes:
         if node.kind in ("server", "directory") and node.error is not None:
-            visit.findings.append(fail("context", str(node.path), "its names cannot be listed (%s)" % _reason(node.error),
+            visit.findings.append(fail("context", str(node.path), "its names cannot be listed (%s)" % reason(node.error),
                                        "restart the name server that has it"))
     return nodes
-
-
-def _reason(e):
-    """What an errors.Error says behind its path."""
-    return str(e).partition(": ")[2] or str(e)
 
 
 def _probes(nodes):
