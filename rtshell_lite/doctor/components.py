@@ -99,7 +99,8 @@ def findings(all_of_them, rates, hung):
         found += troubles
         if not any(one.level == "fail" for one in troubles) and each.error is None:
             found.append(ok("component", each.where, _summary(each)))
-    return sorted(found, key=lambda one: one.path) + _nothing_moves(all_of_them)
+    found.sort(key=lambda one: one.path)
+    return found if any(one.level == "fail" for one in found) else found + _nothing_moves(all_of_them)
 
 
 def _nothing_moves(all_of_them):
@@ -182,11 +183,17 @@ def _bound_as(node):
 # ---- ports ----------------------------------------------------------------------------------------------------
 
 def _ports(each):
-    found = [fail("port", each.where, "its port %d refuses its profile (%s)" % (number, reason(e)), _restart(each))
-             for number, e in each.refusing]
+    found = [_refusing(each, number, e) for number, e in each.refusing]
     message = "had a connection whose far end is dead, and dropped it when asked"
     return found + [warn("connection", ports.label(port), message, "restart the far end and connect it again: rtcon")
                     for port in each.dropped]
+
+
+def _refusing(each, number, e):
+    if isinstance(e, errors.Refused):
+        return fail("port", each.where, "its port %d refuses its profile (%s)" % (number, reason(e)), _restart(each))
+    return fail("port", each.where, "its port %d is out of reach: a member of this composite is dead, perhaps" % number,
+                "start the member again, or: rtcomp -r MEMBER " + each.word)
 
 
 # ---- execution contexts ---------------------------------------------------------------------------------------

@@ -115,7 +115,7 @@ def _finding(one, spent):
     if one.count < 2:
         return ok("rate", where, "rate not measured: nothing is written to " + name)
     kept = one.count / spent
-    if kept >= ENOUGH * one.rate:
+    if one.count + 1 >= ENOUGH * one.rate * spent:  # one more may have been on its way
         return ok("rate", where, "keeps %.1f of %g Hz (writes to %s)" % (kept, one.rate, name))
     return warn("rate", where, "keeps %.1f of %g Hz, or does not write to %s in each cycle" % (kept, one.rate, name),
                 "rtec %s rate %d, or look for what takes its time: top" % (one.each.word, max(1, kept)))

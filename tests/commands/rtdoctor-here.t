@@ -105,7 +105,7 @@ Settings of omniORB that break things, from each of the places that have some:
   warn  here: RTCTREE_ORB_ARGS sets clientCallTimeOutPeriod to 0: a hung peer is waited for for ever; try: unset RTCTREE_ORB_ARGS
   warn  here: RTCTREE_ORB_ARGS sets throwTransientOnTimeOut to 1: hung peers look like dead ones; try: unset RTCTREE_ORB_ARGS
   warn  here: RTCTREE_ORB_ARGS sets clientTransportRule to 198.51.100.1 none: it forbids connections; try: unset RTCTREE_ORB_ARGS
-  fail  /localhost:$PORT: TCP connects, omniORB does not (host name not known); try: look at its settings: rtdoctor | grep ORB
+  fail  /localhost:$PORT: TCP connects, omniORB does not (host name not known); try: correct the ORB: rtdoctor | grep ORB
   [1]
   $ RTCTREE_ORB_ARGS="-ORBtraceLevel;0" doctor | grep ORB
   ok    here: Python *, omniORBpy * (glob)

@@ -24,7 +24,7 @@ faulty: refused dead-host silent drip reset close garbage late-silent late-reset
   fail  /localhost:$LATE_RESET: its names cannot be listed (connection lost); try: restart the name server that has it
   [1]
   $ doctor -q /robot.invalid
-  fail  /robot.invalid: host name robot.invalid not known here (Name or service not known); try: correct the name, or write its address into /etc/hosts
+  fail  /robot.invalid: host name robot.invalid not known here (*); try: correct the name, or write its address into /etc/hosts (glob)
   [1]
   $ doctor -q localhost:$(ctl port)
   fail  /localhost:*: a CORBA process, but no name server: a component or manager, perhaps; try: correct the port; netstat -ltnp | grep omniNames there tells it (glob)
