@@ -1,6 +1,8 @@
 """Where this rtshell_lite is: in a checkout, in an installation, or in a wheel file; its commands and its files."""
 import ast
 import glob
+import importlib.abc
+import importlib.util
 import os
 import re
 import sys
@@ -32,6 +34,28 @@ def commands():
 def read(path):
     """The bytes of a file of ours, also out of the wheel file."""
     return rtshell_lite.__spec__.loader.get_data(path)
+
+
+class _CommandLoader(importlib.abc.SourceLoader):
+    """Reads a command's file, which has no .py and may be inside the wheel."""
+
+    def __init__(self, path):
+        self.path = path
+
+    def get_filename(self, fullname):
+        return self.path
+
+    def get_data(self, path):
+        return read(path)
+
+
+def load(path, name):
+    """The command's file as a module; called `__main__`, it runs."""
+    spec = importlib.util.spec_from_loader(name, _CommandLoader(path))
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module
 
 
 def summary(source):

@@ -13,19 +13,21 @@ ONCE = "it reads the source: one Python is enough"
 LAYERS = [
     ["bin"],
     ["__main__"],
+    ["restore", "apply", "steps", "completion", "manpages", "interpreter", "prompt"],
     ["system", "compare", "plan", "graph", "drawing", "listing", "describe", "describe_manager", "doctor", "markup", "manual",
-     "search", "unbind", "composing", "unpack"],
+     "search", "unbind", "composing", "unpack", "printing"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
-     "configuration"],
+     "configuration", "servants", "targets", "inbox", "flow", "values"],
     ["tree"],
     ["node"],
-    ["orb", "cli", "installation"],
+    ["orb", "cli", "streams", "installation"],
     ["path", "xmlprofile"],
+    ["options"],
     ["rpc", "text", "files", "shell"],
     ["errors"],
     ["__init__"],
 ]
-OMNIORB_HOMES = {"orb", "dataport", "observer"}  # the last two serve CORBA objects themselves
+OMNIORB_HOMES = {"orb", "dataport", "servants", "observer"}  # all but the first serve CORBA objects themselves
 STUB_LAYERS = LAYERS[3] + ["node", "orb"]  # inside functions; a command must not pay for stubs that it does not use
 CATCH_ALL_HOMES = {"cli", "rpc"}
 LONGEST = 400

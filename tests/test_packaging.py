@@ -23,7 +23,8 @@ MISSING = "omniORBpy is not installed"
 # Arguments with which a command must ask somebody; the others get one path.
 ASKING = {"rtcon": ["/localhost/a.rtc:o", "/localhost/b.rtc:i"], "rtls": [], "rtpwd": [],
           "rtconf": ["/localhost/a.rtc", "list"], "rtmgr": ["-r", "/localhost/a.mgr"], "rtstodot": ["--live"]}
-LOCAL = {"rtpwd", "rtcheck", "rtdoctor"}  # contacts nothing, has a file to read first, or tells it as a finding
+# These contact nothing, have a file to read first, or tell it as a finding.
+LOCAL = {"rtpwd", "rtsh", "rtcheck", "rtresurrect", "rtteardown", "rtdoctor"}
 
 
 def names(directory, suffix=""):

@@ -15,7 +15,8 @@ class Watched:
 
     def __init__(self, each, rate, port):
         self.each, self.rate, self.port = each, rate, port  # its components.Examined, the Hz claimed, the port watched
-        self.source, self.count, self.failure = None, 0, None  # dataport.Pull, values seen, why it could not be measured
+        self.reader = self.failure = None  # dataport.Reader; the errors.Error why it could not be measured
+        self.count = 0  # values seen
 
 
 def measured(all_of_them, seconds):
@@ -73,41 +74,26 @@ def _unmeasured(each, why):
 
 def _watch(batch, seconds):
     """A Finding for each Watched of a batch."""
-    try:
-        for one in batch:
-            _try(one, lambda: setattr(one, "source", dataport.Pull(one.port).__enter__()))
-        _fetch(batch)  # values from before may be there
-        for one in batch:
-            one.count = 0
+    for one in batch:
+        try:
+            one.reader = dataport.Reader(one.port, lambda message: None, "pull", properties={
+                "dataport.buffer.length": str(dataport.QUEUE)})
+        except errors.Error as e:
+            one.failure = e
+    with dataport.Opened([one.reader for one in batch if one.reader]) as opened:
+        time.sleep(2 * dataport.POLL)  # values from before may be there
+        before = {reader: reader.count for reader in opened.connections}
         begun = time.monotonic()
-        while time.monotonic() - begun < seconds:
-            time.sleep(dataport.POLL)
-            _fetch(batch)
+        time.sleep(seconds)
         spent = time.monotonic() - begun
-    finally:
         for one in batch:
-            if one.source is not None:
-                _try(one, one.source.__exit__)
-    return [_unmeasured(one.each, reason(one.failure)) if one.failure else _finding(one, spent) for one in batch]
+            one.count = one.reader.count - before[one.reader] if one.reader else 0
+    return [_told(one, spent) for one in batch]
 
 
-def _try(one, step):
-    """A failure of one component must not keep us from leaving the others."""
-    try:
-        step()
-    except errors.Error as e:
-        one.failure = e
-
-
-def _fetch(batch):
-    """Fetch what is queued at each, in parallel by process."""
-    asked = [one for one in batch if one.failure is None]
-    jobs = [rpc.Job(one.each.node.endpoint, one.each.where, lambda one=one: dataport.drain(one.source)) for one in asked]
-    for one, answer in zip(asked, rpc.gather(jobs)):
-        if isinstance(answer, errors.Error):
-            one.failure = answer
-        else:
-            one.count += answer
+def _told(one, spent):
+    failure = one.failure or one.reader.failure
+    return _unmeasured(one.each, reason(failure)) if failure else _finding(one, spent)
 
 
 def _finding(one, spent):
