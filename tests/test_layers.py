@@ -15,7 +15,7 @@ LAYERS = [
     ["__main__"],
     ["restore", "apply", "steps", "completion", "manpages", "interpreter", "prompt"],
     ["system", "compare", "plan", "starting", "graph", "drawing", "listing", "describe", "describe_manager", "markup",
-     "manual", "search", "unbind", "composing", "unpack", "printing", "injecting"],
+     "manual", "search", "unbind", "composing", "unpack", "printing", "injecting", "doctor"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
      "configuration", "servants", "targets", "inbox", "flow", "fsm"],
     ["tree"],
