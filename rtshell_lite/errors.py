@@ -37,6 +37,12 @@ class BadPath(Error):
     status = 2
 
 
+class BadLine(Error):
+    """{}"""  # of rtsh
+
+    status = 2
+
+
 class NotFound(Error):
     """{}: no such path"""
 

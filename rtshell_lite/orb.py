@@ -14,6 +14,7 @@ from rtshell_lite.text import from_wire, printable, to_wire
 Address = collections.namedtuple("Address", "type_id host port key")  # what an IOR says: text, text, int, bytes
 
 _started = None  # the ORB, once there is one
+_deadline = None  # seconds: the deadline it was given
 _starting = threading.RLock()
 
 
@@ -21,10 +22,14 @@ _starting = threading.RLock()
 
 def start():
     """The ORB of this process, made at the first call. Raises MissingOmniORB, Usage (bad RTCTREE_ORB_ARGS)."""
-    global _started
+    global _started, _deadline
     with _starting:
         if _started is None:
             _started = _make_orb()
+            _deadline = rpc.timeout
+        elif _deadline != rpc.timeout:  # another command of rtsh, with a --timeout of its own
+            _deadline = rpc.timeout
+            _set_deadline()
     return _started
 
 
@@ -39,6 +44,12 @@ def _make_orb():
         return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
     except CORBA.SystemException as e:
         raise errors.Usage("RTCTREE_ORB_ARGS: %s: not understood by omniORB (%s)" % (printable(";".join(own)), _label(e)))
+
+
+def _set_deadline():
+    import omniORB
+    omniORB.setClientCallTimeout(int(_milliseconds(rpc.timeout)))
+    omniORB.setClientConnectTimeout(int(_milliseconds(rpc.timeout)))
 
 
 def _import_omniorb():

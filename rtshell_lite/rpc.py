@@ -60,6 +60,11 @@ def lane_of(endpoint):
     return in_lane() and _lane.peer.endpoint == endpoint
 
 
+def become_lane(endpoint):
+    """Make the current thread, not the main one, a lane of its own to the process at `endpoint`: for one that goes on asking."""
+    _lane.peer = _Peer(endpoint)
+
+
 def alive(limit=None):
     """Start the clock of the peer of this lane: its next answer may take `limit` seconds (default: the timeout)."""
     peer = getattr(_lane, "peer", None)
