@@ -124,6 +124,16 @@ class Gone(Unreachable):
     """{}: zombie (the name is bound, but its object is gone)"""
 
 
+class Uncertain(Unreachable):
+    """{}: {}; whether it has been done is not known"""
+
+
+class NotTried(Error):
+    """{}: not tried: {}"""
+
+    status = 5
+
+
 class Partial(Error):
     """{} of {} failed"""
 
