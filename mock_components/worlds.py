@@ -112,8 +112,8 @@ def deadmember(stage):
 
 
 def fsm(stage, fate=""):
-    """[dies]: Microwave0, a state machine with the service of FSM4RTC; `dies`: as C++, when asked for that by id"""
-    stage.add("Microwave", dies=fate == "dies")
+    """[FATE]: Microwave0, a state machine; it `dies` when asked for its service by id, as C++; `keeps` or `refuses` a structure"""
+    stage.add("Microwave", fate=fate)
 
 
 def observed(stage):

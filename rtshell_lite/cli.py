@@ -140,13 +140,17 @@ def detail(line):
 
 
 def _say(line):
+    _say_as_it_is("%s: %s" % (os.path.basename(sys.argv[0]), line))
+
+
+def _say_as_it_is(line):
     try:
         sys.stdout.flush()  # so that `2>&1` keeps the order
     except OSError:
         pass  # the last flush will tell
     if sys.stderr is not None:
         try:
-            sys.stderr.write("%s: %s\n" % (os.path.basename(sys.argv[0]), text.safe(line)))
+            sys.stderr.write(text.safe(line) + "\n")
         except OSError:
             pass  # nobody left to tell
 
@@ -226,6 +230,35 @@ def _told(args, outcomes):
     if not args.dry_run:
         (note if tally.statuses else detail)(", ".join("%d %s" % (number, status) for status, number in counts.items() if number))
     return tally.status()
+
+
+class Progress(Tally):
+    """Tells what becomes of the actions of a plan (see starting.py), as it happens, in the words of rtshell."""
+
+    def __init__(self, as_json, verb, state):
+        """`verb` is Activate, say, and `state` the one that it leads to."""
+        Tally.__init__(self)
+        self.as_json, self.verb, self.state = as_json, verb, state
+
+    def starting(self, action, line):
+        """An action begins; `line` is what it is."""
+        if not _quiet:
+            _say_as_it_is("Executing {%d} %s" % (action.number, line))
+
+    def ended(self, result):
+        """An action has ended, or will not be tried; failures of optional components leave the exit status as it is."""
+        action, error = result.action, result.error
+        if self.as_json:
+            print(text.json_line({
+                "action": self.verb.lower(), "number": action.number, "path": action.path, "context": action.context,
+                "required": action.component.is_required, "result": result.outcome, "error": str(error) if error else None}))
+        if error is None:
+            self.add(action)
+            detail("%s: %s%s" % (action.path, "already " if result.outcome == "already" else "", self.state))
+        elif action.component.is_required:
+            self.add(error)
+        else:
+            _say_as_it_is("Action failed: %s" % error)
 
 
 # ---- options --------------------------------------------------------------------------------------------------

@@ -153,11 +153,13 @@ class Opened:
         self.ended = threading.Event()
 
     def __enter__(self):
+        complete = False
         try:
             self._in_lanes("open")
-        except (KeyboardInterrupt, SystemExit):
-            self._abandon()
-            raise
+            complete = True
+        finally:
+            if not complete:  # Ctrl-C, SIGTERM
+                self._abandon()
         threading.Thread(target=self._watch, daemon=True).start()
         return self
 

@@ -303,6 +303,17 @@ def _value(value):
     return str(value) if value is not None else ""
 
 
+def descriptor(type_id):
+    """The type descriptor that stubs registered with omniORB for a repository id, None where none did."""
+    import omniORB
+    return omniORB.typeMapping.get(type_id)
+
+
+def descriptor_of(value):
+    """The type descriptor of what an any holds."""
+    return value.typecode()._d
+
+
 def nvlist(pairs):
     """(name, value) texts as an SDOPackage::NVList of strings: the one kind of value that every implementation accepts."""
     from omniORB import CORBA

@@ -150,9 +150,10 @@ def _creations(profile, outcomes, options, locate):
         try:
             if not word:
                 raise errors.No(site.where, "is not there, and nothing names a manager to create it (see --manager)")
-            holder = holders.setdefault(word, None) or Holder(word)
-            holders[word] = holder
-            outcome = apply.Outcome(steps.Create(site, holder))
+            if word not in holders:
+                holders[word] = Holder(word)
+            holder = holders[word]
+            outcome = apply.Outcome(steps.Create(site, holder, holder.identity(site.each.id)))
             site.error = None
         except errors.Error as e:
             outcome = apply.Outcome(outcome.step, apply.FAILED, e)
@@ -170,6 +171,14 @@ class Holder:
         manager.check(word)
         self.node = manager.find(word)
         self.where = str(self.node.path)
+        self.factories = manager.modules(self.node, "get_factory_profiles")
+
+    def identity(self, component_id):
+        """What it knows a component by: profiles have the type's name in their ids, factories the implementation's."""
+        for each in self.factories:
+            if component_id == ":".join(["RTC"] + [each.get(key, "") for key in ("vendor", "category", "type_name", "version")]):
+                return manager.component_id(each)
+        return component_id
 
 
 def _named_managers(profile, options, locate):

@@ -14,21 +14,21 @@ LAYERS = [
     ["bin"],
     ["__main__"],
     ["restore", "apply", "steps", "completion", "manpages", "interpreter", "prompt"],
-    ["system", "compare", "plan", "graph", "drawing", "listing", "describe", "describe_manager", "doctor", "markup", "manual",
-     "search", "unbind", "composing", "unpack", "printing"],
+    ["system", "compare", "plan", "starting", "graph", "drawing", "listing", "describe", "describe_manager", "markup",
+     "manual", "search", "unbind", "composing", "unpack", "printing", "injecting", "doctor"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
-     "configuration", "servants", "targets", "inbox", "flow", "values"],
+     "configuration", "servants", "targets", "inbox", "flow", "fsm"],
     ["tree"],
     ["node"],
     ["orb", "cli", "streams", "installation"],
-    ["path", "xmlprofile"],
+    ["path", "xmlprofile", "values", "constants", "construct", "cdr", "descriptors", "portable", "idl"],
     ["options"],
     ["rpc", "text", "files", "shell"],
     ["errors"],
     ["__init__"],
 ]
 OMNIORB_HOMES = {"orb", "dataport", "servants", "observer"}  # all but the first serve CORBA objects themselves
-STUB_LAYERS = LAYERS[3] + ["node", "orb"]  # inside functions; a command must not pay for stubs that it does not use
+STUB_LAYERS = next(row for row in LAYERS if "component" in row) + ["node", "orb"]  # inside functions: not every command uses them
 CATCH_ALL_HOMES = {"cli", "rpc"}
 LONGEST = 400
 
