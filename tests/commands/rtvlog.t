@@ -25,15 +25,16 @@ Records up to level NORMAL, or another; of all sources, or some. The level may b
 A line is a line, and harms no terminal:
 
   $ rtvlog -n 1 Motor0.rtc > out & logged
-  $ ctl log Motor0 WARN "$(printf 'a\033[2J')" "$(printf 'two\rlines\\ \303\251')"; wait; plain out
+  $ ctl log Motor0 WARN "$(printf 'a\033[2J')" "$(printf 'two\tlines\\ \303\251')"; wait; plain out
   [Motor0.rtc T] WARN <a\x1b[2J> two
   $ rtvlog --json -n 1 Motor0.rtc > out & logged
-  $ ctl log Motor0 WARN "$(printf 'a\033[2J')" "$(printf 'two\rlines\\ \303\251')"; wait; plain out
+  $ ctl log Motor0 WARN "$(printf 'a\033[2J')" "$(printf 'two\tlines\\ \303\251')"; wait; plain out
   {"level": "WARN", "logger": "a\u001b[2J", "message": "two", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "time": T}
 
 Each is written at once, and what ends the command leaves nothing behind:
 
   $ interrupt 1 rtvlog Motor0.rtc; echo $?; ctl observers Motor0
+  130
   $ for signal in TERM HUP; do
   >     rtvlog Motor0.rtc > out <&- & log=$!; logged; ctl log Motor0 WARN motor hot; soon 'grep hot out'
   >     kill -$signal $log; wait $log; echo $?; ctl observers Motor0

@@ -129,10 +129,10 @@ Nothing in time: -t alone is no question, -n with -t is one.
 Whatever ends it, nothing is left behind in any component, and stdin is not needed:
 
   $ interrupt 1 rtwatch ConsoleIn0.rtc ConsoleOut0.rtc > nul; echo $?; ctl observers ConsoleIn0
+  130
   $ for signal in TERM HUP; do
   >     timeout -s $signal --foreground 1 rtwatch ConsoleIn0.rtc ConsoleOut0.rtc > nul <&-; echo $?
   > done
-  124
   124
   124
   $ rtwatch ConsoleIn0.rtc ConsoleOut0.rtc | head -1 | plain | cut -d' ' -f2
