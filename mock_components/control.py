@@ -14,6 +14,7 @@ received COMPONENT:PORT [N]  how many values an InPort has got and the last one;
 sent COMPONENT:PORT        how many values an OutPort has written
 write COMPONENT:PORT NUMBER  let an OutPort send a value made of that number
 connectors COMPONENT:PORT  id and name of each connection
+forget COMPONENT:PORT      let the last port of connections forget them, and the others not
 state COMPONENT [HANDLE]   its state in its first context, or in another: 1000 of the composite that has taken it
 error COMPONENT            put it into the Error state
 fail OPERATION [N] [KIND]  the Nth next call of it ends badly: a system exception such as TRANSIENT (default),
@@ -66,6 +67,11 @@ class Commands:
 
     def connectors(self, port):
         return ["%s %s" % (p.connector_id, p.name) for p in list(self.stage.port(port).profiles.values())]
+
+    def forget(self, port):
+        port = self.stage.port(port)
+        for profile in list(port.profiles.values()):
+            port.notify_disconnect(profile.connector_id)  # of the last port of a connection: the others do not hear of it
 
     def state(self, component, handle=0):
         component = self.stage.components[component]

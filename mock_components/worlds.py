@@ -2,7 +2,7 @@
 import os
 import signal
 
-from . import components, deployment, hostile, observers, odd, orphans
+from . import ailments, components, deployment, hostile, observers, odd, orphans
 
 
 def two(stage):
@@ -167,4 +167,5 @@ WORLDS = {world.__name__: world for world in (
     two, linked, console, services, config, parts, robot, these, many, error, slow, stopped, contexts, composite, deadmember,
     fsm, observed, senders, orphan, fragile, hung, zombie, names)}
 WORLDS.update(deployment.WORLDS)
+WORLDS.update(ailments.WORLDS)
 WORLDS.update({"all": everything, "hostile": cruel})
