@@ -129,8 +129,11 @@ def _bury(outcomes, others=()):
     for each in others:
         sites.update((id(site), site) for site in each.step.sites
                      if site.node is not None and site.error is None and site.node.endpoint in endpoints)
-    for site, node in zip(sites.values(), tree.look([site.node for site in sites.values()])):
-        site.error = node.error
+    nodes = tree.look([site.node for site in sites.values()])
+    lost = [type(node.error) is errors.Unreachable for node in nodes]  # a connection, which may have been an old one
+    again = iter(tree.look([site.node for site, unsure in zip(sites.values(), lost) if unsure]))
+    for site, node, unsure in zip(sites.values(), nodes, lost):
+        site.error = next(again).error if unsure else node.error
 
 
 # ---- doing ------------------------------------------------------------------------------------------------------
@@ -148,6 +151,9 @@ def _carry_out(level, outcomes):
     for each, result, answers in zip(todo, results, _answers(todo)):
         each.after = answers
         _judge(each, result if isinstance(result, errors.Error) else None)
+    for each in level:
+        if each.error is not None:
+            each.step.give_up(each.error)
     _bury(level, outcomes)
 
 
@@ -172,7 +178,7 @@ def _judge(each, failure):
             return
         why = failure or errors.Refused(each.step.where, "was said to be done, but is not so")
     except errors.Error as e:
-        why = failure or e
+        why = e if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Silent) else failure or e
         if isinstance(e, errors.Silent):
             each.fail(errors.Silent(each.step.where, "%s; whether it was done is not known" % why.args[-1]), UNSURE)
             return

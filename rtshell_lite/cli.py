@@ -6,7 +6,7 @@ import io
 import os
 import sys
 
-from rtshell_lite import __version__, commandline, errors, path, rpc, text
+from rtshell_lite import __version__, errors, options, path, rpc, text
 
 EXIT_STATUSES = """exit status:
   0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
@@ -60,15 +60,21 @@ def command(arguments, run, doc, argv):
 
 
 def unwind_when_ended():
-    """Let SIGTERM and SIGHUP end the command as Ctrl-C does, by way of its `finally`s: it has put something into a component."""
+    """Let SIGTERM and SIGHUP end the command as Ctrl-C does, by way of its `finally`s: it has put something into a component.
+
+    The first of them counts: a terminal that closes and systemd send both, and the second must not cut the unwinding short.
+    """
     import signal
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores SIGHUP
-            signal.signal(number, _end)
+    ours = [number for number in (signal.SIGTERM, signal.SIGHUP)
+            if signal.getsignal(number) == signal.SIG_DFL]  # nohup ignores SIGHUP
 
+    def unwind(number, frame):
+        for each in ours:
+            signal.signal(each, signal.SIG_IGN)
+        raise Ended(128 + number)
 
-def _end(number, frame):
-    raise Ended(128 + number)
+    for number in ours:
+        signal.signal(number, unwind)
 
 
 def _settle(quiet, verbose, timeout):
@@ -134,13 +140,17 @@ def detail(line):
 
 
 def _say(line):
+    _say_as_it_is("%s: %s" % (os.path.basename(sys.argv[0]), line))
+
+
+def _say_as_it_is(line):
     try:
         sys.stdout.flush()  # so that `2>&1` keeps the order
     except OSError:
         pass  # the last flush will tell
     if sys.stderr is not None:
         try:
-            sys.stderr.write("%s: %s\n" % (os.path.basename(sys.argv[0]), text.safe(line)))
+            sys.stderr.write(text.safe(line) + "\n")
         except OSError:
             pass  # nobody left to tell
 
@@ -222,20 +232,53 @@ def _told(args, outcomes):
     return tally.status()
 
 
+class Progress(Tally):
+    """Tells what becomes of the actions of a plan (see starting.py), as it happens, in the words of rtshell."""
+
+    def __init__(self, as_json, verb, state):
+        """`verb` is Activate, say, and `state` the one that it leads to."""
+        Tally.__init__(self)
+        self.as_json, self.verb, self.state = as_json, verb, state
+
+    def starting(self, action, line):
+        """An action begins; `line` is what it is."""
+        if not _quiet:
+            _say_as_it_is("Executing {%d} %s" % (action.number, line))
+
+    def ended(self, result):
+        """An action has ended, or will not be tried; failures of optional components leave the exit status as it is."""
+        action, error = result.action, result.error
+        if self.as_json:
+            print(text.json_line({
+                "action": self.verb.lower(), "number": action.number, "path": action.path, "context": action.context,
+                "required": action.component.is_required, "result": result.outcome, "error": str(error) if error else None}))
+        if error is None:
+            self.add(action)
+            detail("%s: %s%s" % (action.path, "already " if result.outcome == "already" else "", self.state))
+        elif action.component.is_required:
+            self.add(error)
+        else:
+            _say_as_it_is("Action failed: %s" % error)
+
+
 # ---- options --------------------------------------------------------------------------------------------------
 
 def parser(arguments, doc, prog):
     """The parser of the command called `prog`, whose file has these `arguments` and this docstring."""
     summary, _, details = doc.strip().partition("\n\n")
-    parser = commandline.Parser(prog=prog, description=summary, add_help=False,
-                                epilog=(details + "\n\n" if details else "") + EXIT_STATUSES, formatter_class=_formatter)
+    parser = options.Parser(prog=prog, description=summary, add_help=False,
+                            epilog=(details + "\n\n" if details else "") + EXIT_STATUSES,
+                            formatter_class=_formatter)
     arguments(parser)
     taken = parser._option_string_actions  # rtcryo has a -v of its own
     parser.add_argument(*[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
                         help="tell on stderr what is done")
     parser.add_argument("-q", "--quiet", action="store_true", help="no notes on stderr, errors only")
-    parser.add_argument("--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
-                        help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)")
+    if "--timeout" in taken:  # how long rtprint, rtinject and rtlog run
+        parser.set_defaults(timeout=_default_timeout())
+    else:
+        parser.add_argument("--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
+                            help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)")
     parser.add_argument("--version", action="version", version=__version__)
     parser.add_argument("-h", "--help", action="help", help="show this and exit")
     return parser

@@ -153,11 +153,13 @@ class Opened:
         self.ended = threading.Event()
 
     def __enter__(self):
+        complete = False
         try:
             self._in_lanes("open")
-        except (KeyboardInterrupt, SystemExit):
-            self._abandon()
-            raise
+            complete = True
+        finally:
+            if not complete:  # Ctrl-C, SIGTERM
+                self._abandon()
         threading.Thread(target=self._watch, daemon=True).start()
         return self
 
@@ -198,17 +200,18 @@ class Opened:
 class Reader(Connection):
     """A connector from a DataOutPort that calls deliver(Message) for each value, from a thread of its own.
 
-    dataflow: "push" (the component calls us) or "pull" (we ask, POLL seconds apart when there was nothing; for peers that
-    cannot reach us). subscription, of push: new, flush or periodic; None takes new, in which values wait in the port's
+    dataflow: "push" (the component calls us), "pull" (we ask, POLL seconds apart when there was nothing; for peers that
+    cannot reach us), None for push where the port offers it. subscription, of push: new, flush or periodic; None takes new, in which values wait in the port's
     buffer and no slow reader delays the component. `properties`, a dict, goes into the connector and wins.
     """
 
     kind, side = "DataOutPort", "outport"
 
-    def __init__(self, port, deliver, dataflow="push", subscription=None, properties=None, name="rtshell_lite"):
+    def __init__(self, port, deliver, dataflow=None, subscription=None, properties=None, name="rtshell_lite"):
         Connection.__init__(self, port, name, properties)
         self.deliver = deliver
-        self.dataflow = self.given.get("dataport.dataflow_type", dataflow)
+        offer = ports.offer_without(port, "dataport.dataflow_type", "push")
+        self.dataflow = self.given.get("dataport.dataflow_type") or dataflow or ("pull" if offer else "push")
         self.subscription = subscription
         self.count = self.seen = 0  # values so far, and at the last look
         self.served = None

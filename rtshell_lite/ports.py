@@ -32,10 +32,10 @@ def refs(node):
     return [orb.narrow(ref, RTC.PortService) for ref in node.call("get_ports") if ref is not None]
 
 
-def port(node, ref):
-    """The Port behind a reference (PortService::get_port_profile)."""
+def port(node, ref, persist=component.once_more):
+    """The Port behind a reference (PortService::get_port_profile); `persist` makes the call, and again where need be."""
     try:
-        found = component.once_more(lambda: orb.ask(str(node.path), ref, "get_port_profile"))
+        found = persist(lambda: orb.ask(str(node.path), ref, "get_port_profile"))
     except (errors.Gone, errors.ConnectionRefused):
         if orb.endpoint(ref) == node.endpoint:
             raise
@@ -347,8 +347,9 @@ def _forgetting_failed(each, operation, connector_id):
         raise
     except errors.Unreachable as e:  # may be the far end's death, passed on
         return e
-    if code in ("RTC_OK", "BAD_PARAMETER"):  # BAD_PARAMETER: it does not know the connector, so it is gone
+    if code == "RTC_OK":
         return None
+    # BAD_PARAMETER: it does not know the connector; or another end does not, which it has asked to tell all the others
     return errors.Refused(label(each), "cannot remove connection %s (%s)" % (printable(from_wire(connector_id)), code))
 
 

@@ -150,9 +150,10 @@ def _creations(profile, outcomes, options, locate):
         try:
             if not word:
                 raise errors.No(site.where, "is not there, and nothing names a manager to create it (see --manager)")
-            holder = holders.setdefault(word, None) or Holder(word)
-            holders[word] = holder
-            outcome = apply.Outcome(steps.Create(site, holder))
+            if word not in holders:
+                holders[word] = Holder(word)
+            holder = holders[word]
+            outcome = apply.Outcome(steps.Create(site, holder, holder.identity(site.each.id)))
             site.error = None
         except errors.Error as e:
             outcome = apply.Outcome(outcome.step, apply.FAILED, e)
@@ -170,6 +171,14 @@ class Holder:
         manager.check(word)
         self.node = manager.find(word)
         self.where = str(self.node.path)
+        self.factories = manager.modules(self.node, "get_factory_profiles")
+
+    def identity(self, component_id):
+        """What it knows a component by: profiles have the type's name in their ids, factories the implementation's."""
+        for each in self.factories:
+            if component_id == ":".join(["RTC"] + [each.get(key, "") for key in ("vendor", "category", "type_name", "version")]):
+                return manager.component_id(each)
+        return component_id
 
 
 def _named_managers(profile, options, locate):
@@ -302,12 +311,11 @@ def _connections(profile, at):
         made.append([apply.Outcome(step, error=error)])
         if error is None:
             broken += _seen(made, step)
-    strangers = rpc.gather([rpc.Job(orb.endpoint(ref), "", lambda ref=ref: orb.is_alive("", ref)) for _, refs in broken
-                            for ref in refs])
-    answers = iter(strangers)
+    answers = iter(rpc.gather([rpc.Job(orb.endpoint(ref), "", lambda ref=ref: orb.is_alive("", ref))
+                               for _, refs in broken for ref in refs]))
     for outcomes, refs in broken:
-        alive = [not steps.is_gone(answer) for answer in [next(answers) for _ in refs]]
-        _mend(outcomes, any(alive))
+        found = [next(answers) for _ in refs]
+        _mend(outcomes, any(isinstance(answer, errors.Silent) or not isinstance(answer, errors.Error) for answer in found))
     return [each for outcomes in made for each in outcomes]
 
 

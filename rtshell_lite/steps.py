@@ -79,6 +79,9 @@ class Step:
     def undo(self, before, after):
         """Undo it; the answers before and after it was done."""
 
+    def give_up(self, error):
+        """Note for the steps that follow that it could not be done."""
+
 
 def given(answers):
     """The answers; raises the first error among them."""
@@ -100,17 +103,17 @@ class Present(Step):
 # ---- making components ------------------------------------------------------------------------------------------
 
 class Create(Step):
-    """Let the manager `holder` (a Site whose node it is) create a component with the wanted name."""
+    """Let the manager `holder` (restore.Holder) create the component that it knows as `identity`, with the wanted name."""
 
     kind = "create"
 
-    def __init__(self, site, holder):
+    def __init__(self, site, holder, identity):
         Step.__init__(self, [site, holder], site.where, "component %s, created by %s" % (site.where, holder.where))
         self.required = site.required
         self.site, self.holder = site, holder
-        self.argument = "%s?instance_name=%s" % (site.each.id, site.instance)
+        self.argument = "%s?instance_name=%s" % (identity, site.instance)
         self.command = "rtmgr -c %s --wait %s" % (shell_word(self.argument), shell_word(holder.where))
-        if any(c in site.instance + site.each.id for c in "?&="):
+        if any(c in site.instance + identity for c in "?&="):
             raise errors.No(self.where, "a manager cannot create a component of this name or id")
 
     @property
@@ -147,6 +150,9 @@ class Create(Step):
     def undo(self, before, after):
         manager.delete(self.holder.node, self.site.instance)
 
+    def give_up(self, error):
+        self.site.error = error
+
 
 class Members(Step):
     """Make components members of a composite."""
@@ -156,7 +162,9 @@ class Members(Step):
     def __init__(self, site, members):
         Step.__init__(self, [site] + members, site.where, "members of " + site.where)
         self.site, self.members = site, members
-        words = ["rtcomp"] + [word for one in members for word in ("-a", one.where)] + [site.where]
+        there = [ref for _, ref in site.found.members] if site.found else []
+        new = [one for one in members if one.node is None or not any(orb.same(ref, one.node.ref) for ref in there)]
+        words = ["rtcomp"] + [word for one in new for word in ("-a", one.where)] + [site.where]
         self.command = " ".join(map(shell_word, words))
 
     def jobs(self):

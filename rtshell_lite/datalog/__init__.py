@@ -56,6 +56,6 @@ def load(name, modules=()):
         if start.split(b".")[0].isdigit():
             raise errors.No(where, "a log of text; it is for people, and can be neither played nor inspected")
         raise errors.No(where, "not a log file" + ("" if size else " (it is empty)"))
-    except BaseException:
+    except (errors.Error, OSError):
         file.close()
         raise

@@ -55,10 +55,16 @@ class Writer:
             "program": "rtlog " + __version__,
             "channels": [{"name": each.name, "type": each.type_id, "sources": list(each.sources),
                           "typecode": each.typecode.hex() if each.typecode else None} for each in channels]})
-        if append and os.path.exists(name) and os.path.getsize(name):
-            self._go_on(header)
-        else:
-            self._create(header)
+        self._file = None
+        try:
+            if append and os.path.exists(name) and os.path.getsize(name):
+                self._go_on(header)
+            else:
+                self._create(header)
+        except (errors.No, OSError):
+            if self._file:
+                self._file.close()
+            raise
 
     def _create(self, header):
         target = os.path.realpath(self.name)  # a link goes on pointing where it does

@@ -1,4 +1,4 @@
-"""How a command line is read: options anywhere, numbers below zero, no abbreviations, the same on every Python."""
+"""Reading a command line: argparse as our commands need it."""
 import argparse
 import re
 
