@@ -77,11 +77,14 @@ class Port(RTC__POA.PortService):
                 if not all(port._is_equivalent(self.reference) or alive(port) for port in p.ports)]
 
     def _prune(self):
-        """Drop connections with a dead peer; some implementations tell the caller about it, once."""
+        """Drop connections with a dead peer; some implementations tell the caller about it, once.
+
+        One of several ends stays where the first port that lives has dropped it already: it is the one that is asked.
+        """
         dead = self._dead_connections()
         for connector_id in dead:
             self.disconnect(connector_id)
-        if dead and self.flavour.dead_peer != "clean":
+        if any(connector_id not in self.profiles for connector_id in dead) and self.flavour.dead_peer != "clean":
             raise CORBA.TRANSIENT(TRANSIENT_CONNECT_FAILED, CORBA.COMPLETED_MAYBE)
 
     def prune_for_component(self):

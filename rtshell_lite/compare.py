@@ -243,7 +243,7 @@ def _connection_check(connector, locate):
                                   ends[number][1], None, ends[number][1])
         if None in at:
             return
-        have = [_having(port, connector, at) for port in at]
+        have = [having(port, connector, at) for port in at]
         if None in have:
             yield Difference(check.kind, check.required, "No connection between " + between, between,
                              connector.connector_id or None, _instead(at))
@@ -251,8 +251,9 @@ def _connection_check(connector, locate):
         if len(have[0].ports) != len(ends):
             yield Difference(check.kind, check.required, "Connection between %s has %d ends, not %d" % (
                 between, len(have[0].ports), len(ends)), between, len(ends), len(have[0].ports))
-        for difference in _property_differences(check, connector, have[0], names):
-            yield difference
+        for key, wanted, actual in wrong_properties(connector, have[0]):
+            yield Difference(check.kind, check.required, "Property %s of connection from %s is incorrect." % (
+                printable(key), " to ".join(names)), " to ".join(names), wanted, actual)
     required = bool(known) and all(each.is_required for each in known)
     return Check("connection", required, "for connection between " + between, known, differences)
 
@@ -264,7 +265,7 @@ def _port(each, found, name):
     return next((port for port in found.ports if port.name in names), None)
 
 
-def _having(port, connector, at):
+def having(port, connector, at):
     """The ports.Connector of a Port with the id in the profile, or, where that has none, any that joins the same ports."""
     if connector.connector_id:
         return next((one for one in port.connectors if one.id == connector.connector_id), None)
@@ -279,16 +280,15 @@ def _instead(at):
     return others[0].id if others else None
 
 
-def _property_differences(check, connector, running, names):
+def wrong_properties(connector, running):
+    """(name, value in the profile, value or None) of the properties in which the ports.Connector `running` differs."""
     wanted = {item.name: item.value or "" for item in connector.properties if not system.is_reference(item.name, item.value)}
     for name in TYPES:
         if getattr(connector, name, ""):
             wanted["dataport." + name] = getattr(connector, name)
     actual = dict(running.properties)
-    for key, value in sorted(wanted.items()):
-        if not _agree(key, value, actual.get(key)):
-            yield Difference(check.kind, check.required, "Property %s of connection from %s is incorrect." % (
-                printable(key), " to ".join(names)), " to ".join(names), value, actual.get(key))
+    return [(key, value, actual.get(key)) for key, value in sorted(wanted.items())
+            if not _agree(key, value, actual.get(key))]
 
 
 def _agree(key, value, actual):

@@ -122,8 +122,13 @@ class Configuration:
 
     def command(self, set_id, *words):
         """An rtconf command on a set of this component, ready for a shell."""
-        options = ["-a"] * hidden(set_id) + ["-s", set_id] + ["--"] * any(word.startswith("-") for word in words)
-        return " ".join(["rtconf"] + [shell_word(word) for word in [self.where] + options + list(words)])
+        return command(self.where, set_id, *words)
+
+
+def command(where, set_id, *words):
+    """An rtconf command on a set of the component at the path `where`, ready for a shell."""
+    options = ["-a"] * hidden(set_id) + ["-s", set_id] + ["--"] * any(word.startswith("-") for word in words)
+    return " ".join(["rtconf"] + [shell_word(word) for word in [where] + options + list(words)])
 
 
 def _changed(within, values):

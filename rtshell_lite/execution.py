@@ -47,9 +47,14 @@ def set_rate(node, index, rate):
     ref, where = component.context_ref(node, index), str(node.path)
     code = str(orb.ask(where, ref, "set_rate", rate))
     now = orb.ask(where, ref, "get_rate")
-    if code != "RTC_OK" or abs(now - rate) > 0.01 * rate:
+    if code != "RTC_OK" or not same_rate(now, rate):
         raise errors.Refused(where, "does not take a rate of %g Hz (%s; it is %g Hz)" % (rate, code, now))
     return "%s: %g Hz" % (node.path, now)
+
+
+def same_rate(now, wanted):
+    """True where a context keeps the rate that was asked of it: implementations round its period."""
+    return abs(now - wanted) <= 0.01 * wanted
 
 
 def start(node, index):

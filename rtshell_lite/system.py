@@ -267,8 +267,11 @@ def read(name, form=None):
     return xmlprofile.load(files.read(name), name, form)
 
 
-def locator(profile):
-    """A function: the Component of a profile that an end, a participant or a target of an action names, or None."""
+def locator(profile, strict=False):
+    """A function: the Component of a profile that an end, a participant or a target of an action names, or None.
+
+    `strict`: by id, instance name and path together; else files may disagree with themselves where it is clear what is meant.
+    """
     by_path = {each.path_uri.lstrip("/"): each for each in profile.components}
     by_both, by_instance = {}, {}
     for each in profile.components:
@@ -277,6 +280,9 @@ def locator(profile):
 
     def locate(target):
         named = by_path.get((target.property(PATH_ID) or "").lstrip("/"))
+        if strict:
+            wanted = (target.component_id, target.instance_name)
+            return named if named is not None and (named.id, named.instance_name) == wanted else None
         both = by_both.get((target.component_id, target.instance_name))
         if named is not None and (both is None or named.instance_name == target.instance_name):
             return named

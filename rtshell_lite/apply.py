@@ -1,0 +1,186 @@
+"""Carries out a list of steps.
+
+Each is looked at first, done only if it is not so, and looked at again, so that what is reported is what there is. Steps that
+concern one component are done in their order, others at the same time.
+"""
+from rtshell_lite import errors, rpc, tree
+
+DONE, SO, FAILED, UNTRIED = "done", "already so", "failed", "not tried"
+UNSURE = "uncertain"  # a call was lost, and the look after it, too
+UNDONE, STUCK = "undone", "not undone"
+
+
+class Outcome:
+    """What has become of a step: its `status`, one of the above, and the errors.Error that tells why."""
+
+    def __init__(self, step, status=UNTRIED, error=None):
+        self.step, self.status, self.error = step, status, error
+        self.before = self.after = None
+
+    @property
+    def pending(self):
+        """True for a step that is still to be done."""
+        return self.status == UNTRIED and self.error is None
+
+    @property
+    def failed(self):
+        return self.status in (FAILED, UNSURE, STUCK)
+
+    def fail(self, error, status=FAILED):
+        self.status, self.error = status, error
+
+    def as_dict(self):
+        """For JSON."""
+        step = self.step
+        return {"step": step.kind, "object": step.where, "required": step.required, "command": step.command or None,
+                "status": self.status, "reason": str(self.error) if self.error is not None else None}
+
+
+def check(outcomes):
+    """Look at pending steps without doing any: those that are so, or that cannot be done, are pending no longer."""
+    _look(outcomes)
+    _bury(outcomes)
+
+
+def carry_out(outcomes, all_or_nothing=False):
+    """Do the pending steps. `all_or_nothing`: if anything required fails, stop and undo all that has been done."""
+    try:
+        for level in _levels([each for each in outcomes if each.pending]):
+            if all_or_nothing and _spoilt(outcomes):
+                return
+            _carry_out(level, outcomes)
+    finally:
+        if all_or_nothing and _spoilt(outcomes):
+            _roll_back(outcomes)
+
+
+def _spoilt(outcomes):
+    return any(each.failed and each.step.required for each in outcomes)
+
+
+def _roll_back(outcomes):
+    """Undo what has been done, the last first."""
+    for each in reversed([each for each in outcomes if each.status in (DONE, UNSURE)]):
+        each.fail(errors.No(each.step.where, "interrupted while it was undone"), STUCK)
+        failure = _tried(each, lambda: each.step.undo(each.before, each.after or each.before))
+        try:
+            undone = not each.step.so(_answers([each])[0])
+        except errors.Error as e:
+            undone, failure = isinstance(e, errors.Gone), failure or e
+        if undone:
+            each.status, each.error = UNDONE, None
+        else:
+            each.fail(failure or errors.Refused(each.step.where, "is as it was made"), STUCK)
+
+
+def _levels(outcomes):
+    """Lists of outcomes, one after the other, such that no two of a list share a Site and the order of those that do is kept."""
+    heights, levels = {}, []
+    for each in outcomes:
+        height = max(heights.get(id(site), 0) for site in each.step.sites)
+        heights.update((id(site), height + 1) for site in each.step.sites)
+        levels[height:] = levels[height:] or [[]]
+        levels[height].append(each)
+    return levels
+
+
+# ---- looking ----------------------------------------------------------------------------------------------------
+
+def _answers(outcomes):
+    """For each outcome the list of answers to its step's jobs; an errors.Error in the place of what failed."""
+    asked = []
+    for each in outcomes:
+        try:
+            asked.append([job for _, job in each.step.jobs()])
+        except errors.Error as e:
+            asked.append(e)
+    values = iter(rpc.gather([job for jobs in asked if isinstance(jobs, list) for job in jobs]))
+    return [[next(values) for _ in jobs] if isinstance(jobs, list) else [jobs] for jobs in asked]
+
+
+def _look(outcomes):
+    """Ask how things are, and return those outcomes that are still to be done."""
+    ready, todo = [], []
+    for each in outcomes:
+        dead = next((site.error for site in each.step.sites if site.error is not None), None)
+        if dead is not None and not each.step.tolerant:
+            each.error = dead
+        else:
+            ready.append(each)
+    for each, answers in zip(ready, _answers(ready)):
+        each.before = answers
+        try:
+            if each.step.so(answers):
+                each.status = SO
+            else:
+                todo.append(each)
+        except errors.Error as e:
+            each.fail(e)
+    return todo
+
+
+def _bury(outcomes, others=()):
+    """Note at the Sites which of their components have died or fallen silent meanwhile: nothing more is asked of them."""
+    lost = [answer for each in outcomes for answer in (each.before or []) + (each.after or []) + [each.error]]
+    if not any(isinstance(answer, errors.Unreachable) for answer in lost):
+        return
+    sites = {id(site): site for each in list(outcomes) for site in each.step.sites if site.node is not None and site.error is None}
+    endpoints = {site.node.endpoint for site in sites.values()}
+    for each in others:
+        sites.update((id(site), site) for site in each.step.sites
+                     if site.node is not None and site.error is None and site.node.endpoint in endpoints)
+    nodes = tree.look([site.node for site in sites.values()])
+    lost = [type(node.error) is errors.Unreachable for node in nodes]  # a connection, which may have been an old one
+    again = iter(tree.look([site.node for site, unsure in zip(sites.values(), lost) if unsure]))
+    for site, node, unsure in zip(sites.values(), nodes, lost):
+        site.error = next(again).error if unsure else node.error
+
+
+# ---- doing ------------------------------------------------------------------------------------------------------
+
+def _carry_out(level, outcomes):
+    """Do the steps of one level."""
+    todo = _look(level)
+    for each in todo:  # what stays if we are interrupted
+        each.fail(errors.No(each.step.where, "interrupted while it was done"), UNSURE)
+    results = rpc.gather([_job(each, lambda each=each: each.step.act(each.before)) for each in todo])
+    for each, result in zip(todo, results):
+        if isinstance(result, errors.Silent):
+            # one call was lost; whether the process answers others decides what is reported
+            rpc.silent.pop(each.step.endpoint, None)
+    for each, result, answers in zip(todo, results, _answers(todo)):
+        each.after = answers
+        _judge(each, result if isinstance(result, errors.Error) else None)
+    for each in level:
+        if each.error is not None:
+            each.step.give_up(each.error)
+    _bury(level, outcomes)
+
+
+def _job(each, call):
+    return rpc.Job(each.step.endpoint, each.step.where, call)
+
+
+def _tried(each, call):
+    """Call something of a step in the lane of its process: the errors.Error that came of it, or None."""
+    try:
+        value, = rpc.gather([_job(each, call)])
+    except errors.Error as e:  # there is no process to ask
+        return e
+    return value if isinstance(value, errors.Error) else None
+
+
+def _judge(each, failure):
+    """Tell by the look after a step what has become of it. `failure` is what the step itself said."""
+    try:
+        if each.step.so(each.after):
+            each.status, each.error = DONE, None
+            return
+        why = failure or errors.Refused(each.step.where, "was said to be done, but is not so")
+    except errors.Error as e:
+        why = e if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Silent) else failure or e
+        if isinstance(e, errors.Silent):
+            each.fail(errors.Silent(each.step.where, "%s; whether it was done is not known" % why.args[-1]), UNSURE)
+            return
+    each.fail(why)
+    _tried(each, lambda: each.step.tidy(each.after))
