@@ -7,14 +7,13 @@ nothing else; Python's own parser (ast) reads single literals only, for it may c
     argument = [identifier "="] value
     literal = number | string | b"bytes" | True | False | NaN | Infinity | null
 """
-import ast
 import json
 import re
 import time
 
 from rtshell_lite import construct, errors
 from rtshell_lite.construct import Call, Word
-from rtshell_lite.text import printable
+from rtshell_lite.text import literal, printable
 
 DEEPEST = construct.DEEPEST
 LONGEST_NUMBER = 400  # digits
@@ -144,9 +143,9 @@ class _Parser:
 
     def string(self):
         try:
-            return ast.literal_eval(self.word)
-        except (SyntaxError, ValueError):
-            raise self.fault("not a string")
+            return literal(self.word)
+        except ValueError as e:
+            raise self.fault(str(e))
 
     def named(self, depth):
         name = self.word

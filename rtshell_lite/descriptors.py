@@ -202,7 +202,8 @@ def adopted(descriptor, find=None):
 
 class _Adoption:
     def __init__(self, find):
-        self.find, self.left, self.open = find, LARGEST, {}
+        self.find, self.left, self.sequences = find, LARGEST, 0
+        self.open = {}  # id of each struct or union around this place → its hole, and the sequences around it
 
     def take(self, descriptor, depth):
         self.left -= 1
@@ -213,10 +214,15 @@ class _Adoption:
             return descriptor
         if sort in (STRING, WSTRING, OBJECT, FIXED):
             return tuple(descriptor)
-        if sort in (SEQUENCE, ARRAY):
+        if sort == ARRAY:
             check_length(sort, descriptor[2])
-            return array(self.take(descriptor[1], depth - 1), descriptor[2]) if sort == ARRAY else (
-                SEQUENCE, self.take(descriptor[1], depth - 1), descriptor[2])
+            return array(self.take(descriptor[1], depth - 1), descriptor[2])
+        if sort == SEQUENCE:
+            check_length(sort, descriptor[2])
+            self.sequences += 1
+            element = self.take(descriptor[1], depth - 1)
+            self.sequences -= 1
+            return (SEQUENCE, element, descriptor[2])
         if sort == ALIAS:
             return (ALIAS, descriptor[1], descriptor[2], self.take(descriptor[3], depth - 1))
         if sort == ENUM:
@@ -225,7 +231,8 @@ class _Adoption:
             return self.indirection(descriptor[1][0], depth)
         if sort not in (STRUCT, UNION):
             raise errors.BadType(words(descriptor), "no type for data")
-        hole = self.open[descriptor[2]] = [None]
+        hole = [None]
+        self.open[descriptor[2]] = hole, self.sequences
         hole[0] = self.structure(descriptor, depth) if sort == STRUCT else self.choice(descriptor, depth)
         del self.open[descriptor[2]]
         return hole[0]
@@ -254,7 +261,10 @@ class _Adoption:
     def indirection(self, inner, depth):
         wanted = inner if isinstance(inner, str) else inner[2] if isinstance(inner, tuple) and len(inner) > 2 else None
         if wanted in self.open:
-            return (INDIRECT, self.open[wanted])
+            hole, sequences = self.open[wanted]
+            if sequences == self.sequences:
+                raise errors.BadType(dotted(wanted), "contains itself")
+            return (INDIRECT, hole)
         found = inner if isinstance(inner, tuple) else self.find(wanted) if self.find and wanted else None
         if found is None or kind(found) == INDIRECT:
             raise errors.BadType(dotted(str(wanted)), "is used, but nowhere defined")
