@@ -1,14 +1,16 @@
 """Each connection, seen from all its ends: who is there, who knows it, whether they agree on what it is."""
 import collections
 
-from rtshell_lite import errors, orb, ports, rpc, system
+from rtshell_lite import errors, orb, ports, rpc, system, tree
 from rtshell_lite.doctor.finding import fail, reason, warn
+from rtshell_lite.places import Places
 from rtshell_lite.text import printable, shell_word
 
 # One connection as its first end, the ports.Port `port` of the Examined `each`, tells it; `connector` is a ports.Connector.
 Link = collections.namedtuple("Link", "each port connector")
 
-# What an end turned out to be: `port` its ports.Port, or None and the errors.Error `error`; `name` what to call it.
+# What an end turned out to be: `port` its ports.Port, or None and the errors.Error `error`; `name` what to call it. The Port
+# of a component that is bound nowhere has no `node`.
 End = collections.namedtuple("End", "port error name")
 
 SETTLED = ("dataport.dataflow_type", "dataport.interface_type", "dataport.subscription_type")
@@ -66,12 +68,26 @@ def _elsewhere(links, ends, all_of_them):
                 found[orb.identity(ref)] = End(None, silent[orb.endpoint(ref)], _address(ref))
             else:
                 wanted.setdefault(orb.identity(ref), (link, ref))
-    jobs = [rpc.Job(orb.endpoint(ref), _address(ref), lambda link=link, ref=ref: ports.port(link.each.node, ref))
-            for link, ref in wanted.values()]
+    jobs = [rpc.Job(orb.endpoint(ref), _address(ref), lambda ref=ref: _ask(ref)) for _, ref in wanted.values()]
+    places = Places(links[0].each.node) if links else None
     for (identity, (_, ref)), answer in zip(wanted.items(), rpc.gather(jobs)):
         failed = isinstance(answer, errors.Error)
-        found[identity] = End(None, answer, _address(ref)) if failed else End(answer, None, printable(answer.name))
+        found[identity] = End(None, answer, _address(ref)) if failed else _stranger(answer, places)
     return found
+
+
+def _ask(ref):
+    """The Port behind a reference, as one of an object that is bound nowhere."""
+    return ports.port(tree.Node(_address(ref), "component", ref), ref)
+
+
+def _stranger(port, places):
+    """The End for a Port of a component that was not examined."""
+    path = port.owner and places.path(port.name.rpartition(".")[0], port.owner)
+    if path is None:
+        return End(port._replace(node=None), None, "%s at %s, bound nowhere," % (printable(port.name), _address(port.ref)))
+    port = port._replace(node=tree.Node(path, "component", port.owner))
+    return End(port, None, ports.label(port))
 
 
 def _address(ref):
@@ -82,7 +98,7 @@ def _again(link, ends):
     """The same Link after its ports have been asked once more, None when it is gone; updates `ends`."""
     asked = [(orb.identity(ref), ref) for ref in link.connector.ports
              if ref is not None and ends[orb.identity(ref)].port is not None]
-    jobs = [rpc.Job(orb.endpoint(ref), _address(ref), lambda ref=ref: ports.port(link.each.node, ref)) for _, ref in asked]
+    jobs = [rpc.Job(orb.endpoint(ref), _address(ref), lambda ref=ref: _ask(ref)) for _, ref in asked]
     own = link.port
     for (identity, _), answer in zip(asked, rpc.gather(jobs)):
         before = ends[identity]
@@ -124,18 +140,20 @@ def _called(connector):
 
 
 def _redo(link, others):
-    """The command that connects all ends again as this one has it."""
+    """The command that connects all ends again as this one has it; a step where an end has no path."""
+    if any(end.port is None or end.port.node is None for end in others):
+        return "then connect them again: rtcon"
     given = {key: value for key, value in link.connector.properties if key in SETTLED}
-    found = [link.port] + [end.port for end in others if end.port is not None]
+    found = [link.port] + [end.port for end in others]
     return ports.command(found, link.connector.name, "", given)
 
 
 def _lost(where, end, undo):
     """The far end of a connection does not answer."""
     if isinstance(end.error, (errors.Gone, errors.ConnectionRefused)):
-        return fail("connection", where, "the far end of a connection is dead (%s)" % end.name, undo)
-    return fail("connection", where, "the far end of a connection does not answer (%s: %s)" % (end.name, reason(end.error)),
-                "restart the process of the far end, or: " + undo)
+        return fail("connection", where, "the far end of a connection is dead (at %s)" % end.name, undo)
+    message = "the far end of a connection, at %s, cannot be asked (%s)" % (end.name, reason(end.error))
+    return fail("connection", where, message, "restart the process of the far end, or: " + undo)
 
 
 def _differences(link, end, remedy):
@@ -168,7 +186,7 @@ def _shown(value):
 
 def _mismatches(link, where, found, undo):
     """Why these ports should not be connected in this way (components themselves connect nearly everything)."""
-    if link.port.type not in ports.DATA:
+    if link.port.type not in ports.DATA or any(port.node is None for port in found):
         return []
     properties = {key: _plain(key, value) for key, value in link.connector.properties if key in SETTLED}
     if properties.get("dataport.dataflow_type") == "pull":

@@ -22,8 +22,7 @@ class Watched:
 def measured(all_of_them, seconds):
     """Measure for `seconds` each component that can be: {path: [Finding]}.
 
-    As `execution.measured` does; no new batch begins when the timeout is over. Everything is connected and disconnected from
-    the main thread, so that Ctrl-C leaves nothing behind.
+    As `execution.measured` does, several at a time; no new batch begins when the timeout is over.
     """
     found, waiting = {}, []
     for each in all_of_them:
