@@ -197,7 +197,7 @@ def _of_module(module):
             elif id(value) not in seen and (hasattr(value, "_NP_RepositoryId") if isinstance(value, type) else
                                             getattr(value, "__name__", "").startswith(module.__name__ + ".")):
                 scopes.append(value)
-    return {key: descriptors.adopted(value, lambda wanted: found.get(wanted) or orb.descriptor(wanted))
+    return {key: descriptors.adopted(value, lambda wanted: found.get(wanted) or orb.descriptor(wanted), classes=True)
             for key, value in found.items() if descriptors.kind(value) not in (descriptors.OBJECT, descriptors.EXCEPTION)}
 
 

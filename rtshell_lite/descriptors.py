@@ -192,17 +192,18 @@ def _within(descriptor, where):
 
 # ---- taking what others made ----------------------------------------------------------------------------------
 
-def adopted(descriptor, find=None):
-    """A descriptor from elsewhere (a TypeCode of a peer, stubs of a user), checked, with classes of ours where it has none.
+def adopted(descriptor, find=None, classes=False):
+    """A descriptor from elsewhere (a TypeCode of a peer, stubs of a user), checked.
 
-    `find` gives the descriptor for a repository id that an indirection names. Raises BadType.
+    `find` gives the descriptor for a repository id that an indirection names. With `classes`, those of the stubs are kept;
+    the one that omniORB knows for an id may not have the members that a peer's TypeCode says. Raises BadType.
     """
-    return _Adoption(find).take(descriptor, DEEPEST)
+    return _Adoption(find, classes).take(descriptor, DEEPEST)
 
 
 class _Adoption:
-    def __init__(self, find):
-        self.find, self.left, self.sequences = find, LARGEST, 0
+    def __init__(self, find, classes):
+        self.find, self.classes, self.left, self.sequences = find, classes, LARGEST, 0
         self.open = {}  # id of each struct or union around this place → its hole, and the sequences around it
 
     def take(self, descriptor, depth):
@@ -240,7 +241,7 @@ class _Adoption:
     def structure(self, descriptor, depth):
         given = [(check_identifier(member), self.take(inner, depth - 1)) for member, inner in members(descriptor)]
         check_members(descriptor)
-        if isinstance(descriptor[1], type) and not descriptor[1].__name__.startswith("Unknown"):
+        if self.classes:
             return (STRUCT,) + descriptor[1:4] + tuple(part for member in given for part in member)
         return struct(descriptor[2], check_identifier(descriptor[3]), given)
 

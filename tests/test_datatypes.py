@@ -6,8 +6,10 @@ import sys
 import tempfile
 import unittest
 
+import mocks
+import peers
 import random_values
-from rtshell_lite import cdr, datatypes, descriptors, errors, orb, ports, values
+from rtshell_lite import cdr, datatypes, descriptors, errors, orb, path, ports, values
 
 try:
     import omniORB
@@ -210,6 +212,39 @@ class Offered(unittest.TestCase):
                 (the_orb.create_struct_tc("IDL:T/S:1.0", "S", [CORBA.StructMember("a", CORBA.TC_any, None)]), "values of any")):
             with self.assertRaisesRegex(errors.BadType, reason):
                 self.taken(typecode).decode(bytes(100))
+
+
+@unittest.skipUnless(omniORB and peers.nameserver.binary(), "needs omniNames")
+class OfPorts(unittest.TestCase):
+    """C++ 1.1 and Java offer a value of the type that flows through a port; the others only its name."""
+
+    @classmethod
+    def setUpClass(cls):
+        mocks.start_name_server()
+
+    @classmethod
+    def tearDownClass(cls):
+        mocks.Server.stop()
+
+    def port(self, flavour):
+        world = mocks.World("linked", "--flavour", flavour)
+        self.addCleanup(world.close)
+        where = path.parse("/127.0.0.1:%d/test.host_cxt/ConsoleIn0.rtc:out" % mocks.Server.port)
+        return ports.find([where])[0]
+
+    def renamed(self, port):
+        return port._replace(properties=dict(port.properties, **{"dataport.data_type": "IDL:Their/Own:1.0"}))
+
+    def test_types(self):
+        for flavour in ("cpp11", "java"):
+            port = self.port(flavour)
+            self.assertEqual(datatypes.Types().of_port(port).name, "RTC.TimedLong")
+            found = datatypes.Types().of_port(self.renamed(port))
+            self.assertEqual(values.text(found.decode(b"\1\0\0\0\2\0\0\0\3\0\0\0")), "[1.000000002] 3")
+        port = self.port("cpp2")
+        with self.assertRaises(errors.NoSuch) as caught:
+            datatypes.Types().of_port(self.renamed(port))
+        self.assertRegex(str(caught.exception), r"ConsoleIn0.rtc:out: no such data type known: IDL:Their/Own:1.0; name its IDL")
 
 
 class Cdr(unittest.TestCase):
