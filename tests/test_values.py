@@ -89,7 +89,7 @@ class RoundTrips(unittest.TestCase):
                 values.text(one.decode(bytes(data), True), 10)
             except errors.BadData:
                 pass
-            self.assertLess(time.monotonic() - start, 2, one.id)
+            self.assertLess(time.monotonic() - start, 20, one.id)
 
     def test_announced_but_not_there(self):
         for name, tail in (("TimedDoubleSeq", b""), ("TimedOctetSeq", b"x"), ("TimedStringSeq", b""), ("TimedString", b"abc"),
@@ -257,7 +257,7 @@ class Written(unittest.TestCase):
             with self.assertRaises(errors.Error, msg=text[:40]) as caught:
                 made(text, "TimedLong")
             self.assertLess(len(str(caught.exception)), 400, text[:40])
-            self.assertLess(time.monotonic() - start, 5, text[:40])
+            self.assertLess(time.monotonic() - start, 20, text[:40])
 
     def test_spoilt(self):
         rng = random.Random(11)
