@@ -1,7 +1,6 @@
 """Writing log files."""
 import os
 import stat
-import time
 
 from rtshell_lite import __version__, errors, text
 from rtshell_lite.datalog import blocks
@@ -43,16 +42,15 @@ class Index:
 class Writer:
     """A log file that is being written. All its methods raise OSError, and leave a file of whole records."""
 
-    def __init__(self, name, channels, append=False):
+    def __init__(self, name, channels, begun, append=False):
         """Create the file, with a header and nothing else, or make it ready to go on. Raises errors.No, too.
 
-        A file of that name is replaced at the moment when the header of the new one is on the disk.
+        `begun` is when recording began, ns since the epoch. A file of that name is replaced at the moment when the header of the new one is on the disk.
         """
         self.name, self.channels, self._synced, self._failed = name, channels, True, False
         self.index, self.end = Index(), 0  # end: offset behind the last whole block
         header = blocks.text(blocks.HEADER, {
-            "created": time.time_ns() if hasattr(time, "time_ns") else int(time.time() * 1e9),
-            "program": "rtlog " + __version__,
+            "created": begun, "program": "rtlog " + __version__,
             "channels": [{"name": each.name, "type": each.type_id, "sources": list(each.sources),
                           "typecode": each.typecode.hex() if each.typecode else None} for each in channels]})
         self._file = None
