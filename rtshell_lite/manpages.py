@@ -1,4 +1,5 @@
-"""Manual pages, made from what is written elsewhere: `python3 -m rtshell_lite.manpages`, in a checkout, writes them below man/.
+"""Manual pages, made from what is written elsewhere: `python3 -m rtshell_lite.manpages`, in a checkout, writes them below man/
+and lists them in setup.cfg.
 
 The page of a command says what its docstring and its parser say; rtshell_lite(7) what README.md says, its Japanese version
 what README.ja.md says. tests/test_manpages.py fails when one of them is out of date.
@@ -39,6 +40,17 @@ def main():
     for name, text in wanted.items():
         os.makedirs(os.path.dirname(os.path.join(top, name)), exist_ok=True)
         files.write(os.path.join(top, name), text)
+    config = os.path.join(ROOT, "setup.cfg")
+    files.write(config, packaged(files.read(config), wanted))
+
+
+def packaged(config, names):
+    """The text of setup.cfg, with pages of these names as its data files."""
+    lines = []
+    for directory in sorted({os.path.dirname(name) for name in names}):
+        lines += ["share/man/%s =" % directory]
+        lines += ["    man/" + name for name in sorted(names) if os.path.dirname(name) == directory]
+    return re.sub(r"(?<=\n\[options.data_files\]\n)(?:[^\n\[].*\n)*", "\n".join(lines) + "\n", config)
 
 
 # ---- a command ------------------------------------------------------------------------------------------------

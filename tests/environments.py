@@ -134,6 +134,12 @@ def prepare(python, wheel):
     return interpreter
 
 
+def prepare_peers(python):
+    """An environment with the real libraries for profiles, from the package index; returns its interpreter. Raises Failed."""
+    words = ["PyYAML", "rtsprofile-aist"]
+    return _environment(python, os.path.join(STORE, "peers-" + python.full), " ".join(words), words, "yaml, rtsprofile")
+
+
 def fetch_omniorb(python):
     """The file of omniORBpy for this Python, from the package index; None where none was ever made. Raises Failed."""
     if python.version == "3.6":

@@ -28,11 +28,14 @@ def below(top):
 
 class Pages(unittest.TestCase):
     def test_up_to_date(self):
-        """The pages in man/ are those that the docstrings, parsers and READMEs of this checkout make."""
+        """The pages in man/ and their list in setup.cfg are what docstrings, parsers and READMEs make."""
         environment = dict(os.environ, PYTHONPATH=ROOT, PYTHONDONTWRITEBYTECODE="1")
-        program = "import json; from rtshell_lite import manpages; print(json.dumps(manpages.pages()))"
-        made = json.loads(subprocess.check_output([sys.executable, "-c", program], env=environment, cwd=ROOT).decode())
-        there = below("man")
+        program = ("import json, sys; from rtshell_lite import manpages; pages = manpages.pages(); "
+                   "print(json.dumps([pages, manpages.packaged(sys.stdin.read(), pages)]))")
+        said = subprocess.check_output([sys.executable, "-c", program], env=environment, cwd=ROOT,
+                                       input=read("setup.cfg").encode("utf-8"))
+        made, config = json.loads(said.decode())
+        made["setup.cfg"], there = config, dict(below("man"), **{"setup.cfg": read("setup.cfg")})
         stale = sorted(name for name in set(made) | set(there) if made.get(name) != there.get(name))
         self.assertEqual(stale, [], "to bring them up to date, run: python3 -m rtshell_lite.manpages")
 

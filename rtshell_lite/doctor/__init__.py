@@ -12,23 +12,31 @@ from rtshell_lite.doctor.finding import warn
 STEPS = 3  # times the timeout: what takes longer is told as not looked at; a step waits for silence only once
 
 
-def examine(tops=(), profile=None, state="Active", measure=None):
+def examine(tops=(), compare=None, measure=None):
     """Yield lists of Findings, step by step. Without Paths `tops`, all name servers of RTCTREE_NAMESERVERS are examined.
 
-    profile  an RtsProfile to compare with, components being in `state`
+    compare  (RtsProfile, its file's name, the state of the components): what the system is to agree with
     measure  seconds during which rates are measured, which connects to an out port of each component and leaves it again
     """
     rpc.end = time.monotonic() + STEPS * rpc.timeout
+    try:
+        for findings in _steps(tops, compare, measure):
+            yield findings
+    finally:
+        rpc.end = None  # other commands may follow in this process
+
+
+def _steps(tops, compare, measure):
     found = here.findings()
     yield found
     if any(each.check in ("omniORBpy", "ORB") and each.level == "fail" for each in found):
         return
     for findings in _robot(tops or _name_servers(), measure):
         yield findings
-    if profile is not None:
-        from rtshell_lite.doctor import profile as comparison
-        rpc.end = max(rpc.end or 0, time.monotonic() + rpc.timeout)
-        yield comparison.findings(profile, state)
+    if compare:
+        from rtshell_lite.doctor import profile
+        rpc.end = max(rpc.end, time.monotonic() + rpc.timeout)
+        yield profile.findings(*compare)
 
 
 def _name_servers():

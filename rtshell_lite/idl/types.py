@@ -58,7 +58,7 @@ def type_spec(parser, depth):
         return _basic(parser)
     if parser.is_word("Object", "ValueBase"):
         parser.advance()
-        return (OBJECT, "IDL:omg.org/CORBA/%s:1.0" % token.word, token.word)
+        return (OBJECT, "", token.word)  # without an id, as stubs have it
     return _named(parser)
 
 

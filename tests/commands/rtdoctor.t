@@ -1,33 +1,32 @@
 rtdoctor examines a system from the outside in and says what is wrong, and what would mend it.
 
-world: robot --rate 20
+world: robot --rate 10
 world: managers --rate 20 --context mgr.host_cxt/%n.rtc
 server: another
 world: linked --nameserver localhost:$PORT2
 
   $ doctor() { rtdoctor "$@" > out; code=$?; grep -v "this host's name" out; return $code; }
-  $ rtact --wait *.rtc Sensor0.rtc Controller0.rtc Motor0.rtc Hokuyo_AIST0.rtc Clusterer0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/*.rtc: no such path
-  [5]
+  $ rtact --wait Sensor0.rtc Controller0.rtc Motor0.rtc Hokuyo_AIST0.rtc Clusterer0.rtc
 
 A robot that works: a line for each object, a summary, status 0. With -q, nothing is left to say:
 
   $ doctor | grep -v failed
-  ok    here: Python 3.11.7, omniORBpy 4.3.3
+  ok    here: Python *, omniORBpy * (glob)
   ok    here: RTCTREE_NAMESERVERS: localhost:$PORT
-  ok    /localhost:$PORT: answers (name 0.3 ms, TCP 2.1 ms, CORBA 0.3 ms, naming 0.1 ms)
+  ok    /localhost:$PORT: answers (name * ms, TCP * ms, CORBA * ms, naming * ms) (glob)
   ok    /localhost:$PORT/mgr.host_cxt/ConsoleIn0.rtc: Inactive, claims 20 Hz, 1 port, 0 connections
   ok    /localhost:$PORT/mgr.host_cxt/ConsoleOut0.rtc: Inactive, claims 20 Hz, 1 port, 0 connections
-  ok    /localhost:$PORT/test.host_cxt/Clusterer0.rtc: Active, claims 20 Hz, 2 ports, 1 connection
-  ok    /localhost:$PORT/test.host_cxt/Controller0.rtc: Active, claims 20 Hz, 2 ports, 2 connections
-  ok    /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc: Active, claims 20 Hz, 3 ports, 1 connection
-  ok    /localhost:$PORT/test.host_cxt/Motor0.rtc: Active, claims 20 Hz, 2 ports, 2 connections
-  ok    /localhost:$PORT/test.host_cxt/Sensor0.rtc: Active, claims 20 Hz, 2 ports, 2 connections
+  ok    /localhost:$PORT/test.host_cxt/Clusterer0.rtc: Active, claims 10 Hz, 2 ports, 1 connection
+  ok    /localhost:$PORT/test.host_cxt/Controller0.rtc: Active, claims 10 Hz, 2 ports, 2 connections
+  ok    /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc: Active, claims 10 Hz, 3 ports, 1 connection
+  ok    /localhost:$PORT/test.host_cxt/Motor0.rtc: Active, claims 10 Hz, 2 ports, 2 connections
+  ok    /localhost:$PORT/test.host_cxt/Sensor0.rtc: Active, claims 10 Hz, 2 ports, 2 connections
   ok    /localhost:$PORT/mgr.host_cxt/manager.mgr: manager of 2 components, 2 slaves
   $ rtdoctor | grep -c '^[0-9]* failed, [0-9]* to be looked at, [0-9]* ok$'
   1
   $ doctor -q
   $ doctor -q --measure
+  $ rtdoctor -q localhost:$PORT localhost:$PORT2 > out; rtdoctor -q /localhost:$PORT/test.host_cxt/Motor0.rtc > out
 
 Nothing is changed: it asks, and makes no connection. What is bound twice, or by a manager, too, is asked once:
 
@@ -54,25 +53,19 @@ Nothing is changed: it asks, and makes no connection. What is bound twice, or by
   1 get_profile
   1 get_sdo_id
   1 is_running
-  $ ctl highwater
-  3
+  $ test $(ctl highwater) -le 4
 
 A path, several, a name server; relative paths start at the working directory:
 
   $ doctor Motor0.rtc | grep rtc
-  ok    /localhost:$PORT/test.host_cxt/Motor0.rtc: Active, claims 20 Hz, 2 ports, 2 connections
-  $ doctor Motor0.rtc ../mgr.host_cxt localhost:$PORT2 | cut -d: -f1-3 | sed 's/^.*\(localhost\)/\1/'
-  ok    here: Python 3.11.7, omniORBpy 4.3.3
-  localhost
-  localhost:$PORT: answers (name 0.3 ms, TCP 4.0 ms, CORBA 0.3 ms, naming 0.0 ms)
-  localhost:$PORT2: answers (name 3.6 ms, TCP 0.6 ms, CORBA 2.2 ms, naming 0.1 ms)
-  localhost:$PORT/mgr.host_cxt/ConsoleIn0.rtc: Inactive, claims 20 Hz, 1 port, 0 connections
-  localhost:$PORT/mgr.host_cxt/ConsoleOut0.rtc: Inactive, claims 20 Hz, 1 port, 0 connections
-  localhost:$PORT/test.host_cxt/Motor0.rtc: Active, claims 20 Hz, 2 ports, 2 connections
-  localhost:$PORT2/test.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
-  localhost:$PORT2/test.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
-  localhost:$PORT/mgr.host_cxt/manager.mgr: manager of 2 components, 2 slaves
-  0 failed, 1 to be looked at, 10 ok
+  ok    /localhost:$PORT/test.host_cxt/Motor0.rtc: Active, claims 10 Hz, 2 ports, 2 connections
+  $ doctor Motor0.rtc ../mgr.host_cxt localhost:$PORT2 | sed -n 's/^ok  *\/\(.*rtc\|.*mgr\): .*/\1/p' | sort
+  localhost:$PORT/mgr.host_cxt/ConsoleIn0.rtc
+  localhost:$PORT/mgr.host_cxt/ConsoleOut0.rtc
+  localhost:$PORT/mgr.host_cxt/manager.mgr
+  localhost:$PORT/test.host_cxt/Motor0.rtc
+  localhost:$PORT2/test.host_cxt/ConsoleIn0.rtc
+  localhost:$PORT2/test.host_cxt/ConsoleOut0.rtc
   $ doctor -q nobody.rtc /localhost:$PORT/nowhere.host_cxt/ Moto0.rtc
   fail  /localhost:$PORT/nowhere.host_cxt: no such path; try: rtls /localhost:$PORT
   fail  /localhost:$PORT/test.host_cxt/Moto0.rtc: no such path; did you mean Motor0.rtc?; try: rtls /localhost:$PORT/test.host_cxt
@@ -84,7 +77,7 @@ A path, several, a name server; relative paths start at the working directory:
 One JSON object a line, whatever -q leaves:
 
   $ rtdoctor --json Motor0.rtc | tail -1
-  {"check": "component", "level": "ok", "message": "Active, claims 20 Hz, 2 ports, 2 connections", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "remedy": ""}
+  {"check": "component", "level": "ok", "message": "Active, claims 10 Hz, 2 ports, 2 connections", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "remedy": ""}
   $ rtdoctor --json -q nobody.rtc | tail -1
   {"check": "path", "level": "fail", "message": "no such path", "path": "/localhost:$PORT/test.host_cxt/nobody.rtc", "remedy": "rtls /localhost:$PORT/test.host_cxt"}
   $ rtdoctor --json | python3 -c 'import json, sys
@@ -100,20 +93,20 @@ On a terminal the levels have colours:
 
 With a profile, all that rtcheck finds:
 
-  $ rtcryo -q -o robot.xml localhost:$PORT; doctor -q --profile robot.xml; doctor --profile robot.xml Motor0.rtc | tail -2 | head -1
+  $ rtcryo -q -o robot.rtsys localhost:$PORT; doctor -q --profile robot.rtsys; doctor --profile robot.rtsys Motor0.rtc | tail -2 | head -1
   ok    /: as the profile says: 5 components, 4 connections
   $ rtconf Motor0.rtc set motor_id 7; rtdis Sensor0.rtc:out; rtdeact --wait Clusterer0.rtc
-  $ doctor -q --profile robot.xml
-  fail  /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Controller0.rtc:in: No connection between /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Controller0.rtc:in; try: connect the ports as the file says: rtcon
-  fail  /localhost:$PORT/test.host_cxt/Motor0.rtc: Configuration parameter motor_id in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc is incorrect (value: 7); try: rtconf /localhost:$PORT/test.host_cxt/Motor0.rtc set -s SET NAME VALUE
+  $ doctor -q --profile robot.rtsys --measure
+  fail  /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Controller0.rtc:in: No connection between /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Controller0.rtc:in; try: rtresurrect robot.rtsys
+  fail  /localhost:$PORT/test.host_cxt/Motor0.rtc: Configuration parameter motor_id in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc is incorrect (value: 7); try: rtresurrect robot.rtsys
   fail  /localhost:$PORT/test.host_cxt/Clusterer0.rtc: Component /localhost:$PORT/test.host_cxt/Clusterer0.rtc is in incorrect state Inactive; try: rtact /localhost:$PORT/test.host_cxt/Clusterer0.rtc
   [1]
-  $ sed 's/Motor0/Motor1/g; s/isRequired="true"/isRequired="false"/' robot.xml > optional.xml
+  $ sed 's/Motor0/Motor1/g; s/isRequired="true"/isRequired="false"/' robot.rtsys > optional.xml
   $ doctor -q --profile optional.xml | grep Motor1
-  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Optional component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: start it, or correct the file
-  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Destination component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: connect the ports as the file says: rtcon
-  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Source component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: connect the ports as the file says: rtcon
-  $ doctor -q -s Inactive --profile robot.xml | grep -c 'incorrect state'
+  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Optional component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: start it, or have its manager make it: rtresurrect --create optional.xml
+  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Destination component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: start it, or have its manager make it: rtresurrect --create optional.xml
+  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Source component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: start it, or have its manager make it: rtresurrect --create optional.xml
+  $ doctor -q -s Inactive --profile robot.rtsys | grep -c 'incorrect state'
   4
   $ doctor --profile nofile
   rtdoctor: nofile: No such file or directory
@@ -145,7 +138,7 @@ Wrong usage:
 
 Ctrl-C ends it, whatever hangs:
 
-  $ hang robot; interrupt 0.5 rtdoctor -q > out
+  $ rtact --wait Clusterer0.rtc; hang robot; interrupt 0.5 rtdoctor -q > out
   [130]
-  $ within 0.5-2.5 rtdoctor -q --timeout 0.5 --profile robot.xml | grep -c hung; resume robot
+  $ within 0.5-2.5 rtdoctor -q --timeout 0.5 --profile robot.rtsys | grep -c hung; resume robot
   5
