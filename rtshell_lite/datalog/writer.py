@@ -6,6 +6,7 @@ from rtshell_lite import __version__, errors, text
 from rtshell_lite.datalog import blocks
 
 CHUNK = 1 << 20  # octets given to the operating system at once
+LARGE = 1 << 16  # octets of a part that is written without being copied
 STRIDE = 1 << 20  # octets between two points of the index, to begin with
 POINTS = 2048  # more than these, and every second one goes: neither memory nor index grow with the log
 
@@ -88,9 +89,9 @@ class Writer:
                 old.close()
 
     def _start(self, header):
-        self._put(blocks.MAGIC)
+        self._put([blocks.MAGIC])
         self.index.headers.append(self.end)
-        self._put(header)
+        self._put([header])
 
     def _go_on(self, header):
         from rtshell_lite.datalog import reader
@@ -103,7 +104,7 @@ class Writer:
         os.ftruncate(self._file.fileno(), self.end)
         self._file.seek(self.end)
         self.index.headers.append(self.end)
-        self._put(header)
+        self._put([header])
 
     def _check(self, old):
         types = {channel.name: channel.type_id for channel in old}
@@ -121,22 +122,25 @@ class Writer:
             parts += block
             size += sum(map(len, block))
             if size >= CHUNK:
-                self._put(b"".join(parts))
+                self._put(parts)
                 parts, size = [], 0
-        self._put(b"".join(parts))
+        self._put(parts)
 
-    def _put(self, data):
-        rest = memoryview(data)
-        self._synced = self._synced and not rest
+    def _put(self, parts):
+        size = 0
+        self._synced = self._synced and not parts
         try:
-            while rest:
-                rest = rest[self._file.write(rest):]
+            for piece in _pieces(parts):
+                size += len(piece)
+                rest = memoryview(piece)
+                while rest:
+                    rest = rest[self._file.write(rest):]
         except OSError as e:
             self._failed = True  # from here on the index would tell of what is not there
             self._cut()
             e.filename = self.name
             raise
-        self.end += len(data)
+        self.end += size
 
     def _cut(self):
         """Take back what was written of a chunk: the disk is full, and the file must end with a whole record."""
@@ -156,10 +160,23 @@ class Writer:
         """Write the index, and let the disk have all."""
         try:
             if not self._failed:
-                self._put(self.index.block(self.end))
+                self._put([self.index.block(self.end)])
             self.sync()
         finally:
             self._file.close()
+
+
+def _pieces(parts):
+    """Small parts put together, large ones as they are: a copy costs more than a call."""
+    small = []
+    for part in parts:
+        if len(part) < LARGE:
+            small.append(part)
+            continue
+        yield b"".join(small)
+        yield part
+        small = []
+    yield b"".join(small)
 
 
 def _opened(name, target):
