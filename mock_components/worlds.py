@@ -125,8 +125,10 @@ def observed(stage):
     stage.add("Mock", consumers=())
 
 
-def senders(stage, rate=1000, size=1000):
-    """[RATE [SIZE]]: Source0, active, sends at RATE Hz a TimedLong on `number`, SIZE octets on `block` (default 1000, 1000)"""
+def senders(stage, rate=1000, size=1000, *changes):
+    """[RATE [SIZE [ROW=VALUE …]]]: Source0, active, sends at RATE Hz a TimedLong on `number`, SIZE octets on `block` (default
+    1000, 1000); rows of the flavours may be changed: dataflow=pull, interfaces=data_service"""
+    stage.flavour = stage.flavour.but(**dict(change.split("=") for change in changes))
     source = stage.add("Source", rate=float(rate), size=int(size))
     source.owned[0].activate_component(source.reference)
 

@@ -6,7 +6,7 @@ import io
 import os
 import sys
 
-from rtshell_lite import __version__, errors, options, path, rpc, text
+from rtshell_lite import __version__, commandline, errors, path, rpc, text
 
 EXIT_STATUSES = """exit status:
   0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
@@ -102,6 +102,18 @@ def _prepare_streams():
         sys.stdout = io.TextIOWrapper(sys.stdout.buffer, "utf-8", "backslashreplace", line_buffering=sys.stdout.isatty())
     if sys.stderr is not None:
         sys.stderr = io.TextIOWrapper(sys.stderr.buffer, "utf-8", "backslashreplace", line_buffering=True)
+
+
+def check_reader():
+    """Raise BrokenPipeError when nobody reads stdout any more: for commands that may have nothing to write for long."""
+    import select
+    output = select.poll()
+    try:
+        output.register(sys.stdout.fileno(), 0)
+    except OSError:
+        return  # there is none
+    if any(events & (select.POLLERR | select.POLLHUP) for _, events in output.poll(0)):
+        raise BrokenPipeError
 
 
 def _leave(status):
@@ -266,9 +278,8 @@ class Progress(Tally):
 def parser(arguments, doc, prog):
     """The parser of the command called `prog`, whose file has these `arguments` and this docstring."""
     summary, _, details = doc.strip().partition("\n\n")
-    parser = options.Parser(prog=prog, description=summary, add_help=False,
-                            epilog=(details + "\n\n" if details else "") + EXIT_STATUSES,
-                            formatter_class=_formatter)
+    parser = commandline.Parser(prog=prog, description=summary, add_help=False,
+                                epilog=(details + "\n\n" if details else "") + EXIT_STATUSES, formatter_class=_formatter)
     arguments(parser)
     taken = parser._option_string_actions  # rtcryo has a -v of its own
     parser.add_argument(*[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
@@ -332,6 +343,13 @@ def execution_context(parser):
     """-e: which execution context."""
     parser.add_argument("-e", "--exec-context", "--exec_context", type=int, default=0, metavar="N",
                         help="execution context, counted from 0 over the owned, then the participating ones (default: 0)")
+
+
+def limits(parser, what):
+    """-n and -t: args.number, below 0 where not given, and args.duration, None where not given."""
+    parser.add_argument("-n", "--number", type=int, default=-1, metavar="N", help="end after N %s (default: never)" % what)
+    parser.add_argument("-t", dest="duration", type=seconds, metavar="SECONDS",
+                        help="end after so long; status 1 when there were not N %s by then" % what)
 
 
 def wait(parser, what):

@@ -222,9 +222,11 @@ _DATA, _ALL = ("DataInPort", "DataOutPort"), ("DataInPort", "DataOutPort", "Corb
 _OBJECTS = ("object",)
 
 KINDS = {
-    "PATH": _paths(_OBJECTS), "OTHER": _paths(_OBJECTS), "MANAGER[:NAME] | COMPOSITE": _paths(_OBJECTS),
+    "PATH": _paths(_OBJECTS), "OTHER": _paths(_OBJECTS), "PATH|SERVER": _paths(_OBJECTS),
+    "MANAGER[:NAME] | COMPOSITE": _paths(_OBJECTS),
     "DIRECTORY": _paths(()), "SERVER": _paths(()), "MANAGER": _paths(("manager",)),
-    "PATH:PORT": _paths(_OBJECTS, _ALL, True), "PATH[:PORT]": _paths(_OBJECTS, _ALL), "PATH[:PORT,…]": _paths(_OBJECTS, _ALL),
+    "PATH:PORT": _paths(_OBJECTS, _ALL, True), "PATH:PORT[.NAME]": _paths(_OBJECTS, _DATA, True),
+    "PATH[:PORT]": _paths(_OBJECTS, _ALL), "PATH[:PORT,…]": _paths(_OBJECTS, _ALL),
     "PATH:OUT": _paths(_OBJECTS, _DATA[1:], True), "PATH:IN": _paths(_OBJECTS, _DATA[:1], True),
     "SET": _sets, "PARAM": _parameters, "FILE": _files, "DIR": _directories,
 }

@@ -271,7 +271,8 @@ class Reader(Connection):
 
     def lost(self):
         if self.served and not self.count:
-            return "it has dropped the connection; if it cannot reach this machine, pull can be tried"
+            return ("the component has dropped the connection: it cannot reach this machine (then pull may do), "
+                    "or its values exceed its ORB's giopMaxMsgSize")
         return Connection.lost(self)
 
     def release(self):

@@ -1,7 +1,9 @@
 """How values flow over a port: their rate, the gaps between them, bytes, and what their own timestamps tell."""
 import math
 
-IRREGULAR = 1.5  # a gap between timestamps that is so much longer than usual has missing values in it
+LONG, SHORT = 1.5, 0.5  # gaps between timestamps: so many times the usual one has missing values in it, or late ones behind it
+PAUSE, PAUSE_LEAST = 20, 10**9  # a gap of so many usual ones, and of 1 s at least, is a pause, from which all begins anew
+FIRST = 10  # gaps that tell what is usual
 
 
 class Spread:
@@ -40,7 +42,8 @@ class Stretch:
         rate        values a second, from the gaps between them
         gap_…       seconds between two values; jitter is the standard deviation
         age_…       seconds from a value's own timestamp to its arrival (negative where clocks differ)
-        missing     values that would fill the long gaps between timestamps, if the port sends at regular intervals
+        missing     values that would fill the long gaps between timestamps, less those that came close behind: a guess, for
+                    ports that send at regular intervals
         disordered  values with a timestamp before that of the value before; repeated: with the same
         """
         gaps, ages = self.gaps, self.ages
@@ -58,7 +61,8 @@ class Flow:
 
     def __init__(self):
         self.total, self.recent = Stretch(), Stretch()
-        self.last = self.stamp = self.usual = None  # last arrival, last timestamp, usual gap between timestamps, ns
+        self.last = self.stamp = None  # the last arrival and the last timestamp, ns
+        self.stamps = self.since = 0  # gaps between timestamps since a pause, and all of them together
 
     def add(self, received, size, stamp):
         """Count a value of `size` bytes that came at `received`, with its own timestamp or None; both in ns since 1970."""
@@ -87,14 +91,21 @@ class Flow:
             return
         if gap <= 0:
             self._count("disordered" if gap < 0 else "repeated", 1)
-        elif self.usual is None:
-            self.usual = gap
-        elif gap > IRREGULAR * self.usual:
-            self._count("missing", round(gap / self.usual) - 1)
-            self.usual = min(gap, self.usual * 1.05)  # a port that has become slower is believed after a while
         else:
-            self.usual += (gap - self.usual) / 16
+            self._gap(gap)
+
+    def _gap(self, gap):
+        usual = self.since / self.stamps if self.stamps else gap  # the mean since the last pause: no hiccup sways that
+        if gap > max(PAUSE * usual, PAUSE_LEAST):
+            self.stamps = self.since = 0
+            return
+        if self.stamps >= FIRST and gap > LONG * usual:
+            self._count("missing", round(gap / usual) - 1)
+        elif gap < SHORT * usual:
+            self._count("missing", -1)
+        self.stamps += 1
+        self.since += gap
 
     def _count(self, what, number):
         for stretch in (self.total, self.recent):
-            setattr(stretch, what, getattr(stretch, what) + number)
+            setattr(stretch, what, max(0, getattr(stretch, what) + number))

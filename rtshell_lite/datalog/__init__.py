@@ -50,7 +50,7 @@ def load(name, modules=()):
         if start.startswith(blocks.MAGIC):
             from rtshell_lite.datalog import reader
             return reader.Log(file, where, size)
-        if start[:1] == b"\x80" or start[:2] in (b"(F", b"(I"):
+        if start[:1] == b"\x80" or start[:2] in (b"(F", b"(G"):
             from rtshell_lite.datalog import simpkl
             return simpkl.Log(file, where, size, modules)
         if start.split(b".")[0].isdigit():

@@ -63,7 +63,9 @@ class Machine:
                     raise Refused("opcode %r" % code)
                 operation(self)
                 code = self._read(1)
-            value, = self._stack
+            value = self._pop()
+            if self._stack:
+                raise Refused("the opcodes do not fit")
         except (IndexError, KeyError, TypeError, ValueError, AttributeError, struct.error):
             raise Refused("the opcodes do not fit")
         return value
@@ -208,6 +210,8 @@ class Machine:
 
 
 def _fill(target, values):
+    if len(values) % 2:
+        raise Refused("a key without a value")
     for key, value in zip(values[::2], values[1::2]):
         if type(key) is not str:  # anything else could be made to hash for ever
             raise Refused("a key that is no text")

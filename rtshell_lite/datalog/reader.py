@@ -162,7 +162,7 @@ class Log:
             index = self._believed(blocks.parsed(body, footer=True), position)
             self.closed = True
             return index, position
-        except (blocks.Damaged, KeyError, TypeError, ValueError, IndexError, OverflowError):
+        except (blocks.Damaged, KeyError, TypeError, ValueError, IndexError, AttributeError):
             return None
 
     def _believed(self, told, position):

@@ -29,7 +29,7 @@ class Log:
         machine = self._machine(0)
         try:
             started, specs = machine.load()
-            self.started = int(started * 1e9)
+            self.started = int(started) * 10 ** 9 + int(started % 1 * 1e9)
             self.channels = [_channel(spec.fields) for spec in specs]
         except pickles.Refused as e:
             raise errors.No(where, "its header cannot be read: %s" % e)
