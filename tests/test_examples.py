@@ -41,6 +41,7 @@ PREPARED = {
     "rtexit --wait Motor0.rtc Sensor0.rtc": FRESH,
     "rtlog": "rtact Source0.rtc", "rtprint": "rtact Source0.rtc",
     "rtlog --json -f run.rtlog | grep force": "rtlog -f run.rtlog -t 1 Source0.rtc:number.force",
+    "rtprint --idl arm.idl Arm0.rtc:status": "echo 'module Arm { struct Status { long error; }; };' >arm.idl",
     "rtvlog": ("observed",),
     "until rtfind -q --state active / -n Motor0.rtc; do sleep 1; done": "rtact Motor0.rtc",
 }
@@ -51,6 +52,7 @@ NAMES = [
     ("corbaloc:iiop:robot:2810", "corbaloc:iiop:localhost:@MANAGER@"),
     ("Camera.so:CameraInit -c Camera", "Hokuyo_AIST.py:Hokuyo_AISTInit -c Hokuyo_AIST"),
     (r"(rtvlog.*) Arm0.rtc", r"\1"),
+    ("Arm0.rtc:status", "Source0.rtc:number"),
     ("Arm0.rtc:joints", "Source0.rtc:number"), ("Hand0.rtc:force", "Source0.rtc:number"), ("Viewer0.rtc:in", "ConsoleOut0.rtc:in"),
     ("rtlog -f run.rtlog -t 60", "rtlog -f run.rtlog -t 1"), ("-t 5 ConsoleOut0", "-t 1 ConsoleOut0"),
     (r"(rtprint.*) ConsoleIn0.rtc:out", r"\1 Source0.rtc:number"),
