@@ -212,18 +212,18 @@ def _above(where):
 # ---- components -------------------------------------------------------------------------------------------------
 
 def _memberships(site, at):
-    """Whether a composite has its members."""
+    """Whether a composite has its members; those that are not there are told apart from the others."""
     members = [at(one.component) for one in site.each.participants]
-    members = [each for each in members if each is not None and each.error is None]
-    if not members:
-        return []
-    step = steps.Members(site, members)
-    if site.error is not None:
-        return [apply.Outcome(step, error=site.error)]
-    if site.found is not None and all(any(orb.same(ref, each.node.ref) for _, ref in site.found.members)
-                                      for each in members if each.node is not None) and all(each.node for each in members):
-        return [apply.Outcome(step, apply.SO)]
-    return [apply.Outcome(step)]
+    members = [each for each in members if each is not None]
+    usable = [each for each in members if each.error is None]
+    made = []
+    if usable:
+        made.append(_on(site, steps.Members(site, usable), site.found is not None and all(
+            each.node is not None and any(orb.same(ref, each.node.ref) for _, ref in site.found.members) for each in usable)))
+    lost = [each for each in members if each.error is not None]
+    if lost:
+        made.append(apply.Outcome(steps.Members(site, lost), error=lost[0].error))
+    return made
 
 
 def _configurations(site):
@@ -243,7 +243,9 @@ def _configurations(site):
             made.append(_on(site, steps.Values(site, one.id, differing or known), not differing))
     active = site.each.active_configuration_set
     if active:
-        made.append(_on(site, steps.Active(site, active), site.found is not None and site.found.active == active))
+        touched = any(each.pending for each in made)  # setting values deactivates, until the set is activated again
+        so = site.found is not None and site.found.active == active and not touched
+        made.append(_on(site, steps.Active(site, active), so))
     return made
 
 

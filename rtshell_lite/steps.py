@@ -160,7 +160,8 @@ class Members(Step):
     kind = "members"
 
     def __init__(self, site, members):
-        Step.__init__(self, [site] + members, site.where, "members of " + site.where)
+        names = ", ".join(printable(each.instance) for each in members)
+        Step.__init__(self, [site] + members, site.where, "members %s of %s" % (names, site.where))
         self.site, self.members = site, members
         there = [ref for _, ref in site.found.members] if site.found else []
         new = [one for one in members if one.node is None or not any(orb.same(ref, one.node.ref) for ref in there)]
@@ -197,6 +198,7 @@ class Values(Step):
     def __init__(self, site, set_id, values):
         Step.__init__(self, [site], site.where, "configuration set %s of %s" % (printable(set_id), site.where))
         self.site, self.set_id, self.values = site, set_id, values
+        self.kept = None  # the set that was active before, which it has to be again
         self.command = configuration.command(site.where, set_id, "set", *["%s=%s" % item for item in values.items()])
 
     def jobs(self):
@@ -209,11 +211,13 @@ class Values(Step):
         return found, within
 
     def so(self, answers):
-        _, within = self._now(answers)
-        return all(within.values[name] == value for name, value in self.values.items())
+        found, within = self._now(answers)
+        return all(within.values[name] == value for name, value in self.values.items()) and (
+            self.kept is None or found.active == self.kept)
 
     def act(self, answers):
         found, within = self._now(answers)
+        self.kept = None if self.site.each.active_configuration_set else found.active  # else the next step sees to it
         found.store(self.values, within)
 
     def undo(self, before, after):
