@@ -4,6 +4,9 @@ import signal
 import socket
 import sys
 
+from rtshell_lite.idl_stubs.component import RTC
+from rtshell_lite.idl_stubs.dataport import OpenRTM
+
 from . import observers, values
 
 HELP = """\
@@ -13,7 +16,10 @@ reset                      forget calls, high-water mark, faults, delays and han
 received COMPONENT:PORT [N]  how many values an InPort has got and the last one; waits up to 10 s for N
 sent COMPONENT:PORT        how many values an OutPort has written
 write COMPONENT:PORT NUMBER  let an OutPort send a value made of that number
+answer COMPONENT:PORT STATUS  an InPort refuses values: BUFFER_FULL, PORT_ERROR …; PORT_OK: takes them again
+refuse COMPONENT:PORT CODE  a data port refuses connections: RTC_ERROR …; RTC_OK: takes them again
 connectors COMPONENT:PORT  id and name of each connection
+forget COMPONENT:PORT      let the last port of connections forget them, and the others not
 state COMPONENT [HANDLE]   its state in its first context, or in another: 1000 of the composite that has taken it
 error COMPONENT            put it into the Error state
 fail OPERATION [N] [KIND]  the Nth next call of it ends badly: a system exception such as TRANSIENT (default),
@@ -21,6 +27,8 @@ fail OPERATION [N] [KIND]  the Nth next call of it ends badly: a system exceptio
 delay OPERATION SECONDS    every call of it takes that long
 hang COMPONENT SECONDS     its calls wait until so long from now; 0 lets them go
 log COMPONENT LEVEL NAME MESSAGE  hand a record to its loggers, as no real component does
+observers COMPONENT        the interface types of what is registered with it
+forget COMPONENT [N]       it loses them, and the N next ones, too
 fsm COMPONENT STATE        let a state machine change its state
 forsake COMPONENT          it ends, but a manager goes on listing it
 components                 instance names
@@ -62,8 +70,21 @@ class Commands:
         port = self.stage.port(port)
         port.write(values.make(port.type_name, float(number)))
 
+    def answer(self, port, status):
+        getattr(OpenRTM, status)
+        self.stage.port(port).status = status
+
+    def refuse(self, port, code):
+        getattr(RTC, code)
+        self.stage.port(port).refusal = None if code == "RTC_OK" else code
+
     def connectors(self, port):
         return ["%s %s" % (p.connector_id, p.name) for p in list(self.stage.port(port).profiles.values())]
+
+    def forget(self, port):
+        port = self.stage.port(port)
+        for profile in list(port.profiles.values()):
+            port.notify_disconnect(profile.connector_id)  # of the last port of a connection: the others do not hear of it
 
     def state(self, component, handle=0):
         component = self.stage.components[component]
@@ -86,6 +107,13 @@ class Commands:
         if level not in observers.LEVELS:
             raise ValueError("no such level: " + level)
         self.stage.components[component].observers.log(level, name, message)
+
+    def observers(self, component):
+        registered = self.stage.components[component].observers.registered
+        return sorted(consumer.interface_type for consumer in list(registered.values()))
+
+    def forget(self, component, count=0):
+        self.stage.components[component].observers.forget(int(count))
 
     def fsm(self, component, state):
         self.stage.components[component].go(state)

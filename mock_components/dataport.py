@@ -17,6 +17,7 @@ class DataPort(Port):
     def __init__(self, component, name, type_name):
         self.type_name = type_name
         self.data_type = component.flavour.data_type(type_name)
+        self.refusal = None             # the code with which it refuses connections
         Port.__init__(self, component, name)
 
     def component_keys(self, with_names):
@@ -48,6 +49,8 @@ class DataPort(Port):
             put(profile.properties, "dataport.serializer.cdr.endian", "little,big")
 
     def publish(self, profile):
+        if self.refusal:
+            return getattr(RTC, self.refusal)
         if len(self.profiles) >= int(get(profile.properties, "dataport." + self.fan, str(FAN_LIMIT))):
             return RTC.PRECONDITION_NOT_MET
         flow, interface = agreed(profile)
@@ -174,6 +177,7 @@ class InPort(DataPort):
         DataPort.__init__(self, component, name, type_name)
         self.received = 0
         self.last = None
+        self.status = "PORT_OK"         # what it answers to values
 
     def modes(self):
         return [("dataport.subscription_type", "Any")]

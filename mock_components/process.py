@@ -33,7 +33,8 @@ class Process:
 
     def __init__(self, port=0):
         endpoint = "giop:tcp:127.0.0.1:%s" % (port or "")
-        self.orb = CORBA.ORB_init([sys.argv[0], "-ORBendPoint", endpoint, "-ORBtraceLevel", "0"], CORBA.ORB_ID)
+        self.orb = CORBA.ORB_init([sys.argv[0], "-ORBendPoint", endpoint, "-ORBtraceLevel", "0",
+                                   "-ORBgiopMaxMsgSize", str(32 << 20)], CORBA.ORB_ID)  # as components that send images need it
         self.ledger = Ledger()
         self.locator = Locator(self.ledger)
         self.arrived = threading.Condition()    # notified when an InPort has received something

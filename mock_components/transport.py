@@ -69,12 +69,16 @@ class Receiver(Transport):
         Transport.__init__(self, port, profile, interface)
         self.serve({"corba_cdr": InPortCdr, "data_service": DataPushService})
 
-    def take(self, data):
+    def answer(self, data):
+        """Take a value; the name of the status to return."""
+        if self.port.status != "PORT_OK":
+            return self.port.status
         try:
             self.port.take(data, self.little)
         except CORBA.MARSHAL:
             if self.port.flavour.short_put == "MARSHAL":
                 raise
+        return "PORT_OK"
 
 
 class InPortCdr(OpenRTM__POA.InPortCdr):
@@ -82,8 +86,7 @@ class InPortCdr(OpenRTM__POA.InPortCdr):
         self.receiver = receiver
 
     def put(self, data):
-        self.receiver.take(data)
-        return OpenRTM.PORT_OK
+        return getattr(OpenRTM, self.receiver.answer(data))
 
 
 class DataPushService(DataService__POA.DataPushService):
@@ -91,8 +94,7 @@ class DataPushService(DataService__POA.DataPushService):
         self.receiver = receiver
 
     def push(self, data):
-        self.receiver.take(data)
-        return DataService.PORT_OK
+        return getattr(DataService, self.receiver.answer(data))
 
 
 class Sender(Transport):
@@ -105,7 +107,7 @@ class Sender(Transport):
         self.mode = mode
         self.policy = get(profile.properties, "dataport.publisher.push_policy", "new")
         self.news = threading.Condition()
-        self.waiting = collections.deque(maxlen=8)
+        self.waiting = collections.deque(maxlen=int(get(profile.properties, "dataport.buffer.length", "8")))
         self.lost = self.closed = False
         if mode != "flush":
             self.process.thread(self._publish, pause)

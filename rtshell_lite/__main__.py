@@ -8,8 +8,6 @@ For a robot without pip, copy the wheel (and one of omniORBpy) there, then:
   PYTHONPATH=rtshell_lite-0.1.0-py3-none-any.whl python3 -m rtshell_lite --unpack /opt/rtshell jeteve_omniorb-*.whl
 """
 import difflib
-import importlib.abc
-import importlib.util
 import shlex
 import sys
 
@@ -47,26 +45,10 @@ def summaries():
     return ["  %-*s  %s" % (width, name, installation.summary(installation.read(found[name]))) for name in sorted(found)]
 
 
-class CommandLoader(importlib.abc.SourceLoader):
-    """Reads a command's file, which has no .py and may be inside the wheel."""
-
-    def __init__(self, path):
-        self.path = path
-
-    def get_filename(self, fullname):
-        return self.path
-
-    def get_data(self, path):
-        return installation.read(path)
-
-
 def run_command(path, words):
     """Become that command, as if the shell had started it."""
-    spec = importlib.util.spec_from_loader("__main__", CommandLoader(path))
-    module = importlib.util.module_from_spec(spec)
     sys.argv = [path] + words
-    sys.modules["__main__"] = module
-    spec.loader.exec_module(module)
+    installation.load(path, "__main__")
 
 
 def main():

@@ -4,10 +4,9 @@ import collections
 import errno
 import io
 import os
-import re
 import sys
 
-from rtshell_lite import __version__, errors, path, rpc, text
+from rtshell_lite import __version__, commandline, errors, path, rpc, text
 
 EXIT_STATUSES = """exit status:
   0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
@@ -23,15 +22,23 @@ def main(arguments, run, doc, argv=None):
     """Run one command and exit: `arguments(parser)` declares, `run(args)` does the work and returns the exit status."""
     _prepare_streams()
     try:
-        _leave(_run(arguments, run, doc, sys.argv[1:] if argv is None else argv))
+        _leave(command(arguments, run, doc, sys.argv[1:] if argv is None else argv))
     except KeyboardInterrupt:
         _leave(130)
+    except Ended as e:
+        _leave(e.args[0])
 
 
-def _run(arguments, run, doc, argv):
+class Ended(BaseException):
+    """SIGTERM or SIGHUP, on its way through the `finally`s; its argument is the exit status."""
+
+
+def command(arguments, run, doc, argv):
+    """Run one command in this process, named by sys.argv[0], and return its exit status. Raises KeyboardInterrupt, Ended."""
+    before = _quiet, _verbose, rpc.timeout
     try:
-        args = _parser(arguments, doc).parse_args(argv)
-        _settle(args)
+        args = parser(arguments, doc, os.path.basename(sys.argv[0])).parse_args(argv)
+        _settle(args.quiet, args.verbose, args.timeout)
         return run(args) or 0
     except errors.Error as e:
         return complain(e)
@@ -48,20 +55,32 @@ def _run(arguments, run, doc, argv):
             traceback.print_exc()
         complain("internal error: %s: %s (RTSHELL_DEBUG=1 shows where)" % (type(e).__name__, e))
         return 70
+    finally:
+        _settle(*before)  # to those of the rtsh that runs this command
 
 
 def unwind_when_ended():
-    """Let SIGTERM and SIGHUP end the command as Ctrl-C does, by way of its `finally`s: it has put something into a component."""
+    """Let SIGTERM and SIGHUP end the command as Ctrl-C does, by way of its `finally`s: it has put something into a component.
+
+    The first of them counts: a terminal that closes and systemd send both, and the second must not cut the unwinding short.
+    """
     import signal
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores SIGHUP
-            signal.signal(number, lambda number, frame: sys.exit(128 + number))
+    ours = [number for number in (signal.SIGTERM, signal.SIGHUP)
+            if signal.getsignal(number) == signal.SIG_DFL]  # nohup ignores SIGHUP
+
+    def unwind(number, frame):
+        for each in ours:
+            signal.signal(each, signal.SIG_IGN)
+        raise Ended(128 + number)
+
+    for number in ours:
+        signal.signal(number, unwind)
 
 
-def _settle(args):
+def _settle(quiet, verbose, timeout):
     global _quiet, _verbose
-    _quiet, _verbose = args.quiet, args.verbose
-    rpc.timeout = args.timeout
+    _quiet, _verbose, rpc.timeout = quiet, verbose, timeout
+    rpc.silent.clear()  # in rtsh: what was silent for one command is asked again by the next
 
 
 class _Closed(io.TextIOBase):
@@ -83,6 +102,18 @@ def _prepare_streams():
         sys.stdout = io.TextIOWrapper(sys.stdout.buffer, "utf-8", "backslashreplace", line_buffering=sys.stdout.isatty())
     if sys.stderr is not None:
         sys.stderr = io.TextIOWrapper(sys.stderr.buffer, "utf-8", "backslashreplace", line_buffering=True)
+
+
+def check_reader():
+    """Raise BrokenPipeError when nobody reads stdout any more: for commands that may have nothing to write for long."""
+    import select
+    output = select.poll()
+    try:
+        output.register(sys.stdout.fileno(), 0)
+    except OSError:
+        return  # there is none
+    if any(events & (select.POLLERR | select.POLLHUP) for _, events in output.poll(0)):
+        raise BrokenPipeError
 
 
 def _leave(status):
@@ -121,13 +152,17 @@ def detail(line):
 
 
 def _say(line):
+    _say_as_it_is("%s: %s" % (os.path.basename(sys.argv[0]), line))
+
+
+def _say_as_it_is(line):
     try:
         sys.stdout.flush()  # so that `2>&1` keeps the order
     except OSError:
         pass  # the last flush will tell
     if sys.stderr is not None:
         try:
-            sys.stderr.write("%s: %s\n" % (os.path.basename(sys.argv[0]), text.safe(line)))
+            sys.stderr.write(text.safe(line) + "\n")
         except OSError:
             pass  # nobody left to tell
 
@@ -209,81 +244,52 @@ def _told(args, outcomes):
     return tally.status()
 
 
+class Progress(Tally):
+    """Tells what becomes of the actions of a plan (see starting.py), as it happens, in the words of rtshell."""
+
+    def __init__(self, as_json, verb, state):
+        """`verb` is Activate, say, and `state` the one that it leads to."""
+        Tally.__init__(self)
+        self.as_json, self.verb, self.state = as_json, verb, state
+
+    def starting(self, action, line):
+        """An action begins; `line` is what it is."""
+        if not _quiet:
+            _say_as_it_is("Executing {%d} %s" % (action.number, line))
+
+    def ended(self, result):
+        """An action has ended, or will not be tried; failures of optional components leave the exit status as it is."""
+        action, error = result.action, result.error
+        if self.as_json:
+            print(text.json_line({
+                "action": self.verb.lower(), "number": action.number, "path": action.path, "context": action.context,
+                "required": action.component.is_required, "result": result.outcome, "error": str(error) if error else None}))
+        if error is None:
+            self.add(action)
+            detail("%s: %s%s" % (action.path, "already " if result.outcome == "already" else "", self.state))
+        elif action.component.is_required:
+            self.add(error)
+        else:
+            _say_as_it_is("Action failed: %s" % error)
+
+
 # ---- options --------------------------------------------------------------------------------------------------
 
-class _Parser(argparse.ArgumentParser):
-    """argparse with options anywhere, numbers below zero as arguments, no abbreviations, and our errors."""
-
-    def error(self, message):
-        raise errors.Usage(message.replace(": -- ", ": "))
-
-    def parse_args(self, argv):
-        options, words = self._sorted(argv)
-        return super().parse_args(options + ["--"] + words if words else options)
-
-    def _sorted(self, argv):
-        """Separate options with their values from the other words; argparse itself cannot mix them on all Pythons."""
-        options, words, rest = [], [], list(argv)
-        while rest:
-            word = rest.pop(0)
-            if word == "--":
-                words += rest
-                break
-            if self._is_option(word):
-                options += self._option(word, rest)
-            else:
-                words.append(word)
-        return options, words
-
-    def _is_option(self, word):
-        if re.match(r"-\.?[0-9]", word):  # -5 is a number, -0 and -0R are options where there is a -0
-            return word[:2] in self._option_string_actions and not re.search("[0-9.]", word[2:])
-        return word.startswith("-") and word != "-"
-
-    def _option(self, word, rest):
-        """One option as argparse reads it on every Python: clusters (-lR) apart, with its value, which may come from `rest`."""
-        if word.startswith("--"):
-            name, equals, _ = word.partition("=")
-            action = self._known(name, word)
-            return [word] if equals else self._with_value(word, action, rest, "=")
-        action = self._known(word[:2], word)
-        if len(word) == 2:
-            return self._with_value(word, action, rest, "")
-        if action.nargs == 0:
-            return [word[:2]] + self._option("-" + word[2:], rest)
-        return [word]
-
-    def _known(self, name, word):
-        # not left to argparse: it takes abbreviations, and its way to forbid them breaks -n5 before Python 3.8
-        if name not in self._option_string_actions:
-            self.error("unrecognized arguments: " + text.printable(word))
-        return self._option_string_actions[name]
-
-    @staticmethod
-    def _with_value(word, action, rest, glue):
-        if not rest or action.nargs == 0:
-            return [word]
-        # --wait PATH, --shell PATH: a word that cannot be the option's value is not taken for it
-        if action.nargs == "?":
-            fits = rest[0] in action.choices if action.choices else re.match(r"\.?[0-9]+\.?[0-9]*$", rest[0])
-            if not fits:
-                return [word]
-        value = rest.pop(0)
-        return [word + glue + value] if value.startswith("-") else [word, value]  # argparse would take -n -x for two options
-
-
-def _parser(arguments, doc):
+def parser(arguments, doc, prog):
+    """The parser of the command called `prog`, whose file has these `arguments` and this docstring."""
     summary, _, details = doc.strip().partition("\n\n")
-    parser = _Parser(prog=os.path.basename(sys.argv[0]), description=summary, add_help=False,
-                     epilog=(details + "\n\n" if details else "") + EXIT_STATUSES,
-                     formatter_class=_formatter)
+    parser = commandline.Parser(prog=prog, description=summary, add_help=False,
+                                epilog=(details + "\n\n" if details else "") + EXIT_STATUSES, formatter_class=_formatter)
     arguments(parser)
     taken = parser._option_string_actions  # rtcryo has a -v of its own
     parser.add_argument(*[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
                         help="tell on stderr what is done")
     parser.add_argument("-q", "--quiet", action="store_true", help="no notes on stderr, errors only")
-    parser.add_argument("--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
-                        help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)")
+    if "--timeout" in taken:  # how long rtprint, rtinject and rtlog run
+        parser.set_defaults(timeout=_default_timeout())
+    else:
+        parser.add_argument("--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
+                            help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)")
     parser.add_argument("--version", action="version", version=__version__)
     parser.add_argument("-h", "--help", action="help", help="show this and exit")
     return parser
@@ -319,12 +325,13 @@ def one_of(*words):
         if word not in words:
             raise argparse.ArgumentTypeError("not one of %s: %s" % (", ".join(words), text.printable(word)))
         return word
+    check.words = words  # for completion
     return check
 
 
 def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
-    """The positional arguments `paths`."""
-    parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)
+    """The positional arguments `paths`; `metavar` tells completion.py what they are."""
+    return parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)
 
 
 def parsed(words):
@@ -336,6 +343,13 @@ def execution_context(parser):
     """-e: which execution context."""
     parser.add_argument("-e", "--exec-context", "--exec_context", type=int, default=0, metavar="N",
                         help="execution context, counted from 0 over the owned, then the participating ones (default: 0)")
+
+
+def limits(parser, what):
+    """-n and -t: args.number, below 0 where not given, and args.duration, None where not given."""
+    parser.add_argument("-n", "--number", type=int, default=-1, metavar="N", help="end after N %s (default: never)" % what)
+    parser.add_argument("-t", dest="duration", type=seconds, metavar="SECONDS",
+                        help="end after so long; status 1 when there were not N %s by then" % what)
 
 
 def wait(parser, what):

@@ -2,6 +2,7 @@
 import collections
 
 from rtshell_lite import component, errors, orb, ports, system
+from rtshell_lite.system import shown_path as _path
 from rtshell_lite.text import printable
 
 # One check. `what` completes "Check …", `needs` are the components of the profile that have to be there for it, and
@@ -67,10 +68,6 @@ def _do(check, found):
 
 def _is_missing(failure):
     return isinstance(failure, (errors.NotFound, errors.WrongKind, errors.Gone, errors.ProcessGone, errors.No))
-
-
-def _path(each):
-    return "/" + printable(each.path_uri.lstrip("/"))
 
 
 def _end_word(number):

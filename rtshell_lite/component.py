@@ -167,24 +167,37 @@ def change(node, transition, index=0, wait=None):
     RTC_ERROR when it takes longer than their own limit of 0.5 s and change it all the same: so after RTC_ERROR the state is
     watched for the timeout. Raises Refused with the reason, Unreachable when the state was not reached in time.
     """
-    ref = context_ref(node, index)
+    change_in(node, context_ref(node, index), transition, wait, "its execution context %d" % index)
+    return transition.target
+
+
+def change_in(node, ref, transition, wait=None, called="this execution context", stage=lambda name: None):
+    """`change` in the execution context `ref`; returns the state that the component was in before.
+
+    `called` is the context in messages. If the component has to change, stage("asking") is called before it is asked, and
+    stage("told") when it has accepted.
+    """
     before = state_in(node, ref)
     if before == transition.target:
         return before
+    stage("asking")
     if transition is DEACTIVATE:
         _members_first(node, ref, wait)
     code = _request(node, ref, transition, node.typed, wait)
     if code == "BAD_PARAMETER":
         known = canonical(node)
         if known is None:
-            raise errors.Refused(str(node.path), "is not in its execution context %d" % index)
+            raise errors.Refused(str(node.path), "is not in " + called)
         code = _request(node, ref, transition, known, wait)
+    if code == "RTC_OK":
+        stage("told")
     if code == "RTC_OK" and wait is None:
-        return transition.target
+        return before
     now = state_in(node, ref)
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
         raise errors.Refused(str(node.path), "cannot %s: %s" % (transition.name, _reason(code, before, now, transition)))
-    return _until(node, ref, transition, now, rpc.timeout if wait is None else wait)
+    _until(node, ref, transition, now, rpc.timeout if wait is None else wait)
+    return before
 
 
 def _request(node, ref, transition, target, wait):
@@ -202,8 +215,8 @@ def _reason(code, before, now, transition):
 
 
 def _until(node, ref, transition, now, seconds):
-    """Poll until the state is reached."""
-    limit = time.monotonic() + seconds
+    """Poll until the state is reached, at first more often: most components are there in a few periods."""
+    limit, pause = time.monotonic() + seconds, POLL / 10
     while now != transition.target:
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), "cannot %s: it went to Error" % transition.name)
@@ -212,9 +225,9 @@ def _until(node, ref, transition, now, seconds):
                 transition.name, "; it takes part in others, named with -e (see rtec)" if context_refs(node)[1] else ""))
         if time.monotonic() > limit:
             raise errors.Unreachable(str(node.path), "not %s within %gs, still %s" % (transition.target, seconds, now))
-        time.sleep(POLL)
+        time.sleep(pause)
+        pause = min(2 * pause, POLL)
         now = state_in(node, ref)
-    return now
 
 
 # ---- exit -----------------------------------------------------------------------------------------------------

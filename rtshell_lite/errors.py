@@ -21,6 +21,14 @@ class BadProfile(Error):
     """{}:{}:{}: {}"""  # file, line, column, what is wrong there
 
 
+class BadIdl(Error):
+    """{}:{}:{}: {}"""  # file, line, column, what is wrong there
+
+
+class BadType(Error):
+    """{}: {}"""  # type, why it is of no use
+
+
 class MissingOmniORB(Error):
     """omniORBpy is not installed; take python3-omniorb from the system's packages, or: pip install 'rtshell_lite[omniorb]'"""
 
@@ -33,6 +41,18 @@ class Usage(Error):
 
 class BadPath(Error):
     """{}"""
+
+    status = 2
+
+
+class BadValue(Error):
+    """{}: {}"""  # type and field, why the value does not fit
+
+    status = 2
+
+
+class BadLine(Error):
+    """{}"""  # of rtsh
 
     status = 2
 
@@ -85,6 +105,10 @@ class NoManager(ConnectionRefused):
     """{}: connection refused; is the manager running?"""
 
 
+class BadData(Unreachable):
+    """{}: {}"""  # type, why the bytes are none of it
+
+
 class Refused(Error):
     """{}: {}"""
 
@@ -98,6 +122,16 @@ class Refused(Error):
 
 class Gone(Unreachable):
     """{}: zombie (the name is bound, but its object is gone)"""
+
+
+class Uncertain(Unreachable):
+    """{}: {}; whether it has been done is not known"""
+
+
+class NotTried(Error):
+    """{}: not tried: {}"""
+
+    status = 5
 
 
 class Partial(Error):

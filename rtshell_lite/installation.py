@@ -1,6 +1,8 @@
 """Where this rtshell_lite is: in a checkout, in an installation, or in a wheel file; its commands and its files."""
 import ast
 import glob
+import importlib.abc
+import importlib.util
 import os
 import re
 import sys
@@ -29,9 +31,47 @@ def commands():
     return found
 
 
+def manual_pages():
+    """The manual pages, {path below share/man: path}; a path may lead into the wheel file. {} where they are not."""
+    archive = wheel()
+    if archive:
+        with zipfile.ZipFile(archive) as members:
+            found = re.findall(r"^(rtshell_lite-[^/]+\.data/data/share/man/(.+\.[17]))$", "\n".join(members.namelist()), re.MULTILINE)
+        return {below: os.path.join(archive, *name.split("/")) for name, below in found}
+    above = os.path.dirname(os.path.dirname(next(iter(commands().values()))))
+    for top in os.path.join(above, "man"), os.path.join(above, "share", "man"):  # a checkout, an installation
+        paths = glob.glob(os.path.join(glob.escape(top), "**", "rt*.[17]"), recursive=True)
+        found = {os.path.relpath(path, top).replace(os.sep, "/"): path for path in paths}
+        if "man7/rtshell_lite.7" in found:
+            return found
+    return {}
+
+
 def read(path):
     """The bytes of a file of ours, also out of the wheel file."""
     return rtshell_lite.__spec__.loader.get_data(path)
+
+
+class _CommandLoader(importlib.abc.SourceLoader):
+    """Reads a command's file, which has no .py and may be inside the wheel."""
+
+    def __init__(self, path):
+        self.path = path
+
+    def get_filename(self, fullname):
+        return self.path
+
+    def get_data(self, path):
+        return read(path)
+
+
+def load(path, name):
+    """The command's file as a module; called `__main__`, it runs."""
+    spec = importlib.util.spec_from_loader(name, _CommandLoader(path))
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module
 
 
 def summary(source):

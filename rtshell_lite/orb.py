@@ -14,6 +14,7 @@ from rtshell_lite.text import from_wire, printable, to_wire
 Address = collections.namedtuple("Address", "type_id host port key")  # what an IOR says: text, text, int, bytes
 
 _started = None  # the ORB, once there is one
+_deadline = None  # seconds: the deadline it was given
 _starting = threading.RLock()
 
 
@@ -21,10 +22,14 @@ _starting = threading.RLock()
 
 def start():
     """The ORB of this process, made at the first call. Raises MissingOmniORB, Usage (bad RTCTREE_ORB_ARGS)."""
-    global _started
+    global _started, _deadline
     with _starting:
         if _started is None:
             _started = _make_orb()
+            _deadline = rpc.timeout
+        elif _deadline != rpc.timeout:  # another command of rtsh, with a --timeout of its own
+            _deadline = rpc.timeout
+            _set_deadline()
     return _started
 
 
@@ -38,7 +43,21 @@ def _make_orb():
     try:
         return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
     except CORBA.SystemException as e:
-        raise errors.Usage("RTCTREE_ORB_ARGS: %s: not understood by omniORB (%s)" % (printable(";".join(own)), _label(e)))
+        where = "RTCTREE_ORB_ARGS: " + printable(";".join(own)) if own else "omniORB.cfg, or a variable ORB…"
+        raise errors.Usage("%s: not understood by omniORB (%s)" % (where, _label(e)))
+
+
+def version():
+    """The version of omniORBpy. Raises MissingOmniORB."""
+    _import_omniorb()
+    import omniORB
+    return omniORB.__version__
+
+
+def _set_deadline():
+    import omniORB
+    omniORB.setClientCallTimeout(int(_milliseconds(rpc.timeout)))
+    omniORB.setClientConnectTimeout(int(_milliseconds(rpc.timeout)))
 
 
 def _import_omniorb():
@@ -125,7 +144,7 @@ def address(ref):
             if tag == 0:  # TAG_INTERNET_IOP
                 body = _Cdr(profile)
                 body.at += 2  # the version
-                return Address(type_id, body.octets()[:-1].decode("latin-1"), body.ushort(), body.octets())
+                return Address(type_id, *body.host_and_port(), key=body.octets())
     except (IndexError, struct.error):
         return Address("", "", 0, b"")
     return Address(type_id, "", 0, b"")
@@ -153,6 +172,34 @@ class _Cdr:
         size = self.ulong()
         self.at += size
         return self.data[self.at - size:self.at]
+
+    def host_and_port(self):
+        return self.octets()[:-1].decode("latin-1"), self.ushort()
+
+
+def addresses(ref):
+    """Every (host, port) that the IOR of `ref` offers, in its order: IIOP profiles and the alternatives named in them.
+
+    TAG_ALTERNATE_IIOP_ADDRESS is 3 (CORBA 3.0, 13.6.6.8); a reference without an IIOP profile offers none.
+    """
+    ior, found = _Cdr(binascii.unhexlify(start().object_to_string(ref)[4:])), []
+    try:
+        ior.octets()  # the type id
+        for _ in range(ior.ulong()):
+            tag, profile = ior.ulong(), ior.octets()
+            if tag != 0:
+                continue
+            body = _Cdr(profile)
+            minor, body.at = profile[2], body.at + 2
+            found.append(body.host_and_port())
+            body.octets()  # the object key
+            for _ in range(body.ulong() if minor else 0):
+                component, data = body.ulong(), body.octets()
+                if component == 3:
+                    found.append(_Cdr(data).host_and_port())
+    except (IndexError, struct.error):
+        pass  # what was told before the garbage counts
+    return list(collections.OrderedDict.fromkeys(found))
 
 
 def endpoint(ref):
@@ -254,6 +301,17 @@ def _value(value):
     if kind == CORBA.tk_objref:
         return start().object_to_string(value)
     return str(value) if value is not None else ""
+
+
+def descriptor(type_id):
+    """The type descriptor that stubs registered with omniORB for a repository id, None where none did."""
+    import omniORB
+    return omniORB.typeMapping.get(type_id)
+
+
+def descriptor_of(value):
+    """The type descriptor of what an any holds."""
+    return value.typecode()._d
 
 
 def nvlist(pairs):

@@ -32,10 +32,10 @@ def refs(node):
     return [orb.narrow(ref, RTC.PortService) for ref in node.call("get_ports") if ref is not None]
 
 
-def port(node, ref):
-    """The Port behind a reference (PortService::get_port_profile)."""
+def port(node, ref, persist=component.once_more):
+    """The Port behind a reference (PortService::get_port_profile); `persist` makes the call, and again where need be."""
     try:
-        found = component.once_more(lambda: orb.ask(str(node.path), ref, "get_port_profile"))
+        found = persist(lambda: orb.ask(str(node.path), ref, "get_port_profile"))
     except (errors.Gone, errors.ConnectionRefused):
         if orb.endpoint(ref) == node.endpoint:
             raise
@@ -163,12 +163,18 @@ def _data_mismatches(found, types, properties):
 
 def _not_offered(found, key, value):
     """Why some of the ports do not take this value of a property."""
-    offers = [(each, _choices(each, key)) for each in found]
-    lacking = [(each, ", ".join(offer)) for each, offer in offers if offer is not None and value not in offer]
+    lacking = [(each, offer_without(each, key, value)) for each in found]
+    lacking = [(each, offer) for each, offer in lacking if offer is not None]
     what = "%s %s" % (_short_key(key), printable(value))
     if len(lacking) == len(found) > 1 and len({offer for _, offer in lacking}) == 1:
-        return ["no port has %s (all have: %s)" % (what, printable(lacking[0][1]))]
-    return ["%s has no %s (it has: %s)" % (label(each), what, printable(offer)) for each, offer in lacking]
+        return ["no port has %s (all have: %s)" % (what, lacking[0][1])]
+    return ["%s has no %s (it has: %s)" % (label(each), what, offer) for each, offer in lacking]
+
+
+def offer_without(each, key, value):
+    """What a port offers for a property, spelt for the terminal, when `value` is not among it; else None."""
+    offer = _choices(each, key)
+    return None if offer is None or value in offer else printable(", ".join(offer))
 
 
 def _short_key(key):

@@ -17,6 +17,8 @@ GRACE = 0.2  # the ORB's own deadline comes first and knows more; ours is for wh
 TICK = 0.1
 
 timeout = 3.0  # seconds a peer may stay silent; set once by cli from --timeout
+end = None  # time.monotonic() after which nobody is asked any more, None for no such time: set by who promises a bound
+NO_TIME = "no time was left to ask it"
 
 Job = collections.namedtuple("Job", "endpoint where call")  # (host, port) or anything hashable; path text; function()
 
@@ -58,6 +60,11 @@ def in_lane():
 def lane_of(endpoint):
     """True on a thread that makes the calls to the process at `endpoint`."""
     return in_lane() and _lane.peer.endpoint == endpoint
+
+
+def become_lane(endpoint):
+    """Make the current thread, not the main one, a lane of its own to the process at `endpoint`: for one that goes on asking."""
+    _lane.peer = _Peer(endpoint)
 
 
 def alive(limit=None):
@@ -124,8 +131,8 @@ def _work(peer, done):
             i, job = peer.todo.popleft()
         except IndexError:
             return
-        if peer.silence:
-            done.put((peer, i, errors.Silent(job.where, peer.silence)))
+        if peer.silence or is_over():
+            done.put((peer, i, errors.Silent(job.where, peer.silence or NO_TIME)))
             continue
         alive()
         try:
@@ -142,15 +149,80 @@ def _give_up(peers, jobs, values):
     """Fail the open jobs of peers that stayed silent too long; returns how many."""
     count, now = 0, time.monotonic()
     for peer in peers:
-        if peer.open and now - peer.heard > peer.limit + GRACE:
-            why = peer.silence or no_answer(peer.limit)
-            peer.fall_silent(why)
+        silent_too_long = now - peer.heard > peer.limit + GRACE
+        if peer.open and (silent_too_long or is_over()):
+            why = peer.silence or (no_answer(peer.limit) if silent_too_long else NO_TIME)
+            if silent_too_long:
+                peer.fall_silent(why)
             peer.todo.clear()
             for i in peer.open:
                 values[i] = errors.Silent(jobs[i].where, why)
             count += len(peer.open)
             peer.open.clear()
     return count
+
+
+def is_over():
+    """True when the time set by `end` is up."""
+    return end is not None and time.monotonic() > end
+
+
+class Calls:
+    """Functions that make remote calls, begun one by one while others run; at most LANES at a time for one process.
+
+    They run on threads of their own, where `ask` and `gather` may be used. What they return, or raise, is had from `ended`.
+    """
+
+    def __init__(self):
+        self._events = queue.Queue()
+        self._lock = threading.Lock()
+        self._waiting = {}  # by endpoint
+        self._threads = collections.Counter()  # by endpoint
+        self._begun = set()
+        self._closed = False
+
+    def start(self, endpoint, key, function):
+        """Call function() as soon as there is a lane to the process at `endpoint`; `key` is its name in `ended`."""
+        with self._lock:
+            self._waiting.setdefault(endpoint, collections.deque()).append((key, function))
+            if self._threads[endpoint] == LANES:
+                return
+            self._threads[endpoint] += 1
+        threading.Thread(target=self._run, args=(endpoint,), daemon=True).start()
+
+    def _run(self, endpoint):
+        while True:
+            with self._lock:
+                if self._closed or not self._waiting[endpoint]:
+                    self._threads[endpoint] -= 1
+                    return
+                key, function = self._waiting[endpoint].popleft()
+                self._begun.add(key)
+            try:
+                value = function()
+            except Exception as e:
+                value = e
+            self.post(key, value)
+
+    def post(self, key, value):
+        """Let `ended` return (key, value): a function may do so to tell how far it has come."""
+        self._events.put((key, value))
+
+    def ended(self, seconds):
+        """The next (key, value), where value is an errors.Error if the function has failed; None after so many seconds."""
+        try:
+            key, value = self._events.get(timeout=seconds) if seconds > 0 else self._events.get_nowait()
+        except queue.Empty:
+            return None
+        if isinstance(value, Exception) and not isinstance(value, errors.Error):
+            raise value
+        return key, value
+
+    def close(self):
+        """Begin no more; returns the keys of the functions that were begun."""
+        with self._lock:
+            self._closed = True
+            return set(self._begun)
 
 
 def no_answer(seconds):

@@ -256,6 +256,11 @@ def path_of(each):
     return path.parse("/" + each.path_uri.lstrip("/"))
 
 
+def shown_path(each):
+    """Where the file says that a component is bound, spelt for the terminal: a path, even where it is none."""
+    return "/" + printable(each.path_uri.lstrip("/"))
+
+
 def read(name, form=None):
     """The profile in a file (`-`: stdin). Raises OSError, BadProfile."""
     from rtshell_lite import files

@@ -181,10 +181,17 @@ def _sorted(nodes):
 
 
 def _names(node):
-    """The Name of every binding of a naming context, however many there are; [] for other directories."""
+    return [name for name, _ in bound(node)]
+
+
+def bound(node):
+    """The bindings of a naming context, however many there are, each its Name and whether it is a naming context.
+
+    One call for all but the largest contexts; [] for other directories.
+    """
     if node.kind not in ("server", "directory"):
         return []
-    size = 10000  # one call for all but the largest contexts
+    size = 10000
     try:
         bindings, iterator = node.call("list", size)
     except errors.Refused as e:
@@ -197,8 +204,8 @@ def _names(node):
                 bindings += batch
         finally:
             orb.call(str(node.path), iterator, "destroy")
-    names = [binding.binding_name[0] for binding in bindings if binding.binding_name]
-    return [Name(from_wire(name.id), from_wire(name.kind)) for name in names]
+    found = [(binding.binding_name[0], binding.binding_type) for binding in bindings if binding.binding_name]
+    return [(Name(from_wire(name.id), from_wire(name.kind)), kind._v == 1) for name, kind in found]  # 1: ncontext
 
 
 # ---- below a manager ------------------------------------------------------------------------------------------

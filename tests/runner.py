@@ -6,9 +6,10 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
   tests/run rtls test_path        those whose name holds one of these words: tests/commands/rtls.t, tests/test_path.py
   tests/run 'rtls.t (dash)'       one transcript under one shell
   tests/run --python 3.7 rtls     on another Python
+  tests/run --peers               profiles against PyYAML and the real rtsprofile, from the package index
   tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
-  tests/run --all                 the matrix: all on 3.7, 3.11 and 3.13, what needs no omniORBpy on 3.6, and the
-                                  packaging on every Python from 3.6 to 3.13 that is found
+  tests/run --all                 the matrix: all on 3.11, once more on 3.7 under ash and on 3.13 under dash, what needs
+                                  no omniORBpy on 3.6, and the packaging on every Python from 3.6 to 3.13 that is found
 """
 import argparse
 import glob
@@ -28,6 +29,8 @@ import transcripts
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FULL, PURE, ALL = ["3.11", "3.7", "3.13"], ["3.6"], ["3.%d" % minor for minor in range(6, 14)]
+# The matrix: both shells on the first Python, one on the others; what a shell does does not depend on the Python.
+AGAIN = {"3.7": ["ash"], "3.13": ["dash"], "3.6": ["ash"]}
 MODULE_LIMIT = 300.0  # seconds for one test module
 PACKAGING = "test_packaging"
 
@@ -112,7 +115,8 @@ def peers():
     return directory
 
 
-def transcript_jobs(python, setting, patterns, accept=False):
+def transcript_jobs(python, setting, patterns, shells=None, accept=False):
+    """Jobs for the transcripts; `shells`: under these only, and without those that one Python is enough for."""
     missing = transcripts.missing_shells()
 
     def job(path, shell):
@@ -122,8 +126,9 @@ def transcript_jobs(python, setting, patterns, accept=False):
             if shell in missing:
                 return [(name, "skip", "%s is not installed" % transcripts.SHELLS[shell][0])]
             return [(name,) + transcripts.run_case(path, shell, setting, accept)]
-        return Job("%s %s" % (python.version, name), run, transcripts.alone(path))
-    return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else None)]
+        return Job("%s %s" % (python.version, name), run, transcripts.says(path, "alone"))
+    return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shells)
+            if not (shells and transcripts.says(path, "once"))]
 
 
 # ---- running them ----
@@ -157,7 +162,7 @@ class Score:
 
 
 def run_jobs(jobs, score):
-    lanes = (os.cpu_count() or 1) + 1  # they wait about as much as they compute
+    lanes = 2 * (os.cpu_count() or 1)  # they wait more than they compute
     _run_some([job for job in jobs if not job.alone], lanes, score)
     _run_some([job for job in jobs if job.alone], 1, score)
 
@@ -212,16 +217,31 @@ def left_behind(marker):
 
 # ---- what to run ----
 
+def peer_jobs(args):
+    """The tests that need PyYAML and the real rtsprofile; skipped where these cannot be installed."""
+    python = environments.find_python(args.python[0] if args.python else sys.executable)
+    modules = sorted(os.path.relpath(path, HERE)[:-3] for path in glob.glob(os.path.join(glob.escape(HERE), "peers", "test_*.py")))
+    try:
+        interpreter = environments.prepare_peers(python)
+    except environments.Failed as e:
+        why = "PyYAML and rtsprofile-aist cannot be installed: " + str(e).splitlines()[-1]
+        return [Job("%s %s" % (python.version, module), lambda module=module: [(module, "skip", why)], False)
+                for module in modules]
+    environment = dict(os.environ, PYTHONPATH=environments.ROOT)
+    return [Job("%s %s" % (python.version, module),
+                lambda module=module: run_module(module, interpreter, environment, args.pattern), False) for module in modules]
+
+
 def jobs_for(version, wheel, args):
     """All jobs on one Python."""
     python = environments.find_python(version)
     interpreter = environments.prepare(python, wheel)
     setting = transcripts.Setting(interpreter, os.path.dirname(interpreter))
     if args.accept:
-        return transcript_jobs(python, setting, args.pattern, True)
-    again = args.all and version != FULL[0]
-    modules = [module for module in test_modules() if not (again and says(module, "ONCE"))]
-    return module_jobs(python, setting, wheel, args.pattern, modules) + transcript_jobs(python, setting, args.pattern)
+        return transcript_jobs(python, setting, args.pattern, accept=True)
+    shells = AGAIN.get(version) if args.all else None
+    modules = [module for module in test_modules() if not (shells and says(module, "ONCE"))]
+    return module_jobs(python, setting, wheel, args.pattern, modules) + transcript_jobs(python, setting, args.pattern, shells)
 
 
 def packaging_jobs(version, wheel, args):
@@ -232,6 +252,8 @@ def packaging_jobs(version, wheel, args):
 
 def gather_jobs(args, wheel, score):
     """The jobs of all versions asked for; a Python that is not here is told as skipped."""
+    if args.peers:
+        return peer_jobs(args)
     jobs = []
     versions = FULL + PURE if args.all else args.python or [sys.executable]
     wanted = [(jobs_for, version) for version in versions]
@@ -261,6 +283,7 @@ def options():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("pattern", nargs="*", help="part of a test's name")
     parser.add_argument("--python", action="append", metavar="VERSION", help="a version or a path; may be repeated")
+    parser.add_argument("--peers", action="store_true", help="compare with the real libraries")
     parser.add_argument("--all", action="store_true", help="the matrix")
     parser.add_argument("--accept", action="store_true", help="rewrite transcripts from what is printed")
     return parser.parse_args()

@@ -10,6 +10,7 @@ Lines at the margin of a transcript that ask for surroundings:
     faulty: silent drip   peers that misbehave, their ports $SILENT and $DRIP; see python3 -m mock_components.faulty -h
     python: pure          needs no omniORB: no name server runs (nothing listens on $PORT)
     alone: it measures    run while nothing else runs
+    once: what peers do   on one Python of the matrix only
 
 Commands that exist only inside a session: see the functions named play_…
 """

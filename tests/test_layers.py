@@ -13,21 +13,22 @@ ONCE = "it reads the source: one Python is enough"
 LAYERS = [
     ["bin"],
     ["__main__"],
-    ["restore", "apply", "steps"],
-    ["system", "compare", "plan", "graph", "drawing", "listing", "describe", "describe_manager", "markup", "manual",
-     "search", "unbind", "composing", "unpack"],
+    ["restore", "apply", "steps", "completion", "manpages", "interpreter", "prompt"],
+    ["system", "compare", "plan", "starting", "graph", "drawing", "listing", "describe", "describe_manager", "markup",
+     "manual", "search", "unbind", "composing", "unpack", "printing", "injecting", "doctor", "watch"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
-     "configuration"],
+     "configuration", "servants", "targets", "inbox", "flow", "fsm", "polling"],
     ["tree"],
     ["node"],
-    ["orb", "cli", "installation"],
-    ["path", "xmlprofile"],
+    ["orb", "cli", "commandline", "streams", "installation"],
+    ["path", "xmlprofile", "values", "constants", "construct", "cdr", "descriptors", "portable", "idl"],
     ["rpc", "text", "files", "shell"],
     ["errors"],
     ["__init__"],
 ]
-OMNIORB_HOMES = {"orb", "dataport", "observer"}  # the last two serve CORBA objects themselves
-STUB_LAYERS = LAYERS[3] + ["node", "orb"]  # inside functions; a command must not pay for stubs that it does not use
+OMNIORB_HOMES = {"orb", "dataport", "servants", "observer"}  # all but the first serve CORBA objects themselves
+# Stubs are imported here, inside functions; a command must not pay for those that it does not use.
+STUB_LAYERS = next(names for names in LAYERS if "component" in names) + ["node", "orb"]
 CATCH_ALL_HOMES = {"cli", "rpc"}
 LONGEST = 400
 

@@ -31,7 +31,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 COMMANDS = os.path.join(HERE, "commands")
 SHELLS = {"dash": ["dash"], "ash": ["busybox", "ash"]}
 TIME_LIMIT = 120.0  # seconds for one file under one shell
-DIRECTIVE = re.compile(r"(world|server|faulty|python|alone): *(.*)$")
+DIRECTIVE = re.compile(r"(world|server|faulty|python|alone|once): *(.*)$")
 AMBIGUOUS = re.compile(r"[$>]( |$)|\[\d+\]$")  # output that would be read as a command or a status
 SUFFIX = re.compile(r" \((re|glob|esc|no-eol)\)$")
 
@@ -300,10 +300,10 @@ def missing_shells():
     return [shell for shell, words in sorted(SHELLS.items()) if not shutil.which(words[0])]
 
 
-def alone(path):
-    """Does this transcript measure times, and so wants the machine for itself?"""
+def says(path, word):
+    """Does this transcript hold a directive: `alone` (it measures times) or `once` (one Python of the matrix is enough)?"""
     with open(path, encoding="utf-8") as file:
-        return any(line.startswith("alone:") for line in file)
+        return any(line.startswith(word + ":") for line in file)
 
 
 def main():

@@ -1,0 +1,61 @@
+"""Log files of rtlog: a robot's messages as they came, in a file that survives what happens to robots.
+
+The format. Numbers are little-endian and stand without gaps. A file is a magic word and blocks:
+
+    file    89 'RTLOG' 0D 0A, then blocks up to the end
+    block   kind (1 octet: H, R or I), length of the body (uint32), CRC-32 of kind, length and body (uint32), body
+    H       header: JSON, ASCII: {"created": ns, "program": "rtlog 0.1.0", "channels": [channel, …]}
+              channel: {"name": …, "type": "IDL:RTC/TimedLong:1.0", "typecode": hex or null, "sources": [path, …]}
+    R       record: number (uint64, from 0), time of arrival (int64, ns since the epoch), channel (uint16, counted from 0
+              in the last header before), flags (1 octet; 1: little-endian), then the message: plain CDR of the type,
+              aligned to its own start, as OpenRTM::InPortCdr::put carries it
+    I       index: JSON, ASCII: {"next": number, "first": ns, "last": ns, "counts": {channel's name: records},
+              "headers": [offset, …], "points": [[number, offset, latest arrival before it], …]},
+              then where this block begins (uint64) and 'rtlogend'
+
+Whoever reads trusts nothing: a length is compared with the file before it is read, a checksum is verified before a block
+is used. A file is only ever written at its end, and given to the operating system at once (a kill -9 costs what was on
+its way, milliseconds), and to the disk every few seconds (what a power failure costs). Then the end may be half a record:
+it is told, and left out. The index is a convenience: it comes with the regular end, it is believed only where the file
+agrees, and whoever finds none reads through the file. To append to a file means to cut off its index, or its torn end,
+and to go on with one more header. A typecode is what datatypes.Type.to_bytes gives: a log can be read without any IDL.
+"""
+import collections
+import os
+import stat
+
+from rtshell_lite import errors, text
+from rtshell_lite.datalog import blocks
+
+# A stream in a log: the name it is played by, its data type's id, that type as bytes (b"": unknown), whence it came.
+Channel = collections.namedtuple("Channel", "name type_id typecode sources")
+
+# One message: its number, when it arrived (ns since the epoch), its channel's number, and either its CDR and whether that
+# is little-endian, or (simpkl) its `value` of dicts, lists, text and numbers.
+Entry = collections.namedtuple("Entry", "number received channel little data value")
+
+
+def load(name, modules=()):
+    """Open a log file of either form, rtlog or simpkl, told apart by content. To be used in a `with` statement.
+
+    `modules` are Python modules whose classes a simpkl file may mention. Raises OSError, errors.No.
+    """
+    where = text.printable(name)
+    if stat.S_ISFIFO(os.stat(name).st_mode):
+        raise errors.No(where, "a pipe; logs are read from files")
+    file = open(name, "rb")
+    try:
+        size = os.fstat(file.fileno()).st_size
+        start = file.read(32)
+        if start.startswith(blocks.MAGIC):
+            from rtshell_lite.datalog import reader
+            return reader.Log(file, where, size)
+        if start[:1] == b"\x80" or start[:2] in (b"(F", b"(G"):
+            from rtshell_lite.datalog import simpkl
+            return simpkl.Log(file, where, size, modules)
+        if start.split(b".")[0].isdigit():
+            raise errors.No(where, "a log of text; it is for people, and can be neither played nor inspected")
+        raise errors.No(where, "not a log file" + ("" if size else " (it is empty)"))
+    except (errors.Error, OSError):
+        file.close()
+        raise

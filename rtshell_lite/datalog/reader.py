@@ -1,0 +1,219 @@
+"""Reading log files of rtlog's own form: nothing in them is trusted, and what is whole is read."""
+import bisect
+
+from rtshell_lite import errors
+from rtshell_lite.datalog import Channel, Entry, blocks, writer
+
+MOST = 1000  # channels, and sources of one: more come from nobody who means well
+
+
+class Log:
+    """An open log, to be used in a `with` statement.
+
+    `channels`; `started` (ns since the epoch), `count`, `first` and `last` (arrival of the first and the last record, None
+    without any), `counts` (by channel's name), `torn` (octets at the end that are no record), `closed` (False: recording
+    was killed, or goes on), and `damaged` (records left out), which may grow while entries are read.
+    """
+
+    form = "rtlog"
+
+    def __init__(self, file, where, size):
+        """Read the header, and the index or, where that is missing or wrong, the file. Raises errors.No."""
+        self.where, self.size, self.channels = where, size, []
+        self.torn, self.closed, self._damaged = 0, False, set()
+        self._file, self._maps = file, {}  # offset of a header: our numbers of its channels
+        file.seek(len(blocks.MAGIC))
+        try:
+            kind, body = blocks.read(file, size - len(blocks.MAGIC))
+            if kind != blocks.HEADER:
+                raise blocks.Damaged("no header")
+            self.started = self._header(len(blocks.MAGIC), body)
+        except blocks.Damaged:
+            raise errors.No(where, "its header is damaged, nothing can be read")
+        self.index, self._end = self._indexed() or self._scanned()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._file.close()
+
+    count = property(lambda self: self.index.count)
+    first = property(lambda self: self.index.first)
+    last = property(lambda self: self.index.last)
+    counts = property(lambda self: self.index.counts)
+    damaged = property(lambda self: len(self._damaged))
+
+    def entries(self, start=0):
+        """The entries from record number `start` on, one by one."""
+        point = bisect.bisect_right([number for number, _, _ in self.index.points], start) - 1
+        offset = self.index.points[point][1] if point >= 0 else self._end
+        for _, entry in self._records(offset, self._end):
+            if entry.number >= start:
+                yield entry
+        if self._whole < self._end:
+            self.torn = self.size - self._whole
+
+    def since(self, moment):
+        """The number of the first record that arrived at `moment` (ns) or later, None when none did."""
+        latest = [point[2] for point in self.index.points[1:]]  # the first point has nothing before it
+        point = bisect.bisect_left(latest, moment)
+        for entry in self.entries(self.index.points[point][0] if self.index.points else 0):
+            if entry.received >= moment:
+                return entry.number
+        return None
+
+    def notes(self):
+        """What is wrong with the file, in words."""
+        if self.torn:
+            yield "the last %d octets are no whole record and are left out" % self.torn
+        elif not self.closed:
+            yield "recording has not ended regularly, or goes on"
+        if self.damaged:
+            yield "%d damaged records are left out" % self.damaged
+
+    def scan(self, index):
+        """Put all records into `index`, a writer.Index; returns the offset behind the last whole block but the index."""
+        end, index.headers = self._end, sorted(self._maps)
+        for offset, entry in self._records(len(blocks.MAGIC), end):
+            index.add(offset, entry.number, entry.received, self.channels[entry.channel].name)
+        return end
+
+    # ---- blocks ----
+
+    def _header(self, offset, body):
+        """Take in a header's channels; returns when recording began."""
+        header, ours = blocks.parsed(body), []
+        try:
+            for each in header["channels"]:
+                channel = Channel(each["name"], each["type"], bytes.fromhex(each["typecode"] or ""), tuple(each["sources"]))
+                if not all(isinstance(word, str) for word in channel[:2] + channel.sources):
+                    raise ValueError("no text")
+                ours.append(self._channel(channel))
+            created = header["created"]
+        except (KeyError, TypeError, ValueError):
+            raise blocks.Damaged("no header")
+        if not isinstance(created, int):
+            raise blocks.Damaged("no header")
+        self._maps[offset] = ours
+        return created
+
+    def _channel(self, channel):
+        """The number of a channel; one that was appended to under its name and type is the same."""
+        for number, known in enumerate(self.channels):
+            if known[:2] == channel[:2]:
+                more = tuple(each for each in channel.sources if each not in known.sources)
+                self.channels[number] = known._replace(sources=(known.sources + more)[:MOST])
+                return number
+        if len(self.channels) >= MOST or len(channel.sources) >= MOST:
+            raise blocks.Damaged("a header that cannot be")
+        self.channels.append(channel)
+        return len(self.channels) - 1
+
+    def _records(self, offset, end):
+        """The whole records between two offsets: (offset, Entry). In the end, self._whole is behind the last whole block."""
+        known = [each for each in sorted(self._maps) if each <= offset]
+        channels, number = self._maps[known[-1]] if known else [], -1
+        while offset < end:
+            self._file.seek(offset)  # whoever gets the records may read elsewhere meanwhile
+            try:
+                kind, body = blocks.read(self._file, end - offset)
+                if kind == blocks.HEADER:
+                    self._header(offset, body)
+                    channels = self._maps[offset]
+                if kind == blocks.RECORD:
+                    entry = _entry(body, channels, number)
+                    number = entry.number
+                    yield offset, entry
+            except blocks.Unsound as e:
+                if not self._sound(offset + e.args[0], end):
+                    break
+                self._damaged.add(offset)
+                offset += e.args[0]
+                continue
+            except blocks.Damaged:
+                break
+            offset += blocks.BLOCK.size + len(body)
+        self._whole = offset
+
+    def _sound(self, offset, end):
+        """True when a whole block stands there: only then can the length before it be right."""
+        if offset >= end:
+            return False  # a torn end may have its length, and the rest of its page
+        self._file.seek(offset)
+        try:
+            blocks.read(self._file, end - offset)
+        except blocks.Damaged:
+            return False
+        return True
+
+    # ---- the index ----
+
+    def _indexed(self):
+        """The index that the file ends with, and where it begins; None when there is none, or it does not agree with the file."""
+        position = blocks.index_position(self._file, self.size)
+        if position is None:
+            return None
+        self._file.seek(position)
+        try:
+            kind, body = blocks.read(self._file, self.size - position)
+            if kind != blocks.INDEX or self._file.tell() != self.size:
+                return None
+            index = self._believed(blocks.parsed(body, footer=True), position)
+            self.closed = True
+            return index, position
+        except (blocks.Damaged, KeyError, TypeError, ValueError, IndexError, AttributeError):
+            return None
+
+    def _believed(self, told, position):
+        """A writer.Index of what the file tells. Raises what wrong numbers raise."""
+        index = writer.Index()
+        index.next, index.first, index.last = told["next"], told["first"], told["last"]
+        index.counts, index.headers, index.points = told["counts"], told["headers"], told["points"]
+        _demand(all(isinstance(each, int) for each in [index.next] + index.headers + list(index.counts.values())))
+        _demand(index.headers[0] == len(blocks.MAGIC) and bool(index.points) == bool(index.count) and index.count <= index.next)
+        numbers = [point[0] for point in index.points]
+        offsets = [point[1] for point in index.points]
+        latest = [point[2] for point in index.points[1:]]
+        _demand(all(isinstance(each, int) for each in numbers + offsets + latest))
+        _demand(latest == sorted(latest) and all(a < b for a, b in zip(numbers, numbers[1:])))
+        _demand(all(0 <= each < position for each in index.headers + offsets))
+        for offset in index.headers[1:]:
+            self._file.seek(offset)
+            kind, body = blocks.read(self._file, position - offset)
+            _demand(kind == blocks.HEADER)
+            self._header(offset, body)
+        if index.count:
+            self._compare(index, numbers, offsets, position)
+        return index
+
+    def _compare(self, index, numbers, offsets, position):
+        """Look whether the points stand at records of their numbers, and whether the last record is the one that is told."""
+        for number, offset in zip(numbers, offsets):
+            self._file.seek(offset)
+            _demand(blocks.read_number(self._file, position - offset) == number)
+        for _, last in self._records(offsets[-1], position):
+            pass
+        _demand(last.number == index.next - 1 and last.received == index.last and isinstance(index.first, int))
+
+    def _scanned(self):
+        """An index made by reading all, and where the whole blocks end."""
+        index, start = writer.Index(), len(blocks.MAGIC)
+        self.channels, self._maps = [], {}
+        for offset, entry in self._records(start, self.size):
+            index.add(offset, entry.number, entry.received, self.channels[entry.channel].name)
+        self.torn = self.size - self._whole
+        index.headers = sorted(self._maps)
+        return index, self._whole
+
+
+def _entry(body, channels, before):
+    number, received, channel, flags = blocks.ENTRY.unpack_from(body)
+    if channel >= len(channels) or not before < number < 1 << 62:
+        raise blocks.Damaged("a record that cannot be")
+    return Entry(number, received, channels[channel], bool(flags & blocks.LITTLE), body[blocks.ENTRY.size:], None)
+
+
+def _demand(condition):
+    if not condition:
+        raise ValueError("an index that does not agree with the file")

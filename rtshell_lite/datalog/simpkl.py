@@ -1,0 +1,157 @@
+"""Reading the log files that rtshell's rtlog wrote ("simple pickle").
+
+Such a file is a row of pickles: (when recording began, list of PortSpec); 256 octets for a CurPos, which is put there when
+recording ends; then the entries, each (number, EntryTS, (port's name, data), own offset, offset of the one before).
+"""
+from rtshell_lite import errors, text
+from rtshell_lite.datalog import Channel, Entry, pickles
+
+CLOSING = 256  # octets kept free for the CurPos
+DEEP = 100  # levels of a value
+_RTSHELL = {("rtshell.port_types", "PortSpec"), ("rtshell.simpkl_log", "CurPos"), ("rtshell.ilog", "EntryTS")}
+_STANDARD = {"RTC", "Img"}  # modules of the standard data types
+_HOMES = {"RTC", "Img", "rtctree", "OpenRTM_aist"}  # the packages that have them: rtctree.rtc.RTC, say
+
+
+class Log:
+    """An open log, to be used in a `with` statement; what it offers is that of reader.Log.
+
+    Its entries have a `value` instead of data: structs as dicts, enumerators by name; octets from Python 2 are text, whose
+    bytes are them.
+    """
+
+    form = "simpkl"
+
+    def __init__(self, file, where, size, modules=()):
+        """Read the header; `modules` are names of Python modules whose classes may appear. Raises errors.No."""
+        self.where, self.size, self._file, self._modules = where, size, file, frozenset(modules)
+        self.torn, self.damaged, self.trouble, self._known_extent = 0, 0, None, None
+        machine = self._machine(0)
+        try:
+            started, specs = machine.load()
+            self.started = int(started) * 10 ** 9 + int(started % 1 * 1e9)
+            self.channels = [_channel(spec.fields) for spec in specs]
+        except pickles.Refused as e:
+            raise errors.No(where, "its header cannot be read: %s" % e)
+        except (EOFError, TypeError, ValueError, KeyError, AttributeError, OverflowError):
+            raise errors.No(where, "its header is not that of a log")
+        self._start = machine.position + CLOSING
+        self._numbers = {channel.name: number for number, channel in enumerate(self.channels)}
+        file.seek(machine.position)
+        self.closed = bool(file.read(CLOSING).strip(b" \0"))
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._file.close()
+
+    count = property(lambda self: self._extent()[0])
+    first = property(lambda self: self._extent()[1])
+    last = property(lambda self: self._extent()[2])
+    counts = property(lambda self: self._extent()[3])
+
+    def _extent(self):
+        """What only reading all can tell: number of entries, arrival of the first and the last, numbers by channel."""
+        if self._known_extent is None:
+            count, first, last, counts = 0, None, None, {}
+            for entry in self.entries():
+                first = entry.received if count == 0 else first
+                count, last, name = count + 1, entry.received, self.channels[entry.channel].name
+                counts[name] = counts.get(name, 0) + 1
+            self._known_extent = count, first, last, counts
+        return self._known_extent
+
+    def entries(self, start=0):
+        """The entries from number `start` on, one by one. Damage ends them, see `notes`."""
+        machine, number = self._machine(self._start), 0
+        while machine.position < self.size:
+            offset = machine.position
+            try:
+                entry = self._entry(number, machine.load(), machine.position - offset)
+            except pickles.Refused as e:
+                self.torn, self.trouble = self.size - offset, str(e)
+                return
+            except (TypeError, ValueError, KeyError, AttributeError, OverflowError):
+                self.torn, self.trouble = self.size - offset, "no entry of a log"
+                return
+            if number >= start:
+                yield entry
+            number += 1
+
+    def since(self, moment):
+        """The number of the first entry that arrived at `moment` (ns) or later, None when none did."""
+        for entry in self.entries():
+            if entry.received >= moment:
+                return entry.number
+        return None
+
+    def notes(self):
+        """What is wrong with the file, in words."""
+        if self.torn:
+            yield "the last %d octets cannot be read and are left out: %s" % (self.torn, self.trouble)
+        elif not self.closed:
+            yield "recording has not ended regularly, or goes on"
+
+    def _machine(self, position):
+        machine = pickles.Machine(self._file, self.size, self._may_appear)
+        machine.position = position
+        return machine
+
+    def _may_appear(self, module, name):
+        if (module, name) in _RTSHELL or (module, name) == ("omniORB", "EnumItem") or module in self._modules:
+            return True
+        parts = module.split(".")
+        return parts[0] in _HOMES and parts[-1] in _STANDARD
+
+    def _entry(self, number, loaded, length):
+        _, stamp, (name, data), _, _ = loaded
+        name, fields = _text(name), stamp.fields
+        if name not in self._numbers:
+            raise ValueError("of no port in the header")
+        received = int(fields["_sec"]) * 10 ** 9 + int(fields["_nsec"])
+        # A value may mention its parts many times, and these theirs: what it would come to is bounded by what was read.
+        return Entry(number, received, self._numbers[name], None, None, _Plain(1000 + 16 * length).value(data, DEEP))
+
+
+def _channel(fields):
+    sources = [_text(each) for each in fields.get("_raw_specs") or ()]
+    return Channel(_text(fields["_name"]), _text(fields["_type_name"]), b"", tuple(sources))
+
+
+def _text(value):
+    if not isinstance(value, str):
+        raise ValueError("no text")
+    return text.from_wire(value)
+
+
+class _Plain:
+    """Turns records into dicts, of at most so many values."""
+
+    def __init__(self, most):
+        self.left = most
+
+    def value(self, it, deep):
+        self.left -= 1
+        if self.left < 0 or deep == 0:
+            raise pickles.Refused("a value that never ends")
+        if isinstance(it, pickles.Record):
+            if str(it.type) == "omniORB.EnumItem":
+                return _text(it.fields["_n"])
+            it = it.fields
+        if isinstance(it, dict):
+            return {name: self.value(part, deep - 1) for name, part in it.items()}
+        if isinstance(it, (list, tuple)):
+            self.left -= len(it)
+            if not any(isinstance(part, (pickles.Record, dict, list, tuple)) for part in it[:1]):
+                return list(map(_leaf, it))
+            return [self.value(part, deep - 1) for part in it]
+        return _leaf(it)
+
+
+def _leaf(it):
+    if isinstance(it, str):
+        return text.from_wire(it)
+    if it is None or isinstance(it, (bool, int, float, bytes)):
+        return it
+    raise pickles.Refused("a value that no message has")

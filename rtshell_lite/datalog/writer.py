@@ -1,0 +1,183 @@
+"""Writing log files."""
+import os
+import stat
+import time
+
+from rtshell_lite import __version__, errors, text
+from rtshell_lite.datalog import blocks
+
+CHUNK = 1 << 20  # octets given to the operating system at once
+STRIDE = 1 << 20  # octets between two points of the index, to begin with
+POINTS = 2048  # more than these, and every second one goes: neither memory nor index grow with the log
+
+
+class Index:
+    """What is known of the records written so far."""
+
+    def __init__(self):
+        self.next, self.first, self.last, self.latest = 0, None, None, None  # next: the number of the next record
+        self.counts, self.headers, self.points, self._stride = {}, [], [], STRIDE
+
+    count = property(lambda self: sum(self.counts.values()))
+
+    def add(self, position, number, received, name):
+        """Take note of the next record, at `position`."""
+        if not self.points or position - self.points[-1][1] >= self._stride:
+            self.points.append([number, position, self.latest])
+            if len(self.points) > POINTS:
+                del self.points[1::2]
+                self._stride *= 2
+        if self.first is None:
+            self.first = received
+        self.last = received
+        self.latest = received if self.latest is None else max(self.latest, received)
+        self.next = number + 1
+        self.counts[name] = self.counts.get(name, 0) + 1
+
+    def block(self, position):
+        """The index as the block that is written at `position`."""
+        return blocks.text(blocks.INDEX, {"next": self.next, "first": self.first, "last": self.last,
+                                          "counts": self.counts, "headers": self.headers, "points": self.points}, position)
+
+
+class Writer:
+    """A log file that is being written. All its methods raise OSError, and leave a file of whole records."""
+
+    def __init__(self, name, channels, append=False):
+        """Create the file, with a header and nothing else, or make it ready to go on. Raises errors.No, too.
+
+        A file of that name is replaced at the moment when the header of the new one is on the disk.
+        """
+        self.name, self.channels, self._synced, self._failed = name, channels, True, False
+        self.index, self.end = Index(), 0  # end: offset behind the last whole block
+        header = blocks.text(blocks.HEADER, {
+            "created": time.time_ns() if hasattr(time, "time_ns") else int(time.time() * 1e9),
+            "program": "rtlog " + __version__,
+            "channels": [{"name": each.name, "type": each.type_id, "sources": list(each.sources),
+                          "typecode": each.typecode.hex() if each.typecode else None} for each in channels]})
+        self._file = None
+        try:
+            if append and os.path.exists(name) and os.path.getsize(name):
+                self._go_on(header)
+            else:
+                self._create(header)
+        except (errors.No, OSError):
+            if self._file:
+                self._file.close()
+            raise
+
+    def _create(self, header):
+        target = os.path.realpath(self.name)  # a link goes on pointing where it does
+        if os.path.exists(target) and not stat.S_ISREG(os.stat(target).st_mode):
+            self._file = open(target, "wb", 0)  # a device or a FIFO; a directory raises
+            self._start(header)
+            return
+        folder, base = os.path.split(target)
+        temporary = os.path.join(folder, ".%s.tmp" % base)
+        old = open(target, "rb") if os.path.exists(target) else None
+        try:
+            if old:
+                _lock(old, self.name)
+            self._file = _opened(temporary, self.name)
+            _lock(self._file, self.name)
+            self._start(header)
+            os.fsync(self._file.fileno())
+            if old:
+                os.chmod(temporary, stat.S_IMODE(os.fstat(old.fileno()).st_mode))
+            os.replace(temporary, target)
+        finally:
+            if old:
+                old.close()
+
+    def _start(self, header):
+        self._put(blocks.MAGIC)
+        self.index.headers.append(self.end)
+        self._put(header)
+
+    def _go_on(self, header):
+        from rtshell_lite.datalog import reader
+        self._file = open(self.name, "r+b", 0)
+        _lock(self._file, self.name)
+        size = os.fstat(self._file.fileno()).st_size
+        with reader.Log(open(self.name, "rb"), text.printable(self.name), size) as old:
+            self._check(old.channels)
+            self.end = old.scan(self.index)
+        os.ftruncate(self._file.fileno(), self.end)
+        self._file.seek(self.end)
+        self.index.headers.append(self.end)
+        self._put(header)
+
+    def _check(self, old):
+        types = {channel.name: channel.type_id for channel in old}
+        for channel in self.channels:
+            if types.get(channel.name, channel.type_id) != channel.type_id:
+                raise errors.No(text.printable(self.name), "%s is of type %s in it, not %s" % (
+                    text.printable(channel.name), text.printable(types[channel.name]), text.printable(channel.type_id)))
+
+    def write(self, messages):
+        """Append messages, each (channel number, received, little, data), and give them to the operating system."""
+        parts, size = [], 0
+        for channel, received, little, data in messages:
+            block = blocks.entry(self.index.next, received, channel, little, data)
+            self.index.add(self.end + size, self.index.next, received, self.channels[channel].name)
+            parts += block
+            size += sum(map(len, block))
+            if size >= CHUNK:
+                self._put(b"".join(parts))
+                parts, size = [], 0
+        self._put(b"".join(parts))
+
+    def _put(self, data):
+        rest = memoryview(data)
+        self._synced = self._synced and not rest
+        try:
+            while rest:
+                rest = rest[self._file.write(rest):]
+        except OSError as e:
+            self._failed = True  # from here on the index would tell of what is not there
+            self._cut()
+            e.filename = self.name
+            raise
+        self.end += len(data)
+
+    def _cut(self):
+        """Take back what was written of a chunk: the disk is full, and the file must end with a whole record."""
+        try:
+            os.ftruncate(self._file.fileno(), self.end)
+        except OSError:
+            pass  # a pipe; a reader leaves out the torn end
+
+    def sync(self):
+        """Let the disk have what was written: after this it survives a power failure."""
+        if self._synced or not stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
+            return
+        os.fsync(self._file.fileno())
+        self._synced = True
+
+    def close(self):
+        """Write the index, and let the disk have all."""
+        try:
+            if not self._failed:
+                self._put(self.index.block(self.end))
+            self.sync()
+        finally:
+            self._file.close()
+
+
+def _opened(name, target):
+    try:
+        return open(name, "wb", 0)
+    except OSError as e:
+        e.filename = target
+        raise
+
+
+def _lock(file, name):
+    """Keep a second recorder away. Raises errors.No; file systems that know no locks have none."""
+    import fcntl
+    try:
+        fcntl.flock(file.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise errors.No(text.printable(name), "another rtlog is recording to it")
+    except OSError:
+        pass

@@ -1,0 +1,305 @@
+"""Data types as descriptors, the tuples that omniORBpy marshals by (omniORB.tcInternal): their parts, their words, their limits.
+
+    a number                                    a basic type, its CORBA::TCKind
+    (STRING | WSTRING, bound)                   0: unbounded
+    (SEQUENCE, element, bound)
+    (ARRAY, element, length)                    arrays of arrays for more dimensions
+    (ALIAS, id, name, target)
+    (STRUCT, class, id, name, member, type, …)  the class is called with the members
+    (ENUM, id, name, items)                     items with _n, the name, and _v, the number
+    (UNION, class, id, name, discriminator type, index of the default or -1, cases, default case or None, {label: case})
+                                                a case is (label, member, type); the class is called with label and value
+    (INDIRECT, [struct or union])               a type inside itself
+"""
+import re
+
+from rtshell_lite import errors
+
+(SHORT, LONG, USHORT, ULONG, FLOAT, DOUBLE, BOOLEAN, CHAR, OCTET, ANY, TYPECODE, PRINCIPAL, OBJECT, STRUCT, UNION, ENUM, STRING,
+ SEQUENCE, ARRAY, ALIAS, EXCEPTION, LONGLONG, ULONGLONG, LONGDOUBLE, WCHAR, WSTRING, FIXED) = range(2, 29)
+INDIRECT = -1
+
+NAMES = {SHORT: "short", LONG: "long", USHORT: "unsigned short", ULONG: "unsigned long", FLOAT: "float", DOUBLE: "double",
+         BOOLEAN: "boolean", CHAR: "char", OCTET: "octet", LONGLONG: "long long", ULONGLONG: "unsigned long long",
+         WCHAR: "wchar", ANY: "any", TYPECODE: "TypeCode", PRINCIPAL: "Principal", LONGDOUBLE: "long double",
+         0: "null", 1: "void"}
+VALUES = (SHORT, LONG, USHORT, ULONG, FLOAT, DOUBLE, BOOLEAN, CHAR, OCTET, LONGLONG, ULONGLONG, WCHAR)  # what we encode
+RANGES = {SHORT: (-2 ** 15, 2 ** 15 - 1), USHORT: (0, 2 ** 16 - 1), LONG: (-2 ** 31, 2 ** 31 - 1), ULONG: (0, 2 ** 32 - 1),
+          LONGLONG: (-2 ** 63, 2 ** 63 - 1), ULONGLONG: (0, 2 ** 64 - 1), OCTET: (0, 255)}
+BUILT = (STRUCT, UNION, ENUM, STRING, WSTRING, SEQUENCE, ARRAY, ALIAS, INDIRECT)  # and what we encode of others
+LABELS = (SHORT, USHORT, LONG, ULONG, LONGLONG, ULONGLONG, BOOLEAN, CHAR, ENUM)  # what a union may be switched by
+
+DEEPEST = 64  # types inside types
+LARGEST = 20000  # types within a type
+LONGEST = 1 << 24  # elements of an array, all dimensions together
+_IDENTIFIER = re.compile(r"_?[A-Za-z][A-Za-z0-9_]*\Z", re.ASCII)
+
+
+# ---- values ---------------------------------------------------------------------------------------------------
+
+class Struct:
+    """A value of a struct whose class no stub gives: an attribute for each member."""
+
+    _members = ()
+
+    def __init__(self, *values):
+        if len(values) != len(self._members):
+            raise TypeError("%s takes %d members" % (type(self).__name__, len(self._members)))
+        self.__dict__.update(zip(self._members, values))
+
+
+class Union:
+    """A value of a union whose class no stub gives: its discriminator `_d` and its value `_v`."""
+
+    def __init__(self, label, value):
+        self._d, self._v = label, value
+
+
+class Item:
+    """A value of an enum that no stub gives: its name `_n`, its number `_v`, the id of its enum."""
+
+    def __init__(self, name, number, parent):
+        self._n, self._v, self._parent_id = name, number, parent
+
+    def __str__(self):
+        return self._n
+
+    __repr__ = __str__
+
+    def __eq__(self, other):
+        return getattr(other, "_parent_id", None) == self._parent_id and other._v == self._v
+
+    def __hash__(self):
+        return hash((self._parent_id, self._v))
+
+
+# ---- making ---------------------------------------------------------------------------------------------------
+
+def struct(type_id, name, members):
+    """The descriptor of a struct with a class of its own; `members`: (name, descriptor) pairs."""
+    made = type(name, (Struct,), {"_NP_RepositoryId": type_id, "_members": tuple(member for member, _ in members)})
+    return (STRUCT, made, type_id, name) + tuple(part for member in members for part in member)
+
+
+def union(type_id, name, discriminator, cases, default=-1):
+    """The descriptor of a union with a class of its own; `cases`: (label, member, descriptor) triples, `default` an index."""
+    cases = tuple(map(tuple, cases))
+    by_label = {case[0]: case for index, case in enumerate(cases) if index != default}
+    made = type(name, (Union,), {"_NP_RepositoryId": type_id, "_d_to_m": {label: case[1] for label, case in by_label.items()},
+                                 "_def_m": cases[default][1] if default >= 0 else None})
+    return (UNION, made, type_id, name, discriminator, default, cases, cases[default] if default >= 0 else None, by_label)
+
+
+def enum(type_id, name, items):
+    """The descriptor of an enum; `items`: names in their order."""
+    return (ENUM, type_id, name, tuple(Item(item, number, type_id) for number, item in enumerate(items)))
+
+
+# ---- reading --------------------------------------------------------------------------------------------------
+
+def kind(descriptor):
+    """The TCKind of a descriptor."""
+    return descriptor[0] if isinstance(descriptor, tuple) else descriptor
+
+
+def target(descriptor):
+    """What a descriptor stands for behind its aliases and indirections."""
+    while kind(descriptor) in (ALIAS, INDIRECT):
+        descriptor = descriptor[3] if descriptor[0] == ALIAS else descriptor[1][0]
+    return descriptor
+
+
+def plain(descriptor):
+    """What a descriptor stands for behind its aliases."""
+    while kind(descriptor) == ALIAS:
+        descriptor = descriptor[3]
+    return descriptor
+
+
+def members(descriptor):
+    """The members of a struct: (name, descriptor) pairs."""
+    return list(zip(descriptor[4::2], descriptor[5::2]))
+
+
+def type_id(descriptor):
+    """The repository id of a named type, '' for others."""
+    descriptor = descriptor[1][0] if kind(descriptor) == INDIRECT else descriptor
+    if kind(descriptor) in (STRUCT, UNION):
+        return descriptor[2]
+    return descriptor[1] if kind(descriptor) in (ALIAS, ENUM, OBJECT) else ""
+
+
+def name(descriptor):
+    """The name by which people know a type: RTC.TimedLong, or words for one without a name."""
+    return dotted(type_id(descriptor)) if type_id(descriptor) else words(descriptor)
+
+
+def dotted(identifier):
+    """RTC.TimedLong of IDL:RTC/TimedLong:1.0."""
+    parts = identifier.split(":")
+    return parts[1].replace("/", ".") if len(parts) > 2 and parts[0] == "IDL" else identifier
+
+
+def words(descriptor):
+    """The IDL spelling of a type inside its module."""
+    if not isinstance(descriptor, tuple):
+        return NAMES.get(descriptor, "type %d" % descriptor)
+    sort = descriptor[0]
+    if sort in (STRING, WSTRING):
+        return ("string" if sort == STRING else "wstring") + ("<%d>" % descriptor[1] if descriptor[1] else "")
+    if sort == SEQUENCE:
+        return "sequence<%s%s>" % (words(descriptor[1]), ", %d" % descriptor[2] if descriptor[2] else "")
+    if sort == ARRAY:
+        return _array_words(descriptor)
+    if sort in (STRUCT, UNION):
+        return descriptor[3]
+    if sort == INDIRECT:
+        return words(descriptor[1][0])
+    return descriptor[2] if sort in (ALIAS, ENUM, OBJECT) else "fixed" if sort == FIXED else "type %d" % sort
+
+
+def _array_words(descriptor):
+    lengths = ""
+    while kind(descriptor) == ARRAY:
+        lengths += "[%d]" % descriptor[2]
+        descriptor = descriptor[1]
+    return words(descriptor) + lengths
+
+
+def walk(descriptor, where):
+    """All types within a type, each with where it stands: (RTC.TimedLong.data, LONG)."""
+    todo, seen = [(where, descriptor)], set()
+    while todo:
+        where, inner = todo.pop()
+        yield where, inner
+        if isinstance(inner, tuple) and id(inner) not in seen:
+            seen.add(id(inner))
+            todo += _within(inner, where)
+
+
+def _within(descriptor, where):
+    sort = descriptor[0]
+    if sort in (SEQUENCE, ARRAY):
+        return [(where + "[]", descriptor[1])]
+    if sort == ALIAS:
+        return [(where, descriptor[3])]
+    if sort == STRUCT:
+        return [("%s.%s" % (where, member), inner) for member, inner in members(descriptor)]
+    if sort == UNION:
+        return [(where, descriptor[4])] + [("%s.%s" % (where, member), inner) for _, member, inner in descriptor[6]]
+    return []
+
+
+# ---- taking what others made ----------------------------------------------------------------------------------
+
+def adopted(descriptor, find=None):
+    """A descriptor from elsewhere (a TypeCode of a peer, stubs of a user), checked, with classes of ours where it has none.
+
+    `find` gives the descriptor for a repository id that an indirection names. Raises BadType.
+    """
+    return _Adoption(find).take(descriptor, DEEPEST)
+
+
+class _Adoption:
+    def __init__(self, find):
+        self.find, self.left, self.open = find, LARGEST, {}
+
+    def take(self, descriptor, depth):
+        self.left -= 1
+        if depth < 0 or self.left < 0:
+            raise errors.BadType(name(descriptor), "is nested too deep or too large")
+        sort = kind(descriptor)
+        if not isinstance(descriptor, tuple):
+            return descriptor
+        if sort in (STRING, WSTRING, OBJECT, FIXED):
+            return tuple(descriptor)
+        if sort in (SEQUENCE, ARRAY):
+            check_length(sort, descriptor[2])
+            return array(self.take(descriptor[1], depth - 1), descriptor[2]) if sort == ARRAY else (
+                SEQUENCE, self.take(descriptor[1], depth - 1), descriptor[2])
+        if sort == ALIAS:
+            return (ALIAS, descriptor[1], descriptor[2], self.take(descriptor[3], depth - 1))
+        if sort == ENUM:
+            return self.enumeration(descriptor)
+        if sort == INDIRECT:
+            return self.indirection(descriptor[1][0], depth)
+        if sort not in (STRUCT, UNION):
+            raise errors.BadType(words(descriptor), "no type for data")
+        hole = self.open[descriptor[2]] = [None]
+        hole[0] = self.structure(descriptor, depth) if sort == STRUCT else self.choice(descriptor, depth)
+        del self.open[descriptor[2]]
+        return hole[0]
+
+    def structure(self, descriptor, depth):
+        given = [(check_identifier(member), self.take(inner, depth - 1)) for member, inner in members(descriptor)]
+        check_members(descriptor)
+        if isinstance(descriptor[1], type) and not descriptor[1].__name__.startswith("Unknown"):
+            return (STRUCT,) + descriptor[1:4] + tuple(part for member in given for part in member)
+        return struct(descriptor[2], check_identifier(descriptor[3]), given)
+
+    def choice(self, descriptor, depth):
+        discriminator, default = self.take(descriptor[4], depth - 1), descriptor[5]
+        cases = [(label(discriminator, getattr(value, "_v", value)), check_identifier(member), self.take(inner, depth - 1))
+                 for value, member, inner in descriptor[6]]
+        return union(descriptor[2], check_identifier(descriptor[3]), discriminator, cases, default)
+
+    def enumeration(self, descriptor):
+        items = tuple(descriptor[3])
+        if not items or any(item._v != number for number, item in enumerate(items)):
+            raise errors.BadType(name(descriptor), "an enum needs items")
+        for item in items:
+            check_identifier(item._n)
+        return (ENUM, descriptor[1], descriptor[2], items)
+
+    def indirection(self, inner, depth):
+        wanted = inner if isinstance(inner, str) else inner[2] if isinstance(inner, tuple) and len(inner) > 2 else None
+        if wanted in self.open:
+            return (INDIRECT, self.open[wanted])
+        found = inner if isinstance(inner, tuple) else self.find(wanted) if self.find and wanted else None
+        if found is None or kind(found) == INDIRECT:
+            raise errors.BadType(dotted(str(wanted)), "is used, but nowhere defined")
+        return self.take(found, depth - 1)
+
+
+def check_identifier(word):
+    """`word` when it can name a member. Raises BadType."""
+    if not isinstance(word, str) or not _IDENTIFIER.match(word):
+        raise errors.BadType(repr(word), "not an identifier")
+    return word
+
+
+def check_members(descriptor):
+    """Raise BadType when the members of a struct are none, or two have one name."""
+    names = [member for member, _ in members(descriptor)]
+    if not names or len(set(names)) < len(names):
+        raise errors.BadType(name(descriptor), "a struct needs members, each with a name of its own")
+
+
+def label(discriminator, value):
+    """A label of a union as values have it, from a number or a character. Raises BadType."""
+    switch = target(discriminator)
+    if kind(switch) not in LABELS:
+        raise errors.BadType("a union", "cannot be switched by %s" % words(discriminator))
+    if kind(switch) == CHAR:
+        if isinstance(value, str) and len(value) == 1:
+            return value
+    elif isinstance(value, int) and kind(switch) != ENUM:
+        return value
+    elif isinstance(value, int) and 0 <= value < len(switch[3]):
+        return switch[3][value]
+    raise errors.BadType("a union", "no label: %r" % (value,))
+
+
+def check_length(sort, length):
+    if not isinstance(length, int) or not 0 <= length < 2 ** 32 or sort == ARRAY and not 0 < length <= LONGEST:
+        raise errors.BadType("a %s of %r elements" % ("sequence" if sort == SEQUENCE else "array", length), "out of bounds")
+
+
+def array(element, length):
+    """The descriptor of an array. Raises BadType for one that no memory holds."""
+    total, inner = length, target(element)
+    while kind(inner) == ARRAY:
+        total, inner = total * inner[2], target(inner[1])
+    if not 0 < total <= LONGEST:
+        raise errors.BadType("an array of %d elements" % total, "out of bounds")
+    return (ARRAY, element, length)

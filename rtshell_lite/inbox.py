@@ -1,0 +1,39 @@
+"""Values that have come and wait to be used: those who bring them never wait, what does not fit is dropped and counted."""
+import collections
+import threading
+
+MOST = 100000  # values
+MOST_BYTES = 256 << 20
+
+
+class Inbox:
+    """A bounded queue of (key, Message); `dropped` counts by key what did not fit."""
+
+    def __init__(self, most=MOST, most_bytes=MOST_BYTES):
+        self.most, self.most_bytes = most, most_bytes
+        self.waiting, self.bytes = [], 0
+        self.dropped = collections.Counter()
+        self.arrived = threading.Condition(threading.Lock())
+
+    def put(self, key, message):
+        """Add a value, from any thread; returns at once. One value always fits, however big."""
+        size = len(message.data)
+        with self.arrived:
+            if self.waiting and (len(self.waiting) >= self.most or self.bytes + size > self.most_bytes):
+                self.dropped[key] += 1
+                return
+            self.waiting.append((key, message))
+            self.bytes += size
+            self.arrived.notify()
+
+    def taker(self, key):
+        """The function that takes the values of `key`."""
+        return lambda message: self.put(key, message)
+
+    def get(self, seconds):
+        """All that has come, as a list in that order; waits up to `seconds` for the first one."""
+        with self.arrived:
+            if not self.waiting:
+                self.arrived.wait(seconds)
+            taken, self.waiting, self.bytes = self.waiting, [], 0
+        return taken

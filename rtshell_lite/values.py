@@ -1,0 +1,240 @@
+"""Values of data types: as text, as JSON, as columns; one field of them; their time; and how a person writes one down.
+
+A value is what stubs make: structs have attributes, unions _d and _v, items of enums _n and _v; sequences are lists, those of
+octets bytes and those of characters text.
+"""
+import base64
+import collections
+import math
+import re
+import struct
+
+from rtshell_lite import constants, construct, errors
+from rtshell_lite.text import printable
+
+Time = collections.namedtuple("Time", "sec nsec")
+Expression = constants.Expression
+build = construct.build
+
+SCALARS = ((1, "B", "octet"), (2, "h", "short"), (4, "i", "long"), (4, "f", "float"), (8, "d", "double"))
+SHOWN = 64  # characters of a guessed string
+
+
+# ---- what a value is ------------------------------------------------------------------------------------------
+
+def _sort(value):
+    if isinstance(value, (str, int, float, bytes)) or value is None:
+        return "scalar"
+    if isinstance(value, (list, tuple)):
+        return "list"
+    if hasattr(value, "_n"):
+        return "enum"
+    return "union" if "_d" in vars(value) else "struct"
+
+
+def _case(union):
+    """The name of the member that a union holds, None when it holds none."""
+    found = getattr(type(union), "_d_to_m", {}).get(union._d)
+    return found or getattr(type(union), "_def_m", None)
+
+
+def timestamp(value):
+    """(seconds, nanoseconds) that a value says it is from, its member `tm`; None when it has none."""
+    try:
+        return value.tm.sec, value.tm.nsec
+    except AttributeError:
+        return None
+
+
+def with_timestamp(value, sec, nsec):
+    """A copy of a value with another time in its member `tm`; a value without one as it is."""
+    if timestamp(value) is None:
+        return value
+    members = dict(vars(value), tm=type(value.tm)(sec + nsec // 1000000000, nsec % 1000000000))
+    made = type(value).__new__(type(value))
+    made.__dict__.update(members)
+    return made
+
+
+# ---- as text --------------------------------------------------------------------------------------------------
+
+def text(value, limit=None):
+    """One line for people: `[SEC.NSEC] DATA` for a value with a time, as the rtshell manual promises.
+
+    Of a sequence, octets included, no more than `limit` elements are shown and the others counted; None shows all.
+    """
+    if _sort(value) != "struct":
+        return _text(value, limit) if not isinstance(value, str) else printable(value)
+    members = vars(value)
+    stamp = timestamp(value)
+    if stamp is None:
+        return _text(value, limit)
+    if len(members) == 2 and "data" in members:
+        data = members["data"]
+        shown = printable(data) if isinstance(data, str) else _text(data, limit)
+    else:
+        shown = " ".join("%s=%s" % (name, _text(inner, limit)) for name, inner in members.items() if name != "tm")
+    return "[%d.%09d] %s" % (stamp + (shown,))
+
+
+def _text(value, limit):
+    if isinstance(value, (int, float)):
+        return str(value)
+    if isinstance(value, str):
+        return "'%s'" % printable(value).replace("'", "\\'")
+    if isinstance(value, bytes):
+        return "<%s>" % _cut([_hex(value[:limit])] if value else [], len(value), limit, " ", len(value[:limit]))
+    sort = _sort(value)
+    if sort == "list":
+        return "[%s]" % _cut([_text(each, limit) for each in value[:limit]], len(value), limit, ", ", len(value[:limit]))
+    if sort == "struct":
+        return "(%s)" % ", ".join("%s=%s" % (name, _text(inner, limit)) for name, inner in vars(value).items())
+    if sort == "union":
+        case = _case(value)
+        return "(%s=%s)" % (case, _text(value._v, limit)) if case else "(_d=%s)" % _text(value._d, limit)
+    return value._n if sort == "enum" else "None"
+
+
+def _cut(shown, size, limit, between, count):
+    more = size - count
+    return between.join(shown + (["… %d more" % more] if more else []))
+
+
+def _hex(data):
+    return " ".join("%02x" % byte for byte in data)
+
+
+def constructor(value):
+    """A value in the form that rtinject reads, RTC.TimedLong(tm=RTC.Time(sec=1, nsec=2), data=42): `Expression` reads it back."""
+    sort = _sort(value)
+    if isinstance(value, float) and not math.isfinite(value):
+        return "NaN" if math.isnan(value) else "Infinity" if value > 0 else "-Infinity"
+    if isinstance(value, str):
+        return "'%s'" % "".join(_escaped(c) for c in value)
+    if sort == "scalar":
+        return repr(value)
+    if sort == "list":
+        return "[%s]" % ", ".join(map(constructor, value))
+    if sort == "enum":
+        return value._n
+    called = construct.dotted(type(value)._NP_RepositoryId)
+    if sort == "union":
+        return "%s(%s)" % (called, ", ".join(constructor(part) for part in (value._d, value._v)[:2 if _case(value) else 1]))
+    return "%s(%s)" % (called, ", ".join("%s=%s" % (name, constructor(inner)) for name, inner in vars(value).items()))
+
+
+def _escaped(c):
+    if c.isprintable() and c not in "\\'{}":
+        return c
+    n = ord(c)
+    return "\\x%02x" % n if n < 256 else "\\u%04x" % n if n < 65536 else "\\U%08x" % n
+
+
+# ---- for programs ---------------------------------------------------------------------------------------------
+
+def json(value):
+    """What `json.dumps` takes: structs as objects, enums by name, octets in base64, unions as {"_d": label, member: value}.
+
+    NaN and the infinities, for which JSON has no numbers, are "NaN", "Infinity" and "-Infinity".
+    """
+    if isinstance(value, float) and not math.isfinite(value):
+        return "NaN" if math.isnan(value) else "Infinity" if value > 0 else "-Infinity"
+    if isinstance(value, bytes):
+        return base64.b64encode(value).decode("ascii")
+    sort = _sort(value)
+    if sort == "list":
+        return value if value and isinstance(value[0], (int, str)) else [json(each) for each in value]
+    if sort == "struct":
+        return {name: json(inner) for name, inner in vars(value).items()}
+    if sort == "union":
+        case = _case(value)
+        return {"_d": json(value._d), case: json(value._v)} if case else {"_d": json(value._d)}
+    return value._n if sort == "enum" else value
+
+
+def flat(value, column=""):
+    """[(column, scalar)] for a table: tm.sec, data[0], data.x; octets in hex, enums by name, a union's label as _d."""
+    sort = _sort(value)
+    if isinstance(value, bytes):
+        return [(column, "".join("%02x" % byte for byte in value))]
+    if sort == "list":
+        return [cell for i, each in enumerate(value) for cell in flat(each, "%s[%d]" % (column, i))]
+    if sort in ("struct", "union"):
+        members = vars(value) if sort == "struct" else {"_d": value._d}
+        if sort == "union" and _case(value):
+            members[_case(value)] = value._v
+        start = column + "." if column else ""
+        return [cell for name, inner in members.items() for cell in flat(inner, start + name)]
+    return [(column, value._n if sort == "enum" else value)]
+
+
+_STEP = re.compile(r"\.?([A-Za-z_]\w*)|\[(\d{1,9})\]", re.ASCII)
+
+
+def field(value, path):
+    """One part of a value: field(value, "data.points[0].x"). Raises NoSuch, telling what there is."""
+    at, found = 0, value
+    while at < len(path):
+        step = _STEP.match(path, at)
+        if step is None:
+            raise errors.BadPath("%s: not a field; one is written data.points[0].x" % printable(path))
+        found = _step(found, step, path)
+        at = step.end()
+    return found
+
+
+def _step(value, step, path):
+    name, index = step.groups()
+    sort = "list" if isinstance(value, (bytes, str)) else _sort(value)
+    if index is not None:
+        if sort == "list" and int(index) < len(value):
+            return value[int(index)]
+        there = "%d elements" % len(value) if sort == "list" else "it is no sequence"
+    elif sort == "struct":
+        if name in vars(value):
+            return vars(value)[name]
+        there = "there are " + ", ".join(vars(value))
+    elif sort == "union":
+        if name == "_d" or name == _case(value):
+            return value._d if name == "_d" else value._v
+        there = "it holds %s now" % _case(value)
+    else:
+        there = "%s has no fields" % ("a sequence" if sort == "list" else "a plain value")
+    raise errors.NoSuch(printable(path), "field", "%s (%s)" % (step.group().lstrip("."), there))
+
+
+# ---- bytes of no known type -----------------------------------------------------------------------------------
+
+def raw(data, little=True, limit=None):
+    """Lines about bytes whose type is not known: their number, a hex dump, and what they might be, never said for certain."""
+    lines = ["%d bytes" % len(data)]
+    shown = data[:limit]
+    for at in range(0, len(shown), 16):
+        row = shown[at:at + 16]
+        lines.append("%08x  %-48s %s" % (at, _hex(row), "".join(chr(b) if 32 <= b < 127 else "." for b in row)))
+    if len(shown) < len(data):
+        lines.append("… %d more" % (len(data) - len(shown)))
+    return lines + ["maybe: " + guess for guess in _guesses(data, "<" if little else ">")]
+
+
+def _guesses(data, order):
+    """What the bytes might say: a time at the start, the rest behind it as one kind of number or text."""
+    found, start = [], 0
+    if len(data) >= 8:
+        sec, nsec = struct.unpack_from(order + "II", data)
+        if nsec < 1000000000 and (946684800 <= sec < 4102444800 or sec == nsec == 0):  # the years 2000 to 2099
+            found.append("time %d.%09d" % (sec, nsec))
+            start = 8
+    size = len(data) - start
+    for width, code, words in SCALARS:
+        if size == width:
+            found.append("%s %r" % (words, struct.unpack_from(order + code, data, start)[0]))
+    if size >= 5:
+        count, = struct.unpack_from(order + "I", data, start)
+        if count == size - 4 and data[-1:] == b"\0":
+            found.append("string '%s'" % printable(data[start + 4:-1].decode("utf-8", "surrogateescape")[:SHOWN]))
+        for width, words in ((1, "octets"), (2, "shorts"), (4, "longs or floats"), (8, "doubles")):
+            head = start + 4 + (-(start + 4) % width)
+            if count and len(data) == head + count * width:
+                found.append("sequence of %d %s" % (count, words))
+    return found
