@@ -16,6 +16,7 @@ class Outcome:
     def __init__(self, step, status=UNTRIED, error=None):
         self.step, self.status, self.error = step, status, error
         self.before = self.after = None
+        self.likely = False  # True for one that is so now, and that an earlier step may change
 
     @property
     def pending(self):
@@ -47,7 +48,7 @@ def check(outcomes):
     for each in outcomes:
         sites = {id(site) for site in each.step.sites}
         if each.status == SO and sites & changing:
-            each.status = UNTRIED
+            each.status, each.likely = UNTRIED, True
         if each.pending:
             changing |= sites
 
@@ -163,12 +164,12 @@ def _carry_out(level, outcomes):
     lost = [each for each in todo if not each.step.tolerant and _lost(each.after) and not _lost(each.after, errors.Silent)]
     for each, answers in zip(lost, _answers(lost)):  # one more look: what was done has to be known
         each.after = answers
+    _bury(level, outcomes)
     for each, result in zip(todo, results):
         _judge(each, result if isinstance(result, errors.Error) else None)
     for each in level:
         if each.error is not None:
             each.step.give_up(each.error)
-    _bury(level, outcomes)
 
 
 def _job(each, call):
@@ -197,6 +198,7 @@ def _judge(each, failure):
             return
         why = failure or errors.Refused(each.step.where, "was said to be done, but is not so")
     except errors.Error as e:
+        e = next((site.error for site in each.step.sites if steps.is_gone(site.error)), e)
         why = e if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Silent) else failure or e
         if _lost(each.after) is e and not steps.is_gone(e):
             each.fail(errors.Unreachable(each.step.where, "%s; whether it was done is not known" % e.args[-1]), UNSURE)
