@@ -64,7 +64,7 @@ def play(args, worlds, flavour):
     here.ledger.own_thread()
     server = args.nameserver or os.environ.get("RTCTREE_NAMESERVERS", "localhost").split(";")[0]
     options = Options(context=args.context, rate=args.rate, sync=args.sync, contexts=1, running=True,
-                      arguments={}, control=args.control, consumers=None, size=0, dies=False)
+                      arguments={}, control=args.control, consumers=None, size=0, fate="")
     stage = staging.Stage(here, naming.Naming(here.orb, server), flavour, options)
     for number in (signal.SIGTERM, signal.SIGINT):
         signal.signal(number, lambda *_: stage.finish.set())

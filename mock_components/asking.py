@@ -12,6 +12,7 @@ write COMPONENT:PORT NUMBER  let an OutPort send a value made of that number
 answer COMPONENT:PORT STATUS  an InPort refuses values: BUFFER_FULL, PORT_ERROR …; PORT_OK: takes them again
 refuse COMPONENT:PORT CODE  a data port refuses connections: RTC_ERROR …; RTC_OK: takes them again
 connectors COMPONENT:PORT  id and name of each connection
+forget COMPONENT:PORT      let the last port of connections forget them, and the others not
 state COMPONENT [HANDLE]   its state in its first context, or in another: 1000 of the composite that has taken it
 error COMPONENT            put it into the Error state
 fail OPERATION [N] [KIND]  the Nth next call of it ends badly: a system exception such as TRANSIENT (default),
@@ -19,6 +20,8 @@ fail OPERATION [N] [KIND]  the Nth next call of it ends badly: a system exceptio
 delay OPERATION SECONDS    every call of it takes that long
 hang COMPONENT SECONDS     its calls wait until so long from now; 0 lets them go
 log COMPONENT LEVEL NAME MESSAGE  hand a record to its loggers, as no real component does
+observers COMPONENT        the interface types of what is registered with it
+mute COMPONENT [N]         it loses them, and the N next ones, too
 fsm COMPONENT STATE        let a state machine change its state
 forsake COMPONENT          it ends, but a manager goes on listing it
 components                 instance names

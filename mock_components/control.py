@@ -50,6 +50,11 @@ class Commands:
     def connectors(self, port):
         return ["%s %s" % (p.connector_id, p.name) for p in list(self.stage.port(port).profiles.values())]
 
+    def forget(self, port):
+        port = self.stage.port(port)
+        for profile in list(port.profiles.values()):
+            port.notify_disconnect(profile.connector_id)  # of the last port of a connection: the others do not hear of it
+
     def state(self, component, handle=0):
         component = self.stage.components[component]
         return [str(component.get_context(int(handle)).get_component_state(component.reference))[:-len("_STATE")]]
@@ -71,6 +76,13 @@ class Commands:
         if level not in observers.LEVELS:
             raise ValueError("no such level: " + level)
         self.stage.components[component].observers.log(level, name, message)
+
+    def observers(self, component):
+        registered = self.stage.components[component].observers.registered
+        return sorted(consumer.interface_type for consumer in list(registered.values()))
+
+    def mute(self, component, count=0):
+        self.stage.components[component].observers.forget(int(count))
 
     def fsm(self, component, state):
         self.stage.components[component].go(state)

@@ -19,7 +19,8 @@ EVENTS = [("open", "TimedLong"), ("close", "TimedLong"), ("start", "TimedLong"),
 class Service(Fsm__POA.ExtendedFsmService):
     """What one can ask a state machine; what it is told about its structure, it tells again."""
 
-    def __init__(self):
+    def __init__(self, fate):
+        self.fate = fate
         self.state = "closed"
         self.structure = Fsm.FsmStructure("Microwave", STRUCTURE, [Fsm.FsmEventProfile(*event) for event in EVENTS], [])
 
@@ -30,18 +31,21 @@ class Service(Fsm__POA.ExtendedFsmService):
         return RTC.RTC_OK, self.structure
 
     def set_fsm_structure(self, structure):
-        self.structure = structure
+        if self.fate == "refuses":
+            return RTC.UNSUPPORTED
+        if self.fate != "keeps":
+            self.structure = structure
         return RTC.RTC_OK
 
 
 class StateMachine(Component):
-    """Has the service; of some, the process dies when they are asked for it by id."""
+    """Has the service; the process of some dies when they are asked for it by id."""
 
     providers = (SERVICE,)
 
     def __init__(self, *arguments):
         Component.__init__(self, *arguments)
-        self.fsm = Service()
+        self.fsm = Service(self.options.fate)
         self.fsm_reference = self.process.serve(self.fsm, self.instance_name)
 
     def go(self, state):
@@ -66,7 +70,7 @@ class StateMachine(Component):
     def get_sdo_service(self, service_id):
         if service_id != SERVICE:
             return Component.get_sdo_service(self, service_id)
-        if self.options.dies:
+        if self.options.fate == "dies":
             self.process.die()
         return self.fsm_reference
 

@@ -23,6 +23,7 @@ class Consumer:
 
     def __init__(self, component, profile, kind):
         self.component = component
+        self.interface_type = profile.interface_type
         self.reference = profile.service._unchecked_narrow(kind)
         omniORB.setClientCallTimeout(self.reference, CONNECT_LIMIT)
         self.ended = threading.Event()
@@ -125,11 +126,14 @@ class Observers:
         self.component = component
         self.available = available
         self.registered = {}        # id -> Consumer
+        self.to_forget = 0          # how many of those that come next are accepted, and lost
 
     def add(self, profile):
         if not profile.id or profile.interface_type not in self.available or profile.service is None:
             return False
-        if profile.id in self.registered:
+        if self.to_forget:
+            self.to_forget -= 1
+        elif profile.id in self.registered:
             self.registered[profile.id].configure(profile.properties)
         else:
             self.registered[profile.id] = KINDS[profile.interface_type](self.component, profile)
@@ -140,6 +144,11 @@ class Observers:
         if consumer:
             consumer.close()
         return consumer is not None
+
+    def forget(self, count):
+        """Lose all, and the `count` next ones."""
+        self.close()
+        self.to_forget = count
 
     def drop(self, consumer):
         for service_id, one in list(self.registered.items()):

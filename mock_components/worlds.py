@@ -2,7 +2,7 @@
 import os
 import signal
 
-from . import components, deployment, hostile, observers, odd, orphans
+from . import ailments, components, deployment, hostile, observers, odd, orphans
 
 
 def two(stage):
@@ -112,8 +112,8 @@ def deadmember(stage):
 
 
 def fsm(stage, fate=""):
-    """[dies]: Microwave0, a state machine with the service of FSM4RTC; `dies`: as C++, when asked for that by id"""
-    stage.add("Microwave", dies=fate == "dies")
+    """[FATE]: Microwave0, a state machine; it `dies` when asked for its service by id, as C++, `keeps` or `refuses` structures"""
+    stage.add("Microwave", fate=fate)
 
 
 def observed(stage):
@@ -169,4 +169,5 @@ WORLDS = {world.__name__: world for world in (
     two, linked, console, services, config, parts, robot, these, many, error, slow, stopped, contexts, composite, deadmember,
     fsm, observed, senders, orphan, fragile, hung, zombie, names)}
 WORLDS.update(deployment.WORLDS)
+WORLDS.update(ailments.WORLDS)
 WORLDS.update({"all": everything, "hostile": cruel})

@@ -6,7 +6,7 @@ import io
 import os
 import sys
 
-from rtshell_lite import __version__, errors, options, path, rpc, text
+from rtshell_lite import __version__, commandline, errors, path, rpc, text
 
 EXIT_STATUSES = """exit status:
   0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
@@ -216,13 +216,14 @@ def _told(args, outcomes):
         counts[each.status] = counts.get(each.status, 0) + 1
         if args.json:
             print(text.json_line(each.as_dict()))
-        elif args.dry_run and each.pending:
+        elif args.dry_run and each.pending and not each.likely:
             print(each.step.command)
         if not each.failed:
             good = each.status in ("done", "already so") or args.dry_run and each.pending
             tally.done += good and not args.rollback
             if each.status != "already so":
-                detail("%s: %s%s" % (each.step.title, each.status, " (%s)" % each.error if each.error else ""))
+                why = " because of " + each.error.args[0] if each.error else ""
+                detail("%s: %s%s" % (each.step.title, each.status, why))
         elif each.step.required:
             tally.add(each.error)
         else:
@@ -266,9 +267,8 @@ class Progress(Tally):
 def parser(arguments, doc, prog):
     """The parser of the command called `prog`, whose file has these `arguments` and this docstring."""
     summary, _, details = doc.strip().partition("\n\n")
-    parser = options.Parser(prog=prog, description=summary, add_help=False,
-                            epilog=(details + "\n\n" if details else "") + EXIT_STATUSES,
-                            formatter_class=_formatter)
+    parser = commandline.Parser(prog=prog, description=summary, add_help=False,
+                                epilog=(details + "\n\n" if details else "") + EXIT_STATUSES, formatter_class=_formatter)
     arguments(parser)
     taken = parser._option_string_actions  # rtcryo has a -v of its own
     parser.add_argument(*[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",

@@ -31,6 +31,22 @@ def commands():
     return found
 
 
+def manual_pages():
+    """The manual pages, {path below share/man: path}; a path may lead into the wheel file. {} where they are not."""
+    archive = wheel()
+    if archive:
+        with zipfile.ZipFile(archive) as members:
+            found = re.findall(r"^(rtshell_lite-[^/]+\.data/data/share/man/(.+\.[17]))$", "\n".join(members.namelist()), re.MULTILINE)
+        return {below: os.path.join(archive, *name.split("/")) for name, below in found}
+    above = os.path.dirname(os.path.dirname(next(iter(commands().values()))))
+    for top in os.path.join(above, "man"), os.path.join(above, "share", "man"):  # a checkout, an installation
+        paths = glob.glob(os.path.join(glob.escape(top), "**", "rt*.[17]"), recursive=True)
+        found = {os.path.relpath(path, top).replace(os.sep, "/"): path for path in paths}
+        if "man7/rtshell_lite.7" in found:
+            return found
+    return {}
+
+
 def read(path):
     """The bytes of a file of ours, also out of the wheel file."""
     return rtshell_lite.__spec__.loader.get_data(path)

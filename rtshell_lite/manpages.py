@@ -1,4 +1,5 @@
-"""Manual pages, made from what is written elsewhere: `python3 -m rtshell_lite.manpages`, in a checkout, writes them below man/.
+"""Manual pages, made from what is written elsewhere: `python3 -m rtshell_lite.manpages`, in a checkout, writes them below man/
+and lists them in setup.cfg.
 
 The page of a command says what its docstring and its parser say; rtshell_lite(7) what README.md says, its Japanese version
 what README.ja.md says. tests/test_manpages.py fails when one of them is out of date.
@@ -17,6 +18,7 @@ SECTIONS = {
 }
 SUMMARIES = {"README.md": "shell commands for robots built from OpenRTM-aist components",
              "README.ja.md": "OpenRTM-aist のコンポーネントで作られたロボットのためのシェルコマンド"}
+WIDEST = 76
 
 
 def pages():
@@ -38,6 +40,17 @@ def main():
     for name, text in wanted.items():
         os.makedirs(os.path.dirname(os.path.join(top, name)), exist_ok=True)
         files.write(os.path.join(top, name), text)
+    config = os.path.join(ROOT, "setup.cfg")
+    files.write(config, packaged(files.read(config), wanted))
+
+
+def packaged(config, names):
+    """The text of setup.cfg, with pages of these names as its data files."""
+    lines = []
+    for directory in sorted({os.path.dirname(name) for name in names}):
+        lines += ["share/man/%s =" % directory]
+        lines += ["    man/" + name for name in sorted(names) if os.path.dirname(name) == directory]
+    return re.sub(r"(?<=\n\[options.data_files\]\n)(?:[^\n\[].*\n)*", "\n".join(lines) + "\n", config)
 
 
 # ---- a command ------------------------------------------------------------------------------------------------
@@ -49,7 +62,8 @@ def _command_page(name, path):
     summary, _, rest = module.__doc__.strip().partition("\n\n")
     details, _, examples = ("\n" + rest).partition("\nexamples:\n")
     lines = [_header(name, 1), ".SH NAME", "%s \\- %s" % (name, _text(summary.rstrip(".").replace("\n", " "))),
-             ".SH SYNOPSIS", ".B " + name, "[\\fIoption\\fR ...]" + "".join(" " + _argument(action) for action in shown)]
+             ".SH SYNOPSIS", ".B " + name,
+             " ".join(["[\\fIoption\\fR ...]"] + [_argument(action) for action in shown if not action.option_strings])]
     if details.strip():
         lines += [".SH DESCRIPTION"] + _paragraphs(details.strip("\n"))
     lines += [".SH OPTIONS"]
@@ -68,9 +82,7 @@ def _header(name, section):
 
 
 def _argument(action):
-    """A positional argument in the synopsis, '' for an option."""
-    if action.option_strings:
-        return ""
+    """A positional argument in the synopsis."""
     word = "\\fI%s\\fR" % _text(action.metavar or action.dest.upper())
     return {None: word, "?": "[%s]" % word, "*": "[%s ...]" % word, "+": "%s ..." % word}[action.nargs]
 
@@ -103,7 +115,7 @@ def _paragraphs(text):
 def _overview(readme, commands):
     name, description, titles, see_also = SECTIONS[readme]
     text = files.read(os.path.join(ROOT, readme))
-    sections = dict(re.findall(r"^#+ (.*)\n((?:(?!#+ ).*\n|```(?:.*\n)*?```\n)*)", text, re.MULTILINE))
+    sections = dict(re.findall(r"^#+ (.*)\n((?:```(?:.*\n)*?```\n|(?!#+ ).*\n)*)", text, re.MULTILINE))
     lines = [_header("rtshell_lite", 7), ".SH " + name, "rtshell_lite \\- " + _text(SUMMARIES[readme]), ".SH " + description]
     lines += _markdown(sections["rtshell_lite"])
     for title in titles:
@@ -161,7 +173,9 @@ def _prose(s):
 
 
 def _literal(lines):
-    """Lines that stay as they are, each indented by two blanks or more."""
+    """Lines that stay as they are, each indented by two blanks or more; remarks beside them go below where it gets too wide."""
+    if max(map(len, lines)) > WIDEST:
+        lines = [part for line in lines for part in re.sub(r"(?<=\S) {2,}", "\n        ", line, 1).split("\n")]
     return [".PP", ".RS 2", ".nf"] + [_text(line[2:]) or "\\&" for line in lines] + [".fi", ".RE"]
 
 

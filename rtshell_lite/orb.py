@@ -43,7 +43,15 @@ def _make_orb():
     try:
         return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
     except CORBA.SystemException as e:
-        raise errors.Usage("RTCTREE_ORB_ARGS: %s: not understood by omniORB (%s)" % (printable(";".join(own)), _label(e)))
+        where = "RTCTREE_ORB_ARGS: " + printable(";".join(own)) if own else "omniORB.cfg, or a variable ORB…"
+        raise errors.Usage("%s: not understood by omniORB (%s)" % (where, _label(e)))
+
+
+def version():
+    """The version of omniORBpy. Raises MissingOmniORB."""
+    _import_omniorb()
+    import omniORB
+    return omniORB.__version__
 
 
 def _set_deadline():
@@ -136,7 +144,7 @@ def address(ref):
             if tag == 0:  # TAG_INTERNET_IOP
                 body = _Cdr(profile)
                 body.at += 2  # the version
-                return Address(type_id, body.octets()[:-1].decode("latin-1"), body.ushort(), body.octets())
+                return Address(type_id, *body.host_and_port(), key=body.octets())
     except (IndexError, struct.error):
         return Address("", "", 0, b"")
     return Address(type_id, "", 0, b"")
@@ -164,6 +172,34 @@ class _Cdr:
         size = self.ulong()
         self.at += size
         return self.data[self.at - size:self.at]
+
+    def host_and_port(self):
+        return self.octets()[:-1].decode("latin-1"), self.ushort()
+
+
+def addresses(ref):
+    """Every (host, port) that the IOR of `ref` offers, in its order: IIOP profiles and the alternatives named in them.
+
+    TAG_ALTERNATE_IIOP_ADDRESS is 3 (CORBA 3.0, 13.6.6.8); a reference without an IIOP profile offers none.
+    """
+    ior, found = _Cdr(binascii.unhexlify(start().object_to_string(ref)[4:])), []
+    try:
+        ior.octets()  # the type id
+        for _ in range(ior.ulong()):
+            tag, profile = ior.ulong(), ior.octets()
+            if tag != 0:
+                continue
+            body = _Cdr(profile)
+            minor, body.at = profile[2], body.at + 2
+            found.append(body.host_and_port())
+            body.octets()  # the object key
+            for _ in range(body.ulong() if minor else 0):
+                component, data = body.ulong(), body.octets()
+                if component == 3:
+                    found.append(_Cdr(data).host_and_port())
+    except (IndexError, struct.error):
+        pass  # what was told before the garbage counts
+    return list(collections.OrderedDict.fromkeys(found))
 
 
 def endpoint(ref):

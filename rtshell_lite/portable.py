@@ -3,12 +3,13 @@
     "long"  "string"  ["string", bound]  ["sequence", type, bound]  ["array", type, length]  ["alias", id, name, type]
     ["struct", id, name, [[member, type], …]]  ["enum", id, name, [item, …]]
     ["union", id, name, type, index of the default or -1, [[label, member, type], …]]   an enum's label is its item's number
+    ["object", id, name]  ["fixed", digits, scale]   of which no values are read
     ["see", id]  a struct, union or enum that stands before or around
 """
 import json
 
 from rtshell_lite import descriptors, errors
-from rtshell_lite.descriptors import ALIAS, ARRAY, ENUM, INDIRECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING, kind
+from rtshell_lite.descriptors import ALIAS, ARRAY, ENUM, FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, WSTRING, kind
 
 LARGEST = 1 << 20  # bytes of a type
 _KINDS = {words: kind for kind, words in descriptors.NAMES.items()}
@@ -26,18 +27,20 @@ def plain(descriptor, seen=None):
         return ["sequence" if sort == SEQUENCE else "array", plain(descriptor[1], seen), descriptor[2]]
     if sort == ALIAS:
         return ["alias", descriptor[1], descriptor[2], plain(descriptor[3], seen)]
+    if sort in (OBJECT, FIXED):
+        return ["object" if sort == OBJECT else "fixed", descriptor[1], descriptor[2]]
     identifier = descriptors.type_id(descriptor)
-    if identifier in seen or sort == INDIRECT:
+    if identifier in seen:
         return ["see", identifier]
+    if sort == INDIRECT:
+        return plain(descriptor[1][0], seen)
     seen.add(identifier)
     if sort == ENUM:
         return ["enum", identifier, descriptor[2], [item._n for item in descriptor[3]]]
     if sort == STRUCT:
         return ["struct", identifier, descriptor[3], [[name, plain(inner, seen)] for name, inner in descriptors.members(descriptor)]]
-    if sort == UNION:
-        return ["union", identifier, descriptor[3], plain(descriptor[4], seen), descriptor[5],
-                [[getattr(label, "_v", label), name, plain(inner, seen)] for label, name, inner in descriptor[6]]]
-    return ["object", descriptors.type_id(descriptor), descriptors.words(descriptor)]
+    return ["union", identifier, descriptor[3], plain(descriptor[4], seen), descriptor[5],
+            [[getattr(label, "_v", label), name, plain(inner, seen)] for label, name, inner in descriptor[6]]]
 
 
 def descriptor(data):
@@ -53,7 +56,8 @@ def descriptor(data):
 
 class _Reading:
     def __init__(self):
-        self.left, self.known = descriptors.LARGEST, {}  # weight of each known type: a small text may mean a large type
+        self.left, self.known = descriptors.LARGEST, {}  # with the weight of each: a small text may mean a large type
+        self.sequences, self.open = 0, {}  # sequences around this place; around the beginning of each open struct or union
 
     def take(self, part, depth):
         self.left -= 1
@@ -76,11 +80,20 @@ class _Reading:
 
     def _sequence(self, depth, element, bound):
         descriptors.check_length(SEQUENCE, bound)
-        return (SEQUENCE, self.take(element, depth), bound)
+        self.sequences += 1
+        taken = self.take(element, depth)
+        self.sequences -= 1
+        return (SEQUENCE, taken, bound)
 
     def _array(self, depth, element, length):
         descriptors.check_length(ARRAY, length)
         return descriptors.array(self.take(element, depth), length)
+
+    def _object(self, depth, identifier, name):
+        return (OBJECT, _text(identifier), _text(name))
+
+    def _fixed(self, depth, digits, scale):
+        return (FIXED, int(digits), int(scale))
 
     def _alias(self, depth, identifier, name, target):
         return (ALIAS, _text(identifier), _text(name), self.take(target, depth))
@@ -112,21 +125,23 @@ class _Reading:
     def _open(self, identifier):
         hole = [None]
         self.known[_text(identifier)] = ((INDIRECT, hole), 1)
+        self.open[identifier] = self.sequences
         return hole
 
     def _known(self, identifier, made, left):
         self.known[identifier] = (made, left - self.left)
+        self.open.pop(identifier, None)
         return made
 
     def _see(self, depth, identifier):
         found, weight = self.known[identifier]
         self.left -= weight
-        if self.left < 0:
-            raise errors.BadType("a type in a file", "is too large")
+        if self.left < 0 or self.open.get(identifier) == self.sequences:
+            raise errors.BadType("a type in a file", "is too large, or contains itself")
         return found
 
 
-_WORDS = ("string", "wstring", "sequence", "array", "alias", "enum", "struct", "union", "see")
+_WORDS = ("string", "wstring", "sequence", "array", "alias", "enum", "struct", "union", "see", "object", "fixed")
 
 
 def _text(word):

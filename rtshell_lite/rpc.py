@@ -17,6 +17,8 @@ GRACE = 0.2  # the ORB's own deadline comes first and knows more; ours is for wh
 TICK = 0.1
 
 timeout = 3.0  # seconds a peer may stay silent; set once by cli from --timeout
+end = None  # time.monotonic() after which nobody is asked any more, None for no such time: set by who promises a bound
+NO_TIME = "no time was left to ask it"
 
 Job = collections.namedtuple("Job", "endpoint where call")  # (host, port) or anything hashable; path text; function()
 
@@ -129,8 +131,8 @@ def _work(peer, done):
             i, job = peer.todo.popleft()
         except IndexError:
             return
-        if peer.silence:
-            done.put((peer, i, errors.Silent(job.where, peer.silence)))
+        if peer.silence or is_over():
+            done.put((peer, i, errors.Silent(job.where, peer.silence or NO_TIME)))
             continue
         alive()
         try:
@@ -147,15 +149,22 @@ def _give_up(peers, jobs, values):
     """Fail the open jobs of peers that stayed silent too long; returns how many."""
     count, now = 0, time.monotonic()
     for peer in peers:
-        if peer.open and now - peer.heard > peer.limit + GRACE:
-            why = peer.silence or no_answer(peer.limit)
-            peer.fall_silent(why)
+        silent_too_long = now - peer.heard > peer.limit + GRACE
+        if peer.open and (silent_too_long or is_over()):
+            why = peer.silence or (no_answer(peer.limit) if silent_too_long else NO_TIME)
+            if silent_too_long:
+                peer.fall_silent(why)
             peer.todo.clear()
             for i in peer.open:
                 values[i] = errors.Silent(jobs[i].where, why)
             count += len(peer.open)
             peer.open.clear()
     return count
+
+
+def is_over():
+    """True when the time set by `end` is up."""
+    return end is not None and time.monotonic() > end
 
 
 class Calls:

@@ -160,14 +160,18 @@ class Run:
         """The Result of an action whose answer did not come: the component may have changed all the same, so look."""
         def state():
             return component.state_in(node, _context(node, contexts or _contexts(node), action))
+        where = failure.args[0]
+        why = str(failure)[len(where) + 2:]
         try:
             now = rpc.ask(node.endpoint, str(node.path), state)
         except (errors.Gone, errors.ConnectionRefused) as e:
             return self._failed(action, e)
         except errors.Error:
-            return Result(action, plan.UNCERTAIN, errors.Uncertain(*failure.args))
+            return Result(action, plan.UNCERTAIN, errors.Uncertain(where, why))
         if now == self.transition.target:
             return Result(action, plan.DONE, None)
+        if now not in why:
+            failure = errors.Unreachable(where, "%s; it is %s now" % (why, now))
         return self._failed(action, failure)
 
     def _failed(self, action, error):

@@ -1,7 +1,8 @@
 """Lay rtshell_lite and other wheels out under a directory, ready to run: for robots without pip.
 
-DIR/bin holds the commands, DIR/lib what they import. A wheel's own shared libraries are found because the linker
-looks for them beside the module that needs them ($ORIGIN), as it does in site-packages.
+DIR/bin holds the commands, DIR/lib what they import, DIR/share/man their manual pages, where `man` looks for commands of
+DIR/bin. A wheel's own shared libraries are found because the linker looks for them beside the module that needs them
+($ORIGIN), as it does in site-packages.
 """
 import ast
 import compileall
@@ -30,6 +31,8 @@ def unpack(directory, wheels):
         files.add_package(installation.PACKAGE)
     for name, path in sorted(installation.commands().items()):
         files.add("bin/" + name, _command(installation.read(path)), True)
+    for name, path in installation.manual_pages().items():
+        files.add("share/man/" + name, installation.read(path))
     for path in wheels:
         _check_tags(path)
         files.add_wheel(path)

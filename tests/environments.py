@@ -15,7 +15,7 @@ import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 STORE = os.path.join(ROOT, ".venv-tests")
-SOURCES = ["setup.cfg", "pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md", "bin", "rtshell_lite"]
+SOURCES = ["setup.cfg", "pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md", "bin", "man", "rtshell_lite"]
 
 
 class Failed(Exception):
@@ -132,6 +132,12 @@ def prepare(python, wheel):
     interpreter = _environment(python, directory, str(fetched), words, "omniORB" if fetched else "rtshell_lite")
     _refresh(interpreter, directory, wheel)
     return interpreter
+
+
+def prepare_peers(python):
+    """An environment with the real libraries for profiles, from the package index; returns its interpreter. Raises Failed."""
+    words = ["PyYAML", "rtsprofile-aist"]
+    return _environment(python, os.path.join(STORE, "peers-" + python.full), " ".join(words), words, "yaml, rtsprofile")
 
 
 def fetch_omniorb(python):

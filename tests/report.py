@@ -73,8 +73,8 @@ def die_with_parent():
 def main():
     path, module, patterns = sys.argv[1], sys.argv[2], sys.argv[3:]
     threading.Thread(target=die_with_parent, daemon=True).start()
-    here = os.path.dirname(os.path.abspath(__file__))
-    found = unittest.defaultTestLoader.discover(here, module + ".py", here)
+    here = os.path.dirname(os.path.join(os.path.dirname(os.path.abspath(__file__)), module))  # peers/test_x is one, too
+    found = unittest.defaultTestLoader.discover(here, os.path.basename(module) + ".py", here)
     outcomes = Outcomes()
     unittest.TestSuite(test for test in flat(found) if meant(test, patterns)).run(outcomes)
     with open(path, "w") as file:

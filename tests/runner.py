@@ -6,6 +6,7 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
   tests/run rtls test_path        those whose name holds one of these words: tests/commands/rtls.t, tests/test_path.py
   tests/run 'rtls.t (dash)'       one transcript under one shell
   tests/run --python 3.7 rtls     on another Python
+  tests/run --peers               profiles against PyYAML and the real rtsprofile, from the package index
   tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
   tests/run --all                 the matrix: all on 3.11, once more on 3.7 under ash and on 3.13 under dash, what needs
                                   no omniORBpy on 3.6, and the packaging on every Python from 3.6 to 3.13 that is found
@@ -216,6 +217,21 @@ def left_behind(marker):
 
 # ---- what to run ----
 
+def peer_jobs(args):
+    """The tests that need PyYAML and the real rtsprofile; skipped where these cannot be installed."""
+    python = environments.find_python(args.python[0] if args.python else sys.executable)
+    modules = sorted(os.path.relpath(path, HERE)[:-3] for path in glob.glob(os.path.join(glob.escape(HERE), "peers", "test_*.py")))
+    try:
+        interpreter = environments.prepare_peers(python)
+    except environments.Failed as e:
+        why = "PyYAML and rtsprofile-aist cannot be installed: " + str(e).splitlines()[-1]
+        return [Job("%s %s" % (python.version, module), lambda module=module: [(module, "skip", why)], False)
+                for module in modules]
+    environment = dict(os.environ, PYTHONPATH=environments.ROOT)
+    return [Job("%s %s" % (python.version, module),
+                lambda module=module: run_module(module, interpreter, environment, args.pattern), False) for module in modules]
+
+
 def jobs_for(version, wheel, args):
     """All jobs on one Python."""
     python = environments.find_python(version)
@@ -236,6 +252,8 @@ def packaging_jobs(version, wheel, args):
 
 def gather_jobs(args, wheel, score):
     """The jobs of all versions asked for; a Python that is not here is told as skipped."""
+    if args.peers:
+        return peer_jobs(args)
     jobs = []
     versions = FULL + PURE if args.all else args.python or [sys.executable]
     wanted = [(jobs_for, version) for version in versions]
@@ -265,6 +283,7 @@ def options():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("pattern", nargs="*", help="part of a test's name")
     parser.add_argument("--python", action="append", metavar="VERSION", help="a version or a path; may be repeated")
+    parser.add_argument("--peers", action="store_true", help="compare with the real libraries")
     parser.add_argument("--all", action="store_true", help="the matrix")
     parser.add_argument("--accept", action="store_true", help="rewrite transcripts from what is printed")
     return parser.parse_args()

@@ -3,21 +3,20 @@ import os
 import pty
 import select
 import shutil
+import socket
 import subprocess
-import sys
 import tempfile
 import time
 import unittest
 
 import mocks
-import peers
-from mocks import Server, World, eventually
+from mocks import Server, World
 
 from rtshell_lite import orb
 
-COMMANDS = os.path.dirname(shutil.which("rtcwd") or os.path.join(peers.ROOT, "bin", "rtcwd"))
 HOSTILE = ["$(touch canary)", "`touch canary`", ";touch canary;", "q\"uo'te !", "a&&touch canary", "w*?~[a]", "日本 語", "=ls", "~root",
            "#no", "{a,b}", "-e", "b\\$x"]
+ONCE = "three shells are tried: one Python is enough"
 LIMIT = 1.0  # seconds from TAB to the next key, with a name server that hangs
 
 # How each shell starts, without the user's own files; the key Ctrl-G writes down the line as it is then.
@@ -51,7 +50,7 @@ def tearDownModule():
 
 def environment(home):
     """What a user has: commands on PATH, a name server, a working directory."""
-    return dict(mocks.ENVIRONMENT, PATH=COMMANDS + os.pathsep + os.environ["PATH"], HOME=home, TERM="dumb", LC_ALL="C.UTF-8",
+    return dict(mocks.ENVIRONMENT, PATH=mocks.COMMANDS + os.pathsep + os.environ["PATH"], HOME=home, TERM="dumb", LC_ALL="C.UTF-8",
                 RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD="/localhost:%d/test.host_cxt" % Server.port,
                 PYTHONDONTWRITEBYTECODE="1", HISTFILE=os.path.join(home, "history"))
 
@@ -185,7 +184,7 @@ class InShell:
 
     def test_a_name_server_that_hangs(self):
         """The line is there again within a second, unchanged, and without a word."""
-        with peers_listener() as port:
+        with SilentPort() as port:
             self.terminal.said = b""
             begun = time.monotonic()
             self.check("rtls /localhost:%d/a" % port, "rtls /localhost:%d/a" % port)
@@ -193,11 +192,10 @@ class InShell:
             self.assertNotIn(b"answer", self.terminal.said)
 
 
-class peers_listener:
+class SilentPort:
     """A port that accepts connections and never answers."""
 
     def __enter__(self):
-        import socket
         self.listener = socket.socket()
         self.listener.bind(("127.0.0.1", 0))
         self.listener.listen(8)

@@ -13,22 +13,22 @@ ONCE = "it reads the source: one Python is enough"
 LAYERS = [
     ["bin"],
     ["__main__"],
-    ["restore", "apply", "steps", "completion", "manpages", "interpreter", "prompt"],
+    ["restore", "linking", "apply", "steps", "mapping", "completion", "manpages", "interpreter", "prompt"],
     ["system", "compare", "plan", "starting", "graph", "drawing", "listing", "describe", "describe_manager", "markup",
-     "manual", "search", "unbind", "composing", "unpack", "printing", "injecting"],
+     "manual", "search", "unbind", "composing", "unpack", "printing", "injecting", "doctor", "watch"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
-     "configuration", "servants", "targets", "inbox", "flow"],
+     "configuration", "servants", "targets", "inbox", "flow", "fsm", "polling"],
     ["tree"],
     ["node"],
-    ["orb", "cli", "streams", "installation"],
+    ["orb", "cli", "commandline", "streams", "installation"],
     ["path", "xmlprofile", "values", "constants", "construct", "cdr", "descriptors", "portable", "idl"],
-    ["options"],
     ["rpc", "text", "files", "shell"],
     ["errors"],
     ["__init__"],
 ]
 OMNIORB_HOMES = {"orb", "dataport", "servants", "observer"}  # all but the first serve CORBA objects themselves
-STUB_LAYERS = next(row for row in LAYERS if "component" in row) + ["node", "orb"]  # inside functions: not every command uses them
+# Stubs are imported here, inside functions; a command must not pay for those that it does not use.
+STUB_LAYERS = next(names for names in LAYERS if "component" in names) + ["node", "orb"]
 CATCH_ALL_HOMES = {"cli", "rpc"}
 LONGEST = 400
 

@@ -5,6 +5,7 @@ needs neither of them installed.
 """
 import ast
 import configparser
+import glob
 import os
 import re
 import resource
@@ -21,10 +22,10 @@ WHEEL, OMNIORB_WHEEL = (os.environ.get(name) and os.path.abspath(os.environ[name
 LARGEST = 400000
 MISSING = "omniORBpy is not installed"
 # Arguments with which a command must ask somebody; the others get one path.
-ASKING = {"rtcon": ["/localhost/a.rtc:o", "/localhost/b.rtc:i"], "rtls": [], "rtpwd": [],
+ASKING = {"rtcon": ["/localhost/a.rtc:o", "/localhost/b.rtc:i"], "rtfsm": ["/localhost/a.rtc", "getstate"], "rtls": [], "rtpwd": [],
           "rtconf": ["/localhost/a.rtc", "list"], "rtmgr": ["-r", "/localhost/a.mgr"], "rtstodot": ["--live"]}
-# contacts nothing, or has a file to read first
-LOCAL = {"rtpwd", "rtsh", "rtcheck", "rtresurrect", "rtteardown", "rtstart", "rtstop"}
+# These contact nothing, have a file to read first, or tell it as a finding.
+LOCAL = {"rtpwd", "rtsh", "rtcheck", "rtresurrect", "rtteardown", "rtstart", "rtstop", "rtdoctor"}
 
 
 def names(directory, suffix=""):
@@ -35,6 +36,11 @@ def names(directory, suffix=""):
 def read(*path):
     with open(os.path.join(ROOT, *path), encoding="utf-8") as file:
         return file.read()
+
+
+def manual_pages(top):
+    """Paths of all files below a share/man."""
+    return sorted(os.path.relpath(path, top) for path in glob.glob(os.path.join(glob.escape(top), "**", "*.*"), recursive=True))
 
 
 def run(words, **keywords):
@@ -87,7 +93,7 @@ class Wheel(unittest.TestCase):
 
     def test_only_the_package_its_commands_and_its_papers(self):
         for name in self.members():
-            self.assertRegex(name, r"^rtshell_lite/|^rtshell_lite-[^/]+\.(dist-info|data/scripts)/")
+            self.assertRegex(name, r"^rtshell_lite/|^rtshell_lite-[^/]+\.(dist-info|data/scripts|data/data/share/man)/")
         self.assertFalse([name for name in self.members() if re.search(r"(^|/)(mock_components|tests?)(/|$)|\.pyc$", name)])
 
     def test_all_commands_and_modules(self):
@@ -98,6 +104,10 @@ class Wheel(unittest.TestCase):
             for name in files:
                 if name.endswith((".py", ".idl")):
                     self.assertIn(os.path.relpath(os.path.join(where, name), ROOT).replace(os.sep, "/"), self.members())
+
+    def test_all_manual_pages(self):
+        pages = [name.partition("/share/man/")[2] for name in self.members() if ".data/data/" in name]
+        self.assertEqual(sorted(pages), manual_pages(os.path.join(ROOT, "man")))
 
     def test_metadata(self):
         with zipfile.ZipFile(WHEEL) as wheel:
@@ -163,11 +173,13 @@ class Installed(Robot):
         pip = [os.path.join(programs, "python"), "-m", "pip", "--disable-pip-version-check", "-q"]
         self.assertEqual(run(pip + ["install", "--no-index", WHEEL])[0], 0)
         self.check_without_omniorb(lambda name: [os.path.join(programs, name)], names("bin"))
+        self.assertEqual(manual_pages(os.path.join(environment, "share", "man")), manual_pages(os.path.join(ROOT, "man")))
         status, out, _ = run([os.path.join(programs, "python"), "-m", "rtshell_lite"])
         self.assertEqual(re.findall(r"^  (rt\w+)  +[A-Z]", out, re.MULTILINE), names("bin"))
         unpacked = os.path.join(self.directory, "unpacked")
         self.assertEqual(run([os.path.join(programs, "python"), "-m", "rtshell_lite", "--unpack", unpacked])[0], 0)
         self.assertEqual(sorted(os.listdir(os.path.join(unpacked, "bin"))), names("bin"))
+        self.assertEqual(manual_pages(os.path.join(unpacked, "share", "man")), manual_pages(os.path.join(ROOT, "man")))
 
     def test_commands_are_found_wherever_pip_puts_them(self):
         for option in "--target", "--prefix", "--user":

@@ -50,12 +50,12 @@ def load(name, modules=()):
         if start.startswith(blocks.MAGIC):
             from rtshell_lite.datalog import reader
             return reader.Log(file, where, size)
-        if start[:1] == b"\x80" or start[:2] in (b"(F", b"(I"):
+        if start[:1] == b"\x80" or start[:2] in (b"(F", b"(G"):
             from rtshell_lite.datalog import simpkl
             return simpkl.Log(file, where, size, modules)
         if start.split(b".")[0].isdigit():
             raise errors.No(where, "a log of text; it is for people, and can be neither played nor inspected")
         raise errors.No(where, "not a log file" + ("" if size else " (it is empty)"))
-    except BaseException:
+    except (errors.Error, OSError):
         file.close()
         raise

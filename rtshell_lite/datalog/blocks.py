@@ -72,7 +72,7 @@ def _head(file, left):
     if len(head) < BLOCK.size:
         raise Damaged("no whole block")
     kind, length, crc = BLOCK.unpack(head)
-    most = {RECORD: ENTRY.size + LARGEST, HEADER: WORDS, INDEX: WORDS}.get(kind, 0)
+    most = {RECORD: ENTRY.size + LARGEST, HEADER: WORDS, INDEX: WORDS}.get(kind, -1)
     if length > min(most, left - BLOCK.size):
         raise Damaged("no block")
     return kind, length, crc

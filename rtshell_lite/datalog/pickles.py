@@ -63,7 +63,9 @@ class Machine:
                     raise Refused("opcode %r" % code)
                 operation(self)
                 code = self._read(1)
-            value, = self._stack
+            value = self._pop()
+            if self._stack:
+                raise Refused("the opcodes do not fit")
         except (IndexError, KeyError, TypeError, ValueError, AttributeError, struct.error):
             raise Refused("the opcodes do not fit")
         return value
@@ -131,13 +133,17 @@ class Machine:
         line = self._line()
         if len(line) < 2 or line[0] not in "'\"" or line[-1] != line[0]:
             raise Refused("no string")
-        self.push(codecs.escape_decode(line[1:-1].encode("latin-1"))[0])
+        self.push(codecs.escape_decode(line[1:-1].encode("latin-1"))[0].decode("latin-1"))
 
     def unicode_line(self):
         self.push(self._line().encode("latin-1").decode("raw_unicode_escape"))
 
     def text(self, form):
         self.push(self._read(self._number(form)).decode("utf-8", "surrogatepass"))
+
+    def old_string(self, form):
+        """A string of Python 2, which does not tell text from octets; read as Latin-1 it is what omniORB calls text."""
+        self.push(self._read(self._number(form)).decode("latin-1"))
 
     def octets(self, form):
         self.push(self._read(self._number(form)))
@@ -204,9 +210,9 @@ class Machine:
 
 
 def _fill(target, values):
+    if len(values) % 2:
+        raise Refused("a key without a value")
     for key, value in zip(values[::2], values[1::2]):
-        if type(key) is bytes and len(key) < 256:  # Python 2 does not tell text from octets
-            key = key.decode("latin-1")
         if type(key) is not str:  # anything else could be made to hash for ever
             raise Refused("a key that is no text")
         target[key] = value
@@ -257,7 +263,7 @@ _OPERATIONS = {
     b"\x8a": lambda m: m.long("<B"), b"\x8b": lambda m: m.long("<I"),
     b"F": lambda m: m.push(float(m._line())), b"G": lambda m: m.push(m._number(">d")),
     b"S": Machine.string_line, b"V": Machine.unicode_line,
-    b"U": lambda m: m.octets("<B"), b"T": lambda m: m.octets("<i"),
+    b"U": lambda m: m.old_string("<B"), b"T": lambda m: m.old_string("<i"),
     b"X": lambda m: m.text("<I"), b"\x8c": lambda m: m.text("<B"), b"\x8d": lambda m: m.text("<Q"),
     b"C": lambda m: m.octets("<B"), b"B": lambda m: m.octets("<I"), b"\x8e": lambda m: m.octets("<Q"),
     b"\x96": lambda m: m.octets("<Q"),

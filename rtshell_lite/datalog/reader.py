@@ -162,7 +162,7 @@ class Log:
             index = self._believed(blocks.parsed(body, footer=True), position)
             self.closed = True
             return index, position
-        except (blocks.Damaged, KeyError, TypeError, ValueError, IndexError, OverflowError):
+        except (blocks.Damaged, KeyError, TypeError, ValueError, IndexError, AttributeError):
             return None
 
     def _believed(self, told, position):
@@ -177,6 +177,7 @@ class Log:
         latest = [point[2] for point in index.points[1:]]
         _demand(all(isinstance(each, int) for each in numbers + offsets + latest))
         _demand(latest == sorted(latest) and all(a < b for a, b in zip(numbers, numbers[1:])))
+        _demand(all(0 <= each < position for each in index.headers + offsets))
         for offset in index.headers[1:]:
             self._file.seek(offset)
             kind, body = blocks.read(self._file, position - offset)

@@ -16,7 +16,8 @@ _HOMES = {"RTC", "Img", "rtctree", "OpenRTM_aist"}  # the packages that have the
 class Log:
     """An open log, to be used in a `with` statement; what it offers is that of reader.Log.
 
-    Its entries have a `value` instead of data: structs as dicts, enumerators by name; text from Python 2 is bytes.
+    Its entries have a `value` instead of data: structs as dicts, enumerators by name; octets from Python 2 are text, whose
+    bytes are them.
     """
 
     form = "simpkl"
@@ -28,7 +29,7 @@ class Log:
         machine = self._machine(0)
         try:
             started, specs = machine.load()
-            self.started = int(started * 1e9)
+            self.started = int(started) * 10 ** 9 + int(started % 1 * 1e9)
             self.channels = [_channel(spec.fields) for spec in specs]
         except pickles.Refused as e:
             raise errors.No(where, "its header cannot be read: %s" % e)
@@ -119,11 +120,9 @@ def _channel(fields):
 
 
 def _text(value):
-    if isinstance(value, bytes):
-        value = value.decode("utf-8", "surrogateescape")
     if not isinstance(value, str):
         raise ValueError("no text")
-    return value
+    return text.from_wire(value)
 
 
 class _Plain:
@@ -141,7 +140,7 @@ class _Plain:
                 return _text(it.fields["_n"])
             it = it.fields
         if isinstance(it, dict):
-            return {text.printable(name): self.value(part, deep - 1) for name, part in it.items()}
+            return {name: self.value(part, deep - 1) for name, part in it.items()}
         if isinstance(it, (list, tuple)):
             self.left -= len(it)
             if not any(isinstance(part, (pickles.Record, dict, list, tuple)) for part in it[:1]):
@@ -151,6 +150,8 @@ class _Plain:
 
 
 def _leaf(it):
-    if it is None or isinstance(it, (bool, int, float, str, bytes)):
+    if isinstance(it, str):
+        return text.from_wire(it)
+    if it is None or isinstance(it, (bool, int, float, bytes)):
         return it
     raise pickles.Refused("a value that no message has")

@@ -1,33 +1,22 @@
 """Profiles against PyYAML and the real rtsprofile: what they write is read, what is written they read as the same.
 
-Not part of tests/run, for it fetches both packages from the package index into an environment of its own:
-
-    python3 tests/peers/test_xmlprofile_peers.py
+`tests/run --peers` runs it, in an environment of its own with both packages from the package index.
 """
 import glob
 import os
 import random
-import subprocess
 import sys
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-ENVIRONMENT = os.path.join(ROOT, ".venv-tests", "profile-peers")
 sys.path[:0] = [ROOT, os.path.dirname(HERE)]
 
 try:
     import yaml as pyyaml
     from rtsprofile.rts_profile import RtsProfile
 except ImportError:
-    if __name__ != "__main__":
-        raise unittest.SkipTest("needs PyYAML and rtsprofile-aist; run this file by itself")
-    PYTHON = os.path.join(ENVIRONMENT, "bin", "python")
-    if os.path.exists(PYTHON) and os.path.samefile(sys.prefix, ENVIRONMENT):
-        raise
-    subprocess.check_call([sys.executable, "-m", "venv", "--clear", ENVIRONMENT])
-    subprocess.check_call([PYTHON, "-m", "pip", "--quiet", "install", "PyYAML", "rtsprofile-aist"])
-    os.execv(PYTHON, [PYTHON] + sys.argv)
+    raise unittest.SkipTest("needs PyYAML and rtsprofile-aist; see tests/run --peers")
 
 import random_profiles  # noqa: E402
 from rtshell_lite import errors, xmlprofile  # noqa: E402

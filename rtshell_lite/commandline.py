@@ -1,4 +1,4 @@
-"""Reading a command line: argparse as our commands need it."""
+"""How a command line is read: options anywhere, numbers below zero, no abbreviations, the same on every Python."""
 import argparse
 import re
 

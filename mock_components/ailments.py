@@ -1,0 +1,70 @@
+"""Worlds for a doctor: connections gone wrong, names that lead astray, components that nothing executes."""
+from rtshell_lite.idl_stubs.component import RTC
+from rtshell_lite.idl_stubs.dataport import OpenRTM__POA
+
+from .properties import nvlist, put
+from .serviceport import MyService
+from .stage import PUSH
+
+
+def crossed(stage):
+    """four connections gone wrong: In0 > Out0 one-sided, In1 > Out1 told differently, Sensor0 > Out2 types, In3 a tool's"""
+    for number in range(3):
+        stage.add("ConsoleOut", "Out%d" % number)
+    for number in (0, 1, 3):
+        stage.add("ConsoleIn", "In%d" % number)
+    stage.add("Sensor")
+    stage.connect("In0:out", "Out0:in")
+    stage.port("Out0:in").notify_disconnect(only_id(stage.port("In0:out")))  # of the last port: the others do not hear of it
+    stage.connect("In1:out", "Out1:in")
+    there = stage.port("Out1:in")
+    there.profiles = {only_id(there): retold(only(there), "dataport.subscription_type", "new")}
+    stage.connect("Sensor0:out", "Out2:in")
+    gone = stage.process.orb.object_to_string(stage.process.ghost(OpenRTM__POA.InPortCdr._NP_RepositoryId))
+    port = stage.port("In3:out")
+    code, _ = port.connect(RTC.ConnectorProfile("print", "", [port.reference], nvlist(
+        PUSH + [("dataport.corba_cdr.inport_ior", gone)])))
+    assert code == RTC.RTC_OK, code
+
+
+def only(port):
+    """The one connector profile of a port."""
+    profile, = port.profiles.values()
+    return profile
+
+
+def only_id(port):
+    return only(port).connector_id
+
+
+def retold(profile, key, value):
+    """A copy of a connector profile with another value of a property."""
+    properties = [item for item in profile.properties if item.name != key]
+    put(properties, key, value)
+    return RTC.ConnectorProfile(profile.name, profile.connector_id, profile.ports, properties)
+
+
+def astray(stage):
+    """Right0, bound again as Wrong0; names bound to a stranger, to nothing and to what has ended; empty and dead contexts"""
+    home = stage.home()
+    right = stage.add("Mock", "Right0")
+    for number in range(5):
+        stage.names.bind(home + [("Wrong%d" % number, "rtc")], right.reference)
+    stage.add("Mock", "Moved0", names=[home + [("Other0", "rtc")]])
+    stranger = stage.process.serve(MyService(), "stranger")
+    stage.names.bind(home + [("Stranger0", "rtc")], stranger)
+    stage.names.bind(home + [("Thing0", "obj")], stranger)
+    stage.names.bind(home + [("Nil0", "rtc")], None)
+    stage.names.bind(home + [("Ended0", "rtc")], stage.process.ghost(right._NP_RepositoryId))
+    stage.names.contexts(home + [("empty", "cxt"), ("emptier", "cxt")])
+    stage.names.bind(home + [("dead", "cxt"), ("Gone0", "rtc")], stage.process.ghost(right._NP_RepositoryId))
+
+
+def idle(stage):
+    """Stopped0 with a stopped context, Still0 with a rate of 0, Bare0 without a context: nothing executes them"""
+    stage.add("Mock", "Stopped0", running=False)
+    stage.add("Mock", "Still0", rate=0.0, flavour=stage.flavour.but(any_rate=True))
+    stage.add("Mock", "Bare0", contexts=0)
+
+
+WORLDS = {world.__name__: world for world in (crossed, astray, idle)}

@@ -1,0 +1,215 @@
+"""What the entries of a log mean: the data types of its channels, their values, and their bytes for a port."""
+import struct
+import time
+
+from rtshell_lite import construct, datatypes, descriptors, errors, values
+from rtshell_lite.text import printable
+
+FIRST, INSIDE = "first", "inside"  # where a type's timestamp stands
+
+
+class Channels:
+    """The channels of a log and their types: those in the file, else those that `types` (datatypes.Types) knows.
+
+    `unreadable` counts the entries that were shown as bytes because they are not what their type says.
+    """
+
+    def __init__(self, log, types):
+        self.log, self._types = log, types
+        self._found, self._stamped = {}, {}
+        self.unreadable = 0
+
+    def type(self, number):
+        """The datatypes.Type of a channel, None when nobody knows it. Raises BadIdl and the like for what the user named."""
+        if number not in self._found:
+            self._found[number] = found = self._type(self.log.channels[number])
+            self._stamped[number] = found and _stamped(found.descriptor)
+        return self._found[number]
+
+    def _type(self, channel):
+        if channel.typecode:
+            try:
+                return datatypes.from_bytes(channel.typecode)
+            except errors.BadType:
+                pass  # damaged: its name may do
+        try:
+            return self._types.named(channel.type_id)
+        except errors.NoSuch:
+            return None
+
+    def value(self, entry):
+        """The value of an entry as stubs make it; None when the type is not known. Raises errors.No when it does not fit."""
+        type = self.type(entry.channel)
+        if type is None:
+            return None
+        try:
+            if entry.data is None:
+                return values.build(type.descriptor, entry.value, type.name)
+            return type.decode(entry.data, entry.little)
+        except (errors.BadData, errors.BadValue, errors.BadType) as e:
+            raise errors.No(self.log.where, "entry %d: %s" % (entry.number, e))
+
+    def data(self, entry, little, moment=None):
+        """The CDR of an entry in a byte order; with `moment` (ns), its timestamp moved by what has passed since it arrived.
+
+        A timestamp of 0 stays: many components never set theirs. Raises errors.No: the entry does not fit its type, or
+        that is needed and not known.
+        """
+        type = self.type(entry.channel)
+        stamped = moment is not None and self._stamped[entry.channel]
+        shift = moment - entry.received if stamped else 0
+        if entry.data is not None and entry.little == little:
+            if not stamped:
+                return entry.data
+            if stamped == FIRST:
+                return _shifted(entry.data, little, shift)
+        value = self.value(entry)
+        if value is None:
+            channel = self.log.channels[entry.channel]
+            raise errors.No(self.log.where, "%s: its type %s is not known; %s" % (
+                printable(channel.name), printable(channel.type_id), datatypes.REMEDY))
+        stamp = values.timestamp(value)
+        if stamped and any(stamp):
+            value = values.with_timestamp(value, *_moved(stamp, shift))
+        return type.encode(value, little)
+
+
+def _stamped(descriptor):
+    """Whether values of a type have a timestamp: FIRST, INSIDE or None."""
+    if descriptors.kind(descriptor) != descriptors.STRUCT:
+        return None
+    for place, (name, type) in enumerate(descriptors.members(descriptor)):
+        if name == "tm" and construct.is_time(type):
+            return INSIDE if place else FIRST
+    return None
+
+
+def _shifted(data, little, shift):
+    """CDR that begins with a timestamp, without a look at the rest: that may be an image."""
+    order = "<II" if little else ">II"
+    if len(data) < 8:
+        return data
+    stamp = struct.unpack_from(order, data)
+    return struct.pack(order, *_moved(stamp, shift)) + data[8:] if any(stamp) else data
+
+
+def _moved(stamp, shift):
+    """(seconds, nanoseconds) moved by `shift` ns, with the carry that rtshell forgot, within what RTC::Time can hold."""
+    moment = stamp[0] * 10 ** 9 + stamp[1] + shift
+    return divmod(min(max(moment, 0), (1 << 32) * 10 ** 9 - 1), 10 ** 9)
+
+
+# ---- for people and programs ----------------------------------------------------------------------------------
+
+def summary(log):
+    """What is known of a log, as lines in rtshell's layout."""
+    yield "Name: %s" % log.where
+    yield "Size: %s" % _size(log.size)
+    yield "Start time: %s" % date(log.started)
+    yield "First entry time: %s" % date(log.first)
+    yield "End time: %s" % date(log.last)
+    yield "Number of entries: %d" % log.count
+    for number, channel in enumerate(log.channels, 1):
+        yield "Channel %d" % number
+        yield "  Name: %s" % printable(channel.name)
+        yield "  Data type: %s" % printable(channel.type_id)
+        yield "  Number of entries: %d" % log.counts.get(channel.name, 0)
+        yield "  Sources:"
+        for source in channel.sources:
+            yield "    %s" % printable(source)
+
+
+def as_dict(log):
+    """The same as fields; times are seconds since the epoch."""
+    channels = [{"name": each.name, "type": each.type_id, "sources": list(each.sources), "entries": log.counts.get(each.name, 0),
+                 "typecode": bool(each.typecode)} for each in log.channels]
+    return {"file": log.where, "form": log.form, "size": log.size, "started": _seconds(log.started),
+            "first": _seconds(log.first), "last": _seconds(log.last), "entries": log.count, "channels": channels,
+            "closed": log.closed, "torn": log.torn, "damaged": log.damaged}
+
+
+def _seconds(moment):
+    return None if moment is None else moment / 1e9
+
+
+def date(moment):
+    """A time (ns since the epoch) in local time, and as it is; the file may say anything."""
+    if moment is None:
+        return "none"
+    seconds, rest = divmod(moment, 10 ** 9)
+    try:
+        local = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(seconds))
+    except (OverflowError, ValueError, OSError):
+        local = "?"
+    return "%s (%d.%09d)" % (local, seconds, rest)
+
+
+def _size(size):
+    if size <= 1024:
+        return "%dB" % size
+    for unit, factor in (("KiB", 1 << 10), ("MiB", 1 << 20), ("GiB", 1 << 30)):
+        if size < factor * 1024:
+            break
+    return "%.2f%s (%dB)" % (size / factor, unit, size)
+
+
+def line(channels, entry, limit=None):
+    """An entry as a line for people, `[SEC.NSEC] DATA`, behind its channel's name where there are several."""
+    name, value = "", _shown(channels, entry)
+    if len(channels.log.channels) > 1:
+        name = printable(channels.log.channels[entry.channel].name) + ": "
+    if value is not None:
+        return name + values.text(value, limit)
+    if entry.data is None:
+        return name + printable(repr(entry.value))
+    return name + "%d bytes: %s" % (len(entry.data), entry.data.hex())
+
+
+def _shown(channels, entry):
+    """The value of an entry, None when its type is not known, or the entry does not fit it."""
+    try:
+        return channels.value(entry)
+    except errors.No:
+        channels.unreadable += 1
+        return None
+
+
+def record(channels, entry):
+    """An entry as fields for JSON."""
+    channel, value = channels.log.channels[entry.channel], _shown(channels, entry)
+    fields = {"number": entry.number, "received": entry.received / 1e9, "port": channel.name, "type": channel.type_id}
+    if value is not None:
+        fields["value"] = values.json(value)
+    elif entry.data is None:
+        fields["value"] = _tame(entry.value)
+    else:
+        fields.update(size=len(entry.data), little_endian=entry.little, hex=entry.data.hex())
+    return fields
+
+
+def _tame(value):
+    """A value of no known type, of dicts and lists, as JSON takes it."""
+    if isinstance(value, dict):
+        return {name: _tame(part) for name, part in value.items()}
+    if isinstance(value, list):
+        return [_tame(part) for part in value]
+    return values.json(value)
+
+
+def cells(channels, entry):
+    """An entry as [(column, scalar)] for a table."""
+    channel, value = channels.log.channels[entry.channel], _shown(channels, entry)
+    found = [("number", entry.number), ("received", "%d.%09d" % divmod(entry.received, 10 ** 9)), ("port", channel.name)]
+    if value is not None:
+        return found + values.flat(value)
+    if entry.data is None:
+        return found + _flat(entry.value, "")
+    return found + [("hex", entry.data.hex())]
+
+
+def _flat(value, column):
+    if isinstance(value, dict):
+        return [cell for name, part in value.items() for cell in _flat(part, column + "." + name if column else name)]
+    if isinstance(value, list):
+        return [cell for number, part in enumerate(value) for cell in _flat(part, "%s[%d]" % (column, number))]
+    return [(column, value.hex() if isinstance(value, bytes) else value)]

@@ -1,0 +1,98 @@
+"""Playing a log: which entries, and when each is due."""
+import itertools
+import math
+import time
+
+from rtshell_lite import errors, ports
+from rtshell_lite.text import printable
+
+LONGEST = 86400  # seconds: what a log asks for may be more than time.sleep takes
+
+
+class Range:
+    """Which entries of a log are played: from `start` to `end`, both either numbers (`by_index`) or seconds since the epoch.
+
+    None is no limit, and so is an end of -1. As in rtshell, an end without a start (or with 0) is a number of entries, with
+    a start it is the last entry.
+    """
+
+    def __init__(self, start, end, by_index):
+        self.start, self.by_index = start or None, by_index
+        self.end = None if end == -1 else end
+
+    def entries(self, log):
+        """The entries. Raises errors.No where the log ends before the start, or begins after the end."""
+        first = self._first(log)
+        entries = log.entries(first)
+        if self.end is None:
+            return entries
+        if self.by_index:
+            last = int(self.end) if self.start else int(self.end) - 1
+            return itertools.takewhile(lambda entry: entry.number <= last, entries)
+        limit = int(self.end * 1e9)
+        if log.first is not None and limit < log.first:
+            raise errors.No(log.where, "the end is before the first entry")
+        return itertools.takewhile(lambda entry: entry.received <= limit, entries)
+
+    def _first(self, log):
+        if self.start is None:
+            return 0
+        if not self.by_index:
+            number = log.since(int(self.start * 1e9))
+        else:
+            number = int(self.start) if next(log.entries(int(self.start)), None) else None
+        if number is None:
+            raise errors.No(log.where, "the start is after the last entry")
+        return number
+
+
+def channel(log, port, name, place):
+    """The number of the channel that is played to a Port: that of the NAME, or the one at that place among all.
+
+    Raises errors.NoSuch; errors.No when the types differ.
+    """
+    where, names = ports.label(port), [each.name for each in log.channels]
+    number = names.index(name) if name in names else place if name is None and place < len(names) else None
+    if number is None:
+        raise errors.NoSuch(where, "channel in %s" % log.where, "%s (there are: %s)" % (
+            printable(name or "number %d" % (place + 1)), ", ".join(map(printable, names)) or "none"))
+    recorded, wanted = log.channels[number].type_id, port.properties.get("dataport.data_type", "")
+    if not ports.same_type(recorded, wanted):
+        raise errors.No(where, "data types differ: %s in the log, %s here" % (printable(recorded), printable(wanted)))
+    return number
+
+
+def due(entries, rate, cycle=None, seconds=math.inf):
+    """The entries, each when it is due: time runs `rate` times as fast as when they were recorded; it starts with the first.
+
+    With `cycle` (seconds) entries come only at its multiples, and after `seconds` no more. A clock that was set back while
+    recording costs no time.
+    """
+    begun, last, elapsed = time.monotonic(), None, 0
+    for entry in entries:
+        if last is not None:
+            elapsed += max(0, entry.received - last)
+        last = entry.received
+        moment = elapsed / 1e9 / rate
+        if cycle:
+            moment = math.ceil(moment / cycle) * cycle
+        if not _waited(begun, moment, seconds):
+            return
+        yield entry
+
+
+def portions(entries, count, cycle, seconds=math.inf):
+    """The entries, `count` of them every `cycle` seconds, whenever they were recorded; after `seconds` no more."""
+    begun = time.monotonic()
+    for number, entry in enumerate(entries):
+        if number % count == 0 and not _waited(begun, number // count * cycle, seconds):
+            return
+        yield entry
+
+
+def _waited(begun, moment, seconds):
+    """Wait until `moment` seconds after the begin; False when `seconds` end it before."""
+    end = begun + min(moment, seconds)
+    while time.monotonic() < end:
+        time.sleep(max(0, min(end - time.monotonic(), LONGEST)))
+    return moment <= seconds

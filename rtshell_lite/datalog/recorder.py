@@ -1,0 +1,74 @@
+"""Recording: what waits in an inbox.Inbox is written by a thread of its own, so that no sender waits for a disk."""
+import sys
+import threading
+import time
+
+from rtshell_lite import inbox
+from rtshell_lite.datalog import blocks
+
+VALUES, OCTETS = 200000, 64 << 20  # that may wait; robots have little memory
+TICK = 0.1  # seconds between two looks whether recording is over
+SWITCH = 0.0005  # seconds: the writer gives up Python's lock at every write, and got it back too late (290, now 430 MB/s)
+SYNC = 5.0  # seconds between two fsyncs: what a power failure costs
+
+
+class Recorder:
+    """Writes the Messages that come into its `box`, whose keys are numbers of channels.
+
+    `done` is an Event that is set when `most` messages are written, or no more can be. `count` and `octets` tell how many
+    were written, `failure` (OSError or None) why no more could be.
+    """
+
+    def __init__(self, most=None):
+        self.box, self._most = inbox.Inbox(VALUES, OCTETS), most
+        self.count = self.octets = 0
+        self.failure = self._thread = None
+        self.done, self._stopped = threading.Event(), threading.Event()
+
+    def start(self, writer):
+        """Write what has come and what will come with a Writer (of writer or textlog)."""
+        sys.setswitchinterval(SWITCH)
+        self._thread = threading.Thread(target=self._run, args=(writer,), daemon=True)
+        self._thread.start()
+
+    def close(self):
+        """Wait until all that has come is written and on the disk. Raises OSError: why writing failed."""
+        self._stopped.set()
+        if self._thread:
+            self._thread.join()
+        if self.failure:
+            raise self.failure
+
+    def _run(self, writer):
+        try:
+            self._write(writer)
+        except OSError as e:
+            self.failure = e
+        try:
+            writer.close()
+        except OSError as e:
+            self.failure = self.failure or e
+        self.done.set()
+
+    def _fits(self, channel, message):
+        if len(message.data) <= blocks.LARGEST:
+            return True
+        self.box.dropped[channel] += 1
+        return False
+
+    def _write(self, writer):
+        due, last = time.monotonic() + SYNC, False
+        while not (last or self.done.is_set()):
+            last = self._stopped.is_set()
+            batch = self.box.get(0 if last else TICK)
+            batch = [each for each in batch if self._fits(*each)]
+            if self._most is not None:
+                batch = batch[:self._most - self.count]
+            writer.write([(channel, message.received, message.little, message.data) for channel, message in batch])
+            self.count += len(batch)
+            self.octets += sum(len(message.data) for _, message in batch)
+            if self.count == self._most:
+                self.done.set()
+            if time.monotonic() >= due:
+                writer.sync()
+                due = time.monotonic() + SYNC

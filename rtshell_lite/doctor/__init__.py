@@ -1,0 +1,80 @@
+"""What rtdoctor does: a system examined from the outside in, without changing it, in bounded time.
+
+Here, the name servers, the references in them, the components, their connections, managers, a profile: each step tells
+Findings and passes on to the next what still stands. Everything of one step is asked in parallel.
+"""
+import time
+
+from rtshell_lite import orb, path, rpc, tree
+from rtshell_lite.doctor import here
+from rtshell_lite.doctor.finding import warn
+
+STEPS = 3  # times the timeout: what takes longer is told as not looked at; a step waits for silence only once
+
+
+def examine(tops=(), compare=None, measure=None):
+    """Yield lists of Findings, step by step. Without Paths `tops`, all name servers of RTCTREE_NAMESERVERS are examined.
+
+    compare  (RtsProfile, its file's name, the state of the components): what the system is to agree with
+    measure  seconds during which rates are measured, which connects to an out port of each component and leaves it again
+    """
+    rpc.end = time.monotonic() + STEPS * rpc.timeout
+    try:
+        for findings in _steps(tops, compare, measure):
+            yield findings
+    finally:
+        rpc.end = None  # other commands may follow in this process
+
+
+def _steps(tops, compare, measure):
+    found = here.findings()
+    yield found
+    if any(each.check in ("omniORBpy", "ORB") and each.level == "fail" for each in found):
+        return
+    for findings in _robot(tops or _name_servers(), measure):
+        yield findings
+    if compare:
+        from rtshell_lite.doctor import profile
+        rpc.end = max(rpc.end, time.monotonic() + rpc.timeout)
+        yield profile.findings(*compare)
+
+
+def _name_servers():
+    """The Paths of those name servers whose addresses are addresses; the others have been told."""
+    return [path.parse("/" + address) for address in tree.servers() if not here.fault(address)]
+
+
+def _robot(tops, measure):
+    from rtshell_lite.doctor import components, connections, managers, references, servers
+    visits = servers.visits(tops)
+    yield [each for visit in visits for each in visit.findings] + _same_server(visits)
+    yield [each for visit in visits for each in references.findings(visit)]
+    nodes = [node for visit in visits for node in visit.nodes]
+    examined = components.examined(nodes)
+    links, managed = connections.findings(examined), managers.findings(nodes)
+    hung = sorted(str(node.path) for node in nodes if node.kind == "silent")
+    yield components.findings(examined, _rates(examined, measure) if measure else {}, hung)
+    yield links
+    yield managed
+
+
+def _rates(examined, seconds):
+    from rtshell_lite.doctor import rates
+    end, rpc.end = rpc.end, None  # what is connected must be disconnected again, whatever the time
+    try:
+        return rates.measured(examined, seconds)
+    finally:
+        rpc.end = end
+
+
+def _same_server(visits):
+    """Two addresses of one name server: everything in it would be listed twice."""
+    found, seen = [], {}
+    for visit in visits:
+        for address in visit.addresses:
+            first = seen.setdefault((address, orb.endpoint(tree.resolve(visit.path).ref)[1]), visit)
+            if first is not visit:
+                found.append(warn("name server", str(visit.path), "the same name server as " + str(first.path),
+                                  "take one of them out of RTCTREE_NAMESERVERS"))
+                break
+    return found

@@ -1,0 +1,211 @@
+"""Each connection, seen from all its ends: who is there, who knows it, whether they agree on what it is."""
+import collections
+
+from rtshell_lite import errors, orb, ports, rpc, system, tree
+from rtshell_lite.doctor.finding import fail, reason, warn
+from rtshell_lite.places import Places
+from rtshell_lite.text import printable, shell_word
+
+# One connection as its first end, the ports.Port `port` of the Examined `each`, tells it; `connector` is a ports.Connector.
+Link = collections.namedtuple("Link", "each port connector")
+
+# What an end turned out to be: `port` its ports.Port, or None and the errors.Error `error`; `name` what to call it. The Port
+# of a component that is bound nowhere has no `node`.
+End = collections.namedtuple("End", "port error name")
+
+SETTLED = ("dataport.dataflow_type", "dataport.interface_type", "dataport.subscription_type")
+
+
+def findings(all_of_them):
+    """Findings on all connections of the components, sorted by path. Ends elsewhere are asked, one call each.
+
+    A connection that some end does not know, or knows otherwise, is looked at twice: it may be changing just now.
+    """
+    links, ends = _links(all_of_them), _ends(all_of_them)
+    ends.update(_elsewhere(links, ends, all_of_them))
+    found = []
+    for link in links:
+        troubles = _troubles(link, ends)
+        if troubles:
+            again = _again(link, ends)
+            troubles = _troubles(again, ends) if again else []
+        found += troubles
+    return sorted(found, key=lambda each: each.path)
+
+
+def _links(all_of_them):
+    """A Link for each connection, once; composites show ports of their members as their own."""
+    found = collections.OrderedDict()
+    for each in all_of_them:
+        for port in each.ports:
+            for connector in port.connectors:
+                found.setdefault((connector.id, _identities(connector)), Link(each, port, connector))
+    return list(found.values())
+
+
+def _identities(connector):
+    return frozenset(orb.identity(ref) for ref in connector.ports if ref is not None)
+
+
+def _ends(all_of_them):
+    """{identity of a port: End} of all ports of the components that were examined."""
+    found = {}
+    for each in all_of_them:
+        for port in each.ports:
+            found.setdefault(orb.identity(port.ref), End(port, None, ports.label(port)))
+    return found
+
+
+def _elsewhere(links, ends, all_of_them):
+    """{identity: End} of ports that belong to no component that was examined, or to one that did not answer."""
+    silent = {each.node.endpoint: each.error for each in all_of_them if isinstance(each.error, errors.Silent)}
+    wanted, found = collections.OrderedDict(), {}
+    for link in links:
+        for ref in link.connector.ports:
+            if ref is None or orb.identity(ref) in ends:
+                continue
+            if orb.endpoint(ref) in silent:
+                found[orb.identity(ref)] = End(None, silent[orb.endpoint(ref)], _address(ref))
+            else:
+                wanted.setdefault(orb.identity(ref), (link, ref))
+    jobs = [rpc.Job(orb.endpoint(ref), _address(ref), lambda ref=ref: _ask(ref)) for _, ref in wanted.values()]
+    places = Places(links[0].each.node) if links else None
+    for (identity, (_, ref)), answer in zip(wanted.items(), rpc.gather(jobs)):
+        failed = isinstance(answer, errors.Error)
+        found[identity] = End(None, answer, _address(ref)) if failed else _stranger(answer, places)
+    return found
+
+
+def _ask(ref):
+    """The Port behind a reference, as one of an object that is bound nowhere."""
+    return ports.port(tree.Node(_address(ref), "component", ref), ref)
+
+
+def _stranger(port, places):
+    """The End for a Port of a component that was not examined."""
+    path = port.owner and places.path(port.name.rpartition(".")[0], port.owner)
+    if path is None:
+        return End(port._replace(node=None), None, "%s at %s, bound nowhere," % (printable(port.name), _address(port.ref)))
+    port = port._replace(node=tree.Node(path, "component", port.owner))
+    return End(port, None, ports.label(port))
+
+
+def _address(ref):
+    return "%s:%d" % (printable(orb.endpoint(ref)[0]), orb.endpoint(ref)[1])
+
+
+def _again(link, ends):
+    """The same Link after its ports have been asked once more, None when it is gone; updates `ends`."""
+    asked = [(orb.identity(ref), ref) for ref in link.connector.ports
+             if ref is not None and ends[orb.identity(ref)].port is not None]
+    jobs = [rpc.Job(orb.endpoint(ref), _address(ref), lambda ref=ref: _ask(ref)) for _, ref in asked]
+    own = link.port
+    for (identity, _), answer in zip(asked, rpc.gather(jobs)):
+        before = ends[identity]
+        if isinstance(answer, errors.Error):
+            ends[identity] = End(None, answer, before.name)
+            continue
+        ends[identity] = before._replace(port=answer._replace(node=before.port.node))
+        own = ends[identity].port if identity == orb.identity(link.port.ref) else own
+    now = next((one for one in own.connectors if one.id == link.connector.id), None)
+    return now and Link(link.each, own, now)
+
+
+# ---- what can be wrong ----------------------------------------------------------------------------------------
+
+def _troubles(link, ends):
+    """Findings on one Link."""
+    where, connector = ports.label(link.port), link.connector
+    undo = "rtdis -i %s %s" % (shell_word(connector.id), shell_word(where))
+    if None in connector.ports:
+        return [fail("connection", where, "connection %s has an end that is nothing (nil)" % _called(connector), undo)]
+    others, found = [ends[orb.identity(ref)] for ref in connector.ports if not orb.same(ref, link.port.ref)], []
+    for end in others:
+        if end.port is None:
+            found.append(_lost(where, end, undo))
+        elif connector.id not in [one.id for one in end.port.connectors]:
+            found.append(fail("connection", where, "connection %s is one-sided: %s does not know it" % (
+                _called(connector), end.name), "%s; %s" % (undo, _redo(link, others))))
+        else:
+            found += _differences(link, end, "%s; %s" % (undo, _redo(link, others)))
+    if not others:
+        return _left_behind(link, where, undo)
+    if all(end.port is not None for end in others):
+        found += _mismatches(link, where, [link.port] + [end.port for end in others], undo)
+    return found
+
+
+def _called(connector):
+    return printable(connector.name or connector.id)
+
+
+def _redo(link, others):
+    """The command that connects all ends again as this one has it; a step where an end has no path."""
+    if any(end.port is None or end.port.node is None for end in others):
+        return "then connect them again: rtcon"
+    given = {key: value for key, value in link.connector.properties if key in SETTLED}
+    found = [link.port] + [end.port for end in others]
+    return ports.command(found, link.connector.name, "", given)
+
+
+def _lost(where, end, undo):
+    """The far end of a connection does not answer."""
+    if isinstance(end.error, (errors.Gone, errors.ConnectionRefused)):
+        return fail("connection", where, "the far end of a connection is dead (at %s)" % end.name, undo)
+    message = "the far end of a connection, at %s, cannot be asked (%s)" % (end.name, reason(end.error))
+    return fail("connection", where, message, "restart the process of the far end, or: " + undo)
+
+
+def _differences(link, end, remedy):
+    """Properties that the two ends of a connection have stored otherwise."""
+    where, connector = ports.label(link.port), link.connector
+    far = dict(next(one for one in end.port.connectors if one.id == connector.id).properties)
+    near = dict(connector.properties)
+    found = []
+    for key in sorted(set(near) & set(far) | set(SETTLED) & (set(near) | set(far))):
+        one, other = near.get(key), far.get(key)
+        if _is_reference(key, one) or _is_reference(key, other) or _plain(key, one) == _plain(key, other):
+            continue
+        found.append(warn("connection", where, "%s is %s here, %s at %s" % (
+            printable(key), _shown(one), _shown(other), end.name), remedy))
+    return found
+
+
+def _is_reference(key, value):
+    """Object references differ in spelling, and some implementations turn them into the text of a Python object."""
+    return system.is_reference(key, value) or (value or "").startswith("<")
+
+
+def _plain(key, value):
+    return value.lower() if value is not None and key in ports.ANY_CASE else value
+
+
+def _shown(value):
+    return "missing" if value is None else printable(value) or "empty"
+
+
+def _mismatches(link, where, found, undo):
+    """Why these ports should not be connected in this way (components themselves connect nearly everything)."""
+    if link.port.type not in ports.DATA or any(port.node is None for port in found):
+        return []
+    properties = {key: _plain(key, value) for key, value in link.connector.properties if key in SETTLED}
+    if properties.get("dataport.dataflow_type") == "pull":
+        properties.pop("dataport.subscription_type", None)  # it says nothing then
+    far = ", ".join(ports.label(port) for port in found[1:])
+    return [fail("connection", where, "connected to %s: %s" % (far, why), undo)
+            for why in ports.mismatches(found, properties)]
+
+
+def _left_behind(link, where, undo):
+    """A connection of one port alone belongs to a tool, which told where to send the data: it may have been killed."""
+    ior = dict(link.connector.properties).get("dataport.corba_cdr.inport_ior", "")
+    if link.port.type != "DataOutPort" or not ior.startswith("IOR:"):
+        return []
+    try:
+        orb.is_alive(where, orb.from_text(where, ior))
+    except (errors.Gone, errors.ConnectionRefused):
+        message = "connection %s was left behind by a tool that is gone" % _called(link.connector)
+        return [warn("connection", where, message, undo)]
+    except errors.Error:
+        pass  # it may live where we cannot reach it
+    return []

@@ -1,0 +1,33 @@
+"""What an examination finds: one line each."""
+import collections
+
+HERE = "here"  # stands in the place of a path for what concerns this host and this shell
+
+# `level` is ok, warn or fail; `check` what kind of check found it; `path` the object, spelt for the terminal, or HERE;
+# `message` what is so; `remedy` a command that can be pasted, or a step to be taken, '' where nothing is wrong.
+Finding = collections.namedtuple("Finding", "level check path message remedy")
+
+
+def ok(check, path, message):
+    """A Finding that all is well."""
+    return Finding("ok", check, path, message, "")
+
+
+def warn(check, path, message, remedy):
+    """A Finding that may or may not be the trouble."""
+    return Finding("warn", check, path, message, remedy)
+
+
+def fail(check, path, message, remedy):
+    """A Finding that something does not work."""
+    return Finding("fail", check, path, message, remedy)
+
+
+def counted(number, noun):
+    """`1 port`, `2 ports`."""
+    return "%d %s%s" % (number, noun, "" if number == 1 else "s")
+
+
+def reason(e):
+    """What an errors.Error says behind its object."""
+    return str(e).partition(": ")[2] or str(e)

@@ -1,0 +1,183 @@
+"""What is checked of this host and this shell before anybody is asked."""
+import os
+import re
+import socket
+import sys
+
+from rtshell_lite import errors, orb, path, tree
+from rtshell_lite.doctor import addresses
+from rtshell_lite.doctor.finding import HERE, fail, ok, reason, warn
+from rtshell_lite.text import printable
+
+INSTALL = "apt install python3-omniorb, or: pip install 'rtshell_lite[omniorb]'"
+CONFIGURATION = "/etc/omniORB.cfg"
+SMALLEST_MESSAGE = 2097152  # octets: omniORB's default of giopMaxMsgSize
+LEAST_PATIENCE = 500  # ms: a component that waits for its next cycle takes that long to answer
+
+
+def findings():
+    """Findings on Python and omniORB, their settings, the names of this host, and our environment."""
+    found = _programs()
+    found += _settings(started=found[-1].level != "fail")
+    return found + _host_name() + _localhost() + _name_servers() + _working_directory()
+
+
+# ---- programs -------------------------------------------------------------------------------------------------
+
+def _programs():
+    python = "Python %d.%d.%d" % sys.version_info[:3]
+    try:
+        version = orb.version()
+    except errors.MissingOmniORB:
+        return [fail("omniORBpy", HERE, "%s has no omniORBpy: nobody can be asked" % python, INSTALL)]
+    found = [ok("omniORBpy", HERE, "%s, omniORBpy %s" % (python, version))]
+    if _number(version.partition(".")[0]) < 4:
+        found = [warn("omniORBpy", HERE, "%s, omniORBpy %s: older than 4.0, untried" % (python, version), INSTALL)]
+    try:
+        orb.start()
+    except errors.Error:
+        where = " or ".join(name for name, _ in _sources()) or "its settings"
+        found.append(fail("ORB", HERE, "omniORB does not start: it does not understand " + where, "correct or remove it"))
+    return found
+
+
+def _number(word):
+    return int(word) if word.isdigit() else 0
+
+
+# ---- settings of the ORB --------------------------------------------------------------------------------------
+
+def _settings(started):
+    """Settings of omniORB that break things, wherever they come from. The last source wins, but each is told."""
+    found, sources = [], _sources()
+    named = os.environ.get("OMNIORB_CONFIG")
+    if named and not os.path.exists(named):
+        message = "OMNIORB_CONFIG names a file that is not there: " + printable(named)
+        found.append(warn("ORB", HERE, message, "unset OMNIORB_CONFIG"))
+    for source, settings in sources:
+        for option, value in settings:
+            why = _harm(option, value)
+            if not why:
+                continue
+            remedy = "remove it from " + source if source.startswith("/") else "unset " + source
+            found.append(warn("ORB", HERE, "%s sets %s to %s: %s" % (source, option, printable(value), why), remedy))
+    if not found and sources and started:
+        found.append(ok("ORB", HERE, "settings of omniORB that break nothing: " + ", ".join(name for name, _ in sources)))
+    return found
+
+
+def _sources():
+    """(what it is called, [(option, value)]) of each place that has settings: file, variables ORB…, RTCTREE_ORB_ARGS."""
+    name = os.path.abspath(os.environ.get("OMNIORB_CONFIG") or CONFIGURATION)
+    found = [(printable(name), _configured(name))]
+    found += [(key, [(key[3:], value)]) for key, value in sorted(os.environ.items()) if re.match("ORB[a-z]+[A-Za-z]*$", key)]
+    words = [word for word in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if word]
+    arguments = [(word[4:], value) for word, value in zip(words, words[1:] + [""]) if word.startswith("-ORB")]
+    return [each for each in found if each[1]] + ([("RTCTREE_ORB_ARGS", arguments)] if words else [])
+
+
+def _configured(name):
+    """The settings in a file of omniORB: `option = value` lines."""
+    try:
+        with open(name, encoding="utf-8", errors="replace") as file:
+            lines = [line.partition("#")[0] for line in file]
+    except OSError:
+        return []
+    return [tuple(part.strip() for part in line.split("=", 1)) if "=" in line else (line.strip(), "")
+            for line in lines if line.strip()]
+
+
+def _harm(option, value):
+    """What a setting breaks, '' where it breaks nothing that we know of."""
+    if option == "giopMaxMsgSize" and _number(value) < SMALLEST_MESSAGE:
+        return "larger messages fail (MARSHAL)"
+    if option in ("clientCallTimeOutPeriod", "clientConnectTimeOutPeriod") and 0 < _number(value) < LEAST_PATIENCE:
+        return "slower answers count as none"
+    if option == "clientCallTimeOutPeriod" and _number(value) == 0:
+        return "a hung peer is waited for for ever"
+    if option == "throwTransientOnTimeOut" and value != "0":
+        return "hung peers look like dead ones"
+    if option == "maxGIOPVersion" and value in ("1.0", "1.1"):
+        return "Japanese names and large lists fail"
+    if option in ("clientTransportRule", "serverTransportRule") and "none" in value:
+        return "it forbids connections"
+    if option in ("endPoint", "endPointPublish"):
+        return _harm_of_end_point(value)
+    return ""
+
+
+def _harm_of_end_point(value):
+    """An end point is giop:TRANSPORT:HOST:PORT, HOST and PORT may be empty."""
+    transport, _, place = value.partition("giop:")[2].partition(":")
+    host, _, port = place.rpartition(":")
+    if addresses.is_loopback(host.strip("[]")) or host == "localhost":
+        return "components started here cannot be reached from other hosts"
+    if transport == "tcp" and port:
+        return "only one process at a time can have this port"
+    return ""
+
+
+# ---- names of this host ---------------------------------------------------------------------------------------
+
+def _host_name():
+    """The name of this host must lead to an address of it that others can use: components may publish what it leads to."""
+    name = socket.gethostname()
+    shown = "this host's name, %s, " % printable(name)
+    cure = "write its address into /etc/hosts: ADDRESS " + printable(name)
+    try:
+        found = addresses.resolve(name)
+    except errors.Error as e:
+        return [warn("host name", HERE, shown + "is not known here (%s)" % reason(e), cure)]
+    told = ", ".join(found)
+    if all(addresses.is_loopback(each) for each in found):
+        return [warn("host name", HERE, shown + "means %s: who publishes it is lost to other hosts" % told, cure)]
+    if not any(addresses.is_own(each) for each in found):
+        return [warn("host name", HERE, shown + "means %s, which is not this host" % told, cure)]
+    return [ok("host name", HERE, shown + "means " + told)]
+
+
+def _localhost():
+    cure = "write into /etc/hosts: 127.0.0.1 localhost"
+    try:
+        found = addresses.resolve("localhost")
+    except errors.Error as e:
+        return [fail("host name", HERE, "localhost is not known here (%s)" % reason(e), cure)]
+    if not all(addresses.is_loopback(each) for each in found):
+        return [fail("host name", HERE, "localhost means %s" % ", ".join(found), cure)]
+    return []
+
+
+# ---- our environment ------------------------------------------------------------------------------------------
+
+def _name_servers():
+    """RTCTREE_NAMESERVERS: HOST[:PORT], separated by semicolons."""
+    value = os.environ.get("RTCTREE_NAMESERVERS", "")
+    if not value.strip("; "):
+        return [ok("RTCTREE_NAMESERVERS", HERE, "RTCTREE_NAMESERVERS is not set: localhost is the name server")]
+    bad = [(address, why) for address, why in ((each, fault(each)) for each in tree.servers()) if why]
+    return [fail("RTCTREE_NAMESERVERS", HERE, "RTCTREE_NAMESERVERS: %s: %s" % (printable(address), why),
+                 "export RTCTREE_NAMESERVERS='robot1;robot2:2810'") for address, why in bad] or [
+        ok("RTCTREE_NAMESERVERS", HERE, "RTCTREE_NAMESERVERS: %s" % printable("; ".join(tree.servers())))]
+
+
+def fault(address):
+    """What is wrong with the address of a name server, '' where nothing is."""
+    if path.SCHEMES.match(address):
+        return ""
+    if re.search(r"[,\s]", address):
+        return "several are separated by semicolons"
+    if address.startswith(("corbaloc:", "corbaname:", "rtcname:", "rtcloc:", "IOR:")):
+        return "only HOST[:PORT], without %s:" % address.partition(":")[0]
+    try:
+        found = path.parse("/" + address)
+    except errors.Error:
+        return "not HOST[:PORT]"
+    return "only HOST[:PORT], nothing behind it" if found.names or found.server is None else ""
+
+
+def _working_directory():
+    try:
+        path.parse(".")
+    except errors.Error as e:
+        return [fail("RTCSH_CWD", HERE, "RTCSH_CWD: %s" % e, "unset RTCSH_CWD")]
+    return []

@@ -1,0 +1,48 @@
+"""Each manager: whether it answers, and whether what it lists is there."""
+from rtshell_lite import errors, tree
+from rtshell_lite.doctor.finding import counted, fail, ok, reason
+from rtshell_lite.text import shell_word
+
+
+def findings(nodes):
+    """Findings on the managers among the Nodes, sorted by path."""
+    managers = sorted((node for node in nodes if node.kind == "manager"), key=lambda node: str(node.path))
+    found = []
+    for node, answer in zip(managers, tree.on_nodes(managers, _ask)):
+        found += _troubles(node, answer)
+    return found
+
+
+def _ask(node):
+    """(slaves, components, whether it had to be asked twice): a master whose slave has died fails once."""
+    failed_once = []
+
+    def once_more(call):
+        try:
+            return call()
+        except (errors.Silent, errors.Refused):
+            raise
+        except errors.Unreachable as e:
+            failed_once.append(e)
+            return call()
+    slaves = once_more(lambda: tree.slaves(node))
+    return slaves, once_more(lambda: tree.managed(node)), bool(failed_once)
+
+
+def _troubles(node, answer):
+    where, word = str(node.path), shell_word(str(node.path))
+    if isinstance(answer, errors.Error):
+        return [fail("manager", where, "does not tell what it has (%s)" % reason(answer),
+                     "restart it; netstat -ltnp | grep :%d there names its process" % node.endpoint[1])]
+    slaves, components, twice = answer
+    found = []
+    if twice:
+        found = [fail("manager", where, "one of its slaves has died, and its components with it", "restart that slave")]
+    for each in slaves + components:
+        what = "lists a slave that " if each in slaves else "lists a component that "
+        if each.kind == "zombie":
+            found.append(fail("manager", where, what + "is gone", "restart it; rtls %s marks what is gone" % word))
+        elif each.kind == "silent":
+            found.append(fail("manager", where, what + "hangs (%s)" % reason(each.error), "rtls -l " + word))
+    return found or [ok("manager", where, "manager of %s, %s" % (
+        counted(len(components), "component"), counted(len(slaves), "slave")))]

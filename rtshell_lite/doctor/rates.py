@@ -1,0 +1,102 @@
+"""The rates that execution contexts keep, and those that they claim: a connection to an out port shows them."""
+import collections
+import time
+
+from rtshell_lite import component, dataport, errors, ports, rpc
+from rtshell_lite.doctor.finding import ok, reason, warn
+from rtshell_lite.text import printable
+
+TOGETHER = 4  # components of a process measured at a time: fetching their values is work for it
+ENOUGH = 0.9  # of the rate claimed
+
+
+class Watched:
+    """A component that is Active in a running, periodic context."""
+
+    def __init__(self, each, rate, port):
+        self.each, self.rate, self.port = each, rate, port  # its components.Examined, the Hz claimed, the port watched
+        self.reader = self.failure = None  # dataport.Reader; the errors.Error why it could not be measured
+        self.count = 0  # values seen
+
+
+def measured(all_of_them, seconds):
+    """Measure for `seconds` each component that can be: {path: [Finding]}.
+
+    As `execution.measured` does, several at a time; no new batch begins when the timeout is over.
+    """
+    found, waiting = {}, []
+    for each in all_of_them:
+        watched, why_not = _watchable(each)
+        if watched:
+            waiting.append(watched)
+        elif why_not:
+            found[each.where] = [ok("rate", each.where, "rate not measured: " + why_not)]
+    begun = time.monotonic()
+    while waiting:
+        batch, waiting = _batch(waiting)
+        if found and time.monotonic() - begun > rpc.timeout:
+            found.update((one.each.where, [_unmeasured(one.each, rpc.NO_TIME)]) for one in batch)
+            continue
+        found.update((one.each.where, [finding]) for one, finding in zip(batch, _watch(batch, seconds)))
+    return found
+
+
+def _batch(waiting):
+    """The next components to be measured at once, and the rest."""
+    taken, batch, rest = collections.Counter(), [], []
+    for one in waiting:
+        (batch if taken[one.each.node.endpoint] < TOGETHER else rest).append(one)
+        taken[one.each.node.endpoint] += 1
+    return batch, rest
+
+
+def _watchable(each):
+    """(Watched, '') for a component whose rate can be seen from outside, else (None, why not, '' where that is told)."""
+    running = [(context, state) for context, state in zip(each.contexts, each.states)
+               if context is not None and context.running and context.kind == "Periodic" and context.rate > 0]
+    if each.error is not None or not running:
+        return None, ""
+    active = [context for context, state in running if state == "Active"]
+    if not active:
+        return None, "it is %s" % component.merged(each.states)
+    port = next((port for port in each.ports if port.type == "DataOutPort"), None)
+    if port is None:
+        return None, "it has no out port"
+    return Watched(each, active[0].rate, port), ""
+
+
+def _unmeasured(each, why):
+    return warn("rate", each.where, "rate not measured: " + why, "rtec --measure " + each.word)
+
+
+# ---- one batch ------------------------------------------------------------------------------------------------
+
+def _watch(batch, seconds):
+    """A Finding for each Watched of a batch."""
+    for one in batch:
+        try:
+            one.reader = dataport.Reader(one.port, lambda message: None, "pull", properties={
+                "dataport.buffer.length": str(dataport.QUEUE)})
+        except errors.Error as e:
+            one.failure = e
+    with dataport.Opened([one.reader for one in batch if one.reader]) as opened:
+        time.sleep(2 * dataport.POLL)  # values from before may be there
+        before = {reader: reader.count for reader in opened.connections}
+        begun = time.monotonic()
+        time.sleep(seconds)
+        spent = time.monotonic() - begun
+        for one in batch:
+            if one.reader:
+                one.count, one.failure = one.reader.count - before[one.reader], one.reader.failure
+    return [_unmeasured(one.each, reason(one.failure)) if one.failure else _finding(one, spent) for one in batch]
+
+
+def _finding(one, spent):
+    where, name = one.each.where, printable(ports.short_name(one.port.name, one.each.node.path.names[-1].id))
+    if one.count < 2:
+        return ok("rate", where, "rate not measured: nothing is written to " + name)
+    kept = one.count / spent
+    if one.count + 1 >= ENOUGH * one.rate * spent:  # one more may have been on its way
+        return ok("rate", where, "keeps %.1f of %g Hz (writes to %s)" % (kept, one.rate, name))
+    return warn("rate", where, "keeps %.1f of %g Hz, or does not write to %s in each cycle" % (kept, one.rate, name),
+                "rtec %s rate %d, or look for what takes its time: top" % (one.each.word, max(1, kept)))

@@ -1,0 +1,158 @@
+"""Each name server, step by step: name, TCP, CORBA, naming context; then the names in it and who of them lives."""
+import collections
+import time
+
+from rtshell_lite import errors, orb, path, rpc, tree
+from rtshell_lite.doctor import addresses
+from rtshell_lite.doctor.finding import fail, ok, reason, warn
+from rtshell_lite.text import printable, shell_word
+
+SLOW = 0.5  # seconds: a step that takes longer makes every command slow
+
+_NAMING_CONTEXT = "IDL:omg.org/CosNaming/NamingContext:1.0"
+
+# What became of one name server: `path` its Path, `addresses` where it is ([] where that is not known), `findings`, `nodes`
+# what is bound in it (looked at), `probes` a dict: endpoint to None, or to the errors.Error why TCP does not reach it.
+Visit = collections.namedtuple("Visit", "path addresses findings nodes probes")
+
+
+def visits(tops):
+    """A Visit for each name server that the Paths `tops` lead to, all at once, with what is at and below them."""
+    by_server = collections.OrderedDict()
+    for top in sorted(tops, key=str):
+        by_server.setdefault(top.server, []).append(top)
+    places = [path.Path(server, (), None, False) for server in by_server]
+    found = rpc.gather([rpc.Job(tree.lane(place), str(place), lambda place=place, below=below: _visit(place, below))
+                        for place, below in zip(places, by_server.values())])
+    return [_too_late(place, visit) if isinstance(visit, errors.Error) else visit for place, visit in zip(places, found)]
+
+
+def _too_late(place, e):
+    where = str(place)
+    return Visit(place, [], [fail("name server", where, reason(e), "rtdoctor --timeout 30 " + shell_word(where))], [], {})
+
+
+def _visit(place, tops):
+    visit = Visit(place, [], [], [], {})
+    if not _reach(visit, tree.resolve(place)):
+        return visit
+    for top in tops:
+        visit.nodes.extend(_below(visit, top))
+    visit.nodes[:], probes = rpc.gather([
+        rpc.Job(("look", place), str(place), lambda: tree.look(visit.nodes)),
+        rpc.Job(("probe", place), str(place), lambda: _probes(visit.nodes))])
+    visit.probes.update(probes)
+    return visit
+
+
+# ---- the name server itself -----------------------------------------------------------------------------------
+
+def _reach(visit, server):
+    """Go towards a name server step by step; False when one fails. Adds what it finds."""
+    where, times = str(server.path), []
+    try:
+        _transport(visit, server.endpoint, times)
+        _timed(times, "CORBA", lambda: _is_there(where, server.ref))
+        _timed(times, "naming", lambda: _is_context(where, server.ref))
+    except _Stop as stop:
+        visit.findings.append(stop.finding)
+        return False
+    told = ", ".join("%s %.1f ms" % (name, 1000 * seconds) for name, seconds in times)
+    slow = [name for name, seconds in times if seconds > SLOW]
+    if slow:
+        cure = "write its address into /etc/hosts" if slow == ["name"] else "ping " + printable(server.endpoint[0])
+        visit.findings.append(warn("name server", where, "slow (%s)" % told, cure))
+    else:
+        visit.findings.append(ok("name server", where, "answers (%s)" % told))
+    return True
+
+
+class _Stop(Exception):
+    """A step failed, with this finding."""
+
+    def __init__(self, where, message, remedy):
+        Exception.__init__(self)
+        self.finding = fail("name server", where, message, remedy)
+
+
+def _timed(times, name, step):
+    begun = time.monotonic()
+    value = step()
+    times.append((name, time.monotonic() - begun))
+    return value
+
+
+def _transport(visit, endpoint, times):
+    """Name and TCP; addresses of other protocols than IIOP (http://…, ssliop:…) are left to the ORB."""
+    host, port = endpoint
+    address = visit.path.server
+    if path.SCHEMES.match(address) or address.partition(":")[0] in path.PROTOCOLS and not address.startswith("iiop:"):
+        return
+    where, shown = str(visit.path), printable(host)
+    try:
+        visit.addresses.extend(_timed(times, "name", lambda: addresses.resolve(host)))
+    except errors.Error as e:
+        raise _Stop(where, "host name %s not known here (%s)" % (shown, reason(e)),
+                    "correct the name, or write its address into /etc/hosts")
+    try:
+        _timed(times, "TCP", lambda: addresses.connect(visit.addresses, port))
+    except errors.ConnectionRefused:
+        raise _Stop(where, "connection refused: %s runs, but nothing listens on port %d" % (shown, port),
+                    "start the name server there: rtm-naming %d" % port)
+    except errors.Error as e:
+        raise _Stop(where, "no TCP connection to %s port %d (%s)" % (visit.addresses[0], port, reason(e)),
+                    "ping %s; if that answers, open port %d in its firewall" % (shown, port))
+
+
+def _is_there(where, ref):
+    port = orb.endpoint(ref)[1]
+    try:
+        gone = orb.call(where, ref, "_non_existent")
+    except errors.Gone:
+        gone = True
+    except errors.Silent as e:
+        raise _Stop(where, "hung: accepts TCP, but %s" % reason(e),
+                    "restart it; netstat -ltnp | grep :%d there names its process" % port)
+    except errors.Unreachable as e:
+        if not reason(e).startswith(("connection lost", "garbled")):
+            raise _Stop(where, "TCP connects, omniORB does not (%s)" % reason(e), "correct the ORB: rtdoctor | grep ORB")
+        raise _Stop(where, "what listens there does not speak CORBA (%s)" % reason(e),
+                    "netstat -ltnp | grep :%d there names it; correct the address" % port)
+    except errors.Refused as e:
+        raise _Stop(where, "answers with %s" % reason(e), "restart it")
+    if gone:
+        raise _Stop(where, "a CORBA process, but no name server: a component or manager, perhaps",
+                    "correct the port; netstat -ltnp | grep omniNames there tells it")
+
+
+def _is_context(where, ref):
+    try:
+        found = orb.call(where, ref, "_is_a", _NAMING_CONTEXT)
+    except errors.Error as e:
+        raise _Stop(where, "is there, but does not say what it is (%s)" % reason(e), "restart it")
+    if not found:
+        raise _Stop(where, "its object NameService is no naming context", "correct the port, or restart it")
+
+
+# ---- what is bound in it --------------------------------------------------------------------------------------
+
+def _below(visit, top):
+    """The Nodes at and below a Path; what cannot be listed becomes a finding."""
+    try:
+        nodes = list(tree.walk(tree.resolve(top), managers=False))
+    except errors.Error as e:
+        visit.findings.append(fail("path", str(top), reason(e), "rtls " + shell_word(str(top.parent()))))
+        return []
+    for node in nodes:
+        if node.kind in ("server", "directory") and node.error is not None:
+            visit.findings.append(fail("context", str(node.path), "its names cannot be listed (%s)" % reason(node.error),
+                                       "restart the name server that has it"))
+    return nodes
+
+
+def _probes(nodes):
+    """Which of the addresses that references publish are reached by TCP from here: a connection to each, closed again."""
+    wanted = sorted({each for node in nodes if node.ref is not None and node.kind not in ("server", "directory")
+                     for each in orb.addresses(node.ref) if each[0] and each[1]})
+    jobs = [rpc.Job(("probe",) + each, "%s:%d" % each, lambda each=each: addresses.probe(each)) for each in wanted]
+    return dict(zip(wanted, rpc.gather(jobs)))

@@ -1,0 +1,15 @@
+"""OMG IDL files, the part of them that describes data: modules, structs, unions, enums, typedefs and constants.
+
+Interfaces, valuetypes, exceptions, components and homes are gone past; types within an interface are kept. Nothing of a file
+is run. What is read of the preprocessor: includes, conditions, macros without parameters, and the pragmas prefix, ID, version.
+"""
+from rtshell_lite.idl import parser, tokens
+
+
+def parse_file(path, include=()):
+    """The types that an IDL file and its includes define: {repository id: descriptor}, typedefs as aliases.
+
+    `include` are directories for #include; the IDL files of OpenRTM's own data types come along and need none.
+    Raises BadIdl with file, line and column, and errors.No for a file that cannot be read.
+    """
+    return parser.Parser(tokens.tokens(path, include)).types()

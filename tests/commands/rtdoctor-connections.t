@@ -1,0 +1,98 @@
+rtdoctor looks at each connection from all its ends.
+
+world: crossed
+world: orphan --context lost.host_cxt/%n.rtc
+world: fragile --context fragile.host_cxt/%n.rtc
+world: these ConsoleIn:Near0 --context near.host_cxt/%n.rtc
+world: these ConsoleOut:Far0 --context far.host_cxt/%n.rtc
+world: linked --flavour cpp11 --context old.host_cxt/%n.rtc
+world: linked --flavour cpp2 --context new.host_cxt/%n.rtc
+world: linked --flavour rtorb --context small.host_cxt/%n.rtc
+world: services --context service.host_cxt/%n.rtc
+
+  $ doctor() { rtdoctor "$@" > out; code=$?; grep -v -e "here: " -e " failed, " -e "^[a-z]* *[^ ]*$PORT: answers" out; return $code; }
+  $ rtact ../far.host_cxt/Far0.rtc
+
+One-sided; told differently at both ends; of different types; left by a tool that has been killed:
+
+  $ doctor -q .
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/In0.rtc /localhost:$PORT/test.host_cxt/In1.rtc /localhost:$PORT/test.host_cxt/In3.rtc ...
+  fail  /localhost:$PORT/test.host_cxt/In0.rtc:out: connection out_in is one-sided: /localhost:$PORT/test.host_cxt/Out0.rtc:in does not know it; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/In0.rtc:out; rtcon -n out_in -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=flush /localhost:$PORT/test.host_cxt/In0.rtc:out /localhost:$PORT/test.host_cxt/Out0.rtc:in
+  warn  /localhost:$PORT/test.host_cxt/In1.rtc:out: dataport.subscription_type is flush here, new at /localhost:$PORT/test.host_cxt/Out1.rtc:in; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/In1.rtc:out; rtcon -n out_in -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=flush /localhost:$PORT/test.host_cxt/In1.rtc:out /localhost:$PORT/test.host_cxt/Out1.rtc:in
+  warn  /localhost:$PORT/test.host_cxt/In3.rtc:out: connection print was left behind by a tool that is gone; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/In3.rtc:out
+  fail  /localhost:$PORT/test.host_cxt/Out2.rtc:in: connected to /localhost:$PORT/test.host_cxt/Sensor0.rtc:out: data types differ (RTC/TimedLong, RTC/TimedFloat); try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Out2.rtc:in
+  [1]
+
+What it says can be pasted:
+
+  $ doctor -q . | sed -n 's/.*one-sided.*; try: //p' > mend; sh ./mend; doctor -q . | grep In0.rtc
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/In0.rtc /localhost:$PORT/test.host_cxt/In1.rtc /localhost:$PORT/test.host_cxt/In3.rtc ...
+
+Far ends that are dead: a component drops such connections when it is asked for its ports, and some tell about it. This
+ends no component of C++ 2.1, which is asked in the right order:
+
+  $ doctor -q ../lost.host_cxt/Orphan0.rtc
+  warn  /localhost:$PORT/lost.host_cxt/Orphan0.rtc:out: had a connection whose far end is dead, and dropped it when asked; try: restart the far end and connect it again: rtcon
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/lost.host_cxt/Orphan0.rtc
+  $ doctor -q ../lost.host_cxt/Orphan0.rtc
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/lost.host_cxt/Orphan0.rtc
+  $ doctor -q ../fragile.host_cxt/Fragile0.rtc
+  warn  /localhost:$PORT/fragile.host_cxt/Fragile0.rtc:out: had a connection whose far end is dead, and dropped it when asked; try: restart the far end and connect it again: rtcon
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/fragile.host_cxt/Fragile0.rtc
+  $ rtls ../fragile.host_cxt
+  Fragile0.rtc
+  *Peer0.rtc
+
+A far end that is not below the path is asked all the same, and may be gone when it is asked, refuse, or hang:
+
+  $ rtcon -n c ../near.host_cxt/Near0.rtc:out ../far.host_cxt/Far0.rtc:in; rtact ../near.host_cxt/Near0.rtc; ctl @these2 reset
+  $ doctor ../near.host_cxt
+  ok    /localhost:$PORT/near.host_cxt/Near0.rtc: Active, claims 1000 Hz, 1 port, 1 connection
+  $ calls @these2 | grep -v -e put
+  2 _non_existent
+  1 get_port_profile
+  $ for each in 1 2; do ctl @these2 fail get_port_profile $each OBJECT_NOT_EXIST; done; doctor -q ../near.host_cxt
+  fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection is dead (at 127.0.0.1:*); try: rtdis -i $UUID /localhost:$PORT/near.host_cxt/Near0.rtc:out (glob)
+  [1]
+  $ ctl @these2 fail get_port_profile 1 NO_PERMISSION; doctor -q ../near.host_cxt
+  fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection, at 127.0.0.1:*, cannot be asked (CORBA.NO_PERMISSION); try: restart the process of the far end, or: rtdis -i $UUID /localhost:$PORT/near.host_cxt/Near0.rtc:out (glob)
+  [1]
+  $ ctl @these2 delay get_port_profile 30; within 0.4-2 rtdoctor -q --timeout 0.5 ../near.host_cxt | grep Near; ctl @these2 delay get_port_profile 0
+  fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection, at 127.0.0.1:*, cannot be asked (no answer within 0.5s); try: restart the process of the far end, or: rtdis -i $UUID /localhost:$PORT/near.host_cxt/Near0.rtc:out (glob)
+
+A far end whose process hangs makes the near one hang, too, for it looks whether its far ends are there:
+
+  $ hang these2; within 0.5-2 rtdoctor -q --timeout 0.5 ../near.host_cxt ../far.host_cxt | grep rtc; resume these2
+  fail  /localhost:$PORT/far.host_cxt/Far0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
+  fail  /localhost:$PORT/near.host_cxt/Near0.rtc: hangs when asked for the profile of its port 1, maybe waiting for a hung far end; try: mend /localhost:$PORT/far.host_cxt/Far0.rtc first
+
+It is found, wherever it is bound, or bound nowhere; an inactive component keeps a connection that the other end has forgotten:
+
+  $ rtdeact --wait ../near.host_cxt/Near0.rtc; rtdis ../near.host_cxt/Near0.rtc
+  $ rtcon -i one ../near.host_cxt/Near0.rtc:out ../far.host_cxt/Far0.rtc:in
+  $ ctl @these2 forget Far0:in; doctor -q ../near.host_cxt
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/near.host_cxt/Near0.rtc
+  fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: connection outin is one-sided: /localhost:$PORT/far.host_cxt/Far0.rtc:in does not know it; try: rtdis -i one /localhost:$PORT/near.host_cxt/Near0.rtc:out; rtcon -n outin -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=new /localhost:$PORT/near.host_cxt/Near0.rtc:out /localhost:$PORT/far.host_cxt/Far0.rtc:in
+  [1]
+  $ rtdel ../far.host_cxt/Far0.rtc; doctor -q ../near.host_cxt
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/near.host_cxt/Near0.rtc
+  fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: connection outin is one-sided: Far0.in at 127.0.0.1:*, bound nowhere, does not know it; try: rtdis -i one /localhost:$PORT/near.host_cxt/Near0.rtc:out; then connect them again: rtcon (glob)
+  [1]
+  $ rtdis ../near.host_cxt/Near0.rtc
+
+Connections that are well, of all kinds:
+
+  $ rtcon ../service.host_cxt/MyServiceConsumer0.rtc:MyService ../service.host_cxt/MyServiceProvider0.rtc:MyService
+  $ for each in old new small service; do doctor ../$each.host_cxt; done
+  ok    /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
+  ok    /localhost:$PORT/old.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc /localhost:$PORT/old.host_cxt/ConsoleOut0.rtc
+  ok    /localhost:$PORT/new.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
+  ok    /localhost:$PORT/new.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/new.host_cxt/ConsoleIn0.rtc /localhost:$PORT/new.host_cxt/ConsoleOut0.rtc
+  ok    /localhost:$PORT/small.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
+  ok    /localhost:$PORT/small.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/small.host_cxt/ConsoleIn0.rtc /localhost:$PORT/small.host_cxt/ConsoleOut0.rtc
+  ok    /localhost:$PORT/service.host_cxt/MyServiceConsumer0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
+  ok    /localhost:$PORT/service.host_cxt/MyServiceProvider0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/service.host_cxt/MyServiceConsumer0.rtc /localhost:$PORT/service.host_cxt/MyServiceProvider0.rtc

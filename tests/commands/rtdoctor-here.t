@@ -1,0 +1,145 @@
+rtdoctor looks first at what is here: programs, settings of omniORB, names of this host, our environment.
+
+  $ mkdir fake
+  $ cat > fake/sitecustomize.py <<'END'
+  > """A host that is called robot1, and names that mean what HOSTS says; robot1's own address is 198.51.100.1."""
+  > import os, socket, time
+  > hosts = dict(word.split("=") for word in os.environ["HOSTS"].split())
+  > look_up, Real = socket.getaddrinfo, socket.socket
+  > def getaddrinfo(host, *rest):
+  >     address = hosts.get(host, host)
+  >     if address == "slow":
+  >         time.sleep(60)
+  >     if address == "unknown":
+  >         raise socket.gaierror(-2, "Name or service not known")
+  >     return look_up(address, *rest)
+  > class Socket(Real):
+  >     def bind(self, address):
+  >         if address[0] != "198.51.100.1":
+  >             super().bind(address)
+  > socket.gethostname = lambda: "robot1"
+  > socket.getaddrinfo, socket.socket = getaddrinfo, Socket
+  > def connect(address, timeout):
+  >     connection = Real()
+  >     connection.settimeout(timeout)
+  >     connection.connect(("127.0.0.1", address[1]))
+  >     return connection
+  > socket.create_connection = connect
+  > END
+  $ mkdir bare; echo 'raise ImportError("none here")' > bare/omniORB.py
+  $ doctor() { PYTHONPATH=$TMP/fake${PYTHONPATH:+:$PYTHONPATH} rtdoctor "$@"; }
+  $ touch none.cfg; export HOSTS="robot1=198.51.100.1 localhost=127.0.0.1" OMNIORB_CONFIG=$TMP/none.cfg
+
+All is well:
+
+  $ doctor
+  ok    here: Python *, omniORBpy * (glob)
+  ok    here: this host's name, robot1, means 198.51.100.1
+  ok    here: RTCTREE_NAMESERVERS: localhost:$PORT
+  ok    /localhost:$PORT: answers (name * ms, TCP * ms, CORBA * ms, naming * ms) (glob)
+  0 failed, 0 to be looked at, 4 ok
+  $ doctor -q
+
+The name of this host, which components may publish:
+
+  $ HOSTS="robot1=127.0.1.1" doctor -q
+  warn  here: this host's name, robot1, means 127.0.1.1: who publishes it is lost to other hosts; try: write its address into /etc/hosts: ADDRESS robot1
+  $ HOSTS="robot1=198.51.100.2" doctor -q
+  warn  here: this host's name, robot1, means 198.51.100.2, which is not this host; try: write its address into /etc/hosts: ADDRESS robot1
+  $ HOSTS="robot1=unknown" doctor -q
+  warn  here: this host's name, robot1, is not known here (Name or service not known); try: write its address into /etc/hosts: ADDRESS robot1
+  $ HOSTS="robot1=slow" doctor -q --timeout 0.5
+  warn  here: this host's name, robot1, is not known here (no answer within 0.5s); try: write its address into /etc/hosts: ADDRESS robot1
+  $ HOSTS="robot1=198.51.100.1 localhost=unknown" doctor -q
+  fail  here: localhost is not known here (Name or service not known); try: write into /etc/hosts: 127.0.0.1 localhost
+  fail  /localhost:$PORT: host name localhost not known here (Name or service not known); try: correct the name, or write its address into /etc/hosts
+  [1]
+  $ HOSTS="robot1=198.51.100.1 localhost=198.51.100.1" doctor -q
+  fail  here: localhost means 198.51.100.1; try: write into /etc/hosts: 127.0.0.1 localhost
+  [1]
+
+RTCTREE_NAMESERVERS, each address on its own; the good ones are examined all the same:
+
+  $ RTCTREE_NAMESERVERS="robot1,robot2" doctor -q
+  fail  here: RTCTREE_NAMESERVERS: robot1,robot2: several are separated by semicolons; try: export RTCTREE_NAMESERVERS='robot1;robot2:2810'
+  [1]
+  $ RTCTREE_NAMESERVERS="localhost:$PORT;localhost:99999;corbaloc::robot1;/robot1/a.host_cxt;a b;:2809" doctor -q
+  fail  here: RTCTREE_NAMESERVERS: localhost:*: not HOST[:PORT]; try: export RTCTREE_NAMESERVERS='robot1;robot2:2810' (glob)
+  fail  here: RTCTREE_NAMESERVERS: corbaloc::robot1: only HOST[:PORT], without corbaloc:; try: export RTCTREE_NAMESERVERS='robot1;robot2:2810'
+  fail  here: RTCTREE_NAMESERVERS: /robot1/a.host_cxt: only HOST[:PORT], nothing behind it; try: export RTCTREE_NAMESERVERS='robot1;robot2:2810'
+  fail  here: RTCTREE_NAMESERVERS: a b: several are separated by semicolons; try: export RTCTREE_NAMESERVERS='robot1;robot2:2810'
+  fail  here: RTCTREE_NAMESERVERS: :2809: not HOST[:PORT]; try: export RTCTREE_NAMESERVERS='robot1;robot2:2810'
+  [1]
+  $ RTCTREE_NAMESERVERS= doctor | grep RTCTREE
+  ok    here: RTCTREE_NAMESERVERS is not set: localhost is the name server
+  $ RTCTREE_NAMESERVERS="; ;localhost:$PORT;" doctor | grep RTCTREE
+  ok    here: RTCTREE_NAMESERVERS: localhost:$PORT
+  $ RTCTREE_NAMESERVERS="localhost:$PORT;127.0.0.1:$PORT" doctor -q
+  warn  /localhost:$PORT: the same name server as /127.0.0.1:$PORT; try: take one of them out of RTCTREE_NAMESERVERS
+  $ RTCSH_CWD=robot1 doctor -q
+  fail  here: RTCSH_CWD: robot1: a working directory (RTCSH_CWD) starts with /; try: unset RTCSH_CWD
+  [1]
+
+Settings of omniORB that break things, from each of the places that have some:
+
+  $ cat > omniORB.cfg <<'END'
+  > # of somebody else
+  > InitRef = NameService=corbaname::robot1
+  > giopMaxMsgSize = 100000
+  > endPoint = giop:tcp:127.0.0.1:
+  > END
+  $ OMNIORB_CONFIG=$TMP/omniORB.cfg doctor -q
+  warn  here: $TMP/omniORB.cfg sets giopMaxMsgSize to 100000: larger messages fail (MARSHAL); try: remove it from $TMP/omniORB.cfg
+  warn  here: $TMP/omniORB.cfg sets endPoint to giop:tcp:127.0.0.1:: components started here cannot be reached from other hosts; try: remove it from $TMP/omniORB.cfg
+  $ OMNIORB_CONFIG=$TMP/nothing doctor -q
+  warn  here: OMNIORB_CONFIG names a file that is not there: $TMP/nothing; try: unset OMNIORB_CONFIG
+  $ ORBclientCallTimeOutPeriod=100 ORBendPoint=giop:tcp::2810 ORBmaxGIOPVersion=1.0 doctor -q
+  warn  here: ORBclientCallTimeOutPeriod sets clientCallTimeOutPeriod to 100: slower answers count as none; try: unset ORBclientCallTimeOutPeriod
+  warn  here: ORBendPoint sets endPoint to giop:tcp::2810: only one process at a time can have this port; try: unset ORBendPoint
+  warn  here: ORBmaxGIOPVersion sets maxGIOPVersion to 1.0: Japanese names and large lists fail; try: unset ORBmaxGIOPVersion
+  $ ORBclientCallTimeOutPeriod=5000 ORBendPoint=giop:tcp:: doctor | grep ORB
+  ok    here: Python *, omniORBpy * (glob)
+  ok    here: settings of omniORB that break nothing: ORBclientCallTimeOutPeriod, ORBendPoint
+  ok    /localhost:$PORT: answers (name * ms, TCP * ms, CORBA * ms, naming * ms) (glob)
+  $ RTCTREE_ORB_ARGS="-ORBclientCallTimeOutPeriod;0;-ORBthrowTransientOnTimeOut;1;-ORBclientTransportRule;198.51.100.1 none" doctor -q
+  warn  here: RTCTREE_ORB_ARGS sets clientCallTimeOutPeriod to 0: a hung peer is waited for for ever; try: unset RTCTREE_ORB_ARGS
+  warn  here: RTCTREE_ORB_ARGS sets throwTransientOnTimeOut to 1: hung peers look like dead ones; try: unset RTCTREE_ORB_ARGS
+  warn  here: RTCTREE_ORB_ARGS sets clientTransportRule to 198.51.100.1 none: it forbids connections; try: unset RTCTREE_ORB_ARGS
+  fail  /localhost:$PORT: TCP connects, omniORB does not (host name not known); try: correct the ORB: rtdoctor | grep ORB
+  [1]
+  $ RTCTREE_ORB_ARGS="-ORBtraceLevel;0" doctor | grep ORB
+  ok    here: Python *, omniORBpy * (glob)
+  ok    here: settings of omniORB that break nothing: RTCTREE_ORB_ARGS
+  ok    /localhost:$PORT: answers (name * ms, TCP * ms, CORBA * ms, naming * ms) (glob)
+
+When omniORB cannot be started, that is all that can be said:
+
+  $ RTCTREE_ORB_ARGS="-ORBnonsense 1" doctor
+  ok    here: Python *, omniORBpy * (glob)
+  fail  here: omniORB does not start: it does not understand RTCTREE_ORB_ARGS; try: correct or remove it
+  ok    here: this host's name, robot1, means 198.51.100.1
+  ok    here: RTCTREE_NAMESERVERS: localhost:$PORT
+  1 failed, 0 to be looked at, 3 ok
+  [1]
+  $ echo garbage > omniORB.cfg; OMNIORB_CONFIG=$TMP/omniORB.cfg doctor -q
+  fail  here: omniORB does not start: it does not understand $TMP/omniORB.cfg; try: correct or remove it
+  [1]
+  $ PYTHONPATH=$TMP/bare${PYTHONPATH:+:$PYTHONPATH} rtdoctor | grep -v -e "this host's name" -e failed
+  fail  here: Python * has no omniORBpy: nobody can be asked; try: apt install python3-omniorb, or: pip install 'rtshell_lite[omniorb]' (glob)
+  ok    here: RTCTREE_NAMESERVERS: localhost:$PORT
+  $ PYTHONPATH=$TMP/bare${PYTHONPATH:+:$PYTHONPATH} rtdoctor -q --json | grep omniORBpy
+  {"check": "omniORBpy", "level": "fail", "message": "Python * has no omniORBpy: nobody can be asked", "path": "here", "remedy": "apt install python3-omniorb, or: pip install 'rtshell_lite[omniorb]'"} (glob)
+
+A name server on another host: what publishes a loopback address there, means this host to us. Were the name server on this
+host, but asked under its outer address, only others would be lost:
+
+  $ mock two
+  $ rtact ConsoleIn0.rtc
+  $ HOSTS="robot1=198.51.100.1 127.0.0.1=198.51.100.7" doctor -q 127.0.0.1:$PORT
+  fail  /127.0.0.1:$PORT/test.host_cxt/ConsoleIn0.rtc: publishes 127.0.0.1:*, which means this host, not its own; try: give its process an address: corba.endpoints: 198.51.100.7: in rtc.conf (glob)
+  fail  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc: publishes 127.0.0.1:*, which means this host, not its own; try: give its process an address: corba.endpoints: 198.51.100.7: in rtc.conf (glob)
+  [1]
+  $ HOSTS="robot1=198.51.100.1 127.0.0.1=198.51.100.1" doctor -q 127.0.0.1:$PORT
+  warn  /127.0.0.1:$PORT/test.host_cxt/ConsoleIn0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
+  warn  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
+  $ doctor -q localhost:$PORT

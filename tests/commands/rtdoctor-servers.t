@@ -1,0 +1,94 @@
+rtdoctor goes towards each name server step by step, and tells which step fails: the name, TCP, CORBA, the naming context.
+Then it looks at every name in it.
+
+world: astray
+world: these Mock:Hung0 Mock:Hung1 --context hung.host_cxt/%n.rtc
+world: these Mock:Dead0 --context dead.host_cxt/%n.rtc
+faulty: refused dead-host silent drip reset close garbage late-silent late-reset hostile loop
+
+  $ doctor() { rtdoctor "$@" > out; code=$?; grep -v "this host's name" out; return $code; }
+
+  $ doctor -q localhost:$REFUSED
+  fail  /localhost:$REFUSED: connection refused: localhost runs, but nothing listens on port $REFUSED; try: start the name server there: rtm-naming $REFUSED
+  [1]
+  $ doctor -q localhost:$RESET
+  fail  /localhost:$RESET: what listens there does not speak CORBA (connection lost); try: netstat -ltnp | grep :$RESET there names it; correct the address
+  [1]
+  $ doctor -q localhost:$CLOSE
+  fail  /localhost:$CLOSE: what listens there does not speak CORBA (connection lost); try: netstat -ltnp | grep :$CLOSE there names it; correct the address
+  [1]
+  $ doctor -q localhost:$GARBAGE
+  fail  /localhost:$GARBAGE: what listens there does not speak CORBA (connection lost); try: netstat -ltnp | grep :$GARBAGE there names it; correct the address
+  [1]
+  $ doctor -q localhost:$LATE_RESET
+  fail  /localhost:$LATE_RESET: its names cannot be listed (connection lost); try: restart the name server that has it
+  [1]
+  $ doctor -q /robot.invalid
+  fail  /robot.invalid: host name robot.invalid not known here (*); try: correct the name, or write its address into /etc/hosts (glob)
+  [1]
+  $ doctor -q localhost:$(ctl port)
+  fail  /localhost:*: a CORBA process, but no name server: a component or manager, perhaps; try: correct the port; netstat -ltnp | grep omniNames there tells it (glob)
+  [1]
+  $ within 0.5-1.5 rtdoctor -q --timeout 0.5 localhost:$DEAD_HOST > out; grep -v "this host's name" out
+  fail  /localhost:$DEAD_HOST: no TCP connection to 127.0.0.1 port $DEAD_HOST (no answer within 0.5s); try: ping localhost; if that answers, open port $DEAD_HOST in its firewall
+  $ doctor -q --timeout 0.5 localhost:$SILENT
+  fail  /localhost:$SILENT: hung: accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :$SILENT there names its process
+  [1]
+  $ doctor -q --timeout 0.5 localhost:$LATE_SILENT
+  fail  /localhost:$LATE_SILENT: its names cannot be listed (no answer within 0.5s); try: restart the name server that has it
+  [1]
+
+All of them at once take no longer than one, and every one is told:
+
+  $ within 0.5-2 rtdoctor -q --timeout 0.5 localhost:$REFUSED localhost:$RESET localhost:$CLOSE localhost:$GARBAGE \
+  > localhost:$LATE_RESET localhost:$DEAD_HOST localhost:$SILENT localhost:$DRIP localhost:$LATE_SILENT > out
+  [1]
+  $ grep -c '^fail  /localhost:' out
+  9
+
+What a name server says is printed as any text from outside; a loop is no reason to go round:
+
+  $ doctor -q localhost:$HOSTILE | cut -c1-64
+  fail  /localhost:$HOSTILE/$(touch canary);`touch canary`.rtc: someb
+  $ doctor -q localhost:$LOOP | cut -c1-40
+  fail  /localhost:$LOOP/again.host_cxt/le
+
+Names that lead nowhere, to the same, to somebody else:
+
+  $ doctor -q .
+  fail  /localhost:$PORT/test.host_cxt/Ended0.rtc: dead (zombie): the process at 127.0.0.1:* is another one, or has ended it; try: rtdel -z /localhost:$PORT/test.host_cxt/Ended0.rtc (glob)
+  fail  /localhost:$PORT/test.host_cxt/Nil0.rtc: the name is bound to nothing (a nil reference); try: rtdel /localhost:$PORT/test.host_cxt/Nil0.rtc
+  fail  /localhost:$PORT/test.host_cxt/Stranger0.rtc: somebody else's: not a component but IDL:SimpleService/MyService:1.0; try: rtdel /localhost:$PORT/test.host_cxt/Stranger0.rtc
+  warn  /localhost:$PORT/test.host_cxt/dead.cxt: stale: only dead names are in it; try: rtdel --recursive /localhost:$PORT/test.host_cxt/dead.cxt
+  fail  /localhost:$PORT/test.host_cxt/dead.cxt/Gone0.rtc: dead (zombie): the process at 127.0.0.1:* is another one, or has ended it; try: rtdel -z /localhost:$PORT/test.host_cxt/dead.cxt/Gone0.rtc (glob)
+  warn  /localhost:$PORT/test.host_cxt/empty.cxt: stale: empty; try: rtdel --recursive /localhost:$PORT/test.host_cxt/empty.cxt
+  warn  /localhost:$PORT/test.host_cxt/Other0.rtc: somebody else's name: this component calls itself test.host_cxt/Moved0.rtc; try: restart who should have this name; else: rtdel /localhost:$PORT/test.host_cxt/Other0.rtc
+  warn  /localhost:$PORT/test.host_cxt/Wrong0.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: rtdel /localhost:$PORT/test.host_cxt/Wrong0.rtc
+  warn  /localhost:$PORT/test.host_cxt/Wrong1.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: rtdel /localhost:$PORT/test.host_cxt/Wrong1.rtc
+  warn  /localhost:$PORT/test.host_cxt/Wrong2.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: rtdel /localhost:$PORT/test.host_cxt/Wrong2.rtc
+  warn  /localhost:$PORT/test.host_cxt/Wrong3.rtc: and 2 names like it; try: rtdel /localhost:$PORT/test.host_cxt/Wrong3.rtc
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/Other0.rtc /localhost:$PORT/test.host_cxt/Right0.rtc
+  [1]
+
+A process that has ended, one that hangs, and one that took over the port of another:
+
+  $ hang these; kill-mock these2; within 0.5-2 rtdoctor -q --timeout 0.5 ../hung.host_cxt > out; grep fail out
+  fail  /localhost:$PORT/hung.host_cxt/Hung0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
+  fail  /localhost:$PORT/hung.host_cxt/Hung1.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
+  $ doctor -q ../dead.host_cxt
+  warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: rtdel --recursive /localhost:$PORT/dead.host_cxt
+  fail  /localhost:$PORT/dead.host_cxt/Dead0.rtc: dead (zombie): nothing listens at 127.0.0.1:*; try: rtdel -z /localhost:$PORT/dead.host_cxt/Dead0.rtc (glob)
+  [1]
+  $ TAKEN=$(doctor -q ../dead.host_cxt | sed -n 's/.*nothing listens at [^:]*:\([0-9]*\);.*/\1/p')
+  $ mock these Mock:Other0 --port $TAKEN --context other.host_cxt/%n.rtc
+  $ doctor -q ../dead.host_cxt ../other.host_cxt
+  warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: rtdel --recursive /localhost:$PORT/dead.host_cxt
+  fail  /localhost:$PORT/dead.host_cxt/Dead0.rtc: dead (zombie): the process at 127.0.0.1:* is another one, or has ended it; try: rtdel -z /localhost:$PORT/dead.host_cxt/Dead0.rtc (glob)
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/other.host_cxt/Other0.rtc
+  [1]
+
+A reference may publish several addresses, some of them out of reach:
+
+  $ ORBendPointPublish=giop:tcp:127.0.0.1:,giop:tcp:127.0.0.1:1 mock these ConsoleIn:Two0 --context two.host_cxt/%n.rtc
+  $ rtact ../two.host_cxt/Two0.rtc; doctor -q ../two.host_cxt/Two0.rtc
+  warn  /localhost:$PORT/two.host_cxt/Two0.rtc: also publishes 127.0.0.1:1, out of reach (connection refused); try: have its process publish only addresses that others reach: corba.endpoints in rtc.conf
