@@ -26,9 +26,8 @@ def _sort(value):
         return "scalar"
     if isinstance(value, (list, tuple)):
         return "list"
-    if hasattr(value, "_n"):
-        return "enum"
-    return "union" if "_d" in vars(value) else "struct"
+    members = vars(value)
+    return "enum" if "_n" in members else "union" if "_d" in members else "struct"
 
 
 def _case(union):
