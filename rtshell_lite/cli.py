@@ -216,13 +216,14 @@ def _told(args, outcomes):
         counts[each.status] = counts.get(each.status, 0) + 1
         if args.json:
             print(text.json_line(each.as_dict()))
-        elif args.dry_run and each.pending:
+        elif args.dry_run and each.pending and not each.likely:
             print(each.step.command)
         if not each.failed:
             good = each.status in ("done", "already so") or args.dry_run and each.pending
             tally.done += good and not args.rollback
             if each.status != "already so":
-                detail("%s: %s%s" % (each.step.title, each.status, " (%s)" % each.error if each.error else ""))
+                why = " because of " + each.error.args[0] if each.error else ""
+                detail("%s: %s%s" % (each.step.title, each.status, why))
         elif each.step.required:
             tally.add(each.error)
         else:
