@@ -18,6 +18,13 @@ def duration(parser, help):
     parser.add_argument("-t", "--timeout", dest="duration", type=_duration, default=math.inf, metavar="SECONDS", help=help)
 
 
+def limits(parser, what):
+    """-n and -t: args.number, below 0 where not given, and args.duration, infinite where not given."""
+    parser.add_argument("-n", "--number", type=int, default=-1, metavar="N", help="end after N %s (default: never)" % what)
+    parser.add_argument("-t", dest="duration", type=_duration, default=math.inf, metavar="SECONDS",
+                        help="end after so long; status 1 when there were not N %s by then" % what)
+
+
 def _duration(value):
     try:
         if float(value) < 0:
@@ -88,9 +95,12 @@ class Watcher:
         if any(events & (select.POLLERR | select.POLLHUP) for _, events in self.output.poll(0)):
             raise BrokenPipeError(errno.EPIPE, "nobody reads the output")
 
-    def count(self, tally):
-        """Add each connection's failure or success to a Tally; what was told before is not told again."""
+    def count(self, tally, of_no_use=()):
+        """Add each connection's failure or success to a Tally; what was told before is not told again.
+
+        Those in `of_no_use` are well, but all that came from them has been counted as failed.
+        """
         for each in self.connections:
             tally.told.add(str(self.told.get(each)))
-            tally.add(each.failure)
-
+            if each.failure or each not in of_no_use:
+                tally.add(each.failure)

@@ -114,10 +114,11 @@ def _near_miss(path, names):
 
 
 def component(path, or_manager=False):
-    """The component (`or_manager`: or the manager) at `path`. Asks it nothing.
+    """The component (`or_manager`: or the manager) at `path` (a Path or text). Asks it nothing.
 
     Raises as `resolve` does, WrongKind (for a port, too), Gone for a zombie.
     """
+    path = parse(path) if isinstance(path, str) else path
     if path.port is not None:
         raise errors.WrongKind(str(path), "component", "port")
     node = resolve(path)

@@ -20,6 +20,7 @@ else:
 
 LIMIT = 10.0            # seconds that anything may take
 LONG = "IDL:RTC/TimedLong:1.0"
+COMMANDS = os.path.dirname(shutil.which("rtcwd") or os.path.join(peers.ROOT, "bin", "rtcwd"))
 ENVIRONMENT = dict(os.environ, PYTHONPATH=os.environ.get("PYTHONPATH") or peers.ROOT)
 
 

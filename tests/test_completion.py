@@ -10,12 +10,10 @@ import time
 import unittest
 
 import mocks
-import peers
 from mocks import Server, World
 
 from rtshell_lite import orb
 
-COMMANDS = os.path.dirname(shutil.which("rtcwd") or os.path.join(peers.ROOT, "bin", "rtcwd"))
 HOSTILE = ["$(touch canary)", "`touch canary`", ";touch canary;", "q\"uo'te !", "a&&touch canary", "w*?~[a]", "日本 語", "=ls", "~root",
            "#no", "{a,b}", "-e", "b\\$x"]
 ONCE = "three shells are tried: one Python is enough"
@@ -52,7 +50,7 @@ def tearDownModule():
 
 def environment(home):
     """What a user has: commands on PATH, a name server, a working directory."""
-    return dict(mocks.ENVIRONMENT, PATH=COMMANDS + os.pathsep + os.environ["PATH"], HOME=home, TERM="dumb", LC_ALL="C.UTF-8",
+    return dict(mocks.ENVIRONMENT, PATH=mocks.COMMANDS + os.pathsep + os.environ["PATH"], HOME=home, TERM="dumb", LC_ALL="C.UTF-8",
                 RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD="/localhost:%d/test.host_cxt" % Server.port,
                 PYTHONDONTWRITEBYTECODE="1", HISTFILE=os.path.join(home, "history"))
 
