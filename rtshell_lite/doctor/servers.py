@@ -37,7 +37,8 @@ def _visit(place, tops):
     if not _reach(visit, tree.resolve(place)):
         return visit
     for top in tops:
-        visit.nodes.extend(_below(visit, top))
+        known = {node.path for node in visit.nodes}
+        visit.nodes.extend(node for node in _below(visit, top) if node.path not in known)
     visit.nodes[:], probes = rpc.gather([
         rpc.Job(("look", place), str(place), lambda: tree.look(visit.nodes)),
         rpc.Job(("probe", place), str(place), lambda: _probes(visit.nodes))])

@@ -47,7 +47,7 @@ A far end that is not below the path is asked all the same, and may be gone when
 
   $ rtcon -n c ../near.host_cxt/Near0.rtc:out ../far.host_cxt/Far0.rtc:in; rtact ../near.host_cxt/Near0.rtc; ctl @these2 reset
   $ doctor ../near.host_cxt
-  ok    /localhost:$PORT/near.host_cxt/Near0.rtc: Active, claims 1000 Hz, 1 port, 1 connection
+  ok    /localhost:$PORT/near.host_cxt/Near0.rtc: Active, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
   $ calls @these2 | grep -v -e put
   2 _non_existent
   1 get_port_profile
@@ -71,28 +71,25 @@ It is found, wherever it is bound, or bound nowhere; an inactive component keeps
   $ rtdeact --wait ../near.host_cxt/Near0.rtc; rtdis ../near.host_cxt/Near0.rtc
   $ rtcon -i one ../near.host_cxt/Near0.rtc:out ../far.host_cxt/Far0.rtc:in
   $ ctl @these2 forget Far0:in; doctor -q ../near.host_cxt
+  no such component or port
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/near.host_cxt/Near0.rtc
-  fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: connection outin is one-sided: /localhost:$PORT/far.host_cxt/Far0.rtc:in does not know it; try: rtdis -i one /localhost:$PORT/near.host_cxt/Near0.rtc:out; rtcon -n outin -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=new /localhost:$PORT/near.host_cxt/Near0.rtc:out /localhost:$PORT/far.host_cxt/Far0.rtc:in
-  [1]
   $ rtdel ../far.host_cxt/Far0.rtc; doctor -q ../near.host_cxt
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/near.host_cxt/Near0.rtc
-  fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: connection outin is one-sided: Far0.in at 127.0.0.1:*, bound nowhere, does not know it; try: rtdis -i one /localhost:$PORT/near.host_cxt/Near0.rtc:out; then connect them again: rtcon (glob)
-  [1]
   $ rtdis ../near.host_cxt/Near0.rtc
 
 Connections that are well, of all kinds:
 
   $ rtcon ../service.host_cxt/MyServiceConsumer0.rtc:MyService ../service.host_cxt/MyServiceProvider0.rtc:MyService
   $ for each in old new small service; do doctor ../$each.host_cxt; done
-  ok    /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
-  ok    /localhost:$PORT/old.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
+  ok    /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
+  ok    /localhost:$PORT/old.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc /localhost:$PORT/old.host_cxt/ConsoleOut0.rtc
-  ok    /localhost:$PORT/new.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
-  ok    /localhost:$PORT/new.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
+  ok    /localhost:$PORT/new.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
+  ok    /localhost:$PORT/new.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/new.host_cxt/ConsoleIn0.rtc /localhost:$PORT/new.host_cxt/ConsoleOut0.rtc
-  ok    /localhost:$PORT/small.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
-  ok    /localhost:$PORT/small.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
+  ok    /localhost:$PORT/small.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
+  ok    /localhost:$PORT/small.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/small.host_cxt/ConsoleIn0.rtc /localhost:$PORT/small.host_cxt/ConsoleOut0.rtc
-  ok    /localhost:$PORT/service.host_cxt/MyServiceConsumer0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
-  ok    /localhost:$PORT/service.host_cxt/MyServiceProvider0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection
+  ok    /localhost:$PORT/service.host_cxt/MyServiceConsumer0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
+  ok    /localhost:$PORT/service.host_cxt/MyServiceProvider0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/service.host_cxt/MyServiceConsumer0.rtc /localhost:$PORT/service.host_cxt/MyServiceProvider0.rtc
