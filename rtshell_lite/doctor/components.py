@@ -124,7 +124,7 @@ def _summary(each):
     state = component.merged(each.states)
     rate = next(("claims %g Hz" % one.rate for one in each.contexts if _is_periodic(one)), "not periodic")
     number = len({one.id for port in each.ports for one in port.connectors})
-    return ", ".join([state, rate] + [counted(len(each.ports), "port"), counted(number, "connection"),
+    return ", ".join([state, rate, counted(len(each.ports), "port"), counted(number, "connection"),
                       "at " + published(each.node.ref)])
 
 

@@ -7,7 +7,7 @@ from rtshell_lite.doctor import addresses
 from rtshell_lite.doctor.finding import fail, ok, reason, warn
 from rtshell_lite.text import printable, shell_word
 
-SLOW = 0.5  # seconds: a step that takes longer makes every command slow
+SLOW = 1.0  # seconds: a step that takes longer makes every command slow
 
 _NAMING_CONTEXT = "IDL:omg.org/CosNaming/NamingContext:1.0"
 
