@@ -28,7 +28,7 @@ delay OPERATION SECONDS    every call of it takes that long
 hang COMPONENT SECONDS     its calls wait until so long from now; 0 lets them go
 log COMPONENT LEVEL NAME MESSAGE  hand a record to its loggers, as no real component does
 observers COMPONENT        the interface types of what is registered with it
-forget COMPONENT [N]       it loses them, and the N next ones, too
+mute COMPONENT [N]         it loses them, and the N next ones, too
 fsm COMPONENT STATE        let a state machine change its state
 forsake COMPONENT          it ends, but a manager goes on listing it
 components                 instance names
@@ -112,7 +112,7 @@ class Commands:
         registered = self.stage.components[component].observers.registered
         return sorted(consumer.interface_type for consumer in list(registered.values()))
 
-    def forget(self, component, count=0):
+    def mute(self, component, count=0):
         self.stage.components[component].observers.forget(int(count))
 
     def fsm(self, component, state):

@@ -112,7 +112,7 @@ def deadmember(stage):
 
 
 def fsm(stage, fate=""):
-    """[FATE]: Microwave0, a state machine; it `dies` when asked for its service by id, as C++; `keeps` or `refuses` a structure"""
+    """[FATE]: Microwave0, a state machine; it `dies` when asked for its service by id, as C++, `keeps` or `refuses` structures"""
     stage.add("Microwave", fate=fate)
 
 

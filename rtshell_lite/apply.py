@@ -3,7 +3,7 @@
 Each is looked at first, done only if it is not so, and looked at again, so that what is reported is what there is. Steps that
 concern one component are done in their order, others at the same time.
 """
-from rtshell_lite import errors, rpc, tree
+from rtshell_lite import errors, rpc, steps, tree
 
 DONE, SO, FAILED, UNTRIED = "done", "already so", "failed", "not tried"
 UNSURE = "uncertain"  # a call was lost, and the look after it, too
@@ -16,6 +16,7 @@ class Outcome:
     def __init__(self, step, status=UNTRIED, error=None):
         self.step, self.status, self.error = step, status, error
         self.before = self.after = None
+        self.likely = False  # True for one that is so now, and that an earlier step may change
 
     @property
     def pending(self):
@@ -37,9 +38,19 @@ class Outcome:
 
 
 def check(outcomes):
-    """Look at pending steps without doing any: those that are so, or that cannot be done, are pending no longer."""
+    """Look at pending steps without doing any: those that are so, or that cannot be done, are pending no longer.
+
+    What an earlier step may change stays pending.
+    """
     _look(outcomes)
     _bury(outcomes)
+    changing = set()
+    for each in outcomes:
+        sites = {id(site) for site in each.step.sites}
+        if each.status == SO and sites & changing:
+            each.status, each.likely = UNTRIED, True
+        if each.pending:
+            changing |= sites
 
 
 def carry_out(outcomes, all_or_nothing=False):
@@ -148,13 +159,17 @@ def _carry_out(level, outcomes):
         if isinstance(result, errors.Silent):
             # one call was lost; whether the process answers others decides what is reported
             rpc.silent.pop(each.step.endpoint, None)
-    for each, result, answers in zip(todo, results, _answers(todo)):
+    for each, answers in zip(todo, _answers(todo)):
         each.after = answers
+    lost = [each for each in todo if not each.step.tolerant and _lost(each.after) and not _lost(each.after, errors.Silent)]
+    for each, answers in zip(lost, _answers(lost)):  # one more look: what was done has to be known
+        each.after = answers
+    _bury(level, outcomes)
+    for each, result in zip(todo, results):
         _judge(each, result if isinstance(result, errors.Error) else None)
     for each in level:
         if each.error is not None:
             each.step.give_up(each.error)
-    _bury(level, outcomes)
 
 
 def _job(each, call):
@@ -170,6 +185,11 @@ def _tried(each, call):
     return value if isinstance(value, errors.Error) else None
 
 
+def _lost(answers, kind=errors.Error):
+    """The first failure of that kind among the answers to a look, or None."""
+    return next((answer for answer in answers if isinstance(answer, kind)), None)
+
+
 def _judge(each, failure):
     """Tell by the look after a step what has become of it. `failure` is what the step itself said."""
     try:
@@ -178,9 +198,10 @@ def _judge(each, failure):
             return
         why = failure or errors.Refused(each.step.where, "was said to be done, but is not so")
     except errors.Error as e:
+        e = next((site.error for site in each.step.sites if steps.is_gone(site.error)), e)
         why = e if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Silent) else failure or e
-        if isinstance(e, errors.Silent):
-            each.fail(errors.Silent(each.step.where, "%s; whether it was done is not known" % why.args[-1]), UNSURE)
+        if _lost(each.after) is e and not steps.is_gone(e):
+            each.fail(errors.Unreachable(each.step.where, "%s; whether it was done is not known" % e.args[-1]), UNSURE)
             return
     each.fail(why)
     _tried(each, lambda: each.step.tidy(each.after))

@@ -104,18 +104,6 @@ def _prepare_streams():
         sys.stderr = io.TextIOWrapper(sys.stderr.buffer, "utf-8", "backslashreplace", line_buffering=True)
 
 
-def check_reader():
-    """Raise BrokenPipeError when nobody reads stdout any more: for commands that may have nothing to write for long."""
-    import select
-    output = select.poll()
-    try:
-        output.register(sys.stdout.fileno(), 0)
-    except OSError:
-        return  # there is none
-    if any(events & (select.POLLERR | select.POLLHUP) for _, events in output.poll(0)):
-        raise BrokenPipeError
-
-
 def _leave(status):
     """Exit at once: a thread that waits for a hung peer must not hold the process (os._exit also saves 6 ms of ORB)."""
     try:
@@ -228,13 +216,14 @@ def _told(args, outcomes):
         counts[each.status] = counts.get(each.status, 0) + 1
         if args.json:
             print(text.json_line(each.as_dict()))
-        elif args.dry_run and each.pending:
+        elif args.dry_run and each.pending and not each.likely:
             print(each.step.command)
         if not each.failed:
             good = each.status in ("done", "already so") or args.dry_run and each.pending
             tally.done += good and not args.rollback
             if each.status != "already so":
-                detail("%s: %s%s" % (each.step.title, each.status, " (%s)" % each.error if each.error else ""))
+                why = " because of " + each.error.args[0] if each.error else ""
+                detail("%s: %s%s" % (each.step.title, each.status, why))
         elif each.step.required:
             tally.add(each.error)
         else:
@@ -343,13 +332,6 @@ def execution_context(parser):
     """-e: which execution context."""
     parser.add_argument("-e", "--exec-context", "--exec_context", type=int, default=0, metavar="N",
                         help="execution context, counted from 0 over the owned, then the participating ones (default: 0)")
-
-
-def limits(parser, what):
-    """-n and -t: args.number, below 0 where not given, and args.duration, None where not given."""
-    parser.add_argument("-n", "--number", type=int, default=-1, metavar="N", help="end after N %s (default: never)" % what)
-    parser.add_argument("-t", dest="duration", type=seconds, metavar="SECONDS",
-                        help="end after so long; status 1 when there were not N %s by then" % what)
 
 
 def wait(parser, what):

@@ -25,8 +25,8 @@ class Result:
 
 # ---- doing them -----------------------------------------------------------------------------------------------
 
-def compare(profile, state, tell=lambda line: None):
-    """Do all checks, in order, and return the Result; `tell` gets a line for each."""
+def compare(profile, state, tell=lambda line: None, extra=False):
+    """Do all checks, in order, and return the Result; `tell` gets a line for each. `extra`: see `_extra`."""
     running = {id(each): found for each, found in zip(profile.components, system.look(profile))}
     result = Result()
     for each in profile.components:
@@ -41,7 +41,36 @@ def compare(profile, state, tell=lambda line: None):
             if difference.message not in seen:
                 seen.add(difference.message)
                 result.differences.append(difference)
+    if extra:
+        result.differences += _extra(profile, [(each, running[id(each)]) for each in profile.components
+                                               if not isinstance(running[id(each)], errors.Error)])
     return result
+
+
+def _extra(profile, there):
+    """Differences for what the components of a profile have beyond it: connections, configuration sets, parameters."""
+    ids = {each.connector_id for each in profile.data_port_connectors + profile.service_port_connectors}
+    names = {orb.identity(port.ref): _path(each) + ":" + printable(ports.short_name(port.name, found.profile.instance_name))
+             for each, found in there for port in found.ports}
+    made, seen = [], set()
+    for each, found in there:
+        for one in [one for port in found.ports for one in port.connectors]:
+            if one.id in ids or one.id in seen:
+                continue
+            seen.add(one.id)
+            ends = [names.get(orb.identity(ref), "a port outside the file") for ref in one.ports if ref is not None]
+            made.append(Difference("connection", each.is_required, "Connection not in the file: %s between %s" % (
+                printable(one.id), " and ".join(ends)), " and ".join(ends), None, one.id))
+        kept = {one.id: {item.name for item in one.configuration_data} for one in each.configuration_sets}
+        for one in found.sets:
+            if one.id not in kept:
+                made.append(Difference("configuration", True, "Configuration set not in the file: %s on component %s" % (
+                    printable(one.id), _path(each)), _path(each), None, one.id))
+            for name in [name for name in one.values if one.id in kept and name not in kept[one.id]]:
+                made.append(Difference("configuration", True, (
+                    "Configuration parameter not in the file: %s in set %s on component %s" % (
+                        printable(name), printable(one.id), _path(each))), _path(each), None, one.values[name]))
+    return made
 
 
 def _do(check, found):

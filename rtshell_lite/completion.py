@@ -37,19 +37,21 @@ def candidates(words, redirected=False):
     return sorted({each.text: each for each in found if each.text.startswith(words[-1])}.values())
 
 
-def answers(which, line, typed):
+def answers(which, line, typed, meant=lambda words: words):
     """The lines that the shell `which` is to take for completions of `line`; none if they cannot be had in SECONDS.
 
-    `typed` is that end of the line which the shell replaces by one of them.
+    `typed` is that end of the line which the shell replaces by one of them; `meant` gives the words that it understands
+    for those on the line.
     """
     line = shell.split(line, which == "fish")
     if line.open or not line.words[0]:
         return []
-    found = []
+    found, before = [], rpc.timeout
+    thread = threading.Thread(target=lambda: found.extend(candidates(meant(line.words), line.redirected)), daemon=True)
     rpc.timeout = min(rpc.timeout, SECONDS)
-    thread = threading.Thread(target=lambda: found.extend(candidates(line.words, line.redirected)), daemon=True)
     thread.start()
     thread.join(SECONDS)
+    rpc.timeout = before  # in rtsh there is an after
     return shell.answers(which, line, list(found), typed)
 
 

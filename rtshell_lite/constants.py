@@ -7,28 +7,27 @@ nothing else; Python's own parser (ast) reads single literals only, for it may c
     argument = [identifier "="] value
     literal = number | string | b"bytes" | True | False | NaN | Infinity | null
 """
-import ast
 import json
 import re
 import time
 
 from rtshell_lite import construct, errors
 from rtshell_lite.construct import Call, Word
-from rtshell_lite.text import printable
+from rtshell_lite.text import literal, printable
 
 DEEPEST = construct.DEEPEST
 LONGEST_NUMBER = 400  # digits
 TIME = Word("{time}")
 LITERALS = {"True": True, "False": False, "true": True, "false": False, "None": None, "null": None}
 
-_TOKEN = re.compile(r"""\s*(?:
+_TOKEN = r"""\s*(?:
     (?P<string>[bBuUrR]{0,2}(?:"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'))
   | (?P<time>\{time\})
   | (?P<number>[-+]?\s*(?:0[xX][0-9a-fA-F]+|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?))(?![\w.])
   | (?P<name>-?[A-Za-z_]\w*(?:(?:\.|::)[A-Za-z_]\w*)*)
   | (?P<mark>\{\{|\}\}|[][(){},=:])
-  | (?P<end>\Z))""", re.VERBOSE | re.ASCII | re.DOTALL)
-_CALL = re.compile(r"\s*[A-Za-z_][\w.:]*\s*\(", re.ASCII)
+  | (?P<end>\Z))"""
+_CALL = r"\s*[A-Za-z_][\w.:]*\s*\("
 
 
 class Expression:
@@ -59,7 +58,7 @@ class Expression:
 
 def parse(text):
     """What a text says, for `construct.build`, and whether it is JSON. Raises BadValue."""
-    if not _CALL.match(text):
+    if not re.match(_CALL, text, re.ASCII):
         try:
             return json.loads(text, parse_constant=lambda word: construct.NUMBERS[word]), True
         except (ValueError, RecursionError):
@@ -87,11 +86,12 @@ def _short(text):
 class _Parser:
     def __init__(self, text):
         self.text, self.at = text, 0
+        self.match = re.compile(_TOKEN, re.VERBOSE | re.ASCII | re.DOTALL).match  # rtprint need not pay for it
         self.advance()
 
     def advance(self):
         """Go to the next token: its kind, its word, and where it starts."""
-        found = _TOKEN.match(self.text, self.at)
+        found = self.match(self.text, self.at)
         if found is None:
             self.kind, self.word = "error", ""
             self.start = self.at + len(self.text[self.at:]) - len(self.text[self.at:].lstrip())
@@ -144,9 +144,9 @@ class _Parser:
 
     def string(self):
         try:
-            return ast.literal_eval(self.word)
-        except (SyntaxError, ValueError):
-            raise self.fault("not a string")
+            return literal(self.word)
+        except ValueError as e:
+            raise self.fault(str(e))
 
     def named(self, depth):
         name = self.word

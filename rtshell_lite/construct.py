@@ -243,7 +243,7 @@ def _unfit(descriptor, written, where):
 
 def _a(descriptor):
     name = words(descriptor)
-    return ("an " if name[0] in "aeioAEIO" and not name.startswith("one") else "a ") + name
+    return ("an " if name[0] in "aeioAEIO" or name.startswith("unsigned") else "a ") + name
 
 
 def _shown(written):

@@ -194,10 +194,10 @@ def _of_module(module):
         for name, value in list(vars(scope).items()):
             if name.startswith(("_d_", "_ad_")) and isinstance(value, tuple) and descriptors.type_id(value):
                 found.setdefault(descriptors.type_id(value), value)
-            elif not name.startswith("_") and id(value) not in seen and getattr(value, "__name__", "").startswith(
-                    module.__name__ + ".") or isinstance(value, type) and hasattr(value, "_d_op"):
+            elif id(value) not in seen and (hasattr(value, "_NP_RepositoryId") if isinstance(value, type) else
+                                            getattr(value, "__name__", "").startswith(module.__name__ + ".")):
                 scopes.append(value)
-    return {key: descriptors.adopted(value, lambda wanted: found.get(wanted) or orb.descriptor(wanted))
+    return {key: descriptors.adopted(value, lambda wanted: found.get(wanted) or orb.descriptor(wanted), classes=True)
             for key, value in found.items() if descriptors.kind(value) not in (descriptors.OBJECT, descriptors.EXCEPTION)}
 
 

@@ -192,17 +192,19 @@ def _within(descriptor, where):
 
 # ---- taking what others made ----------------------------------------------------------------------------------
 
-def adopted(descriptor, find=None):
-    """A descriptor from elsewhere (a TypeCode of a peer, stubs of a user), checked, with classes of ours where it has none.
+def adopted(descriptor, find=None, classes=False):
+    """A descriptor from elsewhere (a TypeCode of a peer, stubs of a user), checked.
 
-    `find` gives the descriptor for a repository id that an indirection names. Raises BadType.
+    `find` gives the descriptor for a repository id that an indirection names. With `classes`, those of the stubs are kept;
+    the one that omniORB knows for an id may not have the members that a peer's TypeCode says. Raises BadType.
     """
-    return _Adoption(find).take(descriptor, DEEPEST)
+    return _Adoption(find, classes).take(descriptor, DEEPEST)
 
 
 class _Adoption:
-    def __init__(self, find):
-        self.find, self.left, self.open = find, LARGEST, {}
+    def __init__(self, find, classes):
+        self.find, self.classes, self.left, self.sequences = find, classes, LARGEST, 0
+        self.open = {}  # id of each struct or union around this place → its hole, and the sequences around it
 
     def take(self, descriptor, depth):
         self.left -= 1
@@ -213,10 +215,15 @@ class _Adoption:
             return descriptor
         if sort in (STRING, WSTRING, OBJECT, FIXED):
             return tuple(descriptor)
-        if sort in (SEQUENCE, ARRAY):
+        if sort == ARRAY:
             check_length(sort, descriptor[2])
-            return array(self.take(descriptor[1], depth - 1), descriptor[2]) if sort == ARRAY else (
-                SEQUENCE, self.take(descriptor[1], depth - 1), descriptor[2])
+            return array(self.take(descriptor[1], depth - 1), descriptor[2])
+        if sort == SEQUENCE:
+            check_length(sort, descriptor[2])
+            self.sequences += 1
+            element = self.take(descriptor[1], depth - 1)
+            self.sequences -= 1
+            return (SEQUENCE, element, descriptor[2])
         if sort == ALIAS:
             return (ALIAS, descriptor[1], descriptor[2], self.take(descriptor[3], depth - 1))
         if sort == ENUM:
@@ -225,7 +232,8 @@ class _Adoption:
             return self.indirection(descriptor[1][0], depth)
         if sort not in (STRUCT, UNION):
             raise errors.BadType(words(descriptor), "no type for data")
-        hole = self.open[descriptor[2]] = [None]
+        hole = [None]
+        self.open[descriptor[2]] = hole, self.sequences
         hole[0] = self.structure(descriptor, depth) if sort == STRUCT else self.choice(descriptor, depth)
         del self.open[descriptor[2]]
         return hole[0]
@@ -233,7 +241,7 @@ class _Adoption:
     def structure(self, descriptor, depth):
         given = [(check_identifier(member), self.take(inner, depth - 1)) for member, inner in members(descriptor)]
         check_members(descriptor)
-        if isinstance(descriptor[1], type) and not descriptor[1].__name__.startswith("Unknown"):
+        if self.classes:
             return (STRUCT,) + descriptor[1:4] + tuple(part for member in given for part in member)
         return struct(descriptor[2], check_identifier(descriptor[3]), given)
 
@@ -254,7 +262,10 @@ class _Adoption:
     def indirection(self, inner, depth):
         wanted = inner if isinstance(inner, str) else inner[2] if isinstance(inner, tuple) and len(inner) > 2 else None
         if wanted in self.open:
-            return (INDIRECT, self.open[wanted])
+            hole, sequences = self.open[wanted]
+            if sequences == self.sequences:
+                raise errors.BadType(dotted(wanted), "contains itself")
+            return (INDIRECT, hole)
         found = inner if isinstance(inner, tuple) else self.find(wanted) if self.find and wanted else None
         if found is None or kind(found) == INDIRECT:
             raise errors.BadType(dotted(str(wanted)), "is used, but nowhere defined")

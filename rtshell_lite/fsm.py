@@ -31,7 +31,7 @@ class Machine:
         return structure
 
     def structure(self):
-        """Its structure as a dict: name, structure (SCXML text), event_profiles (pairs name, data type), properties (pairs)."""
+        """Its structure as a dict: name, structure (SCXML), event_profiles (pairs name, data type), properties (pairs)."""
         found = self._raw()
         return {"name": from_wire(found.name), "structure": from_wire(found.structure),
                 "event_profiles": _pairs(found), "properties": orb.properties(found.properties)}
@@ -51,7 +51,7 @@ class Machine:
         return self._set(change, _pairs, pairs, dry_run)
 
     def _set(self, change, read, wanted, dry_run):
-        """Change one part of the structure and read it again: the stock service of C++ may say RTC_OK and keep its sample."""
+        """Change one part of the structure and read it again: RTC_OK alone proves nothing."""
         structure = self._raw()
         if read(structure) == wanted:
             return False
@@ -60,7 +60,8 @@ class Machine:
         change(structure)
         code = str(orb.ask(self.where, self.ref, "set_fsm_structure", structure))
         if code != "RTC_OK" or read(self._raw()) != wanted:
-            raise errors.Refused(self.where, "does not take it (%s%s)" % (code, " but unchanged" if code == "RTC_OK" else ""))
+            why = code + (" but unchanged" if code == "RTC_OK" else "")
+            raise errors.Refused(self.where, "does not take it (%s)" % why)
         return True
 
 

@@ -21,7 +21,7 @@ Event = collections.namedtuple("Event", "time kind subject event")
 # A record of a component's log: `time` is the component's own, `level` one of LEVELS.
 Record = collections.namedtuple("Record", "time logger level message")
 
-LEVELS = ("SILENT", "ERROR", "WARN", "INFO", "NORMAL", "DEBUG", "TRACE", "VERBOSE", "PARANOID")  # OpenRTM::LogLevel by number
+LEVELS = ("SILENT", "ERROR", "WARN", "INFO", "NORMAL", "DEBUG", "TRACE", "VERBOSE", "PARANOID")  # by number
 # Kinds of events by the names that rtwatch has for them, and the kinds of status that components know them by.
 KINDS = collections.OrderedDict([
     ("RTC_STATUS", ("RTC_STATUS",)), ("COMPONENT_PROFILE", ("COMPONENT_PROFILE",)), ("EC_EVENT", ("EC_STATUS",)),
@@ -99,7 +99,7 @@ class Loan:
 
 
 def observer(node, interface, kinds, heard):
-    """A Loan of an observer of the kind `interface` that is told events of `kinds` (of KINDS), and the end of the component."""
+    """A Loan of an observer of the kind `interface` that is told of `kinds` (of KINDS), and of the component's end."""
     if len(kinds) == len(KINDS):
         wanted = "ALL"
     else:

@@ -56,7 +56,8 @@ def descriptor(data):
 
 class _Reading:
     def __init__(self):
-        self.left, self.known = descriptors.LARGEST, {}  # weight of each known type: a small text may mean a large type
+        self.left, self.known = descriptors.LARGEST, {}  # with the weight of each: a small text may mean a large type
+        self.sequences, self.open = 0, {}  # sequences around this place; around the beginning of each open struct or union
 
     def take(self, part, depth):
         self.left -= 1
@@ -79,7 +80,10 @@ class _Reading:
 
     def _sequence(self, depth, element, bound):
         descriptors.check_length(SEQUENCE, bound)
-        return (SEQUENCE, self.take(element, depth), bound)
+        self.sequences += 1
+        taken = self.take(element, depth)
+        self.sequences -= 1
+        return (SEQUENCE, taken, bound)
 
     def _array(self, depth, element, length):
         descriptors.check_length(ARRAY, length)
@@ -121,17 +125,19 @@ class _Reading:
     def _open(self, identifier):
         hole = [None]
         self.known[_text(identifier)] = ((INDIRECT, hole), 1)
+        self.open[identifier] = self.sequences
         return hole
 
     def _known(self, identifier, made, left):
         self.known[identifier] = (made, left - self.left)
+        self.open.pop(identifier, None)
         return made
 
     def _see(self, depth, identifier):
         found, weight = self.known[identifier]
         self.left -= weight
-        if self.left < 0:
-            raise errors.BadType("a type in a file", "is too large")
+        if self.left < 0 or self.open.get(identifier) == self.sequences:
+            raise errors.BadType("a type in a file", "is too large, or contains itself")
         return found
 
 

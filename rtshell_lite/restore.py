@@ -1,74 +1,17 @@
 """From an RtsProfile to the steps that bring a running system to it (rtresurrect), or that take its connections away (rtteardown)."""
 import collections
-import re
 
-from rtshell_lite import apply, errors, manager, orb, path, ports, rpc, steps, system, tree
+from rtshell_lite import apply, errors, linking, manager, mapping, orb, path, ports, rpc, steps, system, tree
 from rtshell_lite.text import printable
 
 MANAGER = "MANAGER"  # an extended property of a component: path of the manager that can create it
 
-# How a profile is to be read. `maps` is what `mapping` gives for each --map, `create` whether missing components are to be
+# How a profile is to be read. `maps` are mapping.Maps, `create` whether missing components are to be
 # created, `manager` the path of the manager for those that the profile names none for, `strict` is --strict-path.
 Options = collections.namedtuple("Options", "maps create manager strict")
 
 
 # ---- where components are ---------------------------------------------------------------------------------------
-
-class Map:
-    """OLD=NEW: whole elements of paths and what stands for them here; anywhere, or, with a slash before OLD, at the start.
-
-    Raises Usage for what is no such thing, BadPath.
-    """
-
-    def __init__(self, word):
-        found = re.match(r"((?:[^=\\]|\\.)+)=(.+)\Z", word, re.DOTALL)
-        if not found or not all(side.strip("/") for side in found.groups()):
-            raise errors.Usage("not OLD=NEW: %s" % printable(word))
-        self.word, self.used = word, False
-        old, new = found.groups()
-        self.anchored = old.startswith("/")
-        self.top, self.names = self._elements(old)
-        self.new_top, self.new_names = self._elements(new)
-
-    @staticmethod
-    def _elements(word):
-        """(server, names) for the start of a path, and names, or None where it cannot stand elsewhere."""
-        word = word.strip("/")
-        top = path.parse("/" + word)
-        try:
-            below = path.parse("/x/" + word)
-        except errors.BadPath:
-            below = top  # a server with a port
-        return top.object(), below.names if below.port is None and below.server == "x" else None
-
-    def at_start(self, where):
-        """How many names behind the server of a Path it replaces; None where it does not fit."""
-        count = len(self.top.names)
-        same = path.split_address(self.top.server) == path.split_address(where.server)
-        return count if same and where.names[:count] == self.top.names else None
-
-    def fits(self, names):
-        """True where it replaces the first of these names."""
-        return not self.anchored and self.names is not None and self.new_names is not None \
-            and names[:len(self.names)] == self.names
-
-
-def mapped(where, maps):
-    """A Path as the Maps have it: each element is replaced once, by the longest that fits."""
-    fitting = [(each.at_start(where), each) for each in maps if each.at_start(where) is not None]
-    server, at, names = where.server, 0, ()
-    if fitting:
-        at, first = max(fitting, key=lambda pair: pair[0])
-        first.used, server, names = True, first.new_top.server, first.new_top.names
-    while at < len(where.names):
-        fitting = [each for each in maps if each.fits(where.names[at:])]
-        if not fitting:
-            names, at = names + where.names[at:at + 1], at + 1
-            continue
-        one = max(fitting, key=lambda each: len(each.names))
-        one.used, names, at = True, names + one.new_names, at + len(one.names)
-    return where._replace(server=server, names=names)
-
 
 def _sites(profile, maps):
     """{id of a Component: its Site}. Raises No for two components at one place, Usage for a Map that fits nothing."""
@@ -76,18 +19,18 @@ def _sites(profile, maps):
     for each in profile.components:
         try:
             before = system.path_of(each)
-            where, instance, error = mapped(before, maps), each.instance_name, None
+            where, instance = mapping.mapped(before, maps), each.instance_name
             if before.names and where.names and where.names[-1] != before.names[-1] and before.names[-1].id == instance:
                 instance = where.names[-1].id
-        except errors.BadPath as e:
-            where, instance, error = path.ROOT, each.instance_name, errors.No("/" + printable(each.path_uri), e)
+        except errors.BadPath:
+            where, instance = path.ROOT, each.instance_name
         site = sites[id(each)] = steps.Site(each, where, instance)
-        site.error = error
         if not where.names:
             site.where = "/" + printable(each.path_uri)
-            site.error = error or errors.No(site.where, "not the path of a component")
+            site.error = errors.No(site.where, "not the path of a component")
         if site.error is None and taken.setdefault(where, each) is not each:
             raise errors.No(site.where, "the file has two components here")
+        _mapped_text(each.property(MANAGER) or "/", maps)
     for each in maps:
         if not each.used:
             raise errors.Usage("--map %s: nothing in the file is there" % printable(each.word))
@@ -198,7 +141,7 @@ def _named_managers(profile, options, locate):
 
 def _mapped_text(uri, maps):
     try:
-        return mapped(path.parse("/" + uri.lstrip("/")), maps)
+        return mapping.mapped(path.parse("/" + uri.lstrip("/")), maps)
     except errors.BadPath:
         return path.ROOT
 
@@ -212,18 +155,18 @@ def _above(where):
 # ---- components -------------------------------------------------------------------------------------------------
 
 def _memberships(site, at):
-    """Whether a composite has its members."""
+    """Whether a composite has its members; those that are not there are told apart from the others."""
     members = [at(one.component) for one in site.each.participants]
-    members = [each for each in members if each is not None and each.error is None]
-    if not members:
-        return []
-    step = steps.Members(site, members)
-    if site.error is not None:
-        return [apply.Outcome(step, error=site.error)]
-    if site.found is not None and all(any(orb.same(ref, each.node.ref) for _, ref in site.found.members)
-                                      for each in members if each.node is not None) and all(each.node for each in members):
-        return [apply.Outcome(step, apply.SO)]
-    return [apply.Outcome(step)]
+    members = [each for each in members if each is not None]
+    usable = [each for each in members if each.error is None]
+    made = []
+    if usable:
+        made.append(_on(site, steps.Members(site, usable), site.found is not None and all(
+            each.node is not None and any(orb.same(ref, each.node.ref) for _, ref in site.found.members) for each in usable)))
+    lost = [each for each in members if each.error is not None]
+    if lost:
+        made.append(apply.Outcome(steps.Members(site, lost), error=lost[0].error))
+    return made
 
 
 def _configurations(site):
@@ -243,7 +186,9 @@ def _configurations(site):
             made.append(_on(site, steps.Values(site, one.id, differing or known), not differing))
     active = site.each.active_configuration_set
     if active:
-        made.append(_on(site, steps.Active(site, active), site.found is not None and site.found.active == active))
+        touched = any(each.pending for each in made)  # setting values deactivates, until the set is activated again
+        so = site.found is not None and site.found.active == active and not touched
+        made.append(_on(site, steps.Active(site, active), so))
     return made
 
 
@@ -303,7 +248,7 @@ def _connections(profile, at):
     made, broken = [], []
     for connector in _all_connectors(profile):
         try:
-            step = steps.Connect(connector, _ends(connector, at), ids)
+            step = linking.Connect(connector, _ends(connector, at), ids)
         except errors.Error as e:
             made.append([apply.Outcome(_Unplaced(connector, e), apply.FAILED, e)])
             continue
@@ -345,7 +290,7 @@ def _mend(outcomes, in_use):
         outcomes[0].fail(errors.Refused(step.where, "connection %s joins other ports; rtdis removes it" % (
             printable(step.connector.connector_id))))
         return
-    removal = steps.Disconnect(step.connector, step.ends)
+    removal = linking.Disconnect(step.connector, step.ends)
     removal.so([site.named(site.found.ports, name) for site, name in step.ends])
     outcomes.insert(0, apply.Outcome(removal))
 
@@ -366,7 +311,7 @@ def tearing_down(profile, options):
             site.found, site.node = found, found.node
     locate = system.locator(profile, options.strict)
     lost = [site for site in sites.values() if site.error is not None]
-    some = len(lost) < len(sites)
+    some = len(lost) < len(sites) or not sites
     outcomes = [_presence(site) for site in lost if not (some and steps.is_gone(site.error))]
     notes = [str(site.error) for site in lost if some and steps.is_gone(site.error)]
 
@@ -375,6 +320,10 @@ def tearing_down(profile, options):
         return None if each is None else sites[id(each)]
     for connector in _all_connectors(profile):
         outcomes.append(_removal(connector, at))
+    if not some:
+        for each in outcomes:
+            if each.status == apply.SO:
+                each.status, each.error = apply.UNTRIED, lost[0].error
     return outcomes, notes
 
 
@@ -384,7 +333,7 @@ def _ports_only(node):
 
 def _removal(connector, at):
     try:
-        step = steps.Disconnect(connector, _ends(connector, at))
+        step = linking.Disconnect(connector, _ends(connector, at))
     except errors.Error as e:
         return apply.Outcome(_Unplaced(connector, e), apply.FAILED, e)
     try:

@@ -18,6 +18,13 @@ def duration(parser, help):
     parser.add_argument("-t", "--timeout", dest="duration", type=_duration, default=math.inf, metavar="SECONDS", help=help)
 
 
+def limits(parser, what):
+    """-n and -t: args.number, below 0 where not given, and args.duration, infinite where not given."""
+    parser.add_argument("-n", "--number", type=int, default=-1, metavar="N", help="end after N %s (default: never)" % what)
+    parser.add_argument("-t", dest="duration", type=_duration, default=math.inf, metavar="SECONDS",
+                        help="end after so long; status 1 when there were not N %s by then" % what)
+
+
 def _duration(value):
     try:
         if float(value) < 0:

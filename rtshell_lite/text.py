@@ -74,6 +74,21 @@ def _meant(found):
     return chr(n + 0xDC00 if byte and n >= 0x80 else n)
 
 
+_ESCAPES = r"""\\(?:[\\'"abfnrtv\n]|[0-3][0-7]{0,2}|[4-7][0-7]?(?![0-7])|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8})"""
+
+
+def literal(word):
+    """The str or bytes that a literal of Python says. Raises ValueError; Python itself lets bad escapes pass with a warning."""
+    import ast
+    prefix = word[:min(word.index(quote) for quote in "'\"" if quote in word)].lower()
+    if "r" not in prefix and "\\" in re.sub(_ESCAPES, "", word) or "b" in prefix and re.search(r"\\[uU]", word):
+        raise ValueError("bad escape")
+    try:
+        return ast.literal_eval(word)
+    except SyntaxError:
+        raise ValueError("not a text")
+
+
 def shell_word(s):
     """`s` as one word of a POSIX shell command, printable but for newlines, which the shell itself would drop at an end."""
     if re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII):

@@ -8,6 +8,7 @@ import collections
 import math
 import re
 import struct
+import sys
 
 from rtshell_lite import constants, construct, errors
 from rtshell_lite.text import printable
@@ -101,6 +102,8 @@ def _cut(shown, size, limit, between, count):
 
 
 def _hex(data):
+    if sys.version_info >= (3, 8):
+        return data.hex(" ")
     return " ".join("%02x" % byte for byte in data)
 
 
@@ -156,7 +159,7 @@ def flat(value, column=""):
     """[(column, scalar)] for a table: tm.sec, data[0], data.x; octets in hex, enums by name, a union's label as _d."""
     sort = _sort(value)
     if isinstance(value, bytes):
-        return [(column, "".join("%02x" % byte for byte in value))]
+        return [(column, value.hex())]
     if sort == "list":
         return [cell for i, each in enumerate(value) for cell in flat(each, "%s[%d]" % (column, i))]
     if sort in ("struct", "union"):

@@ -10,6 +10,7 @@ from rtshell_lite.observer import BEAT, Event
 LATE = 1.5 * BEAT  # after so many seconds without a heartbeat a component is asked whether it lives
 LOST = 3 * BEAT  # and after these its heart has stopped
 LOOK = 1.0  # seconds between questions whether a component lives, or is there again
+RATE = 1 / component.POLL  # Hz
 TICK = 0.1
 MOST = 100000  # what may wait to be printed
 
@@ -37,7 +38,8 @@ class Events:
     def poll(self, node):
         """Begin to poll a component. Raises Refused when that would show nothing of what is wanted."""
         if not self.kinds & (polling.SEEN | {LIFE}):
-            raise errors.Refused(str(node.path), "offers no observer, and polling does not show %s" % ", ".join(sorted(self.kinds)))
+            wanted = ", ".join(sorted(self.kinds))
+            raise errors.Refused(str(node.path), "offers no observer, and polling does not show %s" % wanted)
         return polling.Poll(node, self.kinds)
 
 
@@ -78,7 +80,7 @@ class Watched:
             self.loan.lend()
         if self.loan is None:
             self.poll = self.watch.what.poll(node)
-            self.watch.note(self, "offers no observer; it is polled (%g Hz), which does not show everything" % (1 / component.POLL))
+            self.watch.note(self, "offers no observer; it is polled (%g Hz), which shows no connections" % RATE)
         self.since = self.looked = time.monotonic()
         self.node = node
 
@@ -129,7 +131,8 @@ class Watched:
         if self.mute == "NO_ANSWER" or self.mute and now - (self.heard or 0) < LATE:
             self._tell("ANSWERS")
             self.since, self.mute = now, None
-        if self.loan is not None and self.loan.interface != observer.LOGGER and now - max(self.heard or 0, self.since) >= LOST:
+        beats = self.loan is not None and self.loan.interface != observer.LOGGER
+        if beats and now - max(self.heard or 0, self.since) >= LOST:
             self._silent("NO_HEARTBEAT", "no heartbeat for %g s" % LOST)
             self._unheard()
 
@@ -246,13 +249,13 @@ class Watch:
         self._note("%s: %s" % (watched.where, line))
 
     def follow(self, number, seconds, idle):
-        """Yield (Watched, Event or Record) as they come: `number` of them (below 0: without end), for so long (None: for ever).
+        """Yield (Watched, Event or Record) as they come: `number` of them (below 0: without end), for so many seconds.
 
         `idle` is called a few times a second. Raises No when there were not `number` of them in time.
         """
-        end, wanted = None if seconds is None else time.monotonic() + seconds, number
+        end, wanted = time.monotonic() + seconds, number
         while number and self.watched:
-            left = TICK if end is None else min(TICK, end - time.monotonic())
+            left = min(TICK, end - time.monotonic())
             if left <= 0:
                 break
             idle()
@@ -264,7 +267,8 @@ class Watch:
         if self.dropped:
             self._note("%d lines dropped: they came faster than they could be printed" % self.dropped)
         if number > 0 and self.watched:
-            raise errors.No(", ".join(each.where for each in self.watched), "%d of %d within %gs" % (wanted - number, wanted, seconds))
+            raise errors.No(", ".join(each.where for each in self.watched),
+                            "%d of %d within %gs" % (wanted - number, wanted, seconds))
 
     def close(self):
         """Take back all that was lent; bounded by the timeout. Tells who did not answer."""

@@ -4,6 +4,7 @@ import os
 import random
 import resource
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -11,8 +12,8 @@ import time
 import tracemalloc
 import unittest
 
-from rtshell_lite import datalog, errors
-from rtshell_lite.datalog import blocks, play, recorder, writer
+from rtshell_lite import datalog, datatypes, errors
+from rtshell_lite.datalog import blocks, meaning, play, recorder, writer
 
 LONG = "IDL:RTC/TimedLong:1.0"
 CHANNELS = [datalog.Channel("a", LONG, b"\1\2", ("/x:a",)), datalog.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y:b"))]
@@ -37,7 +38,7 @@ class Case(unittest.TestCase):
         self.name = os.path.join(self.directory.name, "log")
 
     def write(self, written, close=True, append=False, channels=CHANNELS):
-        out = writer.Writer(self.name, channels, append)
+        out = writer.Writer(self.name, channels, START, append)
         out.write(written)
         if close:
             out.close()
@@ -117,13 +118,13 @@ class Files(Case):
         log, found = self.read()
         self.assertEqual([log.channels[entry.channel].name for entry in found], ["a", "b", "c", "a"])
         with self.assertRaisesRegex(errors.No, "a is of type"):
-            writer.Writer(self.name, [CHANNELS[0]._replace(type_id="T")], append=True)
+            writer.Writer(self.name, [CHANNELS[0]._replace(type_id="T")], START, append=True)
 
     def test_two_at_once(self):
-        first = writer.Writer(self.name, CHANNELS)
+        first = writer.Writer(self.name, CHANNELS, START)
         for append in (False, True):
             with self.assertRaisesRegex(errors.No, "another rtlog"):
-                writer.Writer(self.name, CHANNELS, append)
+                writer.Writer(self.name, CHANNELS, START, append)
         first.close()
 
     def test_a_replaced_file_keeps_its_mode(self):
@@ -136,7 +137,7 @@ class Files(Case):
     def test_a_full_disk(self):
         """What was written before stays whole, and there is no index of what is not there."""
         soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-        out = writer.Writer(self.name, CHANNELS)
+        out = writer.Writer(self.name, CHANNELS, START)
         out.write(messages(100))
         resource.setrlimit(resource.RLIMIT_FSIZE, (20000, hard))
         try:
@@ -207,7 +208,7 @@ class Damage(Case):
         """The file holds all that the recorder said it had written, and nothing else."""
         script = ("import sys; sys.path[:0] = [%r, %r]\n"
                   "import test_datalog as t\n"
-                  "out = t.writer.Writer(sys.argv[1], t.CHANNELS)\n"
+                  "out = t.writer.Writer(sys.argv[1], t.CHANNELS, 1)\n"
                   "for n in range(100000):\n"
                   "    out.write(t.messages(50, 5000))\n"
                   "    sys.stdout.write('%%d\\n' %% ((n + 1) * 50)); sys.stdout.flush()\n" % (ROOT, os.path.join(ROOT, "tests")))
@@ -326,6 +327,49 @@ class Playing(Case):
                 self.assertTrue(due <= taken < due + 0.2, (times, expected))
 
 
+class Timestamps(Case):
+    """rtshell never moved them, and would have forgotten the carry."""
+
+    def setUp(self):
+        Case.setUp(self)
+        self.write([(0, START, True, struct.pack("<IIi", 1600000000, 900000000, 7)),
+                    (0, START, False, struct.pack(">IIi", 1600000000, 1, 7)), (0, START, True, struct.pack("<IIi", 0, 0, 7)),
+                    (0, START, True, b"xyz")], channels=[CHANNELS[0]._replace(typecode=b"")])
+        self.log = datalog.load(self.name)
+        self.addCleanup(self.log.__exit__)
+        self.channels, self.entries = meaning.Channels(self.log, datatypes.Types()), list(self.log.entries())
+
+    def data(self, number, little, moment=None):
+        data = self.channels.data(self.entries[number], little, moment)
+        return struct.unpack("<IIi" if little else ">IIi", data)
+
+    def test_left_alone(self):
+        self.assertEqual(self.data(0, True), (1600000000, 900000000, 7))
+        self.assertEqual(self.data(0, False), (1600000000, 900000000, 7))
+        self.assertEqual(self.data(1, False), (1600000000, 1, 7))
+
+    def test_moved_with_carry_in_both_byte_orders(self):
+        later = START + 10 * 10 ** 9 + 200000000
+        for little in (True, False):
+            self.assertEqual(self.data(0, little, later), (1600000011, 100000000, 7))
+            self.assertEqual(self.data(1, little, later), (1600000010, 200000001, 7))
+        self.assertEqual(self.data(0, True, START - 10 ** 9), (1599999999, 900000000, 7))
+
+    def test_one_that_was_never_set_stays(self):
+        self.assertEqual(self.data(2, True, START + 10 ** 9), (0, 0, 7))
+
+    def test_within_what_it_can_hold(self):
+        self.assertEqual(self.data(0, True, 0), (0, 0, 7))
+        self.assertEqual(self.data(0, True, START * 9), ((1 << 32) - 1, 999999999, 7))
+
+    def test_data_that_is_none(self):
+        self.assertEqual(self.channels.data(self.entries[3], True, START + 1), b"xyz")
+        with self.assertRaisesRegex(errors.No, "entry 3: RTC.TimedLong: the data end"):
+            self.channels.data(self.entries[3], False, START + 1)
+        self.assertEqual(meaning.line(self.channels, self.entries[3]), "3 bytes: 78797a")
+        self.assertEqual(self.channels.unreadable, 1)
+
+
 class Recording(Case):
     def test_a_slow_disk_costs_messages_not_time(self):
         """The sender never waits; what does not fit is counted."""
@@ -337,7 +381,7 @@ class Recording(Case):
                 writer.Writer.write(self, messages)
 
         work = recorder.Recorder()
-        work.start(Slow(self.name, CHANNELS))
+        work.start(Slow(self.name, CHANNELS, START))
         take, longest = work.box.taker(0), 0
         for _ in range(400):
             begun = time.monotonic()
@@ -354,7 +398,7 @@ class Recording(Case):
         work = recorder.Recorder(3)
         for _ in range(5):
             work.box.put(1, collections_message(b"abc"))
-        work.start(writer.Writer(self.name, CHANNELS))
+        work.start(writer.Writer(self.name, CHANNELS, START))
         self.assertTrue(work.done.wait(5))
         work.close()
         self.assertEqual([entry.channel for entry in self.read()[1]], [1, 1, 1])

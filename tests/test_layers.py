@@ -13,7 +13,7 @@ ONCE = "it reads the source: one Python is enough"
 LAYERS = [
     ["bin"],
     ["__main__"],
-    ["restore", "apply", "steps", "completion", "manpages", "interpreter", "prompt"],
+    ["restore", "linking", "apply", "steps", "mapping", "completion", "manpages", "interpreter", "prompt"],
     ["system", "compare", "plan", "starting", "graph", "drawing", "listing", "describe", "describe_manager", "markup",
      "manual", "search", "unbind", "composing", "unpack", "printing", "injecting", "doctor", "watch"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",

@@ -1,6 +1,7 @@
 """Restoring whole systems: if this fails, a saved robot does not come back as it was, or a report on it cannot be trusted."""
 import os
 import random
+import time
 import unittest
 
 import mocks
@@ -10,6 +11,7 @@ from rtshell_lite.xmlprofile import model
 
 WORDS = ["x", "two words", "日本", "a=b", "<&>\"'", "-5", "\\x20", "$(false)", "tab\there", "\udcff", "; rm"]
 NOTHING = restore.Options([], False, None, False)
+THOROUGH = "THOROUGH" in os.environ  # every call, not every fourth of those that change nothing
 SECONDS = 1.0  # how long a mock may stay silent
 
 
@@ -150,6 +152,165 @@ class Everything(Worlds):
 def without_dates(profile):
     return [model.RtsProfile(components=profile.components, data_port_connectors=profile.data_port_connectors,
                              service_port_connectors=profile.service_port_connectors)]
+
+
+# ---- what is reported is what there is ------------------------------------------------------------------------
+
+HERE = ("these", "ConsoleIn", "ConsoleOut", "ConfigSample")
+THERE = ("these", "ConsoleOut:ConsoleOut1", "ConsoleOut:ConsoleOut2", "MyServiceConsumer")
+CHANGES = {"connect", "notify_connect", "set_configuration_set_values", "activate_configuration_set", "set_rate", "add_members",
+           "get_port_profile"}
+WRECKED = {"str_param0": "wrecked", "str_param1": "too"}
+
+
+class Faults(Worlds):
+    """The n-th call of each operation fails, for every n; then all is well again."""
+
+    def setUp(self):
+        self.worlds = [self.start(*HERE), self.start(*THERE), self.start("composite"),
+                       self.start("these", "MyServiceProvider")]
+        connect("ConsoleIn0:out", "ConsoleOut0:in", connector_id="one")
+        connect("ConsoleIn0:out", "ConsoleOut1:in", "ConsoleOut2:in", connector_id="two")
+        connect("MyServiceConsumer0:MyService", "MyServiceProvider0:MyService", connector_id="three")
+        self.saved = capture()
+        self.wreck()
+
+    def wreck(self):
+        """Everything that can be restored is otherwise."""
+        for world in self.worlds:
+            self.ctl(world, "reset")
+        torn_down(self.saved)
+        found = configuration.Configuration(node("ConfigSample0"))
+        found.store(WRECKED, found.set("mode0"))
+        found.activate("default")
+        execution.set_rate(node("ConsoleOut1"), 0, 100.0)
+        composite = node("composite0")
+        one = organisation.the_one(composite)
+        if any(name == "Motor0" for name, _ in one.members):
+            organisation.remove(composite, one, [organisation.Member("Motor0", node("Motor0"), [])])
+        self.wrecked = {each.path_uri: each for each in capture().components}
+        for world in self.worlds:
+            self.ctl(world, "reset")
+
+    def calls(self, world):
+        lines = [line.split() for line in self.ctl(world, "calls").splitlines()]
+        return {name: int(count) for count, name in lines}
+
+    def faults(self):
+        """(world, operation, how many calls of it a restoration makes)"""
+        restored(self.saved)
+        found = [(world, name, count) for world in self.worlds for name, count in sorted(self.calls(world).items())]
+        self.wreck()
+        return found
+
+    def truth(self, outcomes):
+        """Compare a report with what there is, asked in other ways. All that is not done has to be as it was."""
+        for world in self.worlds:
+            self.ctl(world, "reset")
+        now = {each.path_uri: each for each in capture().components}
+        then = {each.path_uri: each for each in self.saved.components}
+        for each in outcomes:
+            step = each.step
+            if each.status not in ("done", "already so", "failed", "not tried", "undone"):
+                self.assertEqual(each.status, "uncertain")
+                continue
+            so = self.is_so(step, now, then)
+            if so is not None:
+                was = step.kind != "connect" and self.is_so(step, self.wrecked, then)
+                self.assertEqual(so, was or each.status in ("done", "already so"), told([each]))
+
+    def is_so(self, step, now, then):
+        if step.kind == "connect":
+            there = []
+            for site, port in step.ends:
+                world = self.world_of(site.instance)
+                there.append(step.connector.connector_id + " " in self.ctl(world, "connectors", "%s:%s" % (site.instance, port)))
+            self.assertEqual(len(set(there)), 1, "half connected: " + step.title)
+            return there[0]
+        uri = step.sites[0].where[1:]
+        one, other = now[uri], then[uri]
+        if step.kind == "configuration":
+            mine, wanted = [{each.id: {item.name: item.data for item in each.configuration_data} for each in side.configuration_sets}
+                            [step.set_id] for side in (one, other)]
+            return mine == wanted
+        if step.kind == "active set":
+            return one.active_configuration_set == other.active_configuration_set
+        if step.kind == "rate":
+            return one.execution_contexts[step.index].rate == other.execution_contexts[step.index].rate
+        if step.kind == "members":
+            return {each.instance for each in step.members} <= {each.component.instance_name for each in one.participants}
+        return None
+
+    def world_of(self, instance):
+        return next(world for world in self.worlds if instance in self.ctl(world, "components").split())
+
+    def check(self, all_or_nothing=False):
+        """Restore under a fault, compare, restore again without it."""
+        outcomes = restored(self.saved, all_or_nothing)
+        self.truth(outcomes)
+        again = restored(self.saved)
+        self.assertLessEqual(statuses(again), {"done", "already so"}, told(again))
+        self.assertEqual(without_dates(capture()), without_dates(self.saved))
+        return outcomes
+
+    def test_every_call_fails_once(self):
+        seen = set()
+        for world, operation, count in self.faults():
+            for number in range(1, count + 1):
+                if operation not in CHANGES and not THOROUGH and number % 4 != count % 4:
+                    continue  # what fails while all is looked at fails alike
+                kind = ("TRANSIENT", "UNKNOWN", "COMM_FAILURE")[number % 3]
+                with self.subTest(world=self.worlds.index(world), operation=operation, number=number, kind=kind):
+                    self.wreck()
+                    self.ctl(world, "fail", operation, str(number), kind)
+                    seen |= statuses(self.check())
+        self.assertLessEqual({"done", "already so", "failed", "not tried"}, seen)
+
+    def test_rolled_back_all_is_as_before(self):
+        """Unless what fails is how it is undone, which is reported."""
+        before = without_dates(capture())
+        for world, operation, count in self.faults():
+            if operation not in CHANGES:
+                continue
+            for number in sorted({1, count}):
+                with self.subTest(world=self.worlds.index(world), operation=operation, number=number):
+                    self.wreck()
+                    self.ctl(world, "fail", operation, str(number), "UNKNOWN")
+                    outcomes = restored(self.saved, all_or_nothing=True)
+                    self.ctl(world, "reset")
+                    if statuses(outcomes) <= {"done", "already so"}:
+                        self.assertEqual(without_dates(capture()), without_dates(self.saved), told(outcomes))
+                    elif not statuses(outcomes) & {"not undone", "uncertain"}:
+                        self.assertNotIn("done", statuses(outcomes))
+                        self.assertEqual(without_dates(capture()), before, told(outcomes))
+
+    def test_calls_that_never_come_back(self):
+        for world, operation, count in self.faults():
+            if operation in CHANGES:
+                with self.subTest(world=self.worlds.index(world), operation=operation):
+                    self.wreck()
+                    self.ctl(world, "fail", operation, str(count), "HANG")
+                    begun = time.monotonic()
+                    self.check()
+                    self.assertLess(time.monotonic() - begun, 2 * SECONDS + 2)
+
+    def test_processes_that_die(self):
+        for place, operation, count in [(self.worlds.index(world), *more) for world, *more in self.faults()]:
+            if operation not in CHANGES or place > 1:
+                continue
+            with self.subTest(world=place, operation=operation):
+                self.wreck()
+                self.ctl(self.worlds[place], "fail", operation, str(count), "DIE")
+                rpc.silent.clear()
+                outcomes = restore.restoring(self.saved, NOTHING)
+                apply.carry_out(outcomes)
+                self.assertLessEqual(statuses(outcomes), {"done", "already so", "failed", "not tried"}, told(outcomes))
+                self.assertIn("failed", statuses(outcomes))
+                self.worlds[place].close()
+                self.worlds[place] = self.start(*(HERE, THERE)[place])
+                again = restored(self.saved)
+                self.assertLessEqual(statuses(again), {"done", "already so"}, told(again))
+                self.assertEqual(without_dates(capture()), without_dates(self.saved))
 
 
 if __name__ == "__main__":

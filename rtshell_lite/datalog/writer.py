@@ -1,12 +1,12 @@
 """Writing log files."""
 import os
 import stat
-import time
 
 from rtshell_lite import __version__, errors, text
 from rtshell_lite.datalog import blocks
 
 CHUNK = 1 << 20  # octets given to the operating system at once
+LARGE = 1 << 16  # octets of a part that is written without being copied
 STRIDE = 1 << 20  # octets between two points of the index, to begin with
 POINTS = 2048  # more than these, and every second one goes: neither memory nor index grow with the log
 
@@ -43,16 +43,15 @@ class Index:
 class Writer:
     """A log file that is being written. All its methods raise OSError, and leave a file of whole records."""
 
-    def __init__(self, name, channels, append=False):
+    def __init__(self, name, channels, begun, append=False):
         """Create the file, with a header and nothing else, or make it ready to go on. Raises errors.No, too.
 
-        A file of that name is replaced at the moment when the header of the new one is on the disk.
+        `begun` is when recording began, ns since the epoch. A file of that name is replaced at the moment when the header of the new one is on the disk.
         """
         self.name, self.channels, self._synced, self._failed = name, channels, True, False
         self.index, self.end = Index(), 0  # end: offset behind the last whole block
         header = blocks.text(blocks.HEADER, {
-            "created": time.time_ns() if hasattr(time, "time_ns") else int(time.time() * 1e9),
-            "program": "rtlog " + __version__,
+            "created": begun, "program": "rtlog " + __version__,
             "channels": [{"name": each.name, "type": each.type_id, "sources": list(each.sources),
                           "typecode": each.typecode.hex() if each.typecode else None} for each in channels]})
         self._file = None
@@ -90,9 +89,9 @@ class Writer:
                 old.close()
 
     def _start(self, header):
-        self._put(blocks.MAGIC)
+        self._put([blocks.MAGIC])
         self.index.headers.append(self.end)
-        self._put(header)
+        self._put([header])
 
     def _go_on(self, header):
         from rtshell_lite.datalog import reader
@@ -105,7 +104,7 @@ class Writer:
         os.ftruncate(self._file.fileno(), self.end)
         self._file.seek(self.end)
         self.index.headers.append(self.end)
-        self._put(header)
+        self._put([header])
 
     def _check(self, old):
         types = {channel.name: channel.type_id for channel in old}
@@ -123,22 +122,25 @@ class Writer:
             parts += block
             size += sum(map(len, block))
             if size >= CHUNK:
-                self._put(b"".join(parts))
+                self._put(parts)
                 parts, size = [], 0
-        self._put(b"".join(parts))
+        self._put(parts)
 
-    def _put(self, data):
-        rest = memoryview(data)
-        self._synced = self._synced and not rest
+    def _put(self, parts):
+        size = 0
+        self._synced = self._synced and not parts
         try:
-            while rest:
-                rest = rest[self._file.write(rest):]
+            for piece in _pieces(parts):
+                size += len(piece)
+                rest = memoryview(piece)
+                while rest:
+                    rest = rest[self._file.write(rest):]
         except OSError as e:
             self._failed = True  # from here on the index would tell of what is not there
             self._cut()
             e.filename = self.name
             raise
-        self.end += len(data)
+        self.end += size
 
     def _cut(self):
         """Take back what was written of a chunk: the disk is full, and the file must end with a whole record."""
@@ -158,10 +160,23 @@ class Writer:
         """Write the index, and let the disk have all."""
         try:
             if not self._failed:
-                self._put(self.index.block(self.end))
+                self._put([self.index.block(self.end)])
             self.sync()
         finally:
             self._file.close()
+
+
+def _pieces(parts):
+    """Small parts put together, large ones as they are: a copy costs more than a call."""
+    small = []
+    for part in parts:
+        if len(part) < LARGE:
+            small.append(part)
+            continue
+        yield b"".join(small)
+        yield part
+        small = []
+    yield b"".join(small)
 
 
 def _opened(name, target):

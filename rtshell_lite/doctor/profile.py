@@ -8,7 +8,7 @@ TRANSITIONS = {("Inactive", "Active"): "rtact", ("Active", "Inactive"): "rtdeact
 
 
 def findings(profile, name, state):
-    """Findings from the comparison of an RtsProfile, the file `name`, with what runs; what is optional is a warning."""
+    """Findings from the comparison of what runs with an RtsProfile, the file `name`; optional things are warnings."""
     result = compare.compare(profile, state)
     found = [fail("profile", str(e.args[0]), reason(e), "rtcat %s" % e.args[0]) for e in result.failures]
     for each in result.differences:

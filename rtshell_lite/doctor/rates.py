@@ -86,13 +86,9 @@ def _watch(batch, seconds):
         time.sleep(seconds)
         spent = time.monotonic() - begun
         for one in batch:
-            one.count = one.reader.count - before[one.reader] if one.reader else 0
-    return [_told(one, spent) for one in batch]
-
-
-def _told(one, spent):
-    failure = one.failure or one.reader.failure
-    return _unmeasured(one.each, reason(failure)) if failure else _finding(one, spent)
+            if one.reader:
+                one.count, one.failure = one.reader.count - before[one.reader], one.reader.failure
+    return [_unmeasured(one.each, reason(one.failure)) if one.failure else _finding(one, spent) for one in batch]
 
 
 def _finding(one, spent):

@@ -1,8 +1,7 @@
 """Constant expressions of IDL (CORBA 3.0, 3.10.2): numbers, texts and items of enums worked out with nothing evaluated."""
-import ast
-
 from rtshell_lite import descriptors
 from rtshell_lite.descriptors import BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, RANGES, STRING, WCHAR, WSTRING, kind
+from rtshell_lite.text import literal
 
 DEEPEST = 50  # brackets within brackets
 WIDEST = 128  # bits of a number on the way
@@ -147,10 +146,9 @@ def text(parser, token):
     """What a literal of text says; IDL spells it as C does, and so, but for a few escapes, does Python."""
     word = token.word[1:] if token.word[0] == "L" else token.word
     try:
-        found = ast.literal_eval(word.replace("\\?", "?"))
-    except (SyntaxError, ValueError):
-        raise parser.fault("not a text: %s" % token.word, token)
-    return found
+        return literal(word.replace("\\?", "?"))
+    except ValueError as e:
+        raise parser.fault(str(e), token)
 
 
 def check(parser, descriptor, value, token):

@@ -10,7 +10,7 @@ from rtshell_lite.text import printable
 Token = collections.namedtuple("Token", "kind word file line column")
 
 LARGEST = 1 << 22  # bytes of a file
-MOST_TOKENS = 500000
+MOST_TOKENS = 200000
 MOST_FILES = 1000
 DEEPEST = 40  # files within files, conditions within conditions
 MACRO = 1000  # tokens that a macro may grow to

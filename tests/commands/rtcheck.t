@@ -220,3 +220,20 @@ Files that are none:
   $ rtcheck a.xml b.xml
   rtcheck: unrecognized arguments: b.xml (see --help)
   [2]
+
+What the components have beyond the file is told with --extra:
+
+  $ mock robot; rtdeact --wait MyServiceConsumer0.rtc MyServiceProvider0.rtc; rtcryo -o r.xml /localhost:$PORT; rtcheck --extra -s Inactive r.xml
+  rtdel: /localhost:1: connection refused; is the name server running?
+  rtcryo: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: zombie, left out
+  rtcryo: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: zombie, left out
+  $ rtcon -i less Sensor0.rtc:out Motor0.rtc:in
+  $ sed '/ConfigurationSets rts:id="fast"/,/<.rts:ConfigurationSets>/d; /rts:name="motor_id" rts:data="0"/d' r.xml > less.xml
+  $ rtcheck -s Inactive less.xml
+  $ rtcheck --extra -s Inactive less.xml
+  Configuration set not in the file: fast on component /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc
+  Connection not in the file: less between /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Motor0.rtc:in
+  Configuration parameter not in the file: motor_id in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc
+  [1]
+  $ rtcheck --extra --json -s Inactive less.xml | head -1
+  {"actual": "fast", "check": "configuration", "expected": null, "message": "Configuration set not in the file: fast on component /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc", "path": "/localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc", "required": true}

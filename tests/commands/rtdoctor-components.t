@@ -84,11 +84,12 @@ A mock keeps 50 Hz at most.
 
 Nothing of that is left, whether it ends by itself or not, also where the values do not come:
 
-  $ interrupt 0.8 rtdoctor -q --measure 5 ../rates.host_cxt > out
-  [130]
+  $ rtdoctor -q --measure 60 ../rates.host_cxt > out & until ctl @these3 connectors Calm0:out | grep -q lite; do :; done
+  $ kill -TERM $!; wait $!
+  [143]
   $ ctl @these2 connectors Fast0:out; ctl @these3 connectors Calm0:out
-  $ ctl @these3 delay get 30; within 0.5-3 rtdoctor -q --timeout 0.3 --measure 0.8 ../rates.host_cxt/Calm0.rtc | grep rtc
-  warn  /localhost:$PORT/rates.host_cxt/Calm0.rtc: rate not measured: no answer within 0.3s; try: rtec --measure /localhost:$PORT/rates.host_cxt/Calm0.rtc
+  $ ctl @these3 delay get 30; within 1-5 rtdoctor -q --timeout 1 --measure 1.2 ../rates.host_cxt/Calm0.rtc | grep rtc
+  warn  /localhost:$PORT/rates.host_cxt/Calm0.rtc: rate not measured: no answer within 1s; try: rtec --measure /localhost:$PORT/rates.host_cxt/Calm0.rtc
   $ ctl @these3 connectors Calm0:out; ctl @these3 delay get 0
 
 Managers: what they list must be there:

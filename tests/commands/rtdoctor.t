@@ -59,13 +59,14 @@ A path, several, a name server; relative paths start at the working directory:
 
   $ doctor Motor0.rtc | grep rtc
   ok    /localhost:$PORT/test.host_cxt/Motor0.rtc: Active, claims 10 Hz, 2 ports, 2 connections
-  $ doctor Motor0.rtc ../mgr.host_cxt localhost:$PORT2 | sed -n 's/^ok  *\/\(.*rtc\|.*mgr\): .*/\1/p' | sort
+  $ doctor Motor0.rtc ../mgr.host_cxt localhost:$PORT2 | sed -n 's/^ok  *\/\(.*rtc\|.*mgr\): .*/\1/p' | \
+  > sed "s/localhost:$PORT2/other/" | sort
   localhost:$PORT/mgr.host_cxt/ConsoleIn0.rtc
   localhost:$PORT/mgr.host_cxt/ConsoleOut0.rtc
   localhost:$PORT/mgr.host_cxt/manager.mgr
   localhost:$PORT/test.host_cxt/Motor0.rtc
-  localhost:$PORT2/test.host_cxt/ConsoleIn0.rtc
-  localhost:$PORT2/test.host_cxt/ConsoleOut0.rtc
+  other/test.host_cxt/ConsoleIn0.rtc
+  other/test.host_cxt/ConsoleOut0.rtc
   $ doctor -q nobody.rtc /localhost:$PORT/nowhere.host_cxt/ Moto0.rtc
   fail  /localhost:$PORT/nowhere.host_cxt: no such path; try: rtls /localhost:$PORT
   fail  /localhost:$PORT/test.host_cxt/Moto0.rtc: no such path; did you mean Motor0.rtc?; try: rtls /localhost:$PORT/test.host_cxt

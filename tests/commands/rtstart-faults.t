@@ -61,11 +61,12 @@ A call whose answer is lost may have been heard: the state tells, and what canno
   $ ctl @two reset; rtstart -q all.xml; states | grep -v ^Active; rtstop -q all.xml
   $ ctl @two fail activate_component 1 COMM_FAILURE; rtstart -q all.xml 2>&1 | sed 's/Console[InOut]*/Console/'
   rtstart: /localhost:$PORT/test.host_cxt/Console0.rtc: connection lost; it is Inactive now
-  $ rtstop -q all.xml; ctl @two delay activate_component 3; plan $(when 1 ConsoleIn0) $(when 2 Slow0) $(when 3 ConsoleOut0) < all.xml > d.xml; rtstart -q d.xml --timeout 1
+  $ rtstop -q all.xml; ctl @two delay activate_component 2; plan $(when 1 ConsoleIn0) $(when 2 Slow0) $(when 3 ConsoleOut0) < all.xml > d.xml; rtstart -q d.xml --timeout 1
   rtstart: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 1s; whether it has been done is not known
   rtstart: /localhost:$PORT/test.host_cxt/Slow0.rtc: not tried: it comes after /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc, which failed
   rtstart: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not tried: it comes after /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc, which failed
   [5]
+  $ until [ "$(ctl @two state ConsoleIn0)" = ACTIVE ]; do sleep 0.1; done
   $ ctl @two reset; rtstop -q all.xml; ctl @two fail activate_component 1 DIE; rtstart -q d.xml 2> said
   [5]
   $ sed 's/lost.*/lost/; s/refused.*/lost/' said; states; rtdel -z; mock two; rtstart -q d.xml; states

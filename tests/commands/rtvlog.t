@@ -25,11 +25,11 @@ Records up to level NORMAL, or another; of all sources, or some. The level may b
 A line is a line, and harms no terminal:
 
   $ rtvlog -n 1 Motor0.rtc > out & logged
-  $ ctl log Motor0 WARN "$(printf 'a\033[2J')" "$(printf 'two\tlines\\ \303\251')"; wait; plain out
-  [Motor0.rtc T] WARN <a\x1b[2J> two
+  $ ctl log Motor0 WARN "$(printf 'a\033[2J')" "$(printf 'two\tlines\\')"; wait; plain out
+  [Motor0.rtc T] WARN <a\x1b[2J> two\x09lines\\
   $ rtvlog --json -n 1 Motor0.rtc > out & logged
-  $ ctl log Motor0 WARN "$(printf 'a\033[2J')" "$(printf 'two\tlines\\ \303\251')"; wait; plain out
-  {"level": "WARN", "logger": "a\u001b[2J", "message": "two", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "time": T}
+  $ ctl log Motor0 WARN "$(printf 'a\033[2J')" "$(printf 'two\tlines\\')"; wait; plain out
+  {"level": "WARN", "logger": "a\u001b[2J", "message": "two\tlines\\", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "time": T}
 
 Each is written at once, and what ends the command leaves nothing behind:
 

@@ -22,8 +22,8 @@ One that exits in good order, one that dies, observed and polled, and come back.
   [Motor0.rtc T] 0 FINALIZE
   [Motor0.rtc T] EXITED
   [Plain0.rtc T] EXITED
-  rtwatch: /localhost:$PORT/test.host_cxt/Gone0.rtc: offers no observer; it is polled (5 Hz), which does not show everything
-  rtwatch: /localhost:$PORT/test.host_cxt/Plain0.rtc: offers no observer; it is polled (5 Hz), which does not show everything
+  rtwatch: /localhost:$PORT/test.host_cxt/Gone0.rtc: offers no observer; it is polled (5 Hz), which shows no connections
+  rtwatch: /localhost:$PORT/test.host_cxt/Plain0.rtc: offers no observer; it is polled (5 Hz), which shows no connections
   $ mock these ConsoleIn:Dies0 ConsoleIn:Gone0 --flavour py2; soon '[ $(grep -c BACK out) = 2 ]'
   $ rtact Dies0.rtc Gone0.rtc; soon '[ $(grep -c "ACTIVE" out) = 2 ]'; kill $watch; wait $watch
   [143]
@@ -53,7 +53,7 @@ One that answers, but has lost its observer: it is lent once more, then the comp
 
   $ rtwatch -f RTC_STATUS -f LIFE_EVENT -f PORT_EVENT ConsoleIn0.rtc ConsoleOut0.rtc > out 2>&1 & watch=$!
   $ watched ConsoleIn0; watched ConsoleOut0; rtact ConsoleIn0.rtc ConsoleOut0.rtc; soon '[ $(grep -c " ACTIVE" out) = 2 ]'
-  $ ctl forget ConsoleIn0; ctl forget ConsoleOut0 9
+  $ ctl mute ConsoleIn0; ctl mute ConsoleOut0 9
   $ soon 'grep polled out'; rtdeact ConsoleIn0.rtc ConsoleOut0.rtc; soon '[ $(grep -c " INACTIVE" out) = 2 ]'; kill $watch
   $ wait $watch; plain out | grep -v SEND | sort
   [ConsoleIn0.rtc T] 0 ACTIVE

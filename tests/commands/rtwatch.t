@@ -42,11 +42,16 @@ full, and the time is now:
   [ConsoleOut0.rtc T] ConsoleOut0.in PORT_RECEIVE
   $ echo $(( $(date +%s) - $(sed -n '1s/.* \([0-9]*\)\..*/\1/p' out) < 10 ))
   1
-  $ rtwatch -n 3 -f FSM_EVENT Microwave0.rtc > out & watched Microwave0
-  $ ctl fsm Microwave0 "$(printf 'open\033[2J')"; wait; plain out
-  [T] FSM_STATUS closed PRE_ON_STATE_CHANGE
-  [T] FSM_STATUS closed PRE_ON_EXIT
+  $ rtwatch -n 8 -f FSM_EVENT Microwave0.rtc > out & watched Microwave0
+  $ ctl fsm Microwave0 "$(printf 'open\033[2J')"; wait; plain out | sort
   [T] FSM_STATUS closed POST_ON_EXIT
+  [T] FSM_STATUS closed PRE_ON_EXIT
+  [T] FSM_STATUS closed PRE_ON_STATE_CHANGE
+  [T] FSM_STATUS open\x1b[2J POST_ONENTRY
+  [T] FSM_STATUS open\x1b[2J POST_ON_DO
+  [T] FSM_STATUS open\x1b[2J POST_ON_STATE_CHNAGE
+  [T] FSM_STATUS open\x1b[2J PRE_ONENTRY
+  [T] FSM_STATUS open\x1b[2J PRE_ON_DO
 
 Heartbeats, and everything, which is the default:
 
@@ -75,7 +80,7 @@ than once, and never offered what it does not know:
   $ soon 'grep SHUT out'; rtec Plain0.rtc start; soon 'grep STARTUP out'; rtec Motor0.rtc attach Plain0.rtc
   $ soon 'grep ATT out'; rtec Motor0.rtc detach Plain0.rtc; soon 'grep DET out'; rtdeact Plain0.rtc
   $ wait; plain out | grep -v 1000.*INACTIVE
-  rtwatch: /localhost:$PORT/test.host_cxt/Plain0.rtc: offers no observer; it is polled (5 Hz), which does not show everything
+  rtwatch: /localhost:$PORT/test.host_cxt/Plain0.rtc: offers no observer; it is polled (5 Hz), which shows no connections
   [T] 0 ACTIVE
   [T] 0 EC_RATE_CHANGED
   [T] 0 EC_SHUTDOWN

@@ -1,0 +1,83 @@
+rtlog when things go wrong: a file is always left whole, and nothing is left in a component that lives.
+
+world: senders 200 1000
+world: these ConsoleOut ConsoleIn
+alone: kills and time
+
+Ended by a signal, in every way but one:
+
+  $ rtlog -q -f t.rtlog Source0.rtc:number & until rtlog --json -f t.rtlog 2>/dev/null | grep -q number; do :; done
+  $ kill -TERM $!; wait $!
+  [143]
+  $ rtlog -d --json -f t.rtlog | grep -o 'closed": [a-z]*'
+  closed": true
+  $ rtlog -q -f h.rtlog Source0.rtc:number & until rtlog --json -f h.rtlog 2>/dev/null | grep -q number; do :; done
+  $ kill -HUP $!; wait $!
+  [129]
+  $ rtlog -d --json -f h.rtlog | grep -o 'closed": [a-z]*'
+  closed": true
+  $ ctl connectors Source0:number
+
+kill -9 costs what was on its way; the file can be read, played, appended to:
+
+  $ rtlog -q -f k.rtlog Source0.rtc:number & until [ $(rtlog --json -f k.rtlog 2>/dev/null | wc -l) -gt 20 ]; do :; done
+  $ kill -KILL $!; wait $!
+  Killed
+  [137]
+  $ [ $(rtlog --json -f k.rtlog | wc -l) -gt 20 ]
+  rtlog: k.rtlog: recording has not ended regularly, or goes on
+  $ rtlog -q -i -e 1 --append -f k.rtlog Source0.rtc:number; rtlog -d -f k.rtlog | grep Channel
+  Channel 1
+  $ rtlog --csv -f k.rtlog | sed 1d | cut -d, -f1 > numbers; seq 0 $(tail -n 1 numbers) | cmp - numbers
+
+The component drops the connection of the killed one when it sends next:
+
+  $ until [ -z "$(ctl connectors Source0:number)" ]; do :; done
+
+Files that cannot be written:
+
+  $ rtlog -t 1 -f /dev/full Source0.rtc:number
+  rtlog: /dev/full: No space left on device
+  [1]
+  $ rtlog -t 1 -f . Source0.rtc:number
+  rtlog: $TMP: Is a directory
+  [1]
+  $ rtlog -t 1 -f /none/x Source0.rtc:number
+  rtlog: /none/x: No such file or directory
+  [1]
+  $ rtlog -t 1 -l text -f /dev/full Source0.rtc:number
+  rtlog: Recording for 1.0s.
+  rtlog: /dev/full: No space left on device
+  [1]
+  $ (ulimit -f 100; rtlog -t 9 -f full.rtlog Source0.rtc:block)
+  rtlog: Recording for 9.0s.
+  rtlog: full.rtlog: File too large
+  [1]
+  $ rtlog -d --json -f full.rtlog | grep -o '"closed.*damaged": 0\|"torn.*'
+  rtlog: full.rtlog: recording has not ended regularly, or goes on
+  "closed": false, "damaged": 0
+  "torn": 0}
+  $ ctl connectors Source0:number
+
+A pipe is no place for a log to be read from, but one to write to:
+
+  $ mkfifo pipe; cat pipe > copy & rtlog -q -i -e 3 -f pipe Source0.rtc:number; wait; rtlog --json -f copy | wc -l
+  3
+  $ rtlog --json -f pipe
+  rtlog: pipe: a pipe; logs are read from files
+  [1]
+
+A component that dies ends its part of the recording; when none is left, recording ends:
+
+  $ rtlog -f d.rtlog -t 4 Source0.rtc:number.a ConsoleIn0.rtc:out & two=$!
+  $ rtlog -f e.rtlog Source0.rtc:number & one=$!
+  $ for log in d e; do until rtlog --json -f $log.rtlog 2>/dev/null | grep -q number; do :; done; done; kill-mock senders
+  rtlog: Recording for 4.0s.
+  $ wait $one
+  rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: connection lost
+  rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: connection lost
+  [4]
+  $ wait $two
+  [5]
+  $ rtlog -d --json -f d.rtlog | grep -o 'closed": [a-z]*'
+  closed": true

@@ -1,0 +1,138 @@
+rtlog inspects and exports logs: its own and rtshell's, whole and damaged; no component is asked.
+
+python: pure
+
+A log that rtshell's rtlog wrote (simpkl, Python 3.7), and one of Python 2 whose recording was killed:
+
+  $ base64 -d << END | gzip -d > old.rtlog
+  > H4sIAAAAAAACA9WSy2rbQBSGZV1i14QUCsXLlqwcSGR3611JQmhs1Sb2KmCGkTyxRHRjNGrqRcDd
+  > mC5m1+PXcDd9gDxHuw40eYocKb6UYgiYbDK7mTn/me//54z1aaWg5Ovk4++b7nldUfog33CRuMz3
+  > zTjigohRzBKQpQ5uujFz4AfsfYNrqMoyuYh4QIVgHD7LLeKFcSrguzRISAMGshimgc04isuE0yuS
+  > oDoBfOBdzY8c6rtRImpd7tRNLpxGlApzIaCyRATlQyay+j6+VaiBfLVUIc5CB0xqKIUJiowcFuRr
+  > PBecsezePOsdorTnBWzQisIh4iNOVjenfPvpqNXAotqypPHBrENq0wmYY33afgxIWcWSeEF86RM/
+  > GoLcOkx5J0pWoRheOGBfoalKPebsCzQVaTjUcRlYU02qFzFYbT21zfcvYqH/2dx/FZ1sLyLwcvPF
+  > 41DwUa+7cq+TBCfk1LUKl9kY5Jtx5dd+av8zDU98z7yVKgJwS1LPrlanWtbS+qtJPW/eNLCzPqCC
+  > YtCpPQFrV20qIv+4n0vwwmbgyqx18Mzgd+vAizn4HxXZ/ydXN4z86Pa5ye/Xke/k5FMN4ZH8AVMd
+  > mStPBAAA
+  > END
+  $ base64 -d << END | gzip -d > python2.rtlog
+  > H4sIAAAAAAACA+WRsU7DMBCGnbSlJTtihDFIkJQ1GwKEiApCJF6QIstxTRuRxJF9FupQqQxUiIdh
+  > 4gF4Dt6Bd8BJSwamMnPTyf/9d5/8L+yLk8+P6G6IUMIkqCnPc68SEgjMKq6cG9NGFWfOwdPcxQ65
+  > F7KgAFxe4y2SlZWGF9wjJS047pe6SLlUZkrSR6KMSyV4z88Fo/lUKPAjyYaeBBYIDd56muIBASon
+  > HFSSuNjy8XZrwIMfB8cd41lSc6vmYrfxqRNnBR+PRDlxzMX6dYWxc3k2Cozut3pw7A11Spfe/j+v
+  > he2GyFQbdJaLiXNegpzF0Sphk6XiLFzsvh/iLqnb6ZX1oNM23V9f35i6Ywq02YxtKNqJtdgs7NVi
+  > x3SvFtKpTpfhl4VQ4wGv5rI24kJvo6O/cvU35LJWXM92y/UN/BRHgh0DAAA=
+  > END
+  $ TZ=UTC rtlog -d -f old.rtlog
+  Name: old.rtlog
+  Size: 1.08KiB (1103B)
+  Start time: 2026-11-21 07:51:04 (1795247464.750000000)
+  First entry time: 2026-11-21 07:51:04 (1795247464.750000000)
+  End time: 2026-11-21 07:51:04 (1795247464.770000000)
+  Number of entries: 3
+  Channel 1
+    Name: numbers
+    Data type: IDL:RTC/TimedLong:1.0
+    Number of entries: 3
+    Sources:
+      /localhost/Src0.rtc:out.numbers
+  $ rtlog -d --json -f old.rtlog
+  {"channels": [{"entries": 3, "name": "numbers", "sources": ["/localhost/Src0.rtc:out.numbers"], "type": "IDL:RTC/TimedLong:1.0", "typecode": false}], "closed": true, "damaged": 0, "entries": 3, "file": "old.rtlog", "first": 1795247464.7500002, "form": "simpkl", "last": 1795247464.77, "size": 1103, "started": 1795247464.7500002, "torn": 0}
+  $ TZ=Asia/Tokyo rtlog -d -f python2.rtlog
+  Name: python2.rtlog
+  Size: 797B
+  Start time: 2026-11-21 16:51:04 (1795247464.750000000)
+  First entry time: 2026-11-21 16:51:04 (1795247464.750000000)
+  End time: 2026-11-21 16:51:04 (1795247464.760000000)
+  Number of entries: 2
+  Channel 1
+    Name: numbers
+    Data type: IDL:RTC/TimedLong:1.0
+    Number of entries: 2
+    Sources:
+      /localhost/Src0.rtc:out.numbers
+  rtlog: python2.rtlog: recording has not ended regularly, or goes on
+  $ rtlog --json -f old.rtlog
+  {"number": 0, "port": "numbers", "received": 1795247464.7500002, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 0, "tm": {"nsec": 5, "sec": 1000}}}
+  {"number": 1, "port": "numbers", "received": 1795247464.76, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 7, "tm": {"nsec": 5, "sec": 1001}}}
+  {"number": 2, "port": "numbers", "received": 1795247464.77, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 14, "tm": {"nsec": 5, "sec": 1002}}}
+
+Two entries from number 1 on, and from a time to a time; with -q nothing is said on stderr:
+
+  $ rtlog --json -f old.rtlog -i -s 1 -e 2 | grep -c number
+  2
+  $ rtlog --json -f old.rtlog -i -e 1 | grep -c number
+  1
+  $ rtlog --json -f old.rtlog -s 1795247464.755 -e 1795247464.765
+  {"number": 1, "port": "numbers", "received": 1795247464.76, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 7, "tm": {"nsec": 5, "sec": 1001}}}
+  $ rtlog --json -f old.rtlog -i -s 5
+  rtlog: old.rtlog: the start is after the last entry
+  [1]
+  $ rtlog --json -f old.rtlog -e 5
+  rtlog: old.rtlog: the end is before the first entry
+  [1]
+  $ rtlog --json -q -f python2.rtlog
+  {"number": 0, "port": "numbers", "received": 1795247464.7500002, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 0, "tm": {"nsec": 5, "sec": 0}}}
+  {"number": 1, "port": "numbers", "received": 1795247464.76, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 7, "tm": {"nsec": 5, "sec": 1}}}
+
+Cut off in the middle, and with something else inside, what is whole is read:
+
+  $ head -c 1000 old.rtlog > cut.rtlog; rtlog --csv -f cut.rtlog
+  number,received,port,tm.sec,tm.nsec,data
+  0,1795247464.750000000,numbers,1000,5,0
+  1,1795247464.760000000,numbers,1001,5,7
+  rtlog: cut.rtlog: the last 83 octets cannot be read and are left out: it does not end
+  $ (cat old.rtlog; printf 'cos\nsystem\n(S"touch /tmp/x"\ntR.') > evil.rtlog; rtlog -d --json -f evil.rtlog
+  {"channels": [{"entries": 3, "name": "numbers", "sources": ["/localhost/Src0.rtc:out.numbers"], "type": "IDL:RTC/TimedLong:1.0", "typecode": false}], "closed": true, "damaged": 0, "entries": 3, "file": "evil.rtlog", "first": 1795247464.7500002, "form": "simpkl", "last": 1795247464.77, "size": 1134, "started": 1795247464.7500002, "torn": 31}
+  rtlog: evil.rtlog: the last 31 octets cannot be read and are left out: os.system is none of the classes that a log holds
+
+Not logs:
+
+  $ rtlog -d -f none
+  rtlog: none: No such file or directory
+  [1]
+  $ rtlog -d -f .
+  rtlog: .: Is a directory
+  [1]
+  $ rtlog -d -f /dev/null
+  rtlog: /dev/null: not a log file (it is empty)
+  [1]
+  $ echo hello > x; rtlog -d -f x
+  rtlog: x: not a log file
+  [1]
+  $ printf '1795247466.747797248\t(1)\n' > x; rtlog -d -f x
+  rtlog: x: a log of text; it is for people, and can be neither played nor inspected
+  [1]
+  $ printf '\200\004K\001.' > x; rtlog -d -f x
+  rtlog: x: its header is not that of a log
+  [1]
+  $ printf '\200\004cos\nsystem\n.' > x; rtlog -d -f x
+  rtlog: x: its header cannot be read: os.system is none of the classes that a log holds
+  [1]
+  $ printf '\211RTLOG\r\n' > x; rtlog -d -f x
+  rtlog: x: its header is damaged, nothing can be read
+  [1]
+
+Wrong usage:
+
+  $ rtlog -d
+  rtlog: no log file specified (see --help)
+  [2]
+  $ rtlog -p
+  rtlog: no log file specified (see --help)
+  [2]
+  $ rtlog --json
+  rtlog: no log file specified (see --help)
+  [2]
+  $ rtlog -d -p -f old.rtlog
+  rtlog: -p and -d exclude each other (see --help)
+  [2]
+  $ rtlog -d --csv -f old.rtlog
+  rtlog: -d takes neither ports nor --csv (see --help)
+  [2]
+  $ rtlog -d -f old.rtlog a.rtc:b
+  rtlog: -d takes neither ports nor --csv (see --help)
+  [2]
+  $ rtlog --csv --json -f old.rtlog
+  rtlog: --json and --csv exclude each other, and ports (see --help)
+  [2]

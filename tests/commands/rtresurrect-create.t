@@ -1,0 +1,113 @@
+rtresurrect --create lets managers create the components that are missing, and restores them.
+
+world: manager SeqOut SeqIn Sensor Motor ConfigSample
+world: two
+
+  $ rtcon -i one -n n SequenceOutComponent0.rtc:Long SequenceInComponent0.rtc:Long
+  $ rtcomp -a Sensor0.rtc:in -a Motor0.rtc:in,out manager.mgr:Arm; rtcon -i two ConsoleIn0.rtc:out Arm.rtc:Sensor0.in
+  $ rtconf ConfigSample0.rtc set str_param0=changed; rtec Motor0.rtc rate 250
+  $ rtcryo --all > a.xml
+
+  $ gone() { for c in Arm SequenceOutComponent0 SequenceInComponent0 Sensor0 Motor0 ConfigSample0; do rtmgr -d $c manager.mgr 2> /dev/null; done; rtdis ConsoleIn0.rtc; }
+  $ same() { rtcryo --all | grep -v Date= > b; grep -v Date= a.xml | diff - b; }
+  $ gone; rtresurrect a.xml
+  rtresurrect: /localhost:$PORT/test.host_cxt/Arm.rtc: no such path
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such path
+  rtresurrect: /localhost:$PORT/test.host_cxt/Motor0.rtc: no such path
+  rtresurrect: /localhost:$PORT/test.host_cxt/Sensor0.rtc: no such path
+  rtresurrect: /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc: no such path
+  rtresurrect: /localhost:$PORT/test.host_cxt/SequenceOutComponent0.rtc: no such path
+  rtresurrect: 6 already so, 6 failed, 24 not tried
+  [5]
+  $ rtresurrect --create a.xml 2>&1 | head -2
+  rtresurrect: /localhost:$PORT/test.host_cxt/Arm.rtc: is not there, and nothing names a manager to create it (see --manager)
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: is not there, and nothing names a manager to create it (see --manager)
+
+The manager is given, and then does it; by hand with the commands of --dry-run, or at once:
+
+  $ rtresurrect --create --manager manager.mgr --dry-run a.xml > script; grep -v -e rtconf -e rtec script
+  rtmgr -c 'RTC:jp.go.aist:composite.PeriodicECShared:PeriodicECSharedComposite:Python:1.0?instance_name=Arm' --wait /localhost:$PORT/test.host_cxt/manager.mgr
+  rtmgr -c 'RTC:Shinji Kurihara:example:ConfigSample:Python:1.0?instance_name=ConfigSample0' --wait /localhost:$PORT/test.host_cxt/manager.mgr
+  rtmgr -c 'RTC:Shinji Kurihara, AIST:example:Motor:Python:1.0?instance_name=Motor0' --wait /localhost:$PORT/test.host_cxt/manager.mgr
+  rtmgr -c 'RTC:Shinji Kurihara, AIST:example:Sensor:Python:1.0?instance_name=Sensor0' --wait /localhost:$PORT/test.host_cxt/manager.mgr
+  rtmgr -c 'RTC:Shinji Kurihara:example:SeqIn:Python:1.0?instance_name=SequenceInComponent0' --wait /localhost:$PORT/test.host_cxt/manager.mgr
+  rtmgr -c 'RTC:Shinji Kurihara:example:SeqOut:Python:1.0?instance_name=SequenceOutComponent0' --wait /localhost:$PORT/test.host_cxt/manager.mgr
+  rtcomp -a /localhost:$PORT/test.host_cxt/Motor0.rtc -a /localhost:$PORT/test.host_cxt/Sensor0.rtc /localhost:$PORT/test.host_cxt/Arm.rtc
+  rtcon -n outSensor0.in -i two -p dataport.data_type=IDL:RTC/TimedLong:1.0 -p dataport.dataflow_type=push -p dataport.inport.data_type=IDL:RTC/TimedLong:1.0 -p dataport.interface_type=corba_cdr -p dataport.outport.data_type=IDL:RTC/TimedLong:1.0 -p dataport.serializer.cdr.endian=little,big -p dataport.subscription_type=new /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/Sensor0.rtc:in
+  rtcon -n n -i one -p dataport.data_type=IDL:RTC/TimedLong:1.0 -p dataport.dataflow_type=push -p dataport.inport.data_type=IDL:RTC/TimedLong:1.0 -p dataport.interface_type=corba_cdr -p dataport.outport.data_type=IDL:RTC/TimedLong:1.0 -p dataport.serializer.cdr.endian=little,big -p dataport.subscription_type=new /localhost:$PORT/test.host_cxt/SequenceOutComponent0.rtc:Long /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Long
+  $ sh -e script; same; gone
+  $ rtresurrect --create --manager manager.mgr -v a.xml
+  rtresurrect: component /localhost:$PORT/test.host_cxt/Arm.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
+  rtresurrect: component /localhost:$PORT/test.host_cxt/ConfigSample0.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
+  rtresurrect: component /localhost:$PORT/test.host_cxt/Motor0.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
+  rtresurrect: component /localhost:$PORT/test.host_cxt/Sensor0.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
+  rtresurrect: component /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
+  rtresurrect: component /localhost:$PORT/test.host_cxt/SequenceOutComponent0.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
+  rtresurrect: members Motor0, Sensor0 of /localhost:$PORT/test.host_cxt/Arm.rtc: done
+  rtresurrect: configuration set default of /localhost:$PORT/test.host_cxt/Arm.rtc: done
+  rtresurrect: configuration set mode1 of /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: done
+  rtresurrect: rate of execution context 0 of /localhost:$PORT/test.host_cxt/Motor0.rtc: done
+  rtresurrect: connection two of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/Sensor0.rtc:in: done
+  rtresurrect: connection one of /localhost:$PORT/test.host_cxt/SequenceOutComponent0.rtc:Long to /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Long: done
+  rtresurrect: 12 done, 24 already so
+  $ same; rtresurrect --create --manager manager.mgr -v a.xml
+  rtresurrect: 36 already so
+
+If anything fails, --rollback deletes them again:
+
+  $ gone; ctl @two fail connect 1 UNKNOWN; rtresurrect --create --manager manager.mgr --rollback a.xml; rtls
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/Sensor0.rtc:in: CORBA.UNKNOWN
+  rtresurrect: 22 already so, 9 undone, 4 not tried, 1 failed
+  ConsoleIn0.rtc
+  ConsoleOut0.rtc
+  manager.mgr/
+
+The profile can name the manager: by paths below it, or with the property MANAGER. --map can, too:
+
+  $ sed "s,\"localhost:$PORT/test.host_cxt/\(ConfigS\),\"localhost:$PORT/test.host_cxt/manager.mgr/\1,; s,\(COMP[^>]*_cxt\)/Seq,\1/manager.mgr/Seq," a.xml > b.xml
+  $ rtresurrect --create -v -m Sensor0.rtc=manager.mgr/Sensor0.rtc b.xml 2>&1 | grep -e done -e nothing
+  rtresurrect: /localhost:$PORT/test.host_cxt/Arm.rtc: is not there, and nothing names a manager to create it (see --manager)
+  rtresurrect: component /localhost:$PORT/test.host_cxt/manager.mgr/ConfigSample0.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
+  rtresurrect: /localhost:$PORT/test.host_cxt/Motor0.rtc: is not there, and nothing names a manager to create it (see --manager)
+  rtresurrect: component /localhost:$PORT/test.host_cxt/manager.mgr/Sensor0.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
+  rtresurrect: component /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
+  rtresurrect: component /localhost:$PORT/test.host_cxt/SequenceOutComponent0.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
+  rtresurrect: configuration set mode1 of /localhost:$PORT/test.host_cxt/manager.mgr/ConfigSample0.rtc: done
+  rtresurrect: connection two of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/manager.mgr/Sensor0.rtc:in: done
+  rtresurrect: connection one of /localhost:$PORT/test.host_cxt/SequenceOutComponent0.rtc:Long to /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Long: done
+  rtresurrect: 7 done, 18 already so, 2 failed, 10 not tried
+  $ sed 's,\(instanceName="Arm".*\),\1<rtsExt:Properties rtsExt:name="MANAGER" rtsExt:value="old/test.host_cxt/manager.mgr"/>,' a.xml > c.xml
+  $ rtresurrect --create -v -m old=localhost:$PORT --manager manager.mgr c.xml 2>&1 | grep -c done; same
+  6
+
+A manager that is none, or does not know how; one that binds its components elsewhere:
+
+  $ gone; rtresurrect --create --manager ConsoleIn0.rtc a.xml
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not a manager (it is a component)
+  rtresurrect: 6 already so, 6 failed, 24 not tried
+  [5]
+  $ rtresurrect -q --create --manager corbaloc:: a.xml
+  rtresurrect: corbaloc::: not corbaloc:iiop:HOST[:PORT][/KEY]
+  [2]
+  $ sed 's/example:Motor/example:Engine/' a.xml | rtresurrect -v --create --manager manager.mgr 2>&1 | grep -v ': done$'
+  rtresurrect: /localhost:$PORT/test.host_cxt/manager.mgr: does not create RTC:Shinji Kurihara, AIST:example:Engine:1.0?instance_name=Motor0 (no factory Engine; there are: ConfigSample, Controller, Motor, PeriodicECSharedComposite, Sensor, SeqIn, SeqOut)
+  rtresurrect: members Motor0, Sensor0 of /localhost:$PORT/test.host_cxt/Arm.rtc: not tried because of /localhost:$PORT/test.host_cxt/manager.mgr
+  rtresurrect: configuration set __type__ of /localhost:$PORT/test.host_cxt/Motor0.rtc: not tried because of /localhost:$PORT/test.host_cxt/manager.mgr
+  rtresurrect: configuration set __widget__ of /localhost:$PORT/test.host_cxt/Motor0.rtc: not tried because of /localhost:$PORT/test.host_cxt/manager.mgr
+  rtresurrect: configuration set default of /localhost:$PORT/test.host_cxt/Motor0.rtc: not tried because of /localhost:$PORT/test.host_cxt/manager.mgr
+  rtresurrect: active configuration set default of /localhost:$PORT/test.host_cxt/Motor0.rtc: not tried because of /localhost:$PORT/test.host_cxt/manager.mgr
+  rtresurrect: rate of execution context 0 of /localhost:$PORT/test.host_cxt/Motor0.rtc: not tried because of /localhost:$PORT/test.host_cxt/manager.mgr
+  rtresurrect: 9 done, 20 already so, 1 failed, 6 not tried
+  $ sed "s,test.host_cxt/SequenceOut,other.host_cxt/SequenceOut," a.xml > far.xml; gone; rtresurrect -q --create --manager manager.mgr far.xml; rtls
+  rtresurrect: /localhost:$PORT/other.host_cxt/SequenceOutComponent0.rtc: /localhost:$PORT/test.host_cxt/manager.mgr made it, but it is not bound here; deleted again
+  Arm.rtc
+  ConfigSample0.rtc
+  ConsoleIn0.rtc
+  ConsoleOut0.rtc
+  Motor0.rtc
+  Sensor0.rtc
+  SequenceInComponent0.rtc
+  manager.mgr/
+  $ rtresurrect --manager manager.mgr a.xml
+  rtresurrect: --manager is for --create (see --help)
+  [2]

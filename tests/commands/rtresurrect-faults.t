@@ -1,0 +1,108 @@
+What rtresurrect makes of systems that break while they are restored, and of hostile ones.
+
+world: linked
+world: these ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2 ConfigSample
+world: hostile --context hostile.host_cxt/%n.rtc
+
+  $ T=/localhost:$PORT/test.host_cxt
+  $ rtdis ConsoleIn0.rtc; for n in 0 1 2; do rtcon -i $n ConsoleIn0.rtc:out ConsoleOut$n.rtc:in; done; rtcryo --all -o a.xml $T
+
+What a restoration costs that has nothing to do: a look at everything, once.
+
+  $ ctl reset; rtresurrect a.xml; calls ConsoleOut0
+  1 get_active_configuration_set
+  1 get_component_profile
+  1 get_component_state
+  1 get_configuration
+  1 get_configuration_sets
+  1 get_context_handle
+  1 get_owned_contexts
+  1 get_owned_organizations
+  1 get_participating_contexts
+  1 get_port_profile
+  1 get_ports
+  1 get_profile
+  1 is_running
+
+A connection that a component refuses: what else can be done is done, and the second time it is completed.
+
+  $ rtteardown a.xml; ctl @these fail notify_connect 2 UNKNOWN; rtresurrect -v a.xml
+  rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
+  rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: refused by the component (BAD_PARAMETER)
+  rtresurrect: 2 done, 20 already so, 1 failed
+  [5]
+  $ rtresurrect -v a.xml
+  rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
+  rtresurrect: 1 done, 22 already so
+
+One that dies meanwhile: nothing more is asked of it, and no half of a connection stays. It is started again; the next time all
+is completed:
+
+  $ rtteardown a.xml; rtec ConsoleOut2.rtc rate 100; ctl @these fail set_rate 1 DIE; rtresurrect -v a.xml
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc: connection refused; its process is gone (zombie)
+  rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
+  rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
+  rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc
+  rtresurrect: 1 done, 19 already so, 1 failed, 2 not tried
+  [5]
+  $ ctl connectors ConsoleIn0:out
+  0 outin
+  $ mock these ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2 ConfigSample; rtresurrect -v a.xml; rtcheck -s inactive a.xml
+  rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
+  rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
+  rtresurrect: 2 done, 21 already so
+
+One that has died before, whose end of the connections the others still have: it is removed first.
+
+  $ kill-mock these2; mock these ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2 ConfigSample; rtresurrect -v a.xml
+  rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
+  rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
+  rtresurrect: 2 done, 21 already so
+
+One that falls silent costs one timeout, and one look after it:
+
+  $ rtteardown a.xml; rtconf ConfigSample0.rtc set int_param0 5; ctl @these3 fail set_configuration_set_values 1 HANG
+  $ within 0.4-3 rtresurrect --timeout 0.5 -v a.xml
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no answer within 0.5s
+  rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
+  rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
+  rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
+  rtresurrect: 3 done, 19 already so, 1 failed
+  [5]
+  $ rtresurrect a.xml; rtteardown a.xml; hang these3; within 0.4-3 rtresurrect --timeout 0.5 a.xml
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no answer within 0.5s
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: no answer within 0.5s
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc: no answer within 0.5s
+  rtresurrect: 1 done, 6 already so, 3 failed, 13 not tried
+  [5]
+  $ resume these3; rtresurrect -v a.xml
+  rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
+  rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
+  rtresurrect: 2 done, 21 already so
+
+Ctrl-C is told what has been done, and what may have been:
+
+  $ rtteardown a.xml; ctl @these3 delay notify_connect 6; interrupt 3 rtresurrect -v a.xml
+  rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: interrupted while it was done
+  rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: not tried
+  rtresurrect: 1 done, 20 already so, 1 uncertain, 1 not tried
+  [130]
+  $ ctl @these3 reset; rtresurrect a.xml; rtcheck -s inactive a.xml
+
+A name server that is not there:
+
+  $ rtresurrect --map localhost:$PORT=localhost:1 a.xml
+  rtresurrect: /localhost:1: connection refused; is the name server running?
+  rtresurrect: 5 failed, 18 not tried
+  [4]
+
+Hostile names and values are restored, or told, and do nothing to the terminal:
+
+  $ rtcryo -q --timeout 0.5 localhost:$PORT/hostile.host_cxt -o h.xml; rtcryo -q -y --timeout 0.5 localhost:$PORT/hostile.host_cxt -o h.yaml
+  $ rtresurrect -v h.xml 2>&1 | tail -1; rtteardown -v h.yaml 2>&1 | tail -1; rtresurrect -v h.yaml 2>&1 | LC_ALL=C grep -c '[[:cntrl:]]'
+  rtresurrect: 9 already so
+  rtteardown: 1 done
+  0
+  [1]

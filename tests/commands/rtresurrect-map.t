@@ -1,0 +1,57 @@
+rtresurrect --map restores a system that is elsewhere than it was: at another name server, host, context, under other names.
+
+server: other
+world: these ConsoleIn ConsoleOut --context old.host_cxt/arm.cxt/%n.rtc
+world: these ConsoleIn ConsoleOut --nameserver localhost:$PORT2 --context new.host_cxt/%n.rtc
+world: these ConsoleIn:Left ConsoleOut:Right --nameserver localhost:$PORT2 --context old.host_cxt/arm.cxt/%n.rtc
+
+  $ O=/localhost:$PORT/old.host_cxt/arm.cxt; rtcon -i one -n n $O/ConsoleIn0.rtc:out $O/ConsoleOut0.rtc:in
+  $ rtcryo localhost:$PORT > a.xml
+
+A name server and contexts; each OLD stands for whole elements, and the longest that fits counts:
+
+  $ rtresurrect -v --map localhost:$PORT=localhost:$PORT2 --map old.host_cxt/arm.cxt=new.host_cxt a.xml
+  rtresurrect: connection one of /localhost:$PORT2/new.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT2/new.host_cxt/ConsoleOut0.rtc:in: done
+  rtresurrect: 1 done, 6 already so
+  $ rtteardown -v --map /localhost:$PORT/old.host_cxt/arm.cxt/=localhost:$PORT2/new.host_cxt a.xml
+  rtteardown: connection one of /localhost:$PORT2/new.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT2/new.host_cxt/ConsoleOut0.rtc:in: done
+  rtteardown: 1 done
+  $ rtresurrect --dry-run -m old.host_cxt=x.cxt -m localhost:$PORT=localhost:$PORT2 -m arm.cxt=y.cxt -m old.host_cxt/arm.cxt=new.host_cxt a.xml | wc -l
+  1
+
+Single components, which may have other names there:
+
+  $ N=localhost:$PORT2/old.host_cxt/arm.cxt; rtresurrect --map $O/ConsoleIn0.rtc=$N/Left.rtc -m /localhost:$PORT=localhost:$PORT2 -m ConsoleOut0.rtc=Right.rtc -v a.xml
+  rtresurrect: connection one of /localhost:$PORT2/old.host_cxt/arm.cxt/Left.rtc:out to /localhost:$PORT2/old.host_cxt/arm.cxt/Right.rtc:in: done
+  rtresurrect: 1 done, 6 already so
+  $ rtls -l /$N
+  Inactive  1/1  0/0  1/1  0/0  Left.rtc
+  Inactive  1/1  1/1  0/0  0/0  Right.rtc
+
+Names can be exchanged, as each element is replaced once; but two components cannot be at one place:
+
+  $ rtresurrect --dry-run --map ConsoleIn0.rtc=ConsoleOut0.rtc --map ConsoleOut0.rtc=ConsoleIn0.rtc a.xml
+  rtresurrect: /localhost:$PORT/old.host_cxt/arm.cxt/ConsoleOut0.rtc: not a RTC:Shinji Kurihara:example:ConsoleIn:1.0 (it is a RTC:Shinji Kurihara:example:ConsoleOut:1.0)
+  rtresurrect: /localhost:$PORT/old.host_cxt/arm.cxt/ConsoleIn0.rtc: not a RTC:Shinji Kurihara:example:ConsoleOut:1.0 (it is a RTC:Shinji Kurihara:example:ConsoleIn:1.0)
+  [3]
+  $ rtresurrect --map ConsoleIn0.rtc=ConsoleOut0.rtc a.xml
+  rtresurrect: /localhost:$PORT/old.host_cxt/arm.cxt/ConsoleOut0.rtc: the file has two components here
+  [1]
+
+What cannot be meant:
+
+  $ rtresurrect --map old.host_cxt a.xml
+  rtresurrect: not OLD=NEW: old.host_cxt (see --help)
+  [2]
+  $ rtresurrect --map = a.xml
+  rtresurrect: not OLD=NEW: = (see --help)
+  [2]
+  $ rtresurrect --map /old.host_cxt=new.host_cxt a.xml
+  rtresurrect: --map /old.host_cxt=new.host_cxt: nothing in the file is there (see --help)
+  [2]
+  $ rtresurrect --map localhost:$PORT=localhost:x a.xml
+  rtresurrect: /localhost:x: localhost:x is not a name server (host or host:tcpport)
+  [2]
+  $ rtresurrect --map $O/ConsoleIn0.rtc=$O/ConsoleIn0.rtc:out a.xml
+  rtresurrect: a map knows no ports: localhost:$PORT/old.host_cxt/arm.cxt/ConsoleIn0.rtc:out (see --help)
+  [2]

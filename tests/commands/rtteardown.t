@@ -1,0 +1,108 @@
+rtteardown removes the connections that an RtsProfile lists, from all ends that live.
+
+server: empty
+world: these ConsoleIn ConsoleOut
+world: these ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2
+world: services
+
+  $ rtcon -i one -p x=y ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcon -i 'two ends' ConsoleIn0.rtc:out ConsoleOut1.rtc:in
+  $ rtcon -i service MyServiceConsumer0.rtc:MyService MyServiceProvider0.rtc:MyService
+  $ rtcryo > a.xml; rtcryo -y > a.yaml; rtcon -i more ConsoleIn0.rtc:out ConsoleOut2.rtc:in
+
+The commands that would do it:
+
+  $ rtteardown --dry-run a.xml | tee script
+  rtdis -i one /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
+  rtdis -i 'two ends' /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
+  rtdis -i service /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService
+
+Doing it; other connections stay, and a second time nothing is left to do:
+
+  $ rtteardown -v a.xml; rtteardown -v a.yaml; rtteardown < a.xml; rtteardown --json -x - < a.xml
+  rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
+  rtteardown: connection two ends of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
+  rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
+  rtteardown: 3 done
+  rtteardown: 3 already so
+  {"command": null, "object": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in", "reason": null, "required": true, "status": "already so", "step": "disconnect"}
+  {"command": null, "object": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in", "reason": null, "required": true, "status": "already so", "step": "disconnect"}
+  {"command": null, "object": "/localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService", "reason": null, "required": true, "status": "already so", "step": "disconnect"}
+  $ rtls -l
+  Inactive  1/1  0/0  1/1  0/0  ConsoleIn0.rtc
+  Inactive  1/0  1/0  0/0  0/0  ConsoleOut0.rtc
+  Inactive  1/0  1/0  0/0  0/0  ConsoleOut1.rtc
+  Inactive  1/1  1/1  0/0  0/0  ConsoleOut2.rtc
+  Inactive  1/0  0/0  0/0  1/0  MyServiceConsumer0.rtc
+  Inactive  1/0  0/0  0/0  1/0  MyServiceProvider0.rtc
+  $ rtresurrect a.xml; sh -e script; rtteardown --dry-run -y a.yaml
+
+One that fails is told, the others are removed; with --rollback these are made again:
+
+  $ rtresurrect a.xml; for n in 1 2 3 4; do ctl @services fail disconnect $n UNKNOWN; ctl @services fail notify_disconnect $n UNKNOWN; done
+  $ rtteardown --rollback -v a.xml
+  rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: undone
+  rtteardown: connection two ends of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: not tried
+  rtteardown: /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService: CORBA.UNKNOWN
+  rtteardown: 1 undone, 1 not tried, 1 failed
+  [6]
+  $ rtcheck -s inactive a.xml; for n in 1 2 3 4; do ctl @services fail disconnect $n UNKNOWN; ctl @services fail notify_disconnect $n UNKNOWN; done
+  $ rtteardown -v a.xml
+  rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
+  rtteardown: connection two ends of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
+  rtteardown: /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService: CORBA.UNKNOWN
+  rtteardown: 2 done, 1 failed
+  [5]
+  $ ctl @services reset; rtteardown -v a.xml
+  rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
+  rtteardown: 1 done, 2 already so
+
+Where one end is dead, the others are freed:
+
+  $ rtresurrect a.xml; kill-mock these2; rtteardown -v a.xml; rtls -l ConsoleIn0.rtc
+  rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: connection refused; its process is gone (zombie)
+  rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
+  rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
+  rtteardown: 2 done, 1 already so
+  Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  $ rtresurrect -q a.xml 2>/dev/null; rtdel -z ConsoleOut1.rtc; rtteardown -v a.xml
+  rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: no such path; did you mean ConsoleOut2.rtc?
+  rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
+  rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
+  rtteardown: 2 done, 1 already so
+
+What is silent cannot be freed:
+
+  $ rtresurrect -q a.xml 2>/dev/null; hang services; within 0.4-3 rtteardown --timeout 0.5 -v a.xml
+  rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: no such path; did you mean ConsoleOut2.rtc?
+  rtteardown: /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc: no answer within 0.5s
+  rtteardown: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no answer within 0.5s
+  rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
+  rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: not tried because of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc
+  rtteardown: 1 done, 1 already so, 2 failed, 1 not tried
+  [5]
+  $ resume services; rtteardown -qv a.xml
+  rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
+  rtteardown: 1 done, 2 already so
+
+Where nothing is at all, the file is not of this system; nor is a map that fits nothing in it:
+
+  $ rtteardown --map localhost:$PORT=localhost:$PORT2 a.xml
+  rtteardown: /localhost:$PORT2/test.host_cxt: no such path
+  rtteardown: 5 failed, 3 not tried
+  [3]
+  $ rtteardown --map localhost:$PORT=localhost:1 a.xml
+  rtteardown: /localhost:1: connection refused; is the name server running?
+  rtteardown: 5 failed, 3 not tried
+  [4]
+  $ rtteardown --map robot=localhost a.xml
+  rtteardown: --map robot=localhost: nothing in the file is there (see --help)
+  [2]
+  $ rtteardown -m localhost a.xml
+  rtteardown: not OLD=NEW: localhost (see --help)
+  [2]
+  $ rtteardown nofile
+  rtteardown: nofile: No such file or directory
+  [1]
+  $ rtteardown --create a.xml
+  rtteardown: unrecognized arguments: --create (see --help)
+  [2]

@@ -1,0 +1,42 @@
+"""What components tell observers, and what we make of it: if this fails, rtwatch shows words of the wire, or the wrong ones."""
+import unittest
+
+from rtshell_lite.observer import event
+
+
+class Hints(unittest.TestCase):
+    """As C++ and Python 2.x send them (protocol of observers)."""
+
+    def check(self, status, hint, *expected):
+        self.assertEqual(tuple(event(1.0, status, hint)), (1.0,) + expected)
+
+    def test_status(self):
+        self.check("RTC_STATUS", "ACTIVE:0", "RTC_STATUS", "0", "ACTIVE")
+        self.check("RTC_STATUS", "FINALIZE:1000", "RTC_STATUS", "1000", "FINALIZE")
+        self.check("EC_STATUS", "RATE_CHANGED:0", "EC_EVENT", "0", "EC_RATE_CHANGED")
+
+    def test_ports(self):
+        """A port's name may hold colons."""
+        self.check("PORT_PROFILE", "CONNECT:a:b.out", "PORT_EVENT", "a:b.out", "PORT_CONNECT")
+        self.check("PORT_PROFILE", "SEND:OutPort:ConsoleIn0.out", "PORT_EVENT", "ConsoleIn0.out", "PORT_SEND")
+        self.check("PORT_PROFILE", "RECEIVE:InPort:A.in", "PORT_EVENT", "A.in", "PORT_RECEIVE")
+
+    def test_configuration(self):
+        """With a blank, and words of its own."""
+        for word, ours in (("UPDATE_CONFIG_SET", "UPDATE_SET"), ("UPDATE_CONFIG_PARAM", "UPDATE_PARAM"),
+                           ("SET_CONFIG_SET", "SET_SET"), ("ADD_CONFIG_SET", "ADD_SET"), ("REMOVE_CONFIG_SET", "REMOVE_SET"),
+                           ("ACTIVATE_CONFIG_SET", "ACTIVATE_SET")):
+            self.check("CONFIGURATION", word + ": default", "CONFIG_EVENT", "default", "CFG_" + ours)
+        self.check("CONFIGURATION", "NEWS: x", "CONFIG_EVENT", "x", "NEWS")
+
+    def test_others(self):
+        self.check("COMPONENT_PROFILE", "a,b", "COMPONENT_PROFILE", "", "a,b")
+        self.check("HEARTBEAT", "", "HEARTBEAT", "", "HEARTBEAT")
+        self.check("EC_HEARTBEAT", "HEARTBEAT:0", "HEARTBEAT", "", "EC_HEARTBEAT")
+        self.check("FSM_STATUS", "closed PRE_ON_EXIT", "FSM_EVENT", "FSM_STATUS", "closed PRE_ON_EXIT")
+        self.check("RTC_STATUS", "", "RTC_STATUS", "", "")
+        self.check("STATUS_KIND_NUM", "?", "STATUS_KIND_NUM", "", "?")
+
+
+if __name__ == "__main__":
+    unittest.main()

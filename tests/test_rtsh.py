@@ -1,0 +1,137 @@
+"""rtsh on a terminal: if one of these fails, a person at a prompt gets wrong completions, or Ctrl-C takes too much with it."""
+import os
+import pty
+import re
+import select
+import shutil
+import tempfile
+import time
+import unittest
+
+import mocks
+import peers
+from mocks import Server, World
+
+COMMANDS = os.path.dirname(shutil.which("rtsh") or os.path.join(peers.ROOT, "bin", "rtsh"))
+UP, CTRL_C, CTRL_D = "\x1b[A", "\x03", "\x04"
+
+
+def setUpModule():
+    mocks.start_name_server()
+    World.one = World("these", "ConsoleIn:ConsoleIn0", "ConsoleOut:ConsoleOut0", "ConfigSample:ConfigSample0")
+
+
+def tearDownModule():
+    World.one.close()
+    Server.stop()
+
+
+class AtThePrompt(unittest.TestCase):
+    def setUp(self):
+        self.home = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.home)
+        self.start()
+
+    def start(self, **more):
+        """Start rtsh on a terminal of its own, and wait for its prompt."""
+        top = "/localhost:%d/test.host_cxt" % Server.port
+        environment = dict(mocks.ENVIRONMENT, PATH=COMMANDS + os.pathsep + os.environ["PATH"], HOME=self.home, TERM="dumb",
+                           RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD=top, LC_ALL="C.UTF-8", **more)
+        self.pid, self.terminal = pty.fork()
+        if self.pid == 0:
+            os.execvpe("rtsh", ["rtsh"], environment)
+        self.screen, self.ended = "", False
+        self.addCleanup(self.end)
+        self.shows(r"test\.host_cxt> ")
+
+    def end(self):
+        if not self.ended:
+            os.kill(self.pid, 9)
+            os.waitpid(self.pid, 0)
+        self.ended = True
+
+    def press(self, keys):
+        """Press keys; what the terminal showed before does not count any more."""
+        self.screen = ""
+        os.write(self.terminal, keys.encode())
+
+    def shows(self, pattern):
+        """Wait until the terminal shows something that matches."""
+        end = time.monotonic() + mocks.LIMIT
+        while not re.search(pattern, self.screen.replace("\r", "")):
+            self.assertLess(time.monotonic(), end, "no %s here:\n%s" % (pattern, self.screen))
+            self.read()
+
+    def read(self):
+        if select.select([self.terminal], [], [], 0.05)[0]:
+            try:
+                self.screen += os.read(self.terminal, 65536).decode("utf-8", "replace")
+            except OSError:  # how Linux says that the other side is closed
+                time.sleep(0.01)
+
+    def status(self):
+        """The exit status of rtsh, once it has ended."""
+        end = time.monotonic() + mocks.LIMIT
+        while True:
+            pid, status = os.waitpid(self.pid, os.WNOHANG)
+            if pid:
+                self.ended = True
+                return os.WEXITSTATUS(status) if os.WIFEXITED(status) else -os.WTERMSIG(status)
+            self.assertLess(time.monotonic(), end, "rtsh does not end:\n%s" % self.screen)
+            self.read()  # readline waits until its last output is read
+
+    def test_commands_and_the_working_directory(self):
+        self.press("ls\r")
+        self.shows(r"ConsoleIn0\.rtc +ConsoleOut0\.rtc\n(.*\n)*rtsh .*> $")
+        self.press("cd ..; pwd\r")
+        self.shows(r"\n/localhost:\d+\nrtsh /localhost:\d+> $")
+        self.press("frob\r")
+        self.shows(r"rtsh: frob: no such command\nrtsh .*> $")
+        self.press("exit 3\r")
+        self.assertEqual(self.status(), 3)
+
+    def test_completion(self):
+        for keys, wanted in [("rtc\t\t", r"rtcat .*rtcheck "), ("\x15l\t\t", "log +ls"), ("\x15cat ConsoleO\t", r"cat ConsoleOut0\.rtc$"),
+                             (":\t", r":in "), ("\x15pwd; print ConsoleI\t", r"print ConsoleIn0\.rtc:$"), ("\x15ls --rec\t", "--recurse "),
+                             ("\x15conf ConfigSample0.rtc g\t", "rtc get "), ("\x15rtact Conf\t", r"ConfigSample0\.rtc ")]:
+            with self.subTest(keys):
+                self.press(keys)
+                self.shows(wanted)
+
+    def test_ctrl_c_ends_the_command_or_the_line_and_nothing_else(self):
+        self.press("find . -n nobody --wait 60\r")
+        self.shows("60\n")
+        self.press(CTRL_C)
+        self.shows(r"\^C\nrtsh .*> $")
+        self.press("rubbish")
+        self.shows("rubbish")
+        self.press(CTRL_C)
+        self.shows(r"\nrtsh .*> $")
+        self.press("pwd\r")
+        self.shows(r"\n/localhost:\d+/test\.host_cxt\nrtsh .*> $")
+        self.press(CTRL_D)
+        self.assertEqual(self.status(), 0)
+
+    def test_the_history_is_there_the_next_time(self):
+        self.press("ls nowhere\r")
+        self.shows(r"no such path\nrtsh .*> $")
+        self.press(CTRL_D)
+        self.assertEqual(self.status(), 3)
+        self.assertEqual(os.listdir(self.home), [".rtsh_history"])
+        self.start()
+        self.press(UP)
+        self.shows("ls nowhere")
+
+    def test_a_home_that_does_not_exist(self):
+        shutil.rmtree(self.home)
+        try:
+            self.press("pwd\r")
+            self.shows(r"\n/localhost.*\nrtsh .*> $")
+            self.press(CTRL_D)
+            self.assertEqual(self.status(), 0)
+        finally:
+            os.mkdir(self.home)
+
+
+if __name__ == "__main__":
+    unittest.main()
