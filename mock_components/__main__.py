@@ -38,11 +38,11 @@ class Options:
 
 def main(argv):
     if argv[:1] == ["ctl"]:
-        from . import control
+        from . import asking
         if len(argv) < 3 or argv[2] == "help":
-            print(control.HELP)
+            print(asking.HELP)
             return 0 if argv[2:] else 2
-        return control.ask(argv[1], argv[2:])
+        return asking.ask(argv[1], argv[2:])
     parser = arguments()
     args = parser.parse_args(argv)
     from . import flavour, worlds

@@ -73,7 +73,8 @@ class Connection:
         for key in ("dataport.dataflow_type", "dataport.subscription_type"):
             offer = ports.offer_without(self.port, key, asked[key])
             if offer is not None:
-                raise errors.Refused(self.where, "has no %s %s (it has: %s)" % (key.split(".")[1], printable(asked[key]), offer))
+                raise errors.Refused(self.where, "has no %s %s (it has: %s)" % (
+                    key.split(".")[1], printable(asked[key]), offer))
         self.little = _little(asked)  # of values that come before the answer does
         self.connector = ports.connect_alone(self.port, self.name, asked)
         self.agreed = dict(self.connector.properties)
@@ -201,8 +202,9 @@ class Reader(Connection):
     """A connector from a DataOutPort that calls deliver(Message) for each value, from a thread of its own.
 
     dataflow: "push" (the component calls us), "pull" (we ask, POLL seconds apart when there was nothing; for peers that
-    cannot reach us), None for push where the port offers it. subscription, of push: new, flush or periodic; None takes new, in which values wait in the port's
-    buffer and no slow reader delays the component. `properties`, a dict, goes into the connector and wins.
+    cannot reach us), None for push where the port offers it. subscription, of push: new, flush or periodic; None takes new,
+    in which values wait in the port's buffer and no slow reader delays the component. `properties`, a dict, goes into the
+    connector and wins. `name` is the connector's.
     """
 
     kind, side = "DataOutPort", "outport"
@@ -270,7 +272,7 @@ class Reader(Connection):
         return self.dataflow != "pull" and seen == self.count
 
     def lost(self):
-        if self.served and not self.count:
+        if self.dataflow == "push" and not self.count:
             return ("the component has dropped the connection: it cannot reach this machine (then pull may do), "
                     "or its values exceed its ORB's giopMaxMsgSize")
         return Connection.lost(self)

@@ -1,6 +1,7 @@
 """What rtprint shows of the values that come from ports: lines, JSON, bytes, or figures on their flow."""
 import importlib
 import math
+import os
 import struct
 import sys
 import time
@@ -24,6 +25,7 @@ class Channel:
         members = datatypes.members(self.type_id) if type else None
         self.stamped = bool(members) and members[0] == ("tm", "Time")
         self.flow = flow.Flow()
+        self.shown = self.failed = False  # whether any of its values could be shown, and whether any could not
 
     def value(self, message):
         """The Python value of a Message, or the member of it that is asked for. Raises errors.Error."""
@@ -65,18 +67,22 @@ class Channel:
         return found and found[0] * 10**9 + found[1]
 
 
-def formatter(name):
-    """The function `module.function` that turns a value into what is printed. Raises NoSuch.
+def formatter(name, directories=()):
+    """The function `module.function` that turns a value into what is printed; directories to look in first. Raises NoSuch.
 
     `rtshell.rawpy`, as with rtshell, is Python's own spelling.
     """
     if name == "rtshell.rawpy":
         return repr
     module, _, function = name.rpartition(".")
+    before = list(sys.path)
+    sys.path[:0] = [os.path.abspath(directory) for directory in directories]
     try:
         found = getattr(importlib.import_module(module), function, None) if module else None
     except (ImportError, SyntaxError) as e:
         raise errors.No("#" + name, "cannot import %s (%s)" % (module, e))
+    finally:
+        sys.path[:] = before
     if not callable(found):
         raise errors.NoSuch("#" + name, "formatter", "module.function is wanted, with one argument")
     return found
@@ -174,4 +180,3 @@ def _bytes(number):
             return "%.3g %s" % (number, unit)
         number /= 1000.0
     return "%.3g GB" % number
-

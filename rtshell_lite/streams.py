@@ -95,9 +95,12 @@ class Watcher:
         if any(events & (select.POLLERR | select.POLLHUP) for _, events in self.output.poll(0)):
             raise BrokenPipeError(errno.EPIPE, "nobody reads the output")
 
-    def count(self, tally):
-        """Add each connection's failure or success to a Tally; what was told before is not told again."""
+    def count(self, tally, of_no_use=()):
+        """Add each connection's failure or success to a Tally; what was told before is not told again.
+
+        Those in `of_no_use` are well, but all that came from them has been counted as failed.
+        """
         for each in self.connections:
             tally.told.add(str(self.told.get(each)))
-            tally.add(each.failure)
-
+            if each.failure or each not in of_no_use:
+                tally.add(each.failure)

@@ -5,7 +5,7 @@ import time
 import unittest
 
 import mocks
-from mock_components import control
+from mock_components import asking
 from rtshell_lite import apply, configuration, errors, execution, orb, organisation, path, ports, restore, rpc, system, tree, xmlprofile
 from rtshell_lite.xmlprofile import model
 
@@ -75,7 +75,7 @@ class Worlds(unittest.TestCase):
         return world
 
     def ctl(self, world, *words):
-        ok, text = control.request(world.control, words)
+        ok, text = asking.request(world.control, words)
         self.assertTrue(ok, text)
         return text
 

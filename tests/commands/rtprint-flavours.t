@@ -1,0 +1,46 @@
+rtprint reads from all implementations of OpenRTM, by push and pull, in both byte orders.
+
+once: it is the peers that differ here
+world: senders 50 12 --flavour cpp11 --context cpp11.host_cxt/%n.rtc
+world: senders 50 12 --flavour cpp12 --context cpp12.host_cxt/%n.rtc
+world: senders 50 12 --flavour cpp2 --context cpp2.host_cxt/%n.rtc
+world: senders 50 12 --flavour py2 --context py2.host_cxt/%n.rtc
+world: senders 50 12 --flavour java --context java.host_cxt/%n.rtc
+world: senders 50 12 --flavour rtorb --context rtorb.host_cxt/%n.rtc
+world: senders 50 12 dataflow=pull --context pull.host_cxt/%n.rtc
+world: senders 50 12 interfaces=data_service,direct --context service.host_cxt/%n.rtc
+world: senders 50 12 interfaces=direct,shared_memory --context direct.host_cxt/%n.rtc
+world: senders 4 5000000 --flavour cpp2 --context big.host_cxt/%n.rtc
+
+  $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtprint -n 3 ../$v.host_cxt/Source0.rtc:number "$@" 2>&1 |
+  >   awk -v v=$v '/^\[/ { if ($2 > 0 && $2 < 9999) n++; next } { print } END { print v, n }'; done; }
+  $ each
+  $ each --property dataport.serializer.cdr.endian=big
+  $ each --property dataport.serializer.cdr.endian=big,little --property dataport.subscription_type=flush
+  $ each --property dataport.subscription_type=periodic --property dataport.publisher.push_rate=40
+  $ each --pull
+  $ each --pull --property dataport.serializer.cdr.endian=big
+
+Ports that offer something else only:
+
+  $ rtprint -v -n 2 ../pull.host_cxt/Source0.rtc:number | wc -l
+  $ rtprint -v -n 2 ../service.host_cxt/Source0.rtc:number | wc -l
+  $ rtprint -v --pull -n 2 ../service.host_cxt/Source0.rtc:number | wc -l
+  $ rtprint -n 2 ../direct.host_cxt/Source0.rtc:number
+  $ rtprint -n 2 ../service.host_cxt/Source0.rtc:number --property dataport.interface_type=corba_cdr
+
+Large values, pushed and fetched:
+
+  $ rtprint --stats -n 3 ../big.host_cxt/Source0.rtc:block | sed 's/.*all: //; s/, .*//'
+  $ rtprint --stats --pull -n 3 ../big.host_cxt/Source0.rtc:block | sed 's/.*all: //; s/, .*//'
+
+None is left:
+
+  $ for w in senders senders2 senders3 senders4 senders5 senders6 senders7 senders8 senders9 senders10; do
+  >   ctl @$w connectors Source0:number; ctl @$w connectors Source0:block; done
+
+Refused by the component; RtORB takes one connection a port:
+
+  $ ctl refuse Source0:number RTC_ERROR; rtprint -n 1 ../cpp11.host_cxt/Source0.rtc:number
+  $ ctl fail connect 1 NO_PERMISSION; rtprint -n 1 ../cpp11.host_cxt/Source0.rtc:number
+  $ rtprint --property dataport.serializer.cdr.endian=middle ../cpp2.host_cxt/Source0.rtc:number

@@ -1,0 +1,167 @@
+rtprint prints what out ports send. Nothing of it is bound anywhere, and its connections go with it.
+
+world: two
+world: senders 100 12
+
+A mock sends a value made of a number when it is told to; its time is 0 then:
+
+  $ printing() { "$@" & pid=$!; until ctl connectors ConsoleIn0:out | grep -q . || ! kill -0 $pid 2>&-; do :; done; }
+  $ printing rtprint -n 2 ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 42; ctl write ConsoleIn0:out -1; wait $pid
+  [0.000000000] 42
+  [0.000000000] -1
+  $ ctl connectors ConsoleIn0:out
+  $ rtls
+  ConsoleIn0.rtc
+  ConsoleOut0.rtc
+  Source0.rtc
+
+Others stamp their values. They are printed as they come, all of them:
+
+  $ rtprint -n 3 Source0.rtc:number
+  \[[0-9]{10}\.[0-9]{9}\] [0-9]+ (re)
+  \[[0-9]{10}\.[0-9]{9}\] [0-9]+ (re)
+  \[[0-9]{10}\.[0-9]{9}\] [0-9]+ (re)
+  $ rtprint -n 40 Source0.rtc:number >lines; awk '{ print $2 - last; last = $2 }' lines | sed 1d | sort -u
+  1
+
+-r looks at times and prints the newest; -n counts looks then:
+
+  $ within 0.9-2.5 rtprint -r 4 -n 3 Source0.rtc:number >lines; awk '{ print ($2 - last > 15); last = $2 }' lines | sed 1d
+  1
+  1
+
+Several ports; NAME is another name for the one behind which it stands:
+
+  $ printing rtprint -n 1 ConsoleIn0.rtc:out.console /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
+  $ ctl write ConsoleIn0:out 5; wait $pid
+  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: [0.000000000] 5
+  $ rtprint -t 0.3 Source0.rtc:number.n Source0.rtc:block | cut -d: -f1 | sort | uniq -c | awk '$1 > 10 { print $2 }'
+  Source0.rtc
+  n
+
+One member, Python's spelling, a function of one's own:
+
+  $ echo 'def half(value): return value.data / 2
+  > def wrong(value): return value.nothing
+  > number = 3' >spell.py
+  $ printing rtprint --field data -n 1 ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 7; wait $pid
+  7
+  $ printing rtprint -n 1 ConsoleIn0.rtc:out#rtshell.rawpy; ctl write ConsoleIn0:out 7; wait $pid
+  rtshell_lite.idl_stubs.data.RTC.TimedLong(tm=rtshell_lite.idl_stubs.data.RTC.Time(sec=0, nsec=0), data=7)
+  $ printing rtprint -p . -n 1 ConsoleIn0.rtc:out#spell.half; ctl write ConsoleIn0:out 7; wait $pid
+  3.5
+  $ printing rtprint -p . -n 1 ConsoleIn0.rtc:out#spell.wrong; ctl write ConsoleIn0:out 7; wait $pid
+  rtprint: ConsoleIn0.rtc:out: the formatter fails (AttributeError: 'TimedLong' object has no attribute 'nothing')
+  [5]
+  $ rtprint -p . ConsoleIn0.rtc:out#spell.missing
+  rtprint: #spell.missing: no such formatter: module.function is wanted, with one argument
+  [3]
+  $ rtprint -p . ConsoleIn0.rtc:out#spell.number
+  rtprint: #spell.number: no such formatter: module.function is wanted, with one argument
+  [3]
+  $ rtprint ConsoleIn0.rtc:out#nomodule.f
+  rtprint: #nomodule.f: cannot import nomodule (No module named 'nomodule')
+  [1]
+  $ printing rtprint --field tm.year -n 1 ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 7; wait $pid
+  rtprint: ConsoleIn0.rtc:out: 0 of 1 values came within 0.4s
+  $SESSION/script: 2: kill: No such process
+
+  [1]
+
+Bytes:
+
+  $ printing rtprint -n 1 --raw ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 258; wait $pid
+  12 bytes
+  00000000  00 00 00 00 00 00 00 00 02 01 00 00              ............
+  maybe: time 0.000000000
+  maybe: long 258
+  maybe: float 3.615350037958028e-43
+  $ printing rtprint -n 1 --raw --json ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 258; wait $pid
+  {"hex": "000000000000000002010000", "little_endian": true, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out", "received": *, "size": 12, "type": "IDL:RTC/TimedLong:1.0"} (glob)
+
+For programs:
+
+  $ printing rtprint -n 1 --json ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 258; wait $pid
+  {"path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out", "received": *, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 258, "tm": {"nsec": 0, "sec": 0}}} (glob)
+  $ rtprint -n 1 --json --field data Source0.rtc:block
+  {"path": "/localhost:$PORT/test.host_cxt/Source0.rtc:block", "received": *, "type": "IDL:RTC/TimedOctetSeq:1.0", "value": "*AAAAAA"} (glob)
+
+-t ends it; with -n, too few values are a no:
+
+  $ within 0.2-1.5 rtprint -t 0.2 ConsoleIn0.rtc:out
+  $ rtprint -n 2 -t 0.2 ConsoleIn0.rtc:out
+  rtprint: ConsoleIn0.rtc:out: 0 of 2 values came within 0.2s
+  [1]
+  $ rtprint -n 0 ConsoleIn0.rtc:out
+  $ within 0.2-1.5 rtprint -n -1 -t 0.2 ConsoleIn0.rtc:out
+
+Figures, each second and at the end. The sender is a Python process beside others, so its gaps vary:
+
+  $ rtprint -t 1.5 --stats Source0.rtc:number
+  [0-9]+ values, [0-9]+\.[0-9] Hz, gap [0-9.e+]+/[0-9.e+]+/[0-9.e+]+ ms, jitter [0-9.e+]+ ms, [0-9.]+ kB/s, age [0-9.e+]+ ms.* (re)
+  all in all: [0-9]+ values, [0-9]+\.[0-9] Hz, gap [0-9.e+]+/[0-9.e+]+/[0-9.e+]+ ms, jitter [0-9.e+]+ ms, [0-9.]+ kB/s, age [0-9.e+]+ ms.* (re)
+  $ rtprint -n 50 --stats Source0.rtc:number.n ConsoleIn0.rtc:out.silent
+  all in all: n: 50 values, [0-9]+\.[0-9] Hz, gap [0-9.e+]+/[0-9.e+]+/[0-9.e+]+ ms, jitter [0-9.e+]+ ms, [0-9.]+ kB/s, age [0-9.e+]+ ms.* (re)
+  all in all: silent: no values
+  $ rtprint -n 30 --stats --json Source0.rtc:number | python3 -c 'import json, sys
+  > for line in sys.stdin: found = json.loads(line); print(sorted(found), found["total"], found["values"], found["bytes"])'
+  ['age_max', 'age_mean', 'bytes', 'bytes_per_second', 'disordered', 'dropped', 'gap_max', 'gap_mean', 'gap_min', 'jitter', 'missing', 'path', 'rate', 'repeated', 'seconds', 'total', 'values'] True 30 360
+  $ tty 30 rtprint -t 1.3 --stats Source0.rtc:number | sed 's/[0-9.]* [vHg].*/…/'
+  $ rtprint --raw -n 30 --stats Source0.rtc:number | sed 's/.*values/values/'
+  values, [0-9]+\.[0-9] Hz, gap [0-9.e+]+/[0-9.e+]+/[0-9.e+]+ ms, jitter [0-9.e+]+ ms, [0-9.]+ kB/s (re)
+
+A connection's properties can be set, and data can be fetched instead:
+
+  $ printing rtprint -n 1 --property dataport.subscription_type=flush ConsoleIn0.rtc:out
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connected (push), id $UUID
+  $ rtcat -ll ConsoleIn0.rtc:out | grep '  *dataport.subscription_type'; ctl write ConsoleIn0:out 1; wait $pid
+    dataport.subscription_type               block,flush,new,nonblock,periodic
+  [0.000000000] 1
+  $ rtprint -v --pull -n 2 Source0.rtc:number
+  rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: connected (pull), id $UUID
+  \[[0-9]{10}\.[0-9]{9}\] [0-9]+ (re)
+  \[[0-9]{10}\.[0-9]{9}\] [0-9]+ (re)
+
+Wrong usage:
+
+  $ rtprint
+  rtprint: the following arguments are required: PATH:PORT[.NAME][#FORMATTER] (see --help)
+  [2]
+  $ rtprint ConsoleIn0.rtc
+  $ rtprint -r 0 ConsoleIn0.rtc:out
+  rtprint: argument -r/--rate: not a number of Hz above 0: 0 (see --help)
+  [2]
+  $ rtprint -t soon ConsoleIn0.rtc:out
+  rtprint: argument -t/--timeout: not a number of seconds above 0: soon (see --help)
+  [2]
+  $ rtprint -n all ConsoleIn0.rtc:out
+  rtprint: argument -n/--number: invalid int value: 'all' (see --help)
+  [2]
+  $ rtprint --raw --field data ConsoleIn0.rtc:out
+  rtprint: --raw knows no fields (see --help)
+  [2]
+  $ rtprint --property push ConsoleIn0.rtc:out
+  rtprint: not KEY=VALUE: push (see --help)
+  [2]
+
+What is no out port:
+
+  $ rtprint ConsoleOut0.rtc:in
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not a DataOutPort (it is a DataInPort)
+  [3]
+  $ rtprint ConsoleIn0.rtc:nothing
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no such port: nothing (its ports: out)
+  [3]
+  $ rtprint ConsoleIn0.rtc:nothing.name
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no such port: nothing.name (its ports: out)
+  [3]
+  $ rtprint nobody.rtc:out ..:out
+  rtprint: /localhost:$PORT/test.host_cxt/nobody.rtc: no such path
+  rtprint: /localhost:$PORT/test.host_cxt/\e: no such path
+  [3]
+  $ rtprint -n 1 nobody.rtc:out Source0.rtc:number | cut -d: -f1
+  rtprint: /localhost:$PORT/test.host_cxt/nobody.rtc: no such path
+  \[[0-9]{10}\.[0-9]{9}\] [0-9]+ (re)
+  $ rtprint -p . -m nomodule ConsoleIn0.rtc:out
+  rtprint: nomodule: no such module in .: No module named 'nomodule'
+  [3]
