@@ -69,8 +69,8 @@ def unwind_when_ended():
             if signal.getsignal(number) == signal.SIG_DFL]  # nohup ignores SIGHUP
 
     def unwind(number, frame):
-        for each in ours:
-            signal.signal(each, signal.SIG_IGN)
+        for each in ours:  # not SIG_IGN: Python complains of a signal that came just before
+            signal.signal(each, lambda *_: None)
         raise Ended(128 + number)
 
     for number in ours:

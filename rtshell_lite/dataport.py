@@ -11,7 +11,7 @@ import threading
 import time
 
 from rtshell_lite import component, datatypes, errors, orb, ports, rpc
-from rtshell_lite.text import printable
+from rtshell_lite.text import printable, to_wire
 
 # One value: when it came, in nanoseconds since 1970; CDR bytes without any header (protocol.md 7.1); their byte order.
 Message = collections.namedtuple("Message", "received data little")
@@ -20,7 +20,7 @@ INTERFACES = ("corba_cdr", "data_service")  # what can be used, the first prefer
 QUEUE = 4096  # values the port may queue between two looks while writes are counted
 SMALL_BUFFER, LARGE_BUFFER = 256, 16  # values the port may queue for a reader: of fixed size, of any size
 POLL = 0.02  # seconds between two looks at a queue
-LOOK = 2.0  # seconds between two looks whether a port that sends nothing is still there
+LOOK = 1.0  # seconds between two looks whether a port that sends nothing is still there
 GRACE = 0.2  # seconds that an interrupted command waits for connectors that are just being made
 
 
@@ -75,7 +75,6 @@ class Connection:
             if offer is not None:
                 raise errors.Refused(self.where, "has no %s %s (it has: %s)" % (
                     key.split(".")[1], printable(asked[key]), offer))
-        self.little = _little(asked)  # of values that come before the answer does
         self.connector = ports.connect_alone(self.port, self.name, asked)
         self.agreed = dict(self.connector.properties)
         self.little = _little(self.agreed) or self.always_little()
@@ -96,9 +95,16 @@ class Connection:
 
     def look(self):
         """See whether the port is there and has the connector; runs in a lane. Raises errors.Error."""
-        from rtshell_lite.text import to_wire
         connector = self.connector
-        if connector and not orb.ask(self.where, self.port.ref, "get_connector_profile", to_wire(connector.id)).connector_id:
+        if not connector:
+            return
+        try:
+            found = component.once_more(lambda: orb.ask(
+                self.where, self.port.ref, "get_connector_profile", to_wire(connector.id)))
+        except (errors.Gone, errors.ConnectionRefused) as e:
+            raise errors.Unreachable(self.where, "the component %s" % (
+                "has ended" if isinstance(e, errors.Gone) else "is gone, and its process too"))
+        if not found.connector_id:
             raise errors.Unreachable(self.where, self.lost())
 
     def lost(self):
@@ -133,8 +139,7 @@ class Connection:
         for interface in usable:
             if interface in INTERFACES and (interface in offered or {"any", ""} & {word.lower() for word in offered}):
                 return interface
-        raise errors.Refused(self.where, "offers neither %s (it has: %s)" % (
-            " nor ".join(usable), printable(", ".join(offered))))
+        raise errors.Refused(self.where, "offers no %s (it has: %s)" % (" and no ".join(usable), printable(", ".join(offered))))
 
 
 def _little(properties):
@@ -217,6 +222,7 @@ class Reader(Connection):
         self.subscription = subscription
         self.count = self.seen = 0  # values so far, and at the last look
         self.served = None
+        self.early = []  # values that come before the byte order is known for certain
 
     def wishes(self):
         common = {"dataport.buffer.length": str(self._buffer())}
@@ -241,12 +247,21 @@ class Reader(Connection):
         except errors.Error:
             self.release()
             raise
+        with self.lock:
+            for received, data in self.early:
+                self.deliver(Message(received, data, self.little))
+            self.early = None
         if self.dataflow == "pull":
             self.get = fetcher(self)
             threading.Thread(target=self._poll, daemon=True).start()
 
     def _take(self, received, data):
         self.count += 1
+        if self.early is not None:
+            with self.lock:
+                if self.early is not None:
+                    self.early.append((received, data))
+                    return
         if not self.closing.is_set():
             self.deliver(Message(received, data, self.little))
 
@@ -259,7 +274,7 @@ class Reader(Connection):
                 self.failure = e
                 continue
             except errors.Error as e:
-                self.failure = e
+                self.failure = None if self.closing.is_set() else e
                 return
             self.failure = None
             if data is None:
@@ -269,11 +284,13 @@ class Reader(Connection):
 
     def due(self):
         seen, self.seen = self.seen, self.count
+        if seen != self.count:
+            self.failure = None  # it was silent, but values have come
         return self.dataflow != "pull" and seen == self.count
 
     def lost(self):
         if self.dataflow == "push" and not self.count:
-            return ("the component has dropped the connection: it cannot reach this machine (then pull may do), "
+            return ("the connection has been removed; if the component did that, it cannot reach this machine (pull may do), "
                     "or its values exceed its ORB's giopMaxMsgSize")
         return Connection.lost(self)
 
@@ -283,12 +300,12 @@ class Reader(Connection):
             served.withdraw()
 
     def always_little(self):
-        """C++ from 1.2 on sends little-endian by push whatever was agreed upon (protocol.md 7.2)."""
+        """C++ from 1.2 on, and RtORB, push little-endian whatever was agreed upon (protocol.md 7.2 and 19)."""
         if self.dataflow == "pull":
             return False
         properties = dict(component.profile(self.port.node).properties)
-        version = properties.get("openrtm.version", "")
-        return properties.get("language") == "C++" and not version.startswith(("0.", "1.0", "1.1"))
+        old = properties.get("openrtm.version", "").startswith(("1.0", "1.1"))
+        return properties.get("language", "").startswith("C") and not old
 
 
 def fetcher(reader):

@@ -4,7 +4,8 @@ import socket
 import struct
 import time
 
-from rtshell_lite import orb
+from omniORB import CORBA
+from rtshell_lite import errors, orb
 from rtshell_lite.idl_stubs.dataport import OpenRTM, OpenRTM__POA, RTC, RTC__POA
 
 
@@ -37,7 +38,10 @@ class Served:
     """A servant that can be called from now on, until `withdraw`."""
 
     def __init__(self, servant):
-        self.poa = orb.start().resolve_initial_references("RootPOA")
+        try:
+            self.poa = orb.start().resolve_initial_references("RootPOA")
+        except CORBA.INITIALIZE:  # that is when omniORB begins to listen
+            raise errors.Usage("this machine cannot be reached at the address that ORBendPoint tells")
         self.id = self.poa.activate_object(servant)
         self.reference = self.poa.id_to_reference(self.id)
         self.type_id = servant._NP_RepositoryId

@@ -4,47 +4,95 @@ world: two
 world: senders 50 12
 world: these Mock:Quiet0
 
-  $ connected() { [ -n "$(ctl connectors ConsoleIn0:out)$(ctl @these connectors Quiet0:out)" ]; }
+  $ connected() { [ -n "$(ctl connectors ConsoleIn0:out 2>&-)$(ctl @these connectors Quiet0:out 2>&-)" ]; }
+  $ told() { until grep -q "$1" told || ! kill -0 $pid 2>&-; do sleep 0.1; done; cat told; }
   $ start() { "$@" & pid=$!; until connected || ! kill -0 $pid 2>&-; do :; done; }
   $ none() { if connected; then echo "a connector is left"; fi; }
 
 Signals, also two at a time:
 
   $ for s in TERM HUP; do start rtprint ConsoleIn0.rtc:out Quiet0.rtc:out; kill -$s $pid; wait $pid; echo $?; none; done
+  143
+  129
   $ start rtprint --pull ConsoleIn0.rtc:out; kill -HUP $pid; kill -TERM $pid; wait $pid; none
   $ interrupt 1 rtprint ConsoleIn0.rtc:out; none
   $ interrupt 1 rtprint --stats Quiet0.rtc:out; none
-  $ start nohup rtprint -t 1 Quiet0.rtc:out; kill -HUP $pid; wait $pid; echo $?; none
+  all in all: no values
+  $ start nohup rtprint -t 3 Quiet0.rtc:out; kill -HUP $pid; wait $pid; echo $?; none
+  0
 
 Without stdin, without stdout, without a terminal, as in cron:
 
   $ start rtprint -n 1 ConsoleIn0.rtc:out <&-; ctl write ConsoleIn0:out 1; wait $pid; none
+  [0.000000000] 1
   $ start rtprint -n 1 ConsoleIn0.rtc:out </dev/null; ctl write ConsoleIn0:out 2; wait $pid; none
+  [0.000000000] 2
   $ start setsid -w rtprint -n 1 ConsoleIn0.rtc:out </dev/null 2>&-; ctl write ConsoleIn0:out 3; wait $pid; none
+  [0.000000000] 3
   $ start rtprint -n 1 ConsoleIn0.rtc:out >&-; ctl write ConsoleIn0:out 4; wait $pid; none
+  rtprint: cannot write the output: Bad file descriptor
   $ start rtprint -n 1 ConsoleIn0.rtc:out >/dev/full; ctl write ConsoleIn0:out 5; wait $pid; none
+  rtprint: No space left on device
 
 The reader of the output goes away, whether anything is printed or not:
 
   $ rtprint Source0.rtc:number | head -1 | cut -c1; none; ctl @senders connectors Source0:number
+  [
   $ (within 0-5 rtprint Quiet0.rtc:out; echo $? >status) | true; cat status; none
+  141
 
 Someone removes the connection, or the component exits:
 
   $ start rtprint ConsoleIn0.rtc:out; rtdis ConsoleIn0.rtc:out; wait $pid
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: the connection has been removed; if the component did that, it cannot reach this machine (pull may do), or its values exceed its ORB's giopMaxMsgSize
+  [4]
   $ start rtprint --pull ConsoleIn0.rtc:out; rtdis ConsoleIn0.rtc:out; wait $pid
-  $ start rtprint -t 8 ConsoleIn0.rtc:out.a Quiet0.rtc:out.b; rtexit Quiet0.rtc; sleep 0; kill -0 $pid; ctl write ConsoleIn0:out 6; ctl write ConsoleIn0:out 7; sleep 3; kill -TERM $pid; wait $pid; none
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: the connection has been removed
+  [4]
+  $ start rtprint ConsoleIn0.rtc:out.a Quiet0.rtc:out.b 2>told; rtexit Quiet0.rtc; told Quiet0
+  rtprint: /localhost:$PORT/test.host_cxt/Quiet0.rtc:out: the component has ended
+  $ ctl write ConsoleIn0:out 6; ctl write ConsoleIn0:out 7; rtdis ConsoleIn0.rtc:out; wait $pid
+  a: [0.000000000] 6
+  a: [0.000000000] 7
+  [4]
+
+Where components cannot reach us, they drop the connection at their first value; then --pull may do:
+
+  $ export RTCTREE_ORB_ARGS='-ORBendPoint;giop:tcp:127.0.0.1:;-ORBendPointPublish;giop:tcp:127.0.0.2:'
+  $ rtprint Source0.rtc:number
+  rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: the connection has been removed; if the component did that, it cannot reach this machine (pull may do), or its values exceed its ORB's giopMaxMsgSize
+  [4]
+  $ rtprint --pull -n 2 Source0.rtc:number | wc -l
+  2
+  $ RTCTREE_ORB_ARGS='-ORBendPoint;giop:tcp:192.0.2.222:' rtprint Source0.rtc:number
+  rtprint: this machine cannot be reached at the address that ORBendPoint tells (see --help)
+  [2]
+  $ export RTCTREE_ORB_ARGS=
 
 Hung for a while: that is told, and it goes on:
 
   $ export RTSHELL_TIMEOUT=0.5
-  $ (rtprint -n 300 Source0.rtc:number >lines; echo $? >status) & while [ ! -s lines ]; do :; done
-  $ hang senders; sleep 3.5; resume senders; wait; cat status; wc -l <lines
+  $ rtprint Source0.rtc:number >lines 2>told & pid=$!; until [ -s lines ]; do :; done
+  $ hang senders; told answer; resume senders; told again; kill $pid; wait $pid
+  rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: no answer within 0.5s
+  rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: no answer within 0.5s
+  rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: answers again
+  [143]
 
-Hung when it ends, and killed in the middle of its stream:
+Hung when it ends:
 
-  $ start rtprint ConsoleIn0.rtc:out; hang two; within 0-2 kill $pid; wait $pid; resume two; ctl disconnect ConsoleIn0:out
-  $ (rtprint Source0.rtc:number >lines; echo $? >status) & while [ ! -s lines ]; do :; done
-  $ kill-mock senders; wait; cat status
-  $ (rtprint --pull ConsoleIn0.rtc:out; echo $? >status) & until connected; do :; done; kill-mock two; wait; cat status
+  $ start rtprint ConsoleIn0.rtc:out; hang two; kill $pid; within 0-2 tail --pid=$pid -f /dev/null; wait $pid
+  [143]
+  $ resume two; while connected; do :; done
+
+Killed in the middle of its stream:
+
+  $ rm lines; rtprint Source0.rtc:number >lines & pid=$!; until [ -s lines ]; do :; done; kill-mock senders; wait $pid
+  rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: the component is gone, and its process too
+  [4]
+  $ start rtprint --pull ConsoleIn0.rtc:out; kill-mock two; wait $pid
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection lost
+  [4]
   $ rtprint ConsoleIn0.rtc:out
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection refused; its process is gone (zombie)
+  [4]

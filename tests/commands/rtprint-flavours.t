@@ -15,24 +15,75 @@ world: senders 4 5000000 --flavour cpp2 --context big.host_cxt/%n.rtc
   $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtprint -n 3 ../$v.host_cxt/Source0.rtc:number "$@" 2>&1 |
   >   awk -v v=$v '/^\[/ { if ($2 > 0 && $2 < 9999) n++; next } { print } END { print v, n }'; done; }
   $ each
+  cpp11 3
+  cpp12 3
+  cpp2 3
+  py2 3
+  java 3
+  rtorb 3
   $ each --property dataport.serializer.cdr.endian=big
+  cpp11 3
+  cpp12 3
+  cpp2 3
+  py2 3
+  java 3
+  rtorb 2
   $ each --property dataport.serializer.cdr.endian=big,little --property dataport.subscription_type=flush
+  cpp11 3
+  cpp12 3
+  cpp2 3
+  py2 3
+  java 3
+  rtorb 3
   $ each --property dataport.subscription_type=periodic --property dataport.publisher.push_rate=40
+  cpp11 3
+  cpp12 3
+  cpp2 3
+  py2 3
+  java 3
+  rtprint: /localhost:$PORT/rtorb.host_cxt/Source0.rtc:number: has no subscription_type periodic (it has: flush)
+  rtorb\x20 (esc)
   $ each --pull
+  cpp11 3
+  cpp12 3
+  cpp2 3
+  py2 3
+  java 3
+  rtprint: /localhost:$PORT/rtorb.host_cxt/Source0.rtc:number: has no dataflow_type pull (it has: push)
+  rtorb\x20 (esc)
   $ each --pull --property dataport.serializer.cdr.endian=big
+  cpp11 3
+  cpp12 3
+  cpp2 3
+  py2 3
+  java 3
+  rtprint: /localhost:$PORT/rtorb.host_cxt/Source0.rtc:number: has no dataflow_type pull (it has: push)
+  rtorb\x20 (esc)
 
 Ports that offer something else only:
 
   $ rtprint -v -n 2 ../pull.host_cxt/Source0.rtc:number | wc -l
+  rtprint: /localhost:$PORT/pull.host_cxt/Source0.rtc:number: connected (pull), id $UUID
+  2
   $ rtprint -v -n 2 ../service.host_cxt/Source0.rtc:number | wc -l
+  rtprint: /localhost:$PORT/service.host_cxt/Source0.rtc:number: connected (push), id $UUID
+  2
   $ rtprint -v --pull -n 2 ../service.host_cxt/Source0.rtc:number | wc -l
+  rtprint: /localhost:$PORT/service.host_cxt/Source0.rtc:number: connected (pull), id $UUID
+  2
   $ rtprint -n 2 ../direct.host_cxt/Source0.rtc:number
+  rtprint: /localhost:$PORT/direct.host_cxt/Source0.rtc:number: offers no corba_cdr and no data_service (it has: direct, shared_memory)
+  [6]
   $ rtprint -n 2 ../service.host_cxt/Source0.rtc:number --property dataport.interface_type=corba_cdr
+  rtprint: /localhost:$PORT/service.host_cxt/Source0.rtc:number: offers no corba_cdr (it has: data_service, direct)
+  [6]
 
 Large values, pushed and fetched:
 
   $ rtprint --stats -n 3 ../big.host_cxt/Source0.rtc:block | sed 's/.*all: //; s/, .*//'
+  3 values
   $ rtprint --stats --pull -n 3 ../big.host_cxt/Source0.rtc:block | sed 's/.*all: //; s/, .*//'
+  3 values
 
 None is left:
 
@@ -42,5 +93,11 @@ None is left:
 Refused by the component; RtORB takes one connection a port:
 
   $ ctl refuse Source0:number RTC_ERROR; rtprint -n 1 ../cpp11.host_cxt/Source0.rtc:number
+  rtprint: /localhost:$PORT/cpp11.host_cxt/Source0.rtc:number: refused by the component (RTC_ERROR)
+  [6]
   $ ctl fail connect 1 NO_PERMISSION; rtprint -n 1 ../cpp11.host_cxt/Source0.rtc:number
+  rtprint: /localhost:$PORT/cpp11.host_cxt/Source0.rtc:number: CORBA.NO_PERMISSION
+  [6]
   $ rtprint --property dataport.serializer.cdr.endian=middle ../cpp2.host_cxt/Source0.rtc:number
+  rtprint: /localhost:$PORT/cpp2.host_cxt/Source0.rtc:number: refused by the component (UNSUPPORTED)
+  [6]

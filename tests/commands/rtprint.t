@@ -52,7 +52,7 @@ One member, Python's spelling, a function of one's own:
   3.5
   $ printing rtprint -p . -n 1 ConsoleIn0.rtc:out#spell.wrong; ctl write ConsoleIn0:out 7; wait $pid
   rtprint: ConsoleIn0.rtc:out: the formatter fails (AttributeError: 'TimedLong' object has no attribute 'nothing')
-  [5]
+  [1]
   $ rtprint -p . ConsoleIn0.rtc:out#spell.missing
   rtprint: #spell.missing: no such formatter: module.function is wanted, with one argument
   [3]
@@ -63,10 +63,8 @@ One member, Python's spelling, a function of one's own:
   rtprint: #nomodule.f: cannot import nomodule (No module named 'nomodule')
   [1]
   $ printing rtprint --field tm.year -n 1 ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 7; wait $pid
-  rtprint: ConsoleIn0.rtc:out: 0 of 1 values came within 0.4s
-  $SESSION/script: 2: kill: No such process
-
-  [1]
+  rtprint: tm.year: no such field: year (there are sec, nsec)
+  [3]
 
 Bytes:
 
@@ -107,13 +105,14 @@ Figures, each second and at the end. The sender is a Python process beside other
   > for line in sys.stdin: found = json.loads(line); print(sorted(found), found["total"], found["values"], found["bytes"])'
   ['age_max', 'age_mean', 'bytes', 'bytes_per_second', 'disordered', 'dropped', 'gap_max', 'gap_mean', 'gap_min', 'jitter', 'missing', 'path', 'rate', 'repeated', 'seconds', 'total', 'values'] True 30 360
   $ tty 30 rtprint -t 1.3 --stats Source0.rtc:number | sed 's/[0-9.]* [vHg].*/…/'
+  \x1b[2K… (esc)
+  \x1b[1A\x1b[2Kall in all: … (esc)
   $ rtprint --raw -n 30 --stats Source0.rtc:number | sed 's/.*values/values/'
   values, [0-9]+\.[0-9] Hz, gap [0-9.e+]+/[0-9.e+]+/[0-9.e+]+ ms, jitter [0-9.e+]+ ms, [0-9.]+ kB/s (re)
 
 A connection's properties can be set, and data can be fetched instead:
 
   $ printing rtprint -n 1 --property dataport.subscription_type=flush ConsoleIn0.rtc:out
-  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connected (push), id $UUID
   $ rtcat -ll ConsoleIn0.rtc:out | grep '  *dataport.subscription_type'; ctl write ConsoleIn0:out 1; wait $pid
     dataport.subscription_type               block,flush,new,nonblock,periodic
   [0.000000000] 1
@@ -128,6 +127,8 @@ Wrong usage:
   rtprint: the following arguments are required: PATH:PORT[.NAME][#FORMATTER] (see --help)
   [2]
   $ rtprint ConsoleIn0.rtc
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no port specified (see --help)
+  [2]
   $ rtprint -r 0 ConsoleIn0.rtc:out
   rtprint: argument -r/--rate: not a number of Hz above 0: 0 (see --help)
   [2]
@@ -157,7 +158,7 @@ What is no out port:
   [3]
   $ rtprint nobody.rtc:out ..:out
   rtprint: /localhost:$PORT/test.host_cxt/nobody.rtc: no such path
-  rtprint: /localhost:$PORT/test.host_cxt/\e: no such path
+  rtprint: /localhost:$PORT/test.host_cxt/\.: no such path
   [3]
   $ rtprint -n 1 nobody.rtc:out Source0.rtc:number | cut -d: -f1
   rtprint: /localhost:$PORT/test.host_cxt/nobody.rtc: no such path

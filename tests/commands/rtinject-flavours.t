@@ -1,0 +1,33 @@
+rtinject sends to all implementations of OpenRTM.
+
+once: it is the peers that differ here
+world: two --flavour cpp11 --context cpp11.host_cxt/%n.rtc
+world: two --flavour cpp12 --context cpp12.host_cxt/%n.rtc
+world: two --flavour cpp2 --context cpp2.host_cxt/%n.rtc
+world: two --flavour py2 --context py2.host_cxt/%n.rtc
+world: two --flavour java --context java.host_cxt/%n.rtc
+world: two --flavour rtorb --context rtorb.host_cxt/%n.rtc
+
+  $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtinject "$@" ../$v.host_cxt/ConsoleOut0.rtc:in; done
+  >   for w in two two2 two3 two4 two5 two6; do ctl @$w received ConsoleOut0:in 1; ctl @$w connectors ConsoleOut0:in; done; }
+  $ each -c '{"data": 1}'
+  1 1
+  1 1
+  1 1
+  1 1
+  1 1
+  1 1
+  $ each -c 'RTC.TimedLong({time}, 2)' --property dataport.serializer.cdr.endian=big
+  2 2
+  2 2
+  2 2
+  2 2
+  2 2
+  2 2
+  $ each -c '{"data": 3}' --property dataport.serializer.cdr.endian=big,little -n 2 -r 100
+  4 3
+  4 3
+  4 3
+  4 3
+  4 3
+  4 3
