@@ -67,6 +67,16 @@ A pipe is no place for a log to be read from, but one to write to:
   rtlog: pipe: a pipe; logs are read from files
   [1]
 
+A component that hangs is told of, and does not hold up the others, or the end:
+
+  $ RTSHELL_TIMEOUT=0.5 rtlog -t 5 -f g.rtlog Source0.rtc:number.a ConsoleIn0.rtc:out & until rtlog --json -f g.rtlog 2>/dev/null | grep -q number; do :; done
+  rtlog: Recording for 5.0s.
+  $ hang senders; wait $!
+  rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: no answer within 0.5s
+  [5]
+  $ resume senders; rtlog -d --json -f g.rtlog | grep -o 'closed": [a-z]*'
+  closed": true
+
 A component that dies ends its part of the recording; when none is left, recording ends:
 
   $ rtlog -f d.rtlog -t 4 Source0.rtc:number.a ConsoleIn0.rtc:out & two=$!
