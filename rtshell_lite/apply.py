@@ -33,8 +33,9 @@ class Outcome:
     def as_dict(self):
         """For JSON."""
         step = self.step
-        return {"step": step.kind, "object": step.where, "required": step.required, "command": step.command or None,
-                "status": self.status, "reason": str(self.error) if self.error is not None else None}
+        return {"step": step.kind, "path": step.where, "required": step.required, "command": step.command or None,
+                "result": "already" if self.status == SO else self.status,
+                "error": str(self.error) if self.error is not None else None}
 
 
 def check(outcomes):

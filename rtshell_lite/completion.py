@@ -10,7 +10,7 @@ import os
 import re
 import threading
 
-from rtshell_lite import cli, configuration, errors, installation, ports, rpc, shell, tree
+from rtshell_lite import cli, errors, installation, rpc, shell, tree
 from rtshell_lite.path import ROOT, parse
 from rtshell_lite.text import printable
 
@@ -182,6 +182,7 @@ def _entries(path):
 
 def _ports(component, types):
     """Paths of the ports of a component. They alone are asked, as `ports` tells why."""
+    from rtshell_lite import ports
     node = tree.component(parse(component))
     found = []
     for each in ports.ports(node):
@@ -193,14 +194,19 @@ def _ports(component, types):
 
 # ---- configuration --------------------------------------------------------------------------------------------
 
+def _configuration(others):
+    from rtshell_lite import configuration
+    return configuration.Configuration(tree.component(parse(others[0]))) if others else None
+
+
 def _sets(word, others):
-    found = configuration.Configuration(tree.component(parse(others[0]))) if others else None
+    found = _configuration(others)
     return [Candidate(printable(each.id), True, "") for each in found.sets()] if found else []
 
 
 def _parameters(word, others):
-    found = configuration.Configuration(tree.component(parse(others[0])))
-    return [Candidate(printable(name), True, printable(value)) for name, value in found.set().values.items()]
+    found = _configuration(others)
+    return [Candidate(printable(name), True, printable(value)) for name, value in found.set().values.items()] if found else []
 
 
 # ---- local files ----------------------------------------------------------------------------------------------

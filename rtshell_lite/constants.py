@@ -45,7 +45,7 @@ class Expression:
                 raise errors.BadValue(_short(text), "its type is not known; write it as RTC.TimedLong({time}, 42)")
             type = types.named(self.written.name)
         elif called and not construct.fits(self.written.name, construct.target(type.descriptor)):
-            raise errors.BadValue(type.name, "not what is written here: %s" % types.named(self.written.name).name)
+            raise errors.BadValue(types.named(self.written.name).name, "not the type that is wanted, %s" % type.name)
         self.type = type
         self.value(0)
 
@@ -60,7 +60,7 @@ def parse(text):
     """What a text says, for `construct.build`, and whether it is JSON. Raises BadValue."""
     if not re.match(_CALL, text, re.ASCII):
         try:
-            return json.loads(text, parse_constant=lambda word: construct.NUMBERS[word]), True
+            return json.loads(text, parse_constant=lambda word: construct.NUMBERS[word], parse_int=_whole), True
         except (ValueError, RecursionError):
             if text.lstrip()[:1] == "{" and not text.lstrip().startswith("{time}"):
                 raise errors.BadValue(_short(text), "not JSON (%s)" % _fault_of(text))
@@ -70,9 +70,15 @@ def parse(text):
     return found, False
 
 
+def _whole(word):
+    if len(word) > LONGEST_NUMBER:
+        raise ValueError("a number of %d digits" % len(word))
+    return int(word)
+
+
 def _fault_of(text):
     try:
-        json.loads(text)
+        json.loads(text, parse_int=_whole)
     except ValueError as e:
         return str(e)
     except RecursionError:

@@ -274,7 +274,7 @@ class _Adoption:
 
 def check_identifier(word):
     """`word` when it can name a member. Raises BadType."""
-    if not isinstance(word, str) or not _IDENTIFIER.match(word):
+    if not isinstance(word, str) or not _IDENTIFIER.match(word) or word in ("_d", "_n", "_v"):  # these tell unions and items
         raise errors.BadType(repr(word), "not an identifier")
     return word
 

@@ -18,7 +18,7 @@ TICK = 0.1
 
 timeout = 3.0  # seconds a peer may stay silent; set once by cli from --timeout
 end = None  # time.monotonic() after which nobody is asked any more, None for no such time: set by who promises a bound
-NO_TIME = "no time was left to ask it"
+NO_TIME = "there was no time left to ask it"
 
 Job = collections.namedtuple("Job", "endpoint where call")  # (host, port) or anything hashable; path text; function()
 

@@ -38,7 +38,7 @@ _COMPLETE_BASH = """\
 _rtshell_lite() {
     local answers answer
     COMPREPLY=()
-    answers=$(command rtcwd --shell=bash --line="${COMP_LINE:0:COMP_POINT}" --word="$2" 2>/dev/null </dev/null)
+    answers=$(command rtcwd --shell=bash --line="${COMP_LINE:0:COMP_POINT}" --word="=$2" 2>/dev/null </dev/null)
     while IFS= read -r answer; do
         [ -n "$answer" ] && COMPREPLY+=("$answer")
     done <<<"$answers"
@@ -50,7 +50,7 @@ _COMPLETE_ZSH = """\
 _rtshell_lite() {
     local line="${(j: :)words[1,CURRENT-1]} $QIPREFIX$IPREFIX$PREFIX"
     local -a answers
-    answers=("${(@f)$(command rtcwd --shell=zsh --line="$line" --word="$IPREFIX$PREFIX" 2>/dev/null </dev/null)}")
+    answers=("${(@f)$(command rtcwd --shell=zsh --line="$line" --word="=$IPREFIX$PREFIX" 2>/dev/null </dev/null)}")
     [[ -n "$answers" ]] && compadd -Q -U -S '' -- "${answers[@]}"
 }
 if [[ -o interactive ]]; then

@@ -4,7 +4,6 @@ A value is what stubs make: structs have attributes, unions _d and _v, items of 
 octets bytes and those of characters text.
 """
 import base64
-import collections
 import math
 import re
 import struct
@@ -13,7 +12,6 @@ import sys
 from rtshell_lite import constants, construct, errors
 from rtshell_lite.text import printable
 
-Time = collections.namedtuple("Time", "sec nsec")
 Expression = constants.Expression
 build = construct.build
 
@@ -28,9 +26,8 @@ def _sort(value):
         return "scalar"
     if isinstance(value, (list, tuple)):
         return "list"
-    if hasattr(value, "_n"):
-        return "enum"
-    return "union" if "_d" in vars(value) else "struct"
+    members = vars(value)
+    return "enum" if "_n" in members else "union" if "_d" in members else "struct"
 
 
 def _case(union):
@@ -41,10 +38,11 @@ def _case(union):
 
 def timestamp(value):
     """(seconds, nanoseconds) that a value says it is from, its member `tm`; None when it has none."""
-    try:
-        return value.tm.sec, value.tm.nsec
-    except AttributeError:
+    members = getattr(getattr(value, "tm", None), "__dict__", None)
+    if not members or list(members) != ["sec", "nsec"]:
         return None
+    stamp = members["sec"], members["nsec"]
+    return stamp if isinstance(stamp[0], int) and isinstance(stamp[1], int) else None
 
 
 def with_timestamp(value, sec, nsec):
@@ -57,6 +55,14 @@ def with_timestamp(value, sec, nsec):
     return made
 
 
+def _bounded(function, *args):
+    """What a function gives that goes down into a value. Raises BadValue for one that Python's stack does not hold."""
+    try:
+        return function(*args)
+    except RecursionError:
+        raise errors.BadValue("the value", "nested too deep to show")
+
+
 # ---- as text --------------------------------------------------------------------------------------------------
 
 def text(value, limit=None):
@@ -64,6 +70,10 @@ def text(value, limit=None):
 
     Of a sequence, octets included, no more than `limit` elements are shown and the others counted; None shows all.
     """
+    return _bounded(_line, value, limit)
+
+
+def _line(value, limit):
     if _sort(value) != "struct":
         return _text(value, limit) if not isinstance(value, str) else printable(value)
     members = vars(value)
@@ -109,6 +119,10 @@ def _hex(data):
 
 def constructor(value):
     """A value in the form that rtinject reads, RTC.TimedLong(tm=RTC.Time(sec=1, nsec=2), data=42): `Expression` reads it back."""
+    return _bounded(_constructor, value)
+
+
+def _constructor(value):
     sort = _sort(value)
     if isinstance(value, float) and not math.isfinite(value):
         return "NaN" if math.isnan(value) else "Infinity" if value > 0 else "-Infinity"
@@ -117,13 +131,13 @@ def constructor(value):
     if sort == "scalar":
         return repr(value)
     if sort == "list":
-        return "[%s]" % ", ".join(map(constructor, value))
+        return "[%s]" % ", ".join(map(_constructor, value))
     if sort == "enum":
         return value._n
     called = construct.dotted(type(value)._NP_RepositoryId)
     if sort == "union":
-        return "%s(%s)" % (called, ", ".join(constructor(part) for part in (value._d, value._v)[:2 if _case(value) else 1]))
-    return "%s(%s)" % (called, ", ".join("%s=%s" % (name, constructor(inner)) for name, inner in vars(value).items()))
+        return "%s(%s)" % (called, ", ".join(_constructor(part) for part in (value._d, value._v)[:2 if _case(value) else 1]))
+    return "%s(%s)" % (called, ", ".join("%s=%s" % (name, _constructor(inner)) for name, inner in vars(value).items()))
 
 
 def _escaped(c):
@@ -140,34 +154,43 @@ def json(value):
 
     NaN and the infinities, for which JSON has no numbers, are "NaN", "Infinity" and "-Infinity".
     """
+    return _bounded(_json, value)
+
+
+def _json(value):
     if isinstance(value, float) and not math.isfinite(value):
         return "NaN" if math.isnan(value) else "Infinity" if value > 0 else "-Infinity"
     if isinstance(value, bytes):
         return base64.b64encode(value).decode("ascii")
     sort = _sort(value)
     if sort == "list":
-        return value if value and isinstance(value[0], (int, str)) else [json(each) for each in value]
+        plain = value and (isinstance(value[0], (int, str)) or isinstance(value[0], float) and all(map(math.isfinite, value)))
+        return value if plain else [_json(each) for each in value]
     if sort == "struct":
-        return {name: json(inner) for name, inner in vars(value).items()}
+        return {name: _json(inner) for name, inner in vars(value).items()}
     if sort == "union":
         case = _case(value)
-        return {"_d": json(value._d), case: json(value._v)} if case else {"_d": json(value._d)}
+        return {"_d": _json(value._d), case: _json(value._v)} if case else {"_d": _json(value._d)}
     return value._n if sort == "enum" else value
 
 
-def flat(value, column=""):
+def flat(value):
     """[(column, scalar)] for a table: tm.sec, data[0], data.x; octets in hex, enums by name, a union's label as _d."""
+    return _bounded(_flat, value, "")
+
+
+def _flat(value, column):
     sort = _sort(value)
     if isinstance(value, bytes):
         return [(column, value.hex())]
     if sort == "list":
-        return [cell for i, each in enumerate(value) for cell in flat(each, "%s[%d]" % (column, i))]
+        return [cell for i, each in enumerate(value) for cell in _flat(each, "%s[%d]" % (column, i))]
     if sort in ("struct", "union"):
         members = vars(value) if sort == "struct" else {"_d": value._d}
         if sort == "union" and _case(value):
             members[_case(value)] = value._v
         start = column + "." if column else ""
-        return [cell for name, inner in members.items() for cell in flat(inner, start + name)]
+        return [cell for name, inner in members.items() for cell in _flat(inner, start + name)]
     return [(column, value._n if sort == "enum" else value)]
 
 
@@ -230,8 +253,9 @@ def _guesses(data, order):
             start = 8
     size = len(data) - start
     for width, code, words in SCALARS:
-        if size == width:
-            found.append("%s %r" % (words, struct.unpack_from(order + code, data, start)[0]))
+        number = struct.unpack_from(order + code, data, start)[0] if size == width else None
+        if number is not None and (isinstance(number, int) or number == 0 or 1e-9 < abs(number) < 1e12):
+            found.append("%s %r" % (words, number))
     if size >= 5:
         count, = struct.unpack_from(order + "I", data, start)
         if count == size - 4 and data[-1:] == b"\0":

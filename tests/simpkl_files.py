@@ -90,7 +90,8 @@ def python2_log(data, old_style=False):
 
     path = b"](" + text("/") + text("localhost") + text("Src0.rtc") + b"e"
     port = made("rtshell.port_types", "PortSpec", _formatter=b"N", _input=b"\x88", _name=text("numbers"),
-                _raw_specs=b"]" + text("/localhost/Src0.rtc:out.numbers") + b"a", _targets=b"]" + path + text("out") + b"\x86a",
+                _raw_specs=b"]" + text("/localhost/Src0.rtc:out.numbers") + b"a",
+                _targets=b"]" + path + text("out") + b"\x86a",
                 _type=b"cRTC\nTimedLong\n", _type_name=text(TEXT))
     out = b"\x80\x02" + b"G" + struct.pack(">d", 1795247464.75) + b"]" + port + b"a\x86." + b" " * CLOSING
     for index, value in enumerate(data):

@@ -133,6 +133,11 @@ class InShell:
             pass
         for typed, wanted in [
                 ("rtls --rec", "rtls --recurse "),
+                ("rtpwd --", "rtpwd --"),
+                ("rtprint ConsoleOut0.rtc:", "rtprint ConsoleOut0.rtc:"),
+                ("rtprint ConsoleIn0.rtc:", "rtprint ConsoleIn0.rtc:out "),
+                ("rtinject ConsoleOut0.rtc:", "rtinject ConsoleOut0.rtc:in "),
+                ("rtfsm ConsoleIn0.rtc gets", "rtfsm ConsoleIn0.rtc getst"),
                 ("rtdoc -f h", "rtdoc -f html "),
                 ("rtdoc --format=h", "rtdoc --format=html "),
                 ("rtls /", "rtls /localhost:PORT/"),

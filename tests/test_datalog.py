@@ -4,16 +4,14 @@ import os
 import random
 import resource
 import signal
-import struct
 import subprocess
 import sys
 import tempfile
-import time
 import tracemalloc
 import unittest
 
-from rtshell_lite import datalog, datatypes, errors
-from rtshell_lite.datalog import blocks, meaning, play, recorder, writer
+from rtshell_lite import datalog, errors
+from rtshell_lite.datalog import blocks, writer
 
 LONG = "IDL:RTC/TimedLong:1.0"
 CHANNELS = [datalog.Channel("a", LONG, b"\1\2", ("/x:a",)), datalog.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y:b"))]
@@ -211,7 +209,7 @@ class Damage(Case):
                   "out = t.writer.Writer(sys.argv[1], t.CHANNELS, 1)\n"
                   "for n in range(100000):\n"
                   "    out.write(t.messages(50, 5000))\n"
-                  "    sys.stdout.write('%%d\\n' %% ((n + 1) * 50)); sys.stdout.flush()\n" % (ROOT, os.path.join(ROOT, "tests")))
+                  "    print((n + 1) * 50, flush=True)\n" % (ROOT, os.path.join(ROOT, "tests")))
         for number in range(4):
             process = subprocess.Popen([sys.executable, "-c", script, self.name], stdout=subprocess.PIPE)
             told = [int(process.stdout.readline()) for _ in range(5 + number)][-1]
@@ -277,9 +275,10 @@ class Hostile(Case):
         body = self.write(written, close=False)
         true = json.loads(writer_index(self.name))
         points = true["points"]
-        lies = [{"next": 9}, {"next": "5"}, {"next": None}, {"last": 1}, {"points": []}, {"points": [[0, 0, None]]}, {"points": 7},
-                {"points": [[1] + points[0][1:]]}, {"points": [[0, 1 << 80, None]]}, {"points": [[0, -1, None]]},
-                {"points": points + points}, {"headers": []}, {"headers": [8, 9]}, {"headers": [8, 1 << 70]}, {"headers": "ab"},
+        lies = [{"next": 9}, {"next": "5"}, {"next": None}, {"last": 1}, {"points": []}, {"points": [[0, 0, None]]},
+                {"points": 7}, {"points": [[1] + points[0][1:]]}, {"points": [[0, 1 << 80, None]]},
+                {"points": [[0, -1, None]]}, {"points": points + points}, {"headers": []}, {"headers": [8, 9]},
+                {"headers": [8, 1 << 70]}, {"headers": "ab"},
                 {"counts": {"a": 1.5, "b": 3.5}}, {"counts": {"a": 50}}, {"counts": [5]}, {"first": "x"}]
         for lie in lies:
             index = blocks.text(blocks.INDEX, dict(true, **lie), len(body))
@@ -296,117 +295,6 @@ def writer_index(name):
     """The JSON of the index that belongs to a file without one."""
     with datalog.load(name) as log:
         return log.index.block(0)[blocks.BLOCK.size:-blocks.FOOTER.size].decode()
-
-
-class Playing(Case):
-    def numbers(self, start, end, by_index=True):
-        with datalog.load(self.name) as log:
-            return [entry.number for entry in play.Range(start, end, by_index).entries(log)]
-
-    def test_ranges(self):
-        """As rtshell: an end without a start is a number of entries, with one it is the last."""
-        self.write(messages(10))
-        for start, end, numbers in [(None, None, range(10)), (None, 3, range(3)), (0, 3, range(3)), (2, 4, range(2, 5)), (9, None, [9]),
-                                    (None, -1, range(10)), (3, -1, range(3, 10)), (None, 99, range(10)), (None, 0, [])]:
-            self.assertEqual(self.numbers(start, end), list(numbers), (start, end))
-        self.assertEqual(self.numbers(1700000000.0025, 1700000000.0055, False), [3, 4, 5])
-        for start, end, by_index in [(10, None, True), (1800000000, None, False), (None, 1600000000, False)]:
-            with self.assertRaises(errors.No):
-                self.numbers(start, end, by_index)
-
-    def test_pace(self):
-        """Entries come when they are due, neither sooner nor much later; `seconds` end them."""
-        entries = [datalog.Entry(i, START + i * 10 ** 8, 0, True, b"", None) for i in range(4)]
-        for how, expected in [(lambda: play.due(entries, 2), [0, .05, .1, .15]), (lambda: play.due(entries, 1, .15), [0, .15, .3, .3]),
-                              (lambda: play.due(entries, 1, None, .15), [0, .1]),
-                              (lambda: play.portions(entries, 3, .1), [0, 0, 0, .1])]:
-            begun = time.monotonic()
-            times = [time.monotonic() - begun for _ in how()]
-            self.assertEqual(len(times), len(expected))
-            for taken, due in zip(times, expected):
-                self.assertTrue(due <= taken < due + 0.2, (times, expected))
-
-
-class Timestamps(Case):
-    """rtshell never moved them, and would have forgotten the carry."""
-
-    def setUp(self):
-        Case.setUp(self)
-        self.write([(0, START, True, struct.pack("<IIi", 1600000000, 900000000, 7)),
-                    (0, START, False, struct.pack(">IIi", 1600000000, 1, 7)), (0, START, True, struct.pack("<IIi", 0, 0, 7)),
-                    (0, START, True, b"xyz")], channels=[CHANNELS[0]._replace(typecode=b"")])
-        self.log = datalog.load(self.name)
-        self.addCleanup(self.log.__exit__)
-        self.channels, self.entries = meaning.Channels(self.log, datatypes.Types()), list(self.log.entries())
-
-    def data(self, number, little, moment=None):
-        data = self.channels.data(self.entries[number], little, moment)
-        return struct.unpack("<IIi" if little else ">IIi", data)
-
-    def test_left_alone(self):
-        self.assertEqual(self.data(0, True), (1600000000, 900000000, 7))
-        self.assertEqual(self.data(0, False), (1600000000, 900000000, 7))
-        self.assertEqual(self.data(1, False), (1600000000, 1, 7))
-
-    def test_moved_with_carry_in_both_byte_orders(self):
-        later = START + 10 * 10 ** 9 + 200000000
-        for little in (True, False):
-            self.assertEqual(self.data(0, little, later), (1600000011, 100000000, 7))
-            self.assertEqual(self.data(1, little, later), (1600000010, 200000001, 7))
-        self.assertEqual(self.data(0, True, START - 10 ** 9), (1599999999, 900000000, 7))
-
-    def test_one_that_was_never_set_stays(self):
-        self.assertEqual(self.data(2, True, START + 10 ** 9), (0, 0, 7))
-
-    def test_within_what_it_can_hold(self):
-        self.assertEqual(self.data(0, True, 0), (0, 0, 7))
-        self.assertEqual(self.data(0, True, START * 9), ((1 << 32) - 1, 999999999, 7))
-
-    def test_data_that_is_none(self):
-        self.assertEqual(self.channels.data(self.entries[3], True, START + 1), b"xyz")
-        with self.assertRaisesRegex(errors.No, "entry 3: RTC.TimedLong: the data end"):
-            self.channels.data(self.entries[3], False, START + 1)
-        self.assertEqual(meaning.line(self.channels, self.entries[3]), "3 bytes: 78797a")
-        self.assertEqual(self.channels.unreadable, 1)
-
-
-class Recording(Case):
-    def test_a_slow_disk_costs_messages_not_time(self):
-        """The sender never waits; what does not fit is counted."""
-        message = collections_message(b"x" * 1000000)
-
-        class Slow(writer.Writer):
-            def write(self, messages):
-                time.sleep(0.05 if messages else 0)
-                writer.Writer.write(self, messages)
-
-        work = recorder.Recorder()
-        work.start(Slow(self.name, CHANNELS, START))
-        take, longest = work.box.taker(0), 0
-        for _ in range(400):
-            begun = time.monotonic()
-            take(message)
-            longest = max(longest, time.monotonic() - begun)
-        work.close()
-        self.assertLess(longest, 0.04)
-        self.assertEqual(work.count + sum(work.box.dropped.values()), 400)
-        self.assertGreater(work.box.dropped[0], 0)
-        self.assertEqual(len(self.read()[1]), work.count)
-
-    def test_the_end(self):
-        """After `most` messages it is done, and the file has no more."""
-        work = recorder.Recorder(3)
-        for _ in range(5):
-            work.box.put(1, collections_message(b"abc"))
-        work.start(writer.Writer(self.name, CHANNELS, START))
-        self.assertTrue(work.done.wait(5))
-        work.close()
-        self.assertEqual([entry.channel for entry in self.read()[1]], [1, 1, 1])
-
-
-def collections_message(data):
-    from rtshell_lite.dataport import Message
-    return Message(START, data, True)
 
 
 if __name__ == "__main__":

@@ -22,7 +22,8 @@ WHEEL, OMNIORB_WHEEL = (os.environ.get(name) and os.path.abspath(os.environ[name
 LARGEST = 400000
 MISSING = "omniORBpy is not installed"
 # Arguments with which a command must ask somebody; the others get one path.
-ASKING = {"rtcon": ["/localhost/a.rtc:o", "/localhost/b.rtc:i"], "rtfsm": ["/localhost/a.rtc", "getstate"], "rtls": [], "rtpwd": [],
+ASKING = {"rtcon": ["/localhost/a.rtc:o", "/localhost/b.rtc:i"], "rtlog": ["/localhost/a.rtc:o"],
+          "rtfsm": ["/localhost/a.rtc", "getstate"], "rtls": [], "rtpwd": [],
           "rtconf": ["/localhost/a.rtc", "list"], "rtmgr": ["-r", "/localhost/a.mgr"], "rtstodot": ["--live"]}
 # These contact nothing, have a file to read first, or tell it as a finding.
 LOCAL = {"rtpwd", "rtsh", "rtcheck", "rtresurrect", "rtteardown", "rtstart", "rtstop", "rtdoctor"}

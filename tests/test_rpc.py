@@ -115,6 +115,19 @@ class Gather(unittest.TestCase):
         with self.assertRaises(KeyError):
             rpc.gather([self.job("p", lambda: {}["x"])])
 
+    def test_nobody_is_asked_when_all_time_is_up(self):
+        """If this fails, a command that has promised a bound does not keep it with peers that are slow but answer."""
+        def slow():
+            for _ in range(20):
+                time.sleep(0.05)
+                rpc.answered()
+        start = time.monotonic()
+        rpc.end = start + 0.3
+        self.addCleanup(setattr, rpc, "end", None)
+        values = rpc.gather([self.job("slow", slow) for _ in range(20)] + [self.job("quick", lambda: "done")])
+        self.assertLess(time.monotonic() - start, 0.8)
+        self.assertEqual([str(value) for value in values], ["slow: " + rpc.NO_TIME] * 20 + ["done"])
+
     def test_ask_raises(self):
         def refused():
             raise errors.Refused("x", "no")

@@ -45,7 +45,8 @@ class Files(Case):
         with datalog.load(self.name) as log:
             self.assertEqual((log.started, log.count, log.first, log.last, log.closed), (
                 FIRST, 3, FIRST, FIRST + 2 * 10 ** 7, closed))
-            self.assertEqual(log.channels, [datalog.Channel("numbers", files.TEXT, b"", ("/localhost/Src0.rtc:out.numbers",))])
+            self.assertEqual(log.channels, [datalog.Channel("numbers", files.TEXT, b"",
+                                                            ("/localhost/Src0.rtc:out.numbers",))])
             self.assertEqual(log.since(FIRST + 1), 1)
             self.assertEqual([entry.number for entry in log.entries(2)], [2])
 
@@ -62,11 +63,13 @@ class Files(Case):
         item = files._class("omniORB", "EnumItem")
         found = self.read(files.log([files.make(files.TimedLong, text="\xe6\x97\xa5", octets=b"\0\xff", one=files.make(
             item, _n="RED", _v=1), many=[files.make(files.Time, sec=1, nsec=2)] * 3)], classes=files.CLASSES + (item,)))[1]
-        self.assertEqual(found[0].value, {"text": "\u65e5", "octets": b"\0\xff", "one": "RED", "many": [{"sec": 1, "nsec": 2}] * 3})
+        self.assertEqual(found[0].value, {"text": "\u65e5", "octets": b"\0\xff", "one": "RED",
+                                          "many": [{"sec": 1, "nsec": 2}] * 3})
 
     def test_own_types_must_be_named(self):
         own = files._class("mine", "Own")
-        data = files.log([files.make(own, x=1)], specs=[files.spec("a", "IDL:mine/Own:1.0", own)], classes=files.CLASSES + (own,))
+        specs = [files.spec("a", "IDL:mine/Own:1.0", own)]
+        data = files.log([files.make(own, x=1)], specs=specs, classes=files.CLASSES + (own,))
         with self.assertRaisesRegex(errors.No, "mine.Own is none of the classes"):
             self.read(data)
         self.assertEqual(self.read(data, ["mine"])[1][0].value, {"x": 1})
@@ -121,7 +124,8 @@ class Hostile(Case):
         b"(cos\nsystem\nS'touch %s'\no.",
         b"\x80\x02cos\nsystem\nU\x01x\x85\x81.",
         b"\x80\x04\x8c\x02os\x8c\x06system\x93)}\x92.",  # NEWOBJ_EX
-        b"cknown\nKnown\n)R.", b"\x80\x02cknown\nKnown\nU\x01x\x85\x81.", b"(S'x'\niknown\nKnown\n.", b"(cknown\nKnown\nS'x'\no.",
+        b"cknown\nKnown\n)R.", b"\x80\x02cknown\nKnown\nU\x01x\x85\x81.", b"(S'x'\niknown\nKnown\n.",
+        b"(cknown\nKnown\nS'x'\no.",
         b"\x80\x02cknown\nKnown\n)}\x92.",
         b"\x80\x02cbuiltins\neval\nU\x011\x85R.", b"\x80\x02c__builtin__\nobject\n)\x81.", b"cbuiltins\nobject\n)R.",
         b"\x80\x02ccopyreg\n_reconstructor\nccopyreg\n_reconstructor\ncbuiltins\nobject\nN\x87R.",
@@ -134,10 +138,12 @@ class Hostile(Case):
         b"Pid\n.", b"U\x02idQ.", b"\x97.", b"\x98.", b"\x80\x04\x8f.", b"\x80\x04(\x91.",  # persistent, buffers, sets
     ]
 
-    FAULTS = [b"", b".", b"0.", b"1.", b"2.", b"(.", b"((.", b"K\x01K\x02.", b"a.", b"]a.", b"e.", b"K\x01(e.", b"s.", b"u.", b"}(K\x01u.",
-              b"}K\x01K\x02s.", b"}]K\x02s.", b"t.", b"\x85.", b"\x87.", b"\x94.", b"g5\n.", b"gx\n.", b"h\x05.", b"j\x05\0\0\0.", b"p-\n.",
-              b"Ix\n.", b"Fx\n.", b"S'x\n.", b"Sx\n.", b"S'\\xZ'\n.", b"V\\u12\n.", b"I1", b"\x80\x06.", b"\x80", b"\x95" + b"\xff" * 8 + b".",
-              b"\xff.", b"\x93.", b"K\x01K\x02\x93.", b"o.", b"(o.", b"cos\n.", b"b.", b"R.", b"X\x01\0\0\0\xff.", b"L" + b"9" * 5000 + b"L\n."]
+    FAULTS = [b"", b".", b"0.", b"1.", b"2.", b"(.", b"((.", b"K\x01K\x02.", b"a.", b"]a.", b"e.", b"K\x01(e.", b"s.", b"u.",
+              b"}(K\x01u.", b"}K\x01K\x02s.", b"}]K\x02s.", b"t.", b"\x85.", b"\x87.", b"\x94.", b"g5\n.", b"gx\n.",
+              b"h\x05.",
+              b"j\x05\0\0\0.", b"p-\n.", b"Ix\n.", b"Fx\n.", b"S'x\n.", b"Sx\n.", b"S'\\xZ'\n.", b"V\\u12\n.", b"I1",
+              b"\x80\x06.", b"\x80", b"\x95" + b"\xff" * 8 + b".", b"\xff.", b"\x93.", b"K\x01K\x02\x93.", b"o.", b"(o.",
+              b"cos\n.", b"b.", b"R.", b"X\x01\0\0\0\xff.", b"L" + b"9" * 5000 + b"L\n."]
 
     def test_calls(self):
         for data in self.CALLS:
@@ -165,7 +171,8 @@ class Hostile(Case):
         self.assertEqual(type(found), pickles.Record)
 
     def test_lengths_are_not_believed(self):
-        for opcode, size in [(b"T", "<i"), (b"X", "<I"), (b"B", "<I"), (b"\x8d", "<Q"), (b"\x8e", "<Q"), (b"\x96", "<Q"), (b"\x8b", "<i")]:
+        for opcode, size in [(b"T", "<i"), (b"X", "<I"), (b"B", "<I"), (b"\x8d", "<Q"), (b"\x8e", "<Q"), (b"\x96", "<Q"),
+                             (b"\x8b", "<i")]:
             for length in (-1, 1 << 30, (1 << 31) - 1, (1 << 62)):
                 try:
                     self.refused_cheaply(opcode + struct.pack(size, length) + b"xx.")

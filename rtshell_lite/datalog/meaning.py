@@ -121,8 +121,8 @@ def summary(log):
 
 def as_dict(log):
     """The same as fields; times are seconds since the epoch."""
-    channels = [{"name": each.name, "type": each.type_id, "sources": list(each.sources), "entries": log.counts.get(each.name, 0),
-                 "typecode": bool(each.typecode)} for each in log.channels]
+    channels = [{"name": each.name, "type": each.type_id, "sources": list(each.sources), "typecode": bool(each.typecode),
+                 "entries": log.counts.get(each.name, 0)} for each in log.channels]
     return {"file": log.where, "form": log.form, "size": log.size, "started": _seconds(log.started),
             "first": _seconds(log.first), "last": _seconds(log.last), "entries": log.count, "channels": channels,
             "closed": log.closed, "torn": log.torn, "damaged": log.damaged}

@@ -42,7 +42,7 @@ _HELPERS = {("copy_reg", "_reconstructor"): _RECONSTRUCTOR, ("copyreg", "_recons
 
 
 class Machine:
-    """Reads pickles one after the other from a file of `size` octets. `known(module, name)` says which classes may appear."""
+    """Reads pickles in a row from a file of `size` octets; `known(module, name)` says which classes may appear."""
 
     def __init__(self, file, size, known):
         self._file, self._size, self._known = file, size, known

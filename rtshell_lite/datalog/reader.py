@@ -150,7 +150,7 @@ class Log:
     # ---- the index ----
 
     def _indexed(self):
-        """The index that the file ends with, and where it begins; None when there is none, or it does not agree with the file."""
+        """The index that the file ends with, and where it begins; None when there is none that agrees with the file."""
         position = blocks.index_position(self._file, self.size)
         if position is None:
             return None
@@ -171,7 +171,8 @@ class Log:
         index.next, index.first, index.last = told["next"], told["first"], told["last"]
         index.counts, index.headers, index.points = told["counts"], told["headers"], told["points"]
         _demand(all(isinstance(each, int) for each in [index.next] + index.headers + list(index.counts.values())))
-        _demand(index.headers[0] == len(blocks.MAGIC) and bool(index.points) == bool(index.count) and index.count <= index.next)
+        _demand(index.headers[0] == len(blocks.MAGIC))
+        _demand(bool(index.points) == bool(index.count) and index.count <= index.next)
         numbers = [point[0] for point in index.points]
         offsets = [point[1] for point in index.points]
         latest = [point[2] for point in index.points[1:]]

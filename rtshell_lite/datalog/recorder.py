@@ -3,13 +3,45 @@ import sys
 import threading
 import time
 
-from rtshell_lite import inbox
-from rtshell_lite.datalog import blocks
+from rtshell_lite import errors, inbox, ports
+from rtshell_lite.datalog import Channel, blocks
+from rtshell_lite.text import printable
 
 VALUES, OCTETS = 200000, 64 << 20  # that may wait; robots have little memory
 TICK = 0.1  # seconds between two looks whether recording is over
 SWITCH = 0.0005  # seconds: the writer gives up Python's lock at every write, and got it back too late (290, now 430 MB/s)
 SYNC = 5.0  # seconds between two fsyncs: what a power failure costs
+
+
+class Channels:
+    """The channels of a log to be: ports of one NAME share one. `types`: their datatypes.Type or None; `notes` say why."""
+
+    def __init__(self, known):
+        """`known` are datatypes.Types."""
+        self._known, self._found, self.types, self.notes = known, [], [], []
+
+    def add(self, port, name):
+        """The number of a Port's channel. Raises errors.No when its NAME is taken by one of another type."""
+        where, type_id = ports.label(port), port.properties.get("dataport.data_type", "")
+        for number, channel in enumerate(self._found):
+            if channel.name == name:
+                if not ports.same_type(channel.type_id, type_id):
+                    raise errors.No(where, "%s has another data type (%s, %s)" % (
+                        printable(name), printable(channel.type_id), printable(type_id)))
+                channel.sources.append(where)
+                return number
+        try:
+            type = self._known.of_port(port)
+        except (errors.NoSuch, errors.BadType) as e:
+            self.notes.append("%s; recorded as bytes" % e)
+            type = None
+        self.types.append(type)
+        self._found.append(Channel(name, type.id if type else type_id, type.to_bytes() if type else b"", [where]))
+        return len(self._found) - 1
+
+    def described(self):
+        """They as a Writer takes them."""
+        return self._found
 
 
 class Recorder:

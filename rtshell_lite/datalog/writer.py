@@ -46,7 +46,8 @@ class Writer:
     def __init__(self, name, channels, begun, append=False):
         """Create the file, with a header and nothing else, or make it ready to go on. Raises errors.No, too.
 
-        `begun` is when recording began, ns since the epoch. A file of that name is replaced at the moment when the header of the new one is on the disk.
+        `begun` is when recording began, ns since the epoch. A file of that name is replaced at the moment when the header
+        of the new one is on the disk.
         """
         self.name, self.channels, self._synced, self._failed = name, channels, True, False
         self.index, self.end = Index(), 0  # end: offset behind the last whole block

@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import component, errors, orb, ports, rpc
-from rtshell_lite.doctor.finding import counted, fail, ok, reason, warn
+from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, warn
 from rtshell_lite.text import printable, shell_word
 
 
@@ -120,17 +120,18 @@ def _troubles(each, hung):
 
 
 def _summary(each):
-    """Active, 1000 Hz, 2 ports, 1 connection."""
+    """Active, claims 1000 Hz, 2 ports, 1 connection, at 127.0.0.1:4000."""
     state = component.merged(each.states)
     rate = next(("claims %g Hz" % one.rate for one in each.contexts if _is_periodic(one)), "not periodic")
     number = len({one.id for port in each.ports for one in port.connectors})
-    return ", ".join([state, rate] + [counted(len(each.ports), "port"), counted(number, "connection")])
+    return ", ".join([state, rate, counted(len(each.ports), "port"), counted(number, "connection"),
+                      "at " + published(each.node.ref)])
 
 
 def _stopped_answering(each, hung):
     e = each.error
     if e.args[1:] == (rpc.NO_TIME,):
-        return warn("component", each.where, "not looked at: " + rpc.NO_TIME, "rtdoctor --timeout 30 " + each.word)
+        return fail("component", each.where, "slow: " + rpc.NO_TIME, "rtdoctor --timeout 30 " + each.word)
     if isinstance(e, errors.Silent) and not each.asking:
         message = "not looked at: others of its process hang"
         return warn("component", each.where, message, "mend those first, then: rtdoctor " + each.word)

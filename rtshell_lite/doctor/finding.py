@@ -1,6 +1,9 @@
 """What an examination finds: one line each."""
 import collections
 
+from rtshell_lite import orb
+from rtshell_lite.text import printable
+
 HERE = "here"  # stands in the place of a path for what concerns this host and this shell
 
 # `level` is ok, warn or fail; `check` what kind of check found it; `path` the object, spelt for the terminal, or HERE;
@@ -21,6 +24,11 @@ def warn(check, path, message, remedy):
 def fail(check, path, message, remedy):
     """A Finding that something does not work."""
     return Finding("fail", check, path, message, remedy)
+
+
+def published(ref):
+    """The addresses that a reference publishes, decoded from its IOR: `192.0.2.1:4000, 127.0.0.1:4000`."""
+    return ", ".join("%s:%d" % (printable(host), port) for host, port in orb.addresses(ref)) or "no TCP address"
 
 
 def counted(number, noun):

@@ -123,14 +123,14 @@ def _host_name():
     """The name of this host must lead to an address of it that others can use: components may publish what it leads to."""
     name = socket.gethostname()
     shown = "this host's name, %s, " % printable(name)
-    cure = "write its address into /etc/hosts: ADDRESS " + printable(name)
+    cure = "give it its real address in /etc/hosts"
     try:
         found = addresses.resolve(name)
     except errors.Error as e:
         return [warn("host name", HERE, shown + "is not known here (%s)" % reason(e), cure)]
     told = ", ".join(found)
     if all(addresses.is_loopback(each) for each in found):
-        return [warn("host name", HERE, shown + "means %s: who publishes it is lost to other hosts" % told, cure)]
+        return [warn("host name", HERE, shown + "means %s: who publishes it cannot be reached from elsewhere" % told, cure)]
     if not any(addresses.is_own(each) for each in found):
         return [warn("host name", HERE, shown + "means %s, which is not this host" % told, cure)]
     return [ok("host name", HERE, shown + "means " + told)]

@@ -1,6 +1,6 @@
 """Each manager: whether it answers, and whether what it lists is there."""
 from rtshell_lite import errors, tree
-from rtshell_lite.doctor.finding import counted, fail, ok, reason
+from rtshell_lite.doctor.finding import counted, fail, ok, published, reason
 from rtshell_lite.text import shell_word
 
 
@@ -45,4 +45,4 @@ def _troubles(node, answer):
         elif each.kind == "silent":
             found.append(fail("manager", where, what + "hangs (%s)" % reason(each.error), "rtls -l " + word))
     return found or [ok("manager", where, "manager of %s, %s" % (
-        counted(len(components), "component"), counted(len(slaves), "slave")))]
+        counted(len(components), "component"), counted(len(slaves), "slave") + ", at " + published(node.ref)))]

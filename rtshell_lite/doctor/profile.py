@@ -19,7 +19,7 @@ def findings(profile, name, state):
 
 
 def _remedy(each, name):
-    """What brings the system back to what the file says: rtresurrect does all but start components and change their states."""
+    """What brings the system back to what the file says: rtresurrect does all but start components and set states."""
     if each.check == "state":
         return "%s %s" % (TRANSITIONS.get((each.actual, each.expected), "rtls -l"), shell_word(each.path))
     if each.message.partition(": ")[0].endswith("component missing"):

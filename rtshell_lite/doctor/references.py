@@ -1,7 +1,7 @@
 """Each name in a name server and the reference behind it: where it leads, whether it can be reached, whether it lives."""
 from rtshell_lite import errors, orb
 from rtshell_lite.doctor import addresses
-from rtshell_lite.doctor.finding import fail, reason, warn
+from rtshell_lite.doctor.finding import fail, ok, published, reason, warn
 from rtshell_lite.text import printable, shell_word
 
 
@@ -28,13 +28,13 @@ def _unreachable(visit, node):
     offered = orb.addresses(node.ref)
     if not offered:
         return []  # other transports: whether the object lives tells all
-    told = ", ".join("%s:%d" % (printable(host), port) for host, port in offered)
+    told = published(node.ref)
     loopback = _published_loopback(visit, where, offered, told)
     if loopback:
         return loopback
     if node.kind == "zombie":
         return [_dead(node, told)]
-    if node.kind == "silent":
+    if node.kind == "silent" or node.kind == "unknown" and _out_of_reach(visit, offered):
         return [_silent(visit, node, offered, told)]
     return _half_reachable(visit, where, offered)
 
@@ -55,7 +55,7 @@ def _is_loopback(host):
 
 def _dead(node, told):
     if isinstance(node.error, errors.Gone):
-        message = "dead (zombie): the process at %s is another one, or has ended it" % told
+        message = "dead (zombie): who listens at %s now does not have it" % told
     else:
         message = "dead (zombie): nothing listens at %s" % told
     return fail("reference", str(node.path), message, _command("rtdel -z", node))
@@ -63,15 +63,22 @@ def _dead(node, told):
 
 def _silent(visit, node, offered, told):
     """An object that does not answer: because of its host, the network, its process, or itself."""
-    where, failures = str(node.path), [visit.probes.get(each) for each in offered]
-    if all(isinstance(each, errors.Error) for each in failures):
-        return fail("reference", where, "publishes %s, out of reach (%s)" % (told, reason(failures[0])),
+    where = str(node.path)
+    if _out_of_reach(visit, offered):
+        failure = visit.probes[offered[0]]
+        if isinstance(failure, errors.ConnectionRefused):
+            return fail("reference", where, "dead: nothing listens at " + told, _command("rtdel", node))
+        return fail("reference", where, "publishes %s, out of reach (%s)" % (told, reason(failure)),
                     "ping %s; else give its process an address that others reach" % printable(offered[0][0]))
     if isinstance(node.error, errors.Silent):
         return fail("reference", where, "hung: %s accepts TCP, but %s" % (told, reason(node.error)),
                     "restart it; netstat -ltnp | grep :%d there names its process" % offered[0][1])
     return fail("reference", where, "somebody else's: %s does not speak CORBA (%s)" % (told, reason(node.error)),
                 "netstat -ltnp | grep :%d there names it; then %s" % (offered[0][1], _command("rtdel", node)))
+
+
+def _out_of_reach(visit, offered):
+    return all(isinstance(visit.probes.get(each), errors.Error) for each in offered)
 
 
 def _half_reachable(visit, where, offered):
@@ -85,11 +92,13 @@ def _half_reachable(visit, where, offered):
 # ---- what it is -----------------------------------------------------------------------------------------------
 
 def _not_what_it_says(node):
-    """A name of kind rtc or mgr that belongs to an object of another kind: somebody else's."""
+    """A name of kind rtc or mgr that belongs to an object of another kind: somebody else's; and other objects."""
     kind, expected = node.path.names[-1].kind, {"rtc": "component", "mgr": "manager"}
+    what = printable(orb.address(node.ref).type_id) or node.what
+    if kind not in expected and node.kind == "unknown":
+        return [ok("reference", str(node.path), "another CORBA object, %s, at %s" % (what, published(node.ref)))]
     if kind not in expected or node.kind == expected[kind] or node.kind in ("zombie", "silent"):
         return []
-    what = printable(orb.address(node.ref).type_id) or node.what
     message = "somebody else's: not a %s but %s" % (expected[kind], what)
     return [fail("reference", str(node.path), message, _command("rtdel", node))]
 

@@ -7,7 +7,7 @@ from rtshell_lite.doctor import addresses
 from rtshell_lite.doctor.finding import fail, ok, reason, warn
 from rtshell_lite.text import printable, shell_word
 
-SLOW = 0.5  # seconds: a step that takes longer makes every command slow
+SLOW = 1.0  # seconds: a step that takes longer makes every command slow
 
 _NAMING_CONTEXT = "IDL:omg.org/CosNaming/NamingContext:1.0"
 
@@ -37,7 +37,8 @@ def _visit(place, tops):
     if not _reach(visit, tree.resolve(place)):
         return visit
     for top in tops:
-        visit.nodes.extend(_below(visit, top))
+        known = {node.path for node in visit.nodes}
+        visit.nodes.extend(node for node in _below(visit, top) if node.path not in known)
     visit.nodes[:], probes = rpc.gather([
         rpc.Job(("look", place), str(place), lambda: tree.look(visit.nodes)),
         rpc.Job(("probe", place), str(place), lambda: _probes(visit.nodes))])

@@ -25,10 +25,6 @@ class Scope:
         self.name, self.parent, self.prefix = name, parent, prefix
         self.names, self.bases = {}, []
 
-    def path(self):
-        """The names from the outermost scope to this one."""
-        return (self.parent.path() if self.parent else []) + ([self.name] if self.name else [])
-
     def own(self, name):
         """The Entry of a name declared here or in an interface that this one inherits from, None when there is none."""
         todo, seen = [self], set()

@@ -169,8 +169,7 @@ def within(parser, entry, parse):
     try:
         return parse()
     finally:
-        inner, parser.scope = parser.scope, outer
-        entry.inner = inner
+        parser.scope = outer
 
 
 def _struct(parser, entry, name, depth):

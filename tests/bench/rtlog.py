@@ -55,8 +55,8 @@ os._exit(0)
 def bare(world, port, type_id, *file):
     """Messages and octets a second that a servant of nothing else takes, or one that writes the data to a file."""
     ior = mocks.Server.orb.object_to_string(world.port("Source0", port))
-    said = subprocess.run([sys.executable, "-c", BARE, ior, type_id, str(SECONDS)] + list(file), stdout=subprocess.PIPE, check=True,
-                          env=mocks.ENVIRONMENT).stdout.split()
+    said = subprocess.run([sys.executable, "-c", BARE, ior, type_id, str(SECONDS)] + list(file), check=True,
+                          stdout=subprocess.PIPE, env=mocks.ENVIRONMENT).stdout.split()
     return float(said[0]), float(said[1])
 
 

@@ -43,13 +43,13 @@ All is well:
 The name of this host, which components may publish:
 
   $ HOSTS="robot1=127.0.1.1" doctor -q
-  warn  here: this host's name, robot1, means 127.0.1.1: who publishes it is lost to other hosts; try: write its address into /etc/hosts: ADDRESS robot1
+  warn  here: this host's name, robot1, means 127.0.1.1: who publishes it cannot be reached from elsewhere; try: give it its real address in /etc/hosts
   $ HOSTS="robot1=198.51.100.2" doctor -q
-  warn  here: this host's name, robot1, means 198.51.100.2, which is not this host; try: write its address into /etc/hosts: ADDRESS robot1
+  warn  here: this host's name, robot1, means 198.51.100.2, which is not this host; try: give it its real address in /etc/hosts
   $ HOSTS="robot1=unknown" doctor -q
-  warn  here: this host's name, robot1, is not known here (Name or service not known); try: write its address into /etc/hosts: ADDRESS robot1
+  warn  here: this host's name, robot1, is not known here (Name or service not known); try: give it its real address in /etc/hosts
   $ HOSTS="robot1=slow" doctor -q --timeout 0.5
-  warn  here: this host's name, robot1, is not known here (no answer within 0.5s); try: write its address into /etc/hosts: ADDRESS robot1
+  warn  here: this host's name, robot1, is not known here (no answer within 0.5s); try: give it its real address in /etc/hosts
   $ HOSTS="robot1=198.51.100.1 localhost=unknown" doctor -q
   fail  here: localhost is not known here (Name or service not known); try: write into /etc/hosts: 127.0.0.1 localhost
   fail  /localhost:$PORT: host name localhost not known here (Name or service not known); try: correct the name, or write its address into /etc/hosts
