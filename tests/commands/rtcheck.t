@@ -224,7 +224,6 @@ Files that are none:
 What the components have beyond the file is told with --extra:
 
   $ mock robot; rtdeact --wait MyServiceConsumer0.rtc MyServiceProvider0.rtc; rtcryo -o r.xml /localhost:$PORT; rtcheck --extra -s Inactive r.xml
-  rtdel: /localhost:1: connection refused; is the name server running?
   rtcryo: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: zombie, left out
   rtcryo: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: zombie, left out
   $ rtcon -i less Sensor0.rtc:out Motor0.rtc:in
