@@ -109,7 +109,7 @@ class Disconnect(Connection):
     jobs = _looked_at
 
     @property
-    def command(self):
+    def command(self):  # type: ignore[override]
         return "; ".join("rtdis -i %s %s" % (shell_word(one.id), shell_word(ports.label(port))) for port, one in self.last[:1])
 
     def so(self, answers):

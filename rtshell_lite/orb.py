@@ -146,7 +146,8 @@ def address(ref):
             if tag == 0:  # TAG_INTERNET_IOP
                 body = _Cdr(profile)
                 body.at += 2  # the version
-                return Address(type_id, *body.host_and_port(), key=body.octets())
+                host, port = body.host_and_port()
+                return Address(type_id, host, port, body.octets())
     except (IndexError, struct.error):
         return Address("", "", 0, b"")
     return Address(type_id, "", 0, b"")
