@@ -33,10 +33,10 @@ def binary():
     return shutil.which("omniNames")
 
 
-def free_port():
+def free_port(first=12000, last=31999):
     """A port below the kernel's ephemeral range, so that no outgoing connection takes it in between."""
     for _ in range(200):
-        port = random.randrange(12000, 32000)
+        port = random.randint(first, last)
         with socket.socket() as probe:
             try:
                 probe.bind(("127.0.0.1", port))
