@@ -109,10 +109,6 @@ class Disconnect(Connection):
 
     jobs = _looked_at
 
-    @property
-    def command(self):  # type: ignore[override]
-        return "; ".join("rtdis -i %s %s" % (shell_word(one.id), shell_word(ports.label(port))) for port, one in self.last[:1])
-
     def so(self, answers):
         there = [answer for answer in answers if not isinstance(answer, errors.Error)]
         self.last = [(port, one) for port, one in ((port, self._ours(port, there)) for port in there) if one is not None]

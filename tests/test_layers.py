@@ -14,7 +14,7 @@ LAYERS = [
     ["bin"],
     ["__main__"],
     ["restore", "linking", "apply", "steps", "mapping", "completion", "manpages", "interpreter", "prompt"],
-    ["system", "compare", "plan", "starting", "graph", "drawing", "listing", "describe", "describe_manager", "markup",
+    ["system", "compare", "plan", "starting", "graph", "drawing", "svg", "listing", "describe", "describe_manager", "markup",
      "manual", "search", "unbind", "composing", "unpack", "printing", "injecting", "doctor", "watch"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
      "configuration", "servants", "targets", "inbox", "flow", "fsm", "polling"],
