@@ -28,7 +28,7 @@ ASKING = {
     "rtinject": ["-c {\"data\":1} A:in", "-c {\"data\":1} -n 3 -r 100 B:in A:in"],
     "rtlog": ["-f OUT -t 0.5 A:out", "-p -f LOG A:in"],
     "rtls": ["-lR SERVER", "-l SERVER", "SERVER", "--json -l SERVER", "A"],
-    "rtmgr": ["-r MGR", "-c Mock MGR", "-l Mock -m --loaded --factories MGR", "-d Mock0 MGR"],
+    "rtmgr": ["-r MGR", "-c Mock MGR", "-l Mock.so:MockInit -m --loaded --factories MGR", "-d Mock0 MGR"],
     "rtprint": ["-t 0.5 A:out", "-n 1 -t 0.5 --raw A:out B:out", "--pull -t 0.5 A:out", "--stats -t 0.5 A:out"],
     "rtreset": ["A", "--wait 0.5 A B"],
     "rtresurrect": ["FILE", "--dry-run FILE", "--rollback FILE"],
