@@ -9,7 +9,7 @@ from rtshell_lite.idl_stubs.component import RTC
 from rtshell_lite.idl_stubs.data import RTC as Data
 from rtshell_lite.idl_stubs.fsm import RTC as Fsm
 
-from . import modules, observers, values
+from . import modules, observers
 from .components import Spec
 from .fsm import StateMachine
 from .manager import Manager
@@ -38,7 +38,7 @@ STRINGS = {
     "operators": "& touch canary | touch canary > canary\\",
     "invalid": "\xff\xfe\x80\xed\xa0\x80",
     "path": "a/b:c.d\\e\\x41//..",
-    "formats": "%s%n{}{0}%(x)s!!~*?[a]#",
+    "formats": "~%s%n{}{0}%(x)s!!*?[a]#",
     "markup": "]]>&amp;</rts:Components><x y='\"'>- : # !!python/object:os.system",
 }
 INSTANCE = "Wicked0"    # of the component whose string is empty

@@ -89,8 +89,7 @@ def run_module(module, python, environment, patterns):
                 outcomes = json.load(file)
         except (OSError, ValueError):
             return [(module, "fail", "%s\n%s" % (why, said))]
-    figures = [line for line in said.splitlines() if line.startswith("figures: ")]
-    outcomes += [(module, "figures", line) for line in figures]
+    outcomes = [[module, "figures", line] for line in said.splitlines() if line.startswith("figures: ")] + outcomes
     if said and any(outcome[1] == "fail" for outcome in outcomes):
         outcomes[-1] = outcomes[-1][:2] + [outcomes[-1][2] + "\noutput of %s:\n%s" % (module, said)]
     return outcomes

@@ -1,13 +1,17 @@
 """Running commands and seeing what they cost: seconds, memory, what they say; and the surroundings to run them in."""
 import concurrent.futures
+import fcntl
 import glob
 import os
+import pty
 import random
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
+import termios
 import threading
 import time
 
@@ -69,6 +73,35 @@ def run(words, where, **more):
         err.seek(0)
         return Ran(words, process.returncode if process.returncode >= 0 else 128 - process.returncode, out.read(), err.read(),
                    seconds - waited, waited, usage.ru_maxrss)
+
+
+def run_on_terminal(words, where, columns=80, **more):
+    """Run a command on a terminal of its own; all that it prints is `out`."""
+    child, terminal = pty.fork()
+    if child == 0:
+        try:
+            signal.signal(signal.SIGINT, signal.SIG_DFL)
+            os.chdir(where)
+            os.execve(sys.executable, [sys.executable, "-m", "rtshell_lite"] + words, environment(**more))
+        finally:
+            os._exit(127)
+    fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+    begun, said = time.monotonic(), b""
+    killer = threading.Timer(LIMIT, os.kill, (child, signal.SIGKILL))
+    killer.start()
+    while True:
+        try:
+            data = os.read(terminal, 65536)
+        except OSError:  # how Linux says that the other side is closed
+            data = b""
+        if not data:
+            break
+        said += data
+    os.close(terminal)
+    status, usage = os.wait4(child, 0)[1:]
+    killer.cancel()
+    status = 128 + os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status)
+    return Ran(words, status, said, b"", time.monotonic() - begun, 0, usage.ru_maxrss)
 
 
 def waited_for_processor(pid):

@@ -1,6 +1,5 @@
 """Every command against every kind of broken peer, as name server and as component: one calm line, in time, and no more
 memory than it needs. If one of these fails, a broken robot takes the tool that is to look after it along."""
-import os
 import re
 import unittest
 
