@@ -81,6 +81,7 @@ def _settle(quiet, verbose, timeout):
     global _quiet, _verbose
     _quiet, _verbose, rpc.timeout = quiet, verbose, timeout
     rpc.silent.clear()  # in rtsh: what was silent for one command is asked again by the next
+    rpc.slots = rpc.Slots()
 
 
 class _Closed(io.TextIOBase):
@@ -326,6 +327,21 @@ def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
 def parsed(words):
     """What the user typed as paths, before anything is contacted. Raises BadPath."""
     return [path.parse(word) for word in words]
+
+
+def tops(words):
+    """Paths of what to look at as a whole; at the root of the tree, host:2809 is a name server. Raises BadPath, Usage."""
+    return [_top(word) for word in words]
+
+
+def _top(word):
+    host, port = path.split_address(word)
+    if ":" in word and "/" not in word and port is not None:
+        return path.parse("/" + word)
+    top = path.parse(word)
+    if top.port is not None:
+        raise errors.Usage("%s: a port is looked at with its component" % text.printable(word))
+    return top
 
 
 def execution_context(parser):
