@@ -32,6 +32,9 @@ class Commands:
                 raise ValueError("only %d values received" % port.received)
         return ["%d %s" % (port.received, shown(port.last))]
 
+    def times(self, port):
+        return [str(len(self.stage.port(port).times))]
+
     def sent(self, port):
         return [str(self.stage.port(port).sent)]
 

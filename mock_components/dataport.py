@@ -177,6 +177,7 @@ class InPort(DataPort):
         DataPort.__init__(self, component, name, type_name)
         self.received = 0
         self.last = None
+        self.times = set()              # of the values
         self.status = "PORT_OK"         # what it answers to values
 
     def modes(self):
@@ -192,6 +193,7 @@ class InPort(DataPort):
     def take(self, data, little):
         """A payload has come in."""
         self.last = values.decode(self.type_name, data, little)
+        self.times.add((self.last.tm.sec, self.last.tm.nsec))
         with self.process.arrived:
             self.received += 1
             self.process.arrived.notify_all()

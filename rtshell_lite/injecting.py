@@ -68,6 +68,7 @@ class Injection:
     def __init__(self, writers, kinds, types):
         self.writers, self.kinds, self.types = writers, kinds, types
         self.sent, self.begun, self.ended = 0, 0.0, 0.0
+        self.taken = [0] * len(self.writers)  # values that each port has taken
         self._ready = {}
 
     def checked(self, text, where=None):
@@ -141,10 +142,15 @@ class Injection:
             data = expressions[i].type.encode(expressions[i].value(now), writer.little)
             jobs.append(rpc.Job(writer.endpoint, writer.where, lambda writer=writer, data=data: writer.put(data, writer.little)))
         results = rpc.gather(jobs)
-        for (writer, _), result in zip(live, results):
+        for (writer, i), result in zip(live, results):
+            self.taken[i] += not isinstance(result, errors.Error)
             if isinstance(result, errors.Unreachable) and not isinstance(result, errors.Silent):
                 writer.failure = result
         return [result for result in results if isinstance(result, errors.Error)]
+
+    def useless(self):
+        """The Writers that were given values and took none."""
+        return [writer for writer, taken in zip(self.writers, self.taken) if self.sent and not taken]
 
     def rate(self):
         """The rate that was kept, in Hz; None with fewer than two values."""

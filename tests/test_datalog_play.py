@@ -82,6 +82,32 @@ class Timestamps(Case):
         self.assertEqual(self.channels.unreadable, 1)
 
 
+class Types(Case):
+    def open(self, type_id, typecode):
+        self.write([(0, START, True, struct.pack("<IIi", 1, 2, 7))], channels=[datalog.Channel("a", type_id, typecode, ())])
+        log = datalog.load(self.name)
+        self.addCleanup(log.__exit__)
+        return meaning.Channels(log, datatypes.Types()), next(log.entries())
+
+    def test_described_in_the_file(self):
+        """No IDL is needed for a type that nobody else knows."""
+        code = datatypes.Types().named("TimedLong").to_bytes()
+        channels, entry = self.open("IDL:Own/Type:1.0", code)
+        self.assertEqual(meaning.line(channels, entry), "[1.000000002] 7")
+        self.assertEqual(meaning.record(channels, entry)["value"], {"tm": {"sec": 1, "nsec": 2}, "data": 7})
+
+    def test_not_known(self):
+        """The bytes are shown and played; only the other byte order needs the type."""
+        for code in (b"", b"garbled", b"[" * 5000):
+            channels, entry = self.open("IDL:Own/Type:1.0", code)
+            self.assertEqual(meaning.line(channels, entry), "12 bytes: 010000000200000007000000")
+            fields = meaning.record(channels, entry)
+            self.assertEqual((fields["hex"], fields["little_endian"]), ("010000000200000007000000", True))
+            self.assertEqual(channels.data(entry, True, START + 5), entry.data)
+            with self.assertRaisesRegex(errors.No, "type IDL:Own/Type:1.0 is not known; name its IDL file"):
+                channels.data(entry, False)
+
+
 class Recording(Case):
     def test_a_slow_disk_costs_messages_not_time(self):
         """The sender never waits; what does not fit is counted."""

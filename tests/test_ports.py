@@ -201,7 +201,7 @@ class Disconnecting(Case):
         self.assertEqual(self.play("RTC_OK"), ["disconnect"])
 
     def test_unknown_is_gone(self):
-        self.assertEqual(self.play("BAD_PARAMETER"), ["disconnect"])
+        self.assertEqual(self.play("BAD_PARAMETER", self.FREE), ["disconnect", "get_connector_profiles"])
 
     def test_refused_and_gone_all_the_same(self):
         """C++ 2.1 with the dead peer listed second."""

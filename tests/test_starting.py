@@ -6,7 +6,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 import mocks  # noqa: E402
-from mock_components import control  # noqa: E402
+from mock_components import asking  # noqa: E402
 from rtshell_lite import component, errors, plan, rpc, starting, system, tree  # noqa: E402
 from rtshell_lite.xmlprofile import model  # noqa: E402
 
@@ -57,7 +57,7 @@ class Sweep(unittest.TestCase):
         cls.world.close()
 
     def ctl(self, *words):
-        done, text = control.request(self.world.control, words)
+        done, text = asking.request(self.world.control, words)
         self.assertTrue(done, text)
         return text.strip()
 

@@ -66,6 +66,12 @@ A part:
   rtlog: WARNING: --index has no effect without --start or --end
   rtlog: End of log reached.
 
+What was recorded big-endian is played to a port that wants little-endian data:
+
+  $ rtlog -q -i -e 3 -f big.rtlog --property dataport.serializer.cdr.endian=big Source0.rtc:number.n
+  $ ctl @these received ConsoleOut0:in | cut -d' ' -f1 > before; rtlog -q -p -f big.rtlog ConsoleOut0.rtc:in
+  $ [ "$(ctl @these received ConsoleOut0:in $(($(cat before) + 3)))" = "$(($(cat before) + 3)) $(rtlog --csv -f big.rtlog | tail -n 1 | cut -d, -f6)" ]
+
 To the terminal, at their pace; --json and --csv, too:
 
   $ rtlog -p -r 1000 -f a.rtlog | sed 's/\[[0-9.]*\] <.*/<BYTES>/; s/\[[0-9.]*\] [0-9]*/[TIME] N/' | sort | uniq -c

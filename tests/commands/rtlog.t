@@ -101,6 +101,20 @@ A file of that name is replaced, not before there is something to record; --appe
   $ rtlog -q -i -e 1 --append -f new.rtlog Source0.rtc:number; rtlog --json -f new.rtlog | wc -l
   1
 
+A file that was cut off is read up to its last whole record, and can be appended to:
+
+  $ head -c 800 a.rtlog > cut.rtlog; rtlog -q --csv -f cut.rtlog | cut -d, -f1,3
+  number,port
+  0,numbers
+  1,numbers
+  2,numbers
+  $ rtlog -d --json -f cut.rtlog 2>&1 | sed 's/.*closed/closed/; s/[0-9][0-9.]\{2,\}/N/g'
+  closed": false, "damaged": 0, "entries": 3, "file": "cut.rtlog", "first": N, "form": "rtlog", "last": N, "size": N, "started": N, "torn": N}
+  rtlog: cut.rtlog: the last N octets are no whole record and are left out
+  $ rtlog -q -i -e 1 --append -f cut.rtlog Source0.rtc:number.numbers; rtlog -d --json -f cut.rtlog | grep -o '"closed": [a-z]*\|"torn": [0-9]*'
+  "closed": true
+  "torn": 0
+
 While somebody records to it nobody else does; reading it is fine:
 
   $ rtlog -q -f busy.rtlog Source0.rtc:number & until rtlog --json -f busy.rtlog 2>/dev/null | grep -q number; do :; done

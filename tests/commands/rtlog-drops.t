@@ -1,0 +1,15 @@
+rtlog never makes a sender wait for a disk: what does not fit into memory is dropped, counted and told.
+
+world: senders 50 4000000
+alone: the time that a sender takes
+
+Here the disk is a pipe whose reader is slow to begin; the component sends at its rate all the same:
+
+  $ mkfifo slow; (sleep 3; cat > /dev/null) < slow & rtlog -t 2 -f slow Source0.rtc:block > told 2>&1; echo $?
+  5
+  $ sed 's/[0-9][0-9]* /N /g' told | uniq
+  rtlog: Recording for 2.0s.
+  rtlog: N messages dropped so far: they come faster than they can be written
+  rtlog: N of N messages dropped
+  $ wait
+  $ ctl connectors Source0:block
