@@ -7,7 +7,8 @@ import collections
 import threading
 import time
 
-from rtshell_lite import component, describe, errors, orb, path as paths, ports, rpc, text, tree
+from rtshell_lite import component, describe, errors, orb, path as paths, ports, rpc, tree
+from rtshell_lite.overview import Row
 
 IN_FLIGHT = 4  # monitors that ask more at a time have disturbed real-time threads
 DOUBTFUL = 2  # of these, how many may go to processes that have not answered, or not yet: they must not take all
@@ -16,18 +17,6 @@ CONTEXTS = 5.0  # seconds between looks at execution contexts and their rates
 PORTS = 10.0  # seconds between looks at connections: each makes a component see whether the far ends are there
 PORTS_SILENT = 60.0  # the same, for one that does not answer that question
 REST = 5.0  # seconds for which what is dead or silent is left alone
-WINDOW = 2.0  # seconds over which the rate of a port is taken
-
-SORTS = ("name", "state", "rate", "connections")
-STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown")  # the order by state: trouble first
-
-# One line of the page. `name` tells it from the others; `state` is ? for what does not answer and - for a zombie; `rate` in Hz,
-# of the first context that runs, else of the first one; `running` whether any does; `ports` and `connections` are counts. What
-# is not known (yet) is None. `failure` is an errors.Error; rows of kind component have none, or tell what is odd.
-Row = collections.namedtuple("Row", "path name kind state rate running ports connections failure")
-
-# The flow of one port: values and bytes a second, None while not known; `failure` an errors.Error or None.
-Rate = collections.namedtuple("Rate", "path values bytes failure")
 
 
 # ---- one component --------------------------------------------------------------------------------------------
@@ -48,7 +37,7 @@ class _Entry:
         self.kind, self.state, self.failure = "component", None, None
         self.ports = self.connections = None
         self.contexts = []
-        self.looked = False
+        self.looked = False  # whether it, or its failure, is known
         self.silenced = 0.0  # when it was silent last
         self._again = self._contexts_due = self._ports_due = 0.0
 
@@ -64,10 +53,9 @@ class _Entry:
         try:
             self._look(now)
         except errors.Silent:
-            self._contexts_due = 0.0
             raise
         except errors.Error as e:  # of the component, or of something behind it?
-            self._contexts_due, self._again = 0.0, now + REST
+            self._again = now + REST
             node, = tree.look([self.node])
             if node.kind == "silent" and isinstance(node.error, errors.Silent):
                 raise node.error
@@ -80,7 +68,7 @@ class _Entry:
             self._contexts_due = now + CONTEXTS
         state = component.merged([self._of(each, lambda each=each: component.state_in(self.node, each.ref), "Unknown")
                                   for each in self.contexts])
-        self.kind, self.state, self.failure = "component", state, None
+        self.kind, self.state, self.failure, self.looked = "component", state, None, True
         if now >= self._ports_due:
             self._look_at_ports()
 
@@ -100,13 +88,10 @@ class _Entry:
         """ask(), or `otherwise` where a context of another process does not answer; that is left alone for a while."""
         if time.monotonic() < context.deaf:
             return otherwise
-        try:
-            return ask()
-        except errors.Unreachable:
-            if orb.endpoint(context.ref) == self.node.endpoint:
-                raise
+        found = component.elsewhere(self.node, context.ref, ask, None)
+        if found is None:
             context.deaf = time.monotonic() + REST
-            return otherwise
+        return otherwise if found is None else found
 
     def _look_at_ports(self):
         pause = PORTS
@@ -124,6 +109,7 @@ class _Entry:
         self.kind, self.state, self.failure = kind, "-" if kind == "zombie" else "?", failure
         self.ports = self.connections = None
         self.contexts = []
+        self._contexts_due = self._ports_due = 0.0
         self.looked = True
 
     def row(self, path, name):
@@ -135,56 +121,24 @@ class _Entry:
                    self.failure)
 
 
-# ---- the flow of one port -------------------------------------------------------------------------------------
-
-class Meter:
-    """Counts the values of a port; `take` is for a dataport.Reader."""
-
-    def __init__(self, path, failure=None):
-        self.path, self.failure = path, failure
-        self.reader = None
-        self.values = self.bytes = 0
-        self._looks = collections.deque()  # (when, values, bytes)
-
-    def take(self, message):
-        """Count a dataport.Message, on a thread of the ORB."""
-        self.values += 1
-        self.bytes += len(message.data)
-
-    def rate(self):
-        """The Rate since the last look but a few."""
-        now = time.monotonic()
-        while len(self._looks) > 1 and now - self._looks[1][0] >= WINDOW:
-            self._looks.popleft()
-        first = self._looks[0] if self._looks else None
-        self._looks.append((now, self.values, self.bytes))
-        failure = self.failure or self.reader and self.reader.failure
-        if failure or first is None or now - first[0] < component.POLL:
-            return Rate(self.path, None, None, failure)
-        return Rate(self.path, (self.values - first[1]) / (now - first[0]), (self.bytes - first[2]) / (now - first[0]), None)
-
-
 # ---- the system -----------------------------------------------------------------------------------------------
 
 class Top:
     """What is below the Paths `tops` (none: all name servers), looked at every `delay` seconds; to be closed."""
 
-    def __init__(self, tops, delay, meters=()):
+    def __init__(self, tops, delay):
         orb.start()
         rpc.slots = rpc.Slots(IN_FLIGHT)
-        self.delay, self.meters = delay, list(meters)
+        self.delay = delay
         self._ended = threading.Event()
         self._lock = threading.Lock()
         self._gate = threading.Semaphore(DOUBTFUL)
         self._calls = rpc.Calls()
-        self._places = {}  # by top: {path: identity of a component}, and {path: Node} of what cannot be listed
+        self._tops = list(collections.OrderedDict.fromkeys(_each_server(tops)))
+        self._found = {}  # by top: {path: identity of a component}
+        self._failed = {}  # by top: {path: errors.Error} of what cannot be listed
         self._entries = {}  # by identity
         self._groups = set()
-        self._tops = list(collections.OrderedDict.fromkeys(_each_server(tops)))
-        self._news = []
-
-    def start(self):
-        """Begin to look."""
         for top in self._tops:
             self._calls.start(("walk", top), ("walk", top), lambda top=top: self._follow(top))
 
@@ -199,28 +153,19 @@ class Top:
     def _follow(self, top):
         """Walk through a part of the tree again and again."""
         while True:
-            nodes, failed = self._walk(top)
+            nodes, failed = _walk(top)
             with self._lock:
+                lost = any(isinstance(each, errors.Unreachable) for each in failed.values())
+                found = dict(self._found.get(top, {})) if lost else {}  # they may well live: their name server does not
                 for node in nodes:
+                    found[str(node.path)] = orb.identity(node.ref)
                     self._entries.setdefault(orb.identity(node.ref), _Entry(node))
-                self._places[top] = {str(node.path): orb.identity(node.ref) for node in nodes}, failed
-                wanted = {identity for found, _ in self._places.values() for identity in found.values()}
+                self._found[top], self._failed[top] = found, failed
+                wanted = {identity for places in self._found.values() for identity in places.values()}
                 self._entries = {identity: each for identity, each in self._entries.items() if identity in wanted}
                 self._look_after_all()
             if self._ended.wait(WALK):
                 return
-
-    def _walk(self, top):
-        """(component nodes below a path, {path: errors.Error} of what cannot be listed)."""
-        try:
-            walked = list(tree.walk(tree.resolve(top), managers=False))
-        except errors.Error as e:
-            return [], {str(top): e}
-        unsure = [node for node in walked if node.kind == "unsure"]
-        sure = dict(zip(unsure, tree.look(unsure)))
-        nodes = [sure.get(node, node) for node in walked]
-        failed = {str(node.path): node.error for node in nodes if node.kind in tree.DIRECTORIES and node.error}
-        return [node for node in nodes if node.kind in ("component", "zombie", "silent") and node.ref is not None], failed
 
     # ---- looking ----
 
@@ -229,8 +174,8 @@ class Top:
         for each in self._entries.values():
             if each.group not in self._groups:
                 self._groups.add(each.group)
-                self._calls.start(("look", each.group), ("look", each.group), lambda each=each: self._look_after(
-                    each.group, each.node.endpoint))
+                self._calls.start(("look", each.group), ("look", each.group),
+                                  lambda group=each.group, endpoint=each.node.endpoint: self._look_after(group, endpoint))
 
     def _look_after(self, group, endpoint):
         rpc.become_lane(endpoint)
@@ -257,74 +202,66 @@ class Top:
         heard, silent = False, []
         for each in sorted(mine, key=lambda each: each.silenced):
             if self._ended.is_set():
-                break
+                return True
             try:
                 heard = each.look() or heard
-                each.looked = True
             except errors.Silent as e:
                 each.silenced = time.monotonic()
                 each.fail("silent", e)
                 silent.append(each)
                 if heard or len(silent) == 2:
                     break
-        if not silent:
-            return True
-        if heard:
+        if heard and silent:
             with self._lock:
                 for each in silent:
                     each.group = orb.identity(each.node.ref)
                 self._look_after_all()
-            return True
-        for each in mine:
-            each.fail("silent", silent[-1].failure)
-        return False
+        elif silent:
+            for each in mine:
+                each.fail("silent", errors.Silent(str(each.node.path), silent[-1].failure.args[1]))
+        return heard or not silent
 
     # ---- what it looks like ----
-
-    def complete(self):
-        """True when everything has been looked at once."""
-        with self._lock:
-            return len(self._places) == len(self._tops) and all(each.looked for each in self._entries.values())
 
     def wait(self, seconds):
         """Wait until everything has been looked at, at most for so long."""
         end = time.monotonic() + seconds
-        while not self.complete() and time.monotonic() < end:
-            self.news()
+        while not self._complete() and time.monotonic() < end:
             self._ended.wait(0.02)
 
-    def rows(self):
-        """A Row for each component and each part of the tree that cannot be listed, sorted by name."""
+    def _complete(self):
         with self._lock:
-            found, failed = {}, {}
-            for places, failures in self._places.values():
-                for path, identity in sorted(places.items()):
-                    found.setdefault(identity, path)
-                failed.update(failures)
-            entries = [(path, self._entries[identity]) for identity, path in found.items()]
+            return len(self._found) == len(self._tops) and all(each.looked for each in self._entries.values())
+
+    def rows(self):
+        """A Row for each component, and for each part of the tree that cannot be listed, sorted by name."""
+        with self._lock:
+            paths_of, failed = {}, {}
+            for top in self._found:
+                for path, identity in sorted(self._found[top].items()):
+                    paths_of.setdefault(identity, path)  # the first, if it is bound twice
+                failed.update(self._failed[top])
+            entries = [(path, self._entries[identity]) for identity, path in paths_of.items()]
         counts = collections.Counter(each.node.name for _, each in entries)
         rows = [each.row(path, each.node.name if counts[each.node.name] == 1 else path) for path, each in entries]
         rows += [Row(path, path, "unknown", "?", None, None, None, None, failure) for path, failure in failed.items()]
         return sorted(rows, key=lambda row: (row.name, row.path))
 
-    def rates(self):
-        """A Rate for each port that is measured."""
-        return [meter.rate() for meter in self.meters]
-
     # ---- acting ----
 
     def change(self, path, transition):
-        """Take the component at a path (text) through a component.Transition; `news` tells how that ended."""
-        self._do(path, ("change", path, transition), lambda node: component.change(node, transition))
+        """Take the component at a path (text) through a component.Transition; `news` tells the state that it is then in."""
+        self._on(path, transition.command, lambda node: component.change(node, transition))
 
     def show(self, path):
-        """Ask the component at a path for all that rtcat -l shows; `news` has the lines."""
-        self._do(path, ("show", path, None), _description)
+        """Ask the component at a path (text) for all that rtcat -l shows; `news` has the lines."""
+        self._on(path, "rtcat", _description)
 
-    def _do(self, path, key, function):
-        entry = self._entry(path)
+    def _on(self, path, command, function):
+        with self._lock:
+            entry = next((self._entries[places[path]] for places in self._found.values() if path in places), None)
         if entry is None:
-            self._news.append((key, errors.NotFound(path)))
+            self._calls.post((command, path), errors.NotFound(path))
             return
 
         def act():
@@ -332,24 +269,31 @@ class Top:
                 return rpc.ask(entry.node.endpoint, path, lambda: function(entry.node))
             finally:
                 entry.hurry()
-        self._calls.start(key, key, act)
-
-    def _entry(self, path):
-        with self._lock:
-            for places, _ in self._places.values():
-                if path in places:
-                    return self._entries[places[path]]
-        return None
+        self._calls.start((command, path), (command, path), act)
 
     def news(self):
-        """What has come of `change` and `show` since the last time: ((what, path, transition), value or errors.Error)."""
-        news, self._news = self._news, []
+        """What has come of `change` and `show` since the last time: ((command, path), value or errors.Error)."""
+        news = []
         while True:
             ended = self._calls.ended(0)
             if ended is None:
                 return news
-            if ended[0][0] in ("change", "show"):
+            if ended[0][0] not in ("walk", "look"):
                 news.append(ended)
+
+
+def _walk(top):
+    """(component nodes below a path, {path: errors.Error} of what cannot be listed)."""
+    try:
+        start = tree.resolve(top)
+        walked = list(tree.walk(start, managers=start.kind == "manager"))
+    except errors.Error as e:
+        return [], {str(top): e}
+    unsure = [node for node in walked if node.kind == "unsure"]
+    sure = dict(zip(unsure, tree.look(unsure)))
+    nodes = [sure.get(node, node) for node in walked]
+    failed = {str(node.path): node.error for node in nodes if node.kind in tree.DIRECTORIES and node.error}
+    return [node for node in nodes if node.kind in ("component", "zombie", "silent") and node.ref is not None], failed
 
 
 def _each_server(tops):
@@ -365,80 +309,3 @@ def _each_server(tops):
 def _description(node):
     found = describe.collect(node, 1)
     return list(describe.lines(found, 1, ports.far_ends(node, found.ports), lambda word, role=None: word))
-
-
-# ---- order and choice -----------------------------------------------------------------------------------------
-
-def arranged(rows, sort="name", wanted=""):
-    """The Rows that match all words of `wanted`, in the order of one of SORTS.
-
-    A word matches a path that it is a part of, or a state that it is, in capitals or not.
-    """
-    words = wanted.lower().split()
-    rows = [row for row in rows if all(word in row.path.lower() or word == row.state.lower() for word in words)]
-    keys = {"name": lambda row: 0, "state": lambda row: STATES.index(row.state) if row.state in STATES else len(STATES),
-            "rate": lambda row: -(row.rate or 0), "connections": lambda row: -(row.connections or 0)}
-    return sorted(rows, key=keys[sort])
-
-
-# ---- plainly --------------------------------------------------------------------------------------------------
-
-HEAD = "STATE         RATE  CONN  COMPONENT"
-
-
-def cells(row):
-    """(state, rate, connections, name and, where there is one, the reason) of a Row: what a line consists of."""
-    rate = "-" if row.rate is None else "stopped" if row.running is False else "%g" % row.rate
-    mark = {"zombie": "*", "silent": "?"}.get(row.kind, "")
-    return (row.state, rate, "-" if row.connections is None else str(row.connections),
-            mark + row.name + (": " + reason(row.path, row.failure) if row.failure else ""))
-
-
-def line(row, paint=lambda word, role=None: word):
-    """A Row as a line; `paint` colours it (see text.painter)."""
-    state, rate, connections, name = cells(row)
-    return "%s  %8s  %4s  %s" % (text.padded(paint(state), 8), rate, connections, paint(name, row.kind))
-
-
-def rate_line(rate):
-    """A Rate as a line."""
-    if rate.failure:
-        return "%8s Hz  %11s  %s" % ("?", "?", "%s: %s" % (rate.path, reason(rate.path, rate.failure)))
-    if rate.values is None:
-        return "%8s Hz  %11s  %s" % ("-", "-", rate.path)
-    return "%8.1f Hz  %11s  %s" % (rate.values, _size(rate.bytes), rate.path)
-
-
-def _size(bytes_per_second):
-    for factor, unit in ((1e9, "GB/s"), (1e6, "MB/s"), (1e3, "kB/s")):
-        if bytes_per_second >= factor:
-            return "%.1f %s" % (bytes_per_second / factor, unit)
-    return "%.0f B/s" % bytes_per_second
-
-
-def reason(path, failure):
-    """Why something failed, in one line for the terminal, without the path that stands before it."""
-    words = text.safe(str(failure))
-    return words[len(path) + 2:] if words.startswith(path + ": ") else words
-
-
-def summary(rows):
-    """How many there are, and in which states: 3 components: 1 Error, 2 Active."""
-    counts = collections.Counter(row.state for row in rows if row.kind != "unknown")
-    total = sum(counts.values())
-    states = ", ".join("%d %s" % (counts[state], {"-": "zombie"}.get(state, state)) for state in STATES if counts[state])
-    return "%d component%s%s" % (total, "" if total == 1 else "s", ": " + states if states else "")
-
-
-def as_dict(row):
-    """The JSON object of a Row."""
-    fields = {"path": row.path, "name": row.name, "kind": row.kind, "state": row.state, "rate": row.rate, "running": row.running,
-              "ports": row.ports, "connections": row.connections}
-    return dict(fields, error=str(row.failure)) if row.failure else fields
-
-
-def rate_as_dict(rate):
-    """The JSON object of a Rate."""
-    fields = {"path": rate.path, "kind": "port", "values_per_second": rate.values and round(rate.values, 3),
-              "bytes_per_second": rate.bytes and round(rate.bytes, 1)}
-    return dict(fields, error=str(rate.failure)) if rate.failure else fields

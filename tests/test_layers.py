@@ -13,9 +13,9 @@ ONCE = "it reads the source: one Python is enough"
 LAYERS = [
     ["bin"],
     ["__main__"],
-    ["restore", "linking", "apply", "steps", "mapping", "completion", "manpages", "interpreter", "prompt"],
+    ["restore", "linking", "apply", "steps", "mapping", "completion", "manpages", "interpreter", "prompt", "page"],
     ["system", "compare", "plan", "starting", "graph", "drawing", "listing", "describe", "describe_manager", "markup",
-     "manual", "search", "unbind", "composing", "unpack", "printing", "injecting", "doctor", "watch"],
+     "manual", "search", "unbind", "composing", "unpack", "printing", "injecting", "doctor", "watch", "top", "overview"],
     ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
      "configuration", "servants", "targets", "inbox", "flow", "fsm", "polling"],
     ["tree"],
