@@ -4,7 +4,7 @@ import collections
 from rtshell_lite import text
 
 SORTS = ("name", "state", "rate", "connections")
-STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown")  # the order by state: trouble first
+STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)  # the order by state: trouble first
 
 # One component. `name` tells it from the others; `kind` is component, zombie or silent, or unknown: a part of the tree that
 # cannot be listed. `state` is ? for what does not answer and - for a zombie; `rate` in Hz, of the first context that runs, else
@@ -21,7 +21,7 @@ def arranged(rows, sort="name", wanted=""):
     A word matches a path that it is a part of, or a state that it is, in capitals or not.
     """
     words = wanted.lower().split()
-    rows = [row for row in rows if all(word in row.path.lower() or word == row.state.lower() for word in words)]
+    rows = [row for row in rows if all(word in row.path.lower() or word == (row.state or "").lower() for word in words)]
     keys = {"name": lambda row: 0, "state": lambda row: STATES.index(row.state),
             "rate": lambda row: -(row.rate or 0), "connections": lambda row: -(row.connections or 0)}
     return sorted(rows, key=keys[sort])
@@ -31,7 +31,7 @@ def summary(rows):
     """How many there are, and in which states: 3 components: 1 Error, 2 Active."""
     counts = collections.Counter(row.state for row in rows if row.kind != "unknown")
     total = sum(counts.values())
-    words = {"-": "zombie", "?": "silent"}
+    words = {"-": "zombie", "?": "silent", None: "not asked yet"}
     states = ", ".join("%d %s" % (counts[state], words.get(state, state)) for state in STATES if counts[state])
     return "%d component%s%s" % (total, "" if total == 1 else "s", ": " + states if states else "")
 
@@ -42,13 +42,13 @@ def line(row):
     connections = "-" if row.connections is None else str(row.connections)
     mark = {"zombie": "*", "silent": "?"}.get(row.kind, "")
     why = ": " + reason(row.path, row.failure) if row.failure else ""
-    return "%-8s  %8s  %4s  %s" % (row.state, rate, connections, mark + row.name + why)
+    return "%-8s  %8s  %4s  %s" % (row.state or "", rate, connections, mark + row.name + why)
 
 
 def rate_line(rate):
     """A flow.Rate as a line."""
     if rate.failure:
-        return "%8s Hz  %11s  %s: %s" % ("?", "?", rate.path, reason(rate.path, rate.failure))
+        return "%8s Hz  %11s  %s" % ("?", "?", text.safe(str(rate.failure)))
     if rate.values is None:
         return "%8s Hz  %11s  %s" % ("-", "-", rate.path)
     return "%8.1f Hz  %11s  %s" % (rate.values, _size(rate.bytes), rate.path)

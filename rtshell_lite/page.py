@@ -15,19 +15,20 @@ BACKSPACE = ("\x08", "\x7f", curses.KEY_BACKSPACE)
 HINTS = "? keys  q end  / filter  s sort  a activate  d deactivate  r reset  c cat"
 
 HELP = """\
-up down j k         select a component; also PgUp PgDn Home End
-a                   activate the selected component, as rtact
-d                   deactivate it, as rtdeact
-r                   reset it, as rtreset
-c  Enter            show all about it, as rtcat -l
-s                   sort by the next of: %s
-/                   filter: words of paths, or states, that all have to match; Enter keeps it, Esc drops it
-h  ?                these keys
-Ctrl-L              draw everything anew
-q                   end; here and in what c shows: back
+up down j k   select a component; also PgUp PgDn Home End
+a             activate the selected component, as rtact does
+d             deactivate it, as rtdeact
+r             reset it, as rtreset
+c Enter       show all about it, as rtcat -l
+s             sort by the next of: %s
+/             filter: words of paths, or states, all of which have to match;
+              Enter keeps it, Esc drops it
+h ?           these keys
+Ctrl-L        draw everything anew
+q             end; here, and in what c shows: go back
 
-A line has the state (? does not answer, - is gone: a zombie), the rate of the execution context in Hz, the number of
-connections, and the name. States are asked for twice a second or as -r says, contexts every 5 s, connections every 10 s.\
+STATE is ? of what does not answer, - of a zombie. RATE is the execution
+context's, in Hz. CONN counts connections.\
 """ % ", ".join(overview.SORTS)
 
 # curses colours of states: (number of the pair, foreground, background, attributes); -1 is the terminal's own
@@ -51,7 +52,7 @@ def screen():
     """The terminal as a curses window, and afterwards as it was before."""
     locale.setlocale(locale.LC_CTYPE, "")
     os.environ.setdefault("ESCDELAY", "200")  # ms that Esc waits for the rest of a key; the default is a second
-    for name in "LINES", "COLUMNS":  # readline of rtsh sets them, and curses would not follow a terminal that is resized
+    for name in "LINES", "COLUMNS":  # readline sets them in rtsh; the terminal knows better
         os.unsetenv(name)
     try:
         window = curses.initscr()
@@ -127,7 +128,7 @@ class Page:
         """Show the page and obey keys until q. Raises BrokenPipeError when the terminal is gone."""
         watcher, due = streams.Watcher([]), 0.0
         while not self.ended:
-            fresh = self._hear()
+            fresh = self._fit() | self._hear()
             if fresh or time.monotonic() >= due:
                 self._draw()
                 due = time.monotonic() + self.looking.delay
@@ -144,6 +145,15 @@ class Page:
         except curses.error:
             time.sleep(0)  # lets a signal be heard
             return None
+
+    def _fit(self):
+        """Take on the size of the terminal; True if it has changed. In rtsh, its signal goes to readline, not to curses."""
+        with contextlib.suppress(OSError):
+            width, height = os.get_terminal_size(sys.stdout.fileno())
+            if min(width, height) > 0 and curses.is_term_resized(height, width):
+                curses.resizeterm(height, width)
+                return True
+        return False
 
     def _hear(self):
         """Take what has come of actions; True if there was something."""
@@ -262,11 +272,12 @@ class Page:
         return 2 + len(rates)
 
     def _draw_rows(self, top):
-        self.first = max(min(self.first, self.number), self.number - self.room + 1, 0)
+        last = min(self.first, self.number, max(len(self.rows) - self.room, 0))
+        self.first = max(last, self.number - self.room + 1)
         for y, row in enumerate(self.rows[self.first:self.first + self.room], top):
             chosen = curses.A_REVERSE if row.path == self.selected else 0
             self._put(y, overview.line(row), chosen)
-            self._put(y, row.state, chosen or self.attributes.get(row.state, 0))
+            self._put(y, row.state or "", chosen or self.attributes.get(row.state, 0))
 
     def _draw_over(self, top, width):
         lines = [part for line in self.over for part in _wrapped(self._spelt(line), max(width, 1))]

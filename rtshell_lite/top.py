@@ -68,9 +68,10 @@ class _Entry:
             self._contexts_due = now + CONTEXTS
         state = component.merged([self._of(each, lambda each=each: component.state_in(self.node, each.ref), "Unknown")
                                   for each in self.contexts])
-        self.kind, self.state, self.failure, self.looked = "component", state, None, True
+        self.kind, self.state, self.failure = "component", state, None
         if now >= self._ports_due:
             self._look_at_ports()
+        self.looked = True
 
     def _look_at_contexts(self):
         owned, participating = component.context_refs(self.node)
@@ -117,7 +118,7 @@ class _Entry:
         contexts = list(self.contexts)
         first = next((each for each in contexts if each.running), contexts[0] if contexts else None)
         running = any(each.running for each in contexts) if contexts else None
-        return Row(path, name, self.kind, self.state or "?", first and first.rate, running, self.ports, self.connections,
+        return Row(path, name, self.kind, self.state, first and first.rate, running, self.ports, self.connections,
                    self.failure)
 
 
