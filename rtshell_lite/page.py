@@ -96,10 +96,13 @@ def _clipped(line, columns):
 
 
 def _wrapped(line, columns):
-    """A line as lines that fit."""
+    """A line as lines that fit, broken at blanks where that leaves none too short."""
     lines = []
     while line or not lines:
         part = _clipped(line, columns) or line[:1]
+        blank = part.rfind(" ") + 1
+        if part != line and blank > len(part) / 2:
+            part = part[:blank]
         lines.append(part)
         line = line[len(part):]
     return lines
