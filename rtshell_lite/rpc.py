@@ -103,6 +103,11 @@ def answered():
         _answered[_lane.peer.endpoint] = time.monotonic()
 
 
+def has_answered():
+    """True where the peer of this lane has ever answered a call."""
+    return in_lane() and _lane.peer.endpoint in _answered
+
+
 def ask(endpoint, where, call):
     """Run one call and return its value or raise its error.
 

@@ -52,7 +52,7 @@ class Terminal(unittest.TestCase):
         self.tmux("-f", "/dev/null", "-u", "new-session", "-d", "-x", "80", "-y", "24", "sh", env=environment)
         self.addCleanup(self.tmux, "kill-server")
         self.shows("^[$#]")
-        self.type("stty -a > before; echo ready")
+        self.type("stty -g > before; echo ready")
         self.shows("^ready")
 
     def tmux(self, *words, **more):
@@ -96,7 +96,7 @@ class Terminal(unittest.TestCase):
         """rttop has ended, with this status, and the terminal is as it was before."""
         screen = self.shows("^status")
         self.assertRegex(screen, "(?m)^status %d$" % status)
-        self.type("clear; stty -a > after; cmp before after && echo same")
+        self.type("clear; stty -g > after; cmp before after && echo same")
         self.shows("^same")
         self.assertEqual(self.tmux("display-message", "-p", "#{alternate_on} #{cursor_flag} #{keypad_flag}"), "0 1 0\n")
 
@@ -113,6 +113,10 @@ class Page(Terminal):
         self.assertRegex(screen, r"(?m)^\? keys  q end .*c cat$")
         names = re.findall(r"\?*(\w+)\.rtc", screen)
         self.assertEqual(names, sorted(names))
+        self.tmux("pipe-pane", "-o", "cat > sent")
+        time.sleep(1.2)  # two looks and more, which find nothing new
+        self.tmux("pipe-pane")
+        self.assertLess(os.path.getsize(os.path.join(self.home, "sent")), 20, "what has not changed is not sent again")
         self.press("s")
         self.shows("^sorted by state$")
         self.assertEqual(re.findall(r"^(\S+) .*\.rtc", self.screen(), re.MULTILINE), ["Error", "?"] + 7 * ["Inactive"])
@@ -152,6 +156,7 @@ class Page(Terminal):
         self.shows("Broken0")
         self.press("Home", "Down", "k", "a")
         self.shows(r"^rtact: .*/Broken0\.rtc: cannot activate: it is in")
+        self.addCleanup(World.error.ctl, "error", "Broken0")
         self.press("j", "j", "Up", "k", "r")
         self.shows(r"^rtreset: .*/Broken0\.rtc: Inactive")
         self.press("End", "k", "k", "k", "k", "PPage", "/", "h", "u", "n", "g", "Enter", "a")
@@ -223,7 +228,7 @@ class End(Terminal):
         self.shows("Motor0")
         self.press("C-z")
         self.shows("Stopped|Suspended", without="Motor0")
-        self.type("stty -a > after; cmp before after && echo same")
+        self.type("stty -g > after; cmp before after && echo same")
         self.shows("^same")
         self.type("fg")
         self.shows(r"^Inactive +1000 +2  Motor0\.rtc", without="same")
