@@ -81,6 +81,7 @@ def _settle(quiet, verbose, timeout):
     global _quiet, _verbose
     _quiet, _verbose, rpc.timeout = quiet, verbose, timeout
     rpc.silent.clear()  # in rtsh: what was silent for one command is asked again by the next
+    rpc.slots = rpc.Slots()
 
 
 class _Closed(io.TextIOBase):

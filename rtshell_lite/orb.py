@@ -226,11 +226,13 @@ def call(where, ref, operation, *args, seconds=None):
         return rpc.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args, seconds=seconds))
     import omniORB
     from omniORB import CORBA
-    if seconds and seconds > rpc.timeout:
-        omniORB.setClientCallTimeout(ref, int(_milliseconds(seconds)))
-        rpc.alive(seconds)
+    longer = seconds if seconds and seconds > rpc.timeout else None
+    if longer:
+        omniORB.setClientCallTimeout(ref, int(_milliseconds(longer)))
     try:
-        result = _result(ref, operation, args)
+        with rpc.slots:
+            rpc.alive(longer)
+            result = _result(ref, operation, args)
     except CORBA.Exception as e:
         raise _error(where, e, max(seconds or 0, rpc.timeout))
     rpc.answered()

@@ -75,21 +75,22 @@ with -v:
 
 So it is with --rollback: all or nothing, and checked before the first change. Without it:
 
-  $ rtresurrect -v other.xml 2>&1 | sed 's/ because of.*//'
+  $ rtresurrect -v other.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not a RTC:Shinji Kurihara:example:ConsoleOut:2.0 (it is a RTC:Shinji Kurihara:example:ConsoleOut:1.0)
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: not a RTC:Shinji Kurihara:example:ConsoleOut:2.0 (it is a RTC:Shinji Kurihara:example:ConsoleOut:1.0)
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
-  rtresurrect: active configuration set default of /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not tried
-  rtresurrect: rate of execution context 0 of /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not tried
-  rtresurrect: active configuration set default of /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: not tried
-  rtresurrect: rate of execution context 0 of /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: not tried
+  rtresurrect: active configuration set default of /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+  rtresurrect: rate of execution context 0 of /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+  rtresurrect: active configuration set default of /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
+  rtresurrect: rate of execution context 0 of /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   rtresurrect: rate of execution context 0 of /localhost:$PORT/test.host_cxt/Motor0.rtc: done
-  rtresurrect: active configuration set default of /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: not tried
-  rtresurrect: rate of execution context 0 of /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: not tried
-  rtresurrect: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not tried
-  rtresurrect: connection three of /localhost:$PORT/test.host_cxt/Motor0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: not tried
-  rtresurrect: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: not tried
+  rtresurrect: active configuration set default of /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: not tried because of /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc
+  rtresurrect: rate of execution context 0 of /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: not tried because of /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc
+  rtresurrect: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+  rtresurrect: connection three of /localhost:$PORT/test.host_cxt/Motor0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+  rtresurrect: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: not tried because of /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc
   rtresurrect: 1 done, 36 already so, 3 failed, 9 not tried
+  [5]
 
 That is no failure for those which the file does not require:
 
