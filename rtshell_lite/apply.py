@@ -100,7 +100,7 @@ def _levels(outcomes):
 
 def _answers(outcomes):
     """For each outcome the list of answers to its step's jobs; an errors.Error in the place of what failed."""
-    asked = []
+    asked = []  # type: list
     for each in outcomes:
         try:
             asked.append([job for _, job in each.step.jobs()])

@@ -52,6 +52,27 @@ class _Peer:
 _lane = threading.local()
 
 
+class Slots:
+    """Remote calls in flight at one time, to all processes together: at most `most`, None for as many as there are lanes.
+
+    Each call is made inside `with rpc.slots:`. Waiting there is no silence of the peer.
+    """
+
+    def __init__(self, most=None):
+        self._free = threading.Semaphore(most) if most else None
+
+    def __enter__(self):
+        while self._free and not self._free.acquire(timeout=TICK):
+            alive()
+
+    def __exit__(self, *_):
+        if self._free:
+            self._free.release()
+
+
+slots = Slots()
+
+
 def in_lane():
     """True on a thread that may make remote calls."""
     return hasattr(_lane, "peer")
@@ -80,6 +101,11 @@ def answered():
     alive()
     if in_lane():
         _answered[_lane.peer.endpoint] = time.monotonic()
+
+
+def has_answered():
+    """True where the peer of this lane has ever answered a call."""
+    return in_lane() and _lane.peer.endpoint in _answered
 
 
 def ask(endpoint, where, call):

@@ -46,8 +46,11 @@ class Job:
 
 # ---- jobs ----
 
-def test_modules():
-    return sorted(os.path.basename(path)[:-3] for path in glob.glob(os.path.join(glob.escape(HERE), "test_*.py")))
+def test_modules(directory=""):
+    """Names of test modules: those beside this file and in faults/, or those in another directory."""
+    found = [os.path.relpath(path, HERE)[:-3] for where in ([directory] if directory else ["", "faults"])
+             for path in glob.glob(os.path.join(glob.escape(HERE), where, "test_*.py"))]
+    return sorted(found)
 
 
 def module_jobs(python, setting, wheel, patterns, modules):
@@ -86,6 +89,7 @@ def run_module(module, python, environment, patterns):
                 outcomes = json.load(file)
         except (OSError, ValueError):
             return [(module, "fail", "%s\n%s" % (why, said))]
+    outcomes = [[module, "figures", line] for line in said.splitlines() if line.startswith("figures: ")] + outcomes
     if said and any(outcome[1] == "fail" for outcome in outcomes):
         outcomes[-1] = outcomes[-1][:2] + [outcomes[-1][2] + "\noutput of %s:\n%s" % (module, said)]
     return outcomes
@@ -141,6 +145,9 @@ class Score:
         self.reasons = {}
 
     def add(self, label, outcomes, seconds=None):
+        for line in [text for _, outcome, text in outcomes if outcome == "figures"]:
+            print("     %s: %s" % (label, line[len("figures: "):]), flush=True)
+        outcomes = [each for each in outcomes if each[1] != "figures"]
         for name, outcome, text in outcomes:
             self.counts[outcome] += 1
             if outcome == "fail":
@@ -220,7 +227,7 @@ def left_behind(marker):
 def peer_jobs(args):
     """The tests that need PyYAML and the real rtsprofile; skipped where these cannot be installed."""
     python = environments.find_python(args.python[0] if args.python else sys.executable)
-    modules = sorted(os.path.relpath(path, HERE)[:-3] for path in glob.glob(os.path.join(glob.escape(HERE), "peers", "test_*.py")))
+    modules = test_modules("peers")
     try:
         interpreter = environments.prepare_peers(python)
     except environments.Failed as e:

@@ -37,6 +37,13 @@ class Channels:
         except errors.NoSuch:
             return None
 
+    def notes(self):
+        """What is wrong with the log, in words."""
+        for note in self.log.notes():
+            yield note
+        if self.unreadable:
+            yield "%d entries are not what their type says, and shown as bytes" % self.unreadable
+
     def value(self, entry):
         """The value of an entry as stubs make it; None when the type is not known. Raises errors.No when it does not fit."""
         type = self.type(entry.channel)
