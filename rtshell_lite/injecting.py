@@ -69,7 +69,6 @@ class Lines:
                 return text, "line %d" % self.number
         raise EOFError()
 
-
     def _raw_line(self):
         while sys.stdin.isatty() and not select.select([sys.stdin], [], [], TICK)[0] and not self.closed.is_set():
             pass
