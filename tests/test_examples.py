@@ -140,7 +140,7 @@ class Robot:
         for bound in context.list(1000)[0]:
             try:
                 context.unbind(bound.binding_name)
-            except context.NotFound:
+            except mocks.CosNaming.NamingContext.NotFound:
                 pass  # slaves end after their master, and in good order
 
     def here(self, line):
