@@ -6,6 +6,8 @@ from rtshell_lite.text import printable, shell_word
 class Connection(steps.Step):
     """What connecting and disconnecting share: a connector of the profile, and its `ends` as (Site, port name)."""
 
+    free = True
+
     def __init__(self, connector, ends):
         names = [str(site.path.with_port(name)) for site, name in ends]
         sites = []
