@@ -58,7 +58,8 @@ NAMES = [
     ("rtlog -f run.rtlog -t 60", "rtlog -f run.rtlog -t 1"), ("-t 5 ConsoleOut0", "-t 1 ConsoleOut0"),
     (r"(rtprint.*) ConsoleIn0.rtc:out", r"\1 Source0.rtc:number"),
     (r"/(localhost|robot1)(?=[/ \"']|$)", "/localhost:@PORT@"),
-    (r"(?<![\w/.:@=])(localhost|robot1|robot2:2810)(?=[ ;]|$)", "/localhost:@PORT@"),
+    ("/robot1:2809", "/localhost:@PORT@"),
+    (r"(?<![\w/.:@=])(localhost|robot1:2809|robot1|robot2:2810)(?=[ ;]|$)", "/localhost:@PORT@"),
 ]
 # Statuses other than 0.
 STATUS = {

@@ -32,8 +32,9 @@ def tearDownModule():
 
 def environment(**more):
     """What rtsh runs in."""
-    return dict(mocks.ENVIRONMENT, PATH=COMMANDS + os.pathsep + os.environ["PATH"], TERM="dumb", LC_ALL="C.UTF-8",
-                RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD="/localhost:%d/test.host_cxt" % Server.port, **more)
+    usual = dict(mocks.ENVIRONMENT, PATH=COMMANDS + os.pathsep + os.environ["PATH"], TERM="dumb", LC_ALL="C.UTF-8",
+                 RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD="/localhost:%d/test.host_cxt" % Server.port)
+    return dict(usual, **more)
 
 
 class Many(unittest.TestCase):
