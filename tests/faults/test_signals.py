@@ -65,10 +65,7 @@ class Lane:
             around.ctl(self.world, "forget", port)
 
     def renew(self):
-        with open(os.path.join(around.top, self.world + ".pid")) as file:
-            number = int(file.read())
-        os.kill(number, signal.SIGTERM)
-        around.wait(number)
+        around.end(self.world)
         self.begin()
 
 
