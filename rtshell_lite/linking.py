@@ -6,6 +6,8 @@ from rtshell_lite.text import printable, shell_word
 class Connection(steps.Step):
     """What connecting and disconnecting share: a connector of the profile, and its `ends` as (Site, port name)."""
 
+    free = True
+
     def __init__(self, connector, ends):
         names = [str(site.path.with_port(name)) for site, name in ends]
         sites = []
@@ -108,10 +110,6 @@ class Disconnect(Connection):
         return [(site, site.look_at(name)) for site, name in self.ends if site.error is None]
 
     jobs = _looked_at
-
-    @property
-    def command(self):  # type: ignore[override]
-        return "; ".join("rtdis -i %s %s" % (shell_word(one.id), shell_word(ports.label(port))) for port, one in self.last[:1])
 
     def so(self, answers):
         there = [answer for answer in answers if not isinstance(answer, errors.Error)]

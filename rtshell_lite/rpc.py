@@ -132,6 +132,19 @@ def gather(jobs):
     for peer in peers.values():
         for _ in range(min(LANES, len(peer.todo))):
             threading.Thread(target=_work, args=(peer, done), daemon=True).start()
+    try:
+        _collect(jobs, values, peers, done)
+    finally:
+        for peer in peers.values():  # when Ctrl-C interrupts it, nothing more is begun
+            peer.todo.clear()
+    for value in values:
+        if isinstance(value, Exception) and not isinstance(value, errors.Error):
+            raise value  # a bug of ours, not a failure of the peer
+    return values
+
+
+def _collect(jobs, values, peers, done):
+    """Put what the lanes send into `values` until all is there."""
     waiting = len(jobs)
     while waiting:
         alive()  # for a gather inside a lane
@@ -144,10 +157,6 @@ def gather(jobs):
             peer.open.remove(i)
             values[i] = value
             waiting -= 1
-    for value in values:
-        if isinstance(value, Exception) and not isinstance(value, errors.Error):
-            raise value  # a bug of ours, not a failure of the peer
-    return values
 
 
 def _work(peer, done):

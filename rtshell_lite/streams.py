@@ -36,12 +36,21 @@ def _duration(value):
 
 def hertz(value):
     """A positive rate in Hz: a type of options."""
+    return _positive(value, "a number of Hz above 0")
+
+
+def factor(value):
+    """A positive number: a type of options."""
+    return _positive(value, "a number above 0")
+
+
+def _positive(value, wanted):
     try:
         number = float(value)
     except ValueError:
         number = 0.0
     if not 0 < number < math.inf:
-        raise argparse.ArgumentTypeError("not a number of Hz above 0: %s" % text.printable(value))
+        raise argparse.ArgumentTypeError("not %s: %s" % (wanted, text.printable(value)))
     return number
 
 

@@ -136,7 +136,12 @@ class Robot:
         """End it, and take its names away: the next robot has some of the same."""
         for world in self.worlds:
             world.close()
-        self.run("rtdel -q --recursive /localhost:%d/%s" % (Server.port, CONTEXT))
+        context = Server.root.resolve(orb.naming_name([CONTEXT.split(".")]))
+        for bound in context.list(1000)[0]:
+            try:
+                context.unbind(bound.binding_name)
+            except mocks.CosNaming.NamingContext.NotFound:
+                pass  # slaves end after their master, and in good order
 
     def here(self, line):
         """The same with the names of this machine, where no name server has a port to be proud of."""

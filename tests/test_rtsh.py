@@ -4,7 +4,9 @@ import pty
 import re
 import select
 import shutil
+import signal
 import tempfile
+import termios
 import time
 import unittest
 
@@ -53,7 +55,7 @@ class AtThePrompt(unittest.TestCase):
     def press(self, keys):
         """Press keys; what the terminal showed before does not count any more."""
         self.screen = ""
-        os.write(self.terminal, keys.encode())
+        os.write(self.terminal, keys if isinstance(keys, bytes) else keys.encode())
 
     def shows(self, pattern):
         """Wait until the terminal shows something that matches."""
@@ -111,6 +113,44 @@ class AtThePrompt(unittest.TestCase):
         self.shows(r"\n/localhost:\d+/test\.host_cxt\nrtsh .*> $")
         self.press(CTRL_D)
         self.assertEqual(self.status(), 0)
+
+    def test_ctrl_c_leaves_nothing_behind(self):
+        """No connection in a component, and no reader that takes the next line for a value."""
+        self.press("print ConsoleIn0.rtc:out\r")
+        mocks.eventually(lambda: World.one.ctl("connectors", "ConsoleIn0:out")[1], "a connection")
+        self.press(CTRL_C)
+        self.shows(r"\nrtsh .*> $")
+        self.assertEqual(World.one.ctl("connectors", "ConsoleIn0:out"), (0, ""))
+        self.press("inject ConsoleOut0.rtc:in\r")
+        mocks.eventually(lambda: World.one.ctl("connectors", "ConsoleOut0:in")[1], "a connection")
+        self.press("42\r")
+        mocks.eventually(lambda: World.one.count("put"), "a value")
+        self.press(CTRL_C)
+        self.shows(r"\nrtsh .*> $")
+        self.assertEqual(World.one.ctl("connectors", "ConsoleOut0:in"), (0, ""))
+        for _ in range(2):
+            self.press("pwd\r")
+            self.shows(r"\n/localhost:\d+/test\.host_cxt\nrtsh .*> $")
+
+    def test_kill(self):
+        """The terminal is as it was, and what was typed is in the history."""
+        self.press("pwd\r")
+        self.shows(r"\n/localhost:\d+/test\.host_cxt\nrtsh .*> $")
+        self.press("rubbish")
+        self.shows("rubbish")
+        os.kill(self.pid, signal.SIGTERM)
+        self.assertEqual(self.status(), 128 + signal.SIGTERM)
+        modes = termios.tcgetattr(self.terminal)[3]
+        self.assertTrue(modes & termios.ECHO and modes & termios.ICANON)
+        self.assertEqual(os.listdir(self.home), [".rtsh_history"])
+
+    def test_bytes_that_are_no_text(self):
+        self.end()
+        self.start(PYTHONIOENCODING="utf-8:strict")  # as in a locale of Japan
+        self.press(b"ls \xff\xfe\r")
+        self.shows(r"/\\xff\\xfe: no such path\nrtsh .*> $")
+        self.press(CTRL_D)
+        self.assertEqual(self.status(), 3)
 
     def test_the_history_is_there_the_next_time(self):
         self.press("ls nowhere\r")

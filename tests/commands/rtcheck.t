@@ -241,5 +241,5 @@ What the components have beyond the file is told with --extra:
   Component not in the file: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc
   [5]
   $ rtcheck --extra --json -s Inactive less.xml 2> said | tail -2
-  rtcheck: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 3s
-  {"actual": "/localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc", "check": "component", "expected": null, "message": "Component not in the file: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc", "path": "/localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc", "required": true}
+  {"actual": "less", "check": "connection", "expected": null, "message": "Connection not in the file: less between /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Motor0.rtc:in", "path": "/localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Motor0.rtc:in", "required": true}
+  {"actual": "0", "check": "configuration", "expected": null, "message": "Configuration parameter not in the file: motor_id in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "required": true}

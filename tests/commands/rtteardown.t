@@ -34,6 +34,8 @@ Doing it; other connections stay, and a second time nothing is left to do:
   Inactive  1/1  1/1  0/0  0/0  ConsoleOut2.rtc
   Inactive  1/0  0/0  0/0  1/0  MyServiceConsumer0.rtc
   Inactive  1/0  0/0  0/0  1/0  MyServiceProvider0.rtc
+  $ rtresurrect a.xml; rtteardown --json a.xml | head -1
+  {"command": "rtdis -i one /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out", "error": null, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in", "required": true, "result": "done", "step": "disconnect"}
   $ rtresurrect a.xml; sh -e script; rtteardown --dry-run -y a.yaml
 
 One that fails is told, the others are removed; with --rollback these are made again:
