@@ -1,12 +1,20 @@
 """What every command shares: its parser and common options, its exit status, its one line on stderr."""
-import argparse
-import collections
-import errno
-import io
-import os
-import sys
+# Before all else: until main() can catch it, Ctrl-C ends the process without a word, not with a traceback of half an import.
+import _signal  # which `signal` is made of: that one takes longer to import than all that stands before it
+if _signal.getsignal(_signal.SIGINT) == _signal.default_int_handler:
+    try:
+        _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
+    except ValueError:  # not the main thread, so not a command that starts
+        pass
 
-from rtshell_lite import __version__, commandline, errors, path, rpc, text
+import argparse  # noqa: E402: see above
+import collections  # noqa: E402
+import errno  # noqa: E402
+import io  # noqa: E402
+import os  # noqa: E402
+import sys  # noqa: E402
+
+from rtshell_lite import __version__, commandline, errors, path, rpc, text  # noqa: E402
 
 EXIT_STATUSES = """exit status:
   0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
@@ -22,6 +30,8 @@ def main(arguments, run, doc, argv=None):
     """Run one command and exit: `arguments(parser)` declares, `run(args)` does the work and returns the exit status."""
     _prepare_streams()
     try:
+        if _signal.getsignal(_signal.SIGINT) == _signal.SIG_DFL:
+            _signal.signal(_signal.SIGINT, _signal.default_int_handler)
         _leave(command(arguments, run, doc, sys.argv[1:] if argv is None else argv))
     except KeyboardInterrupt:
         _leave(130)
@@ -75,6 +85,12 @@ def unwind_when_ended():
 
     for number in ours:
         signal.signal(number, unwind)
+
+
+def ignore_hangup():
+    """The terminal is gone, and we unwind: its SIGHUP, which comes later to all but the shell, must not cut that short."""
+    import signal
+    signal.signal(signal.SIGHUP, lambda *_: None)
 
 
 def _settle(quiet, verbose, timeout):

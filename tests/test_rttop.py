@@ -93,9 +93,13 @@ class Terminal(unittest.TestCase):
             return int(file.read().split()[-1])
 
     def ended(self, status):
-        """rttop has ended, with this status, and the terminal is as it was before."""
+        """rttop has ended, with this status, and has not harmed the terminal."""
         screen = self.shows("^status")
         self.assertRegex(screen, "(?m)^status %d$" % status)
+        self.unharmed()
+
+    def unharmed(self):
+        """The terminal is as it was before."""
         self.type("clear; stty -g > after; cmp before after && echo same")
         self.shows("^same")
         self.assertEqual(self.tmux("display-message", "-p", "#{alternate_on} #{cursor_flag} #{keypad_flag}"), "0 1 0\n")
@@ -228,14 +232,12 @@ class End(Terminal):
         self.shows("Motor0")
         self.press("C-z")
         self.shows("Stopped|Suspended", without="Motor0")
-        self.type("stty -g > after; cmp before after && echo same")
-        self.shows("^same")
-        self.type("fg")
+        self.unharmed()
+        self.type("fg; echo back $?")
         self.shows(r"^Inactive +1000 +2  Motor0\.rtc", without="same")
         self.press("q")
-        self.shows("^same", without="Motor0")
-        self.type("clear; echo status 0")
-        self.ended(0)
+        self.shows("^back 0$", without="Motor0")
+        self.unharmed()
 
     def test_a_terminal_that_is_closed(self):
         self.start("-p Sensor0.rtc:out")

@@ -74,7 +74,7 @@ class Channels:
         if value is None:
             channel = self.log.channels[entry.channel]
             raise errors.No(self.log.where, "%s: its type %s is not known; %s" % (
-                printable(channel.name), printable(channel.type_id), datatypes.REMEDY))
+                printable(channel.name), printable(channel.type_id), datatypes.SOURCES))
         stamp = values.timestamp(value)
         if stamped and any(stamp):
             value = values.with_timestamp(value, *_moved(stamp, shift))

@@ -20,6 +20,14 @@ From -c, with and without the leading rt, separated by semicolons, quoted as in 
   rtls: /localhost:$PORT/test.host_cxt/g#h: no such path
   [3]
   $ rtsh -c ''; rtsh -c ' ;; # nothing'
+  $ rtsh -c 'check "a\$b"; check "a\\b"; check "a\"b\c"; check "it'"'"'s"; check a""b; ""'
+  rtcheck: a$b: No such file or directory
+  rtcheck: a\\b: No such file or directory
+  rtcheck: a"b\\c: No such file or directory
+  rtcheck: it's: No such file or directory
+  rtcheck: ab: No such file or directory
+  rtsh: '': no such command
+  [2]
 
 The working directory is its own:
 
@@ -42,6 +50,14 @@ From a pipe and from a file; a backslash at the end of a line joins it with the 
   rtsh: act /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
   rtsh: act /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   $ rtsh < /dev/null; rtsh <&-
+  $ printf '\357\273\277pwd\nls x\000y\ncheck x\000y\n' | rtsh
+  /localhost:$PORT/test.host_cxt
+  rtsh: stdin:2: a NUL character: ls x\x00y
+  rtsh: stdin:3: a NUL character: check x\x00y
+  [2]
+  $ awk 'BEGIN { printf "ls nowhere"; for (i = 0; i < 500000; i++) printf "ab"; print ""; print "pwd" }' | within 0-5 rtsh 2> out; grep -c nowhere out
+  /localhost:$PORT/test.host_cxt
+  1
   $ rtsh nowhere
   rtsh: nowhere: No such file or directory
   [1]

@@ -15,6 +15,7 @@ import termios
 import threading
 import time
 
+import mocks
 import peers
 import session
 
@@ -52,7 +53,7 @@ def environment(**more):
 
 def start(words, where, more, **streams):
     """Start a command that hears Ctrl-C: a runner in the background ignores it, and that is inherited."""
-    return subprocess.Popen([sys.executable, "-m", "rtshell_lite"] + words, env=environment(**more), cwd=where,
+    return subprocess.Popen([sys.executable, os.path.join(mocks.COMMANDS, words[0])] + words[1:], env=environment(**more), cwd=where,
                             preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), **streams)
 
 
@@ -82,7 +83,7 @@ def run_on_terminal(words, where, columns=80, **more):
         try:
             signal.signal(signal.SIGINT, signal.SIG_DFL)
             os.chdir(where)
-            os.execve(sys.executable, [sys.executable, "-m", "rtshell_lite"] + words, environment(**more))
+            os.execve(sys.executable, [sys.executable, os.path.join(mocks.COMMANDS, words[0])] + words[1:], environment(**more))
         finally:
             os._exit(127)
     fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
@@ -132,7 +133,8 @@ class Surroundings:
         self.top = tempfile.mkdtemp(prefix="rt-faults-")
         os.environ["SESSION"] = self.top
         session.keep_alive()
-        self.processes = []
+        self.processes, self.worlds = [], {}
+        self.lock = threading.Lock()
 
     def name_server(self, name="names"):
         """Start one; its address."""
@@ -140,8 +142,10 @@ class Surroundings:
 
     def world(self, server, *words):
         """Start a world on a name server; its name, for `ctl`."""
-        process, name = peers.start_world(list(words), server.rpartition(":")[2])
+        with self.lock:  # names are given by what is there
+            process, name = peers.start_world(list(words), server.rpartition(":")[2])
         self.processes.append(process)
+        self.worlds[name] = process
         peers.ready(process, name)
         return name
 
@@ -182,6 +186,12 @@ class Surroundings:
             file.write(text.replace(home + "ConsoleIn0.rtc", a[1:]).replace(home + "ConsoleOut0.rtc", b[1:]))
         return path
 
+    def end(self, name):
+        """End a world at once."""
+        process = self.worlds.pop(name)
+        process.kill()
+        process.wait()
+
     def directory(self, name):
         """An empty directory for a command to run in."""
         path = os.path.join(self.top, name)
@@ -189,10 +199,10 @@ class Surroundings:
         return path
 
     def close(self):
-        for path in glob.glob(os.path.join(glob.escape(self.top), "*.pid")):
+        for process in self.processes:
+            process.kill()
+            process.wait()
+        for path in glob.glob(os.path.join(glob.escape(self.top), "names*.pid")):
             with open(path) as file:
-                try:
-                    os.kill(int(file.read()), signal.SIGKILL)
-                except ProcessLookupError:
-                    pass
+                os.kill(int(file.read()), signal.SIGKILL)
         shutil.rmtree(self.top, ignore_errors=True)
