@@ -61,7 +61,7 @@ An operation that hangs, in a process that goes on; the bound is kept, however m
   A4
   A5
   Ports0
-  $ ctl @these delay get_port_profile 0.4; within 1.4-3 rtdoctor -q --timeout 0.5 ../many.host_cxt/Ports0.rtc | grep rtc
+  $ ctl @these delay get_port_profile 0.5; within 2.8-6 rtdoctor -q --timeout 1 ../many.host_cxt/Ports0.rtc | grep rtc
   fail  /localhost:$PORT/many.host_cxt/Ports0.rtc: slow: there was no time left to ask it; try: rtdoctor --timeout 30 /localhost:$PORT/many.host_cxt/Ports0.rtc
   $ ctl @these delay get_port_profile 0
 
