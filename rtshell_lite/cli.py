@@ -87,6 +87,12 @@ def unwind_when_ended():
         signal.signal(number, unwind)
 
 
+def ignore_hangup():
+    """The terminal is gone, and we unwind: its SIGHUP, which comes later to all but the shell, must not cut that short."""
+    import signal
+    signal.signal(signal.SIGHUP, lambda *_: None)
+
+
 def _settle(quiet, verbose, timeout):
     global _quiet, _verbose
     _quiet, _verbose, rpc.timeout = quiet, verbose, timeout
