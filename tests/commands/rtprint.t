@@ -32,9 +32,10 @@ Others stamp their values. They are printed as they come, all of them:
 
 Several ports; NAME is another name for the one behind which it stands:
 
-  $ printing rtprint -n 1 ConsoleIn0.rtc:out.console /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
-  $ ctl write ConsoleIn0:out 5; wait $pid
+  $ rtprint -n 2 ConsoleIn0.rtc:out.console /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out >lines & pid=$!
+  $ until [ $(ctl connectors ConsoleIn0:out | wc -l) = 2 ]; do :; done; ctl write ConsoleIn0:out 5; wait $pid; sort lines
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: [0.000000000] 5
+  console: [0.000000000] 5
   $ rtprint -t 0.3 Source0.rtc:number.n Source0.rtc:block | cut -d: -f1 | sort | uniq -c | awk '$1 > 10 { print $2 }'
   Source0.rtc
   n
