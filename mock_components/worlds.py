@@ -2,7 +2,7 @@
 import os
 import signal
 
-from . import ailments, components, deployment, hostile, observers, odd, orphans
+from . import ailments, components, deployment, hostile, observers, odd, orphans, wicked
 
 
 def two(stage):
@@ -170,9 +170,14 @@ def cruel(stage):
     hostile.add(stage)
 
 
+def harassing(stage, only=None):
+    """[NAME]: components whose every string is hostile, each in its own way, and that log, report and send it all the time"""
+    wicked.add(stage, only)
+
+
 WORLDS = {world.__name__: world for world in (
     two, linked, console, services, config, parts, robot, these, many, error, slow, stopped, contexts, composite, deadmember,
     fsm, observed, senders, custom, orphan, fragile, hung, zombie, names)}
 WORLDS.update(deployment.WORLDS)
 WORLDS.update(ailments.WORLDS)
-WORLDS.update({"all": everything, "hostile": cruel})
+WORLDS.update({"all": everything, "hostile": cruel, "wicked": harassing})

@@ -148,10 +148,11 @@ def standard(name):
         return None
     for module in parts[:-1] or STANDARD:
         if module == "RTC":
-            from rtshell_lite.idl_stubs.data import RTC as stubs
+            from rtshell_lite.idl_stubs.data import RTC
+            found = _descriptor_of(RTC, parts[-1])
         else:
-            from rtshell_lite.idl_stubs.data import Img as stubs
-        found = _descriptor_of(stubs, parts[-1])
+            from rtshell_lite.idl_stubs.data import Img
+            found = _descriptor_of(Img, parts[-1])
         if found is not None:
             return found
     return None

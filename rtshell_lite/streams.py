@@ -102,6 +102,7 @@ class Watcher:
                 cli.note("%s: answers again" % each.where)
             self.told[each] = each.failure
         if any(events & (select.POLLERR | select.POLLHUP) for _, events in self.output.poll(0)):
+            cli.ignore_hangup()
             raise BrokenPipeError(errno.EPIPE, "nobody reads the output")
 
     def count(self, tally, of_no_use=()):

@@ -24,7 +24,7 @@ MISSING = "omniORBpy is not installed"
 # Arguments with which a command must ask somebody; the others get one path.
 ASKING = {"rtcon": ["/localhost/a.rtc:o", "/localhost/b.rtc:i"], "rtlog": ["/localhost/a.rtc:o"],
           "rtprint": ["/localhost/a.rtc:o"], "rtinject": ["-c", "RTC.TimedLong({time}, 1)", "/localhost/a.rtc:i"],
-          "rtfsm": ["/localhost/a.rtc", "getstate"], "rtls": [], "rtpwd": [],
+          "rtfsm": ["/localhost/a.rtc", "getstate"], "rtls": [], "rtpwd": [], "rttop": [],
           "rtconf": ["/localhost/a.rtc", "list"], "rtmgr": ["-r", "/localhost/a.mgr"], "rtstodot": ["--live"]}
 # These contact nothing, have a file to read first, or tell it as a finding.
 LOCAL = {"rtpwd", "rtsh", "rtcheck", "rtresurrect", "rtteardown", "rtstart", "rtstop", "rtdoctor"}
