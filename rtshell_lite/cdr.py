@@ -352,6 +352,8 @@ class _Maker:
         def write(out, value):
             if bound and len(value) > bound:
                 raise Fault("%d characters where %d may be" % (len(value), bound))
+            if "\0" in value:
+                raise Fault("a NUL in a string")
             units = b"\xff\xfe" + value.encode("utf-16-le", "surrogatepass") if value else b""  # as omniORB does
             self._count(out, units, 0)
             out += units

@@ -87,10 +87,17 @@ def unwind_when_ended():
         signal.signal(number, unwind)
 
 
+def ignore_hangup():
+    """The terminal is gone, and we unwind: its SIGHUP, which comes later to all but the shell, must not cut that short."""
+    import signal
+    signal.signal(signal.SIGHUP, lambda *_: None)
+
+
 def _settle(quiet, verbose, timeout):
     global _quiet, _verbose
     _quiet, _verbose, rpc.timeout = quiet, verbose, timeout
     rpc.silent.clear()  # in rtsh: what was silent for one command is asked again by the next
+    rpc.slots = rpc.Slots()
 
 
 class _Closed(io.TextIOBase):
@@ -259,10 +266,7 @@ class Progress(Tally):
     def ended(self, result):
         """An action has ended, or will not be tried; failures of optional components leave the exit status as it is."""
         action, error = result.action, result.error
-        if self.as_json:
-            print(text.json_line({
-                "action": self.verb.lower(), "number": action.number, "path": action.path, "context": action.context,
-                "required": action.component.is_required, "result": result.outcome, "error": str(error) if error else None}))
+        self.passed_over(result)
         if error is None:
             self.add(action)
             detail("%s: %s%s" % (action.path, "already " if result.outcome == "already" else "", self.state))
@@ -270,6 +274,14 @@ class Progress(Tally):
             self.add(error)
         else:
             _say_as_it_is("Action failed: %s" % error)
+
+    def passed_over(self, result):
+        """An action will not be tried, for a reason that has been told."""
+        action, error = result.action, result.error
+        if self.as_json:
+            print(text.json_line({
+                "action": self.verb.lower(), "number": action.number, "path": action.path, "context": action.context,
+                "required": action.component.is_required, "result": result.outcome, "error": str(error) if error else None}))
 
 
 # ---- options --------------------------------------------------------------------------------------------------

@@ -11,7 +11,7 @@ class Parser(argparse.ArgumentParser):
     def error(self, message):
         raise errors.Usage(message.replace(": -- ", ": "))
 
-    def parse_args(self, argv):
+    def parse_args(self, argv):  # type: ignore[override]
         options, words = self._sorted(argv)
         return super().parse_args(options + ["--"] + words if words else options)
 

@@ -31,7 +31,7 @@ def profile(node):
     parent = once_more(lambda: orb.ask(str(node.path), found.parent, "get_sdo_id")) if found.parent else ""
     texts = [from_wire(s) for s in (found.instance_name, found.type_name, found.description, found.version, found.vendor,
                                     found.category, parent)]
-    return Profile(*texts, properties=orb.properties(found.properties))
+    return Profile._make(texts + [orb.properties(found.properties)])
 
 
 def once_more(call):

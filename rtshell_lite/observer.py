@@ -124,7 +124,7 @@ def _servant(interface, heard):
     base = {OBSERVER: OpenRTM__POA.ComponentObserver, FSM_OBSERVER: RTC__POA.ComponentObserver,
             LOGGER: OpenRTM__POA.Logger}[interface]
 
-    class Listener(base):
+    class Listener(base):  # type: ignore[misc, valid-type]
         def update_status(self, kind, hint):
             heard(event(time.time(), kind._n, from_wire(hint)))
 

@@ -134,7 +134,7 @@ def _elements(text):
     address = SCHEMES.match(text.lstrip("/"))
     if address:
         server, _, rest = text.lstrip("/").partition("#")
-        return [server] + _cut(rest, "/")
+        return [server] + (_cut(rest, "/") if rest else [])
     return _cut(text, "/")
 
 
@@ -144,7 +144,7 @@ def _server(element, text):
     if SCHEMES.match(address) or address.partition(":")[0] in PROTOCOLS:
         return address
     host, port = split_address(address)
-    if not host or port is None:
+    if host in ("", ".", "..") or port is None:
         raise errors.BadPath("%s: %s is not a name server (host or host:tcpport)" % (text, address))
     return address
 

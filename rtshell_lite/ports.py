@@ -374,7 +374,7 @@ def _forgetting_failed(each, operation, connector_id):
 
 def disconnect_all(pairs, dry_run=False):
     """`disconnect` for each (Port, Connector): a line or an errors.Error for each; a connector of two own ports goes once."""
-    results, seen = [], set()
+    results, seen = [], set()  # type: list, set
     for each, connector in pairs:
         if connector.id in seen:
             continue

@@ -88,7 +88,8 @@ _BETWEEN_COMMANDS, _EXPANDED = ";|&()\n", "$`*?[{"
 
 def split(line, fish=False):
     """Read an unfinished command line as the shell will, as far as quotes go: a Line."""
-    words, word, quote, opened, redirected = [], None, "", False, False
+    words, quote, opened, redirected = [], "", False, False
+    word = None  # type: str
     special = "$" if fish else "$`"  # within double quotes
     rest = iter(line)
     for c in rest:

@@ -50,7 +50,7 @@ def with_timestamp(value, sec, nsec):
     if timestamp(value) is None:
         return value
     members = dict(vars(value), tm=type(value.tm)(sec + nsec // 1000000000, nsec % 1000000000))
-    made = type(value).__new__(type(value))
+    made = object.__new__(type(value))
     made.__dict__.update(members)
     return made
 

@@ -8,6 +8,8 @@ within a multiple of what is read.
 import codecs
 import struct
 
+from rtshell_lite.text import printable
+
 LONGEST_LINE = 4096  # octets of a number or name that is written as a line (protocol 0)
 LONGEST_NUMBER = 256  # octets of an integer: more cost more than time
 LARGEST = 256 << 20  # octets of one pickle
@@ -177,7 +179,7 @@ class Machine:
         elif self._known(module, name):
             self.push(Class(module, name))
         else:
-            raise Refused("%s.%s is none of the classes that a log holds" % (module, name))
+            raise Refused("%s.%s is none of the classes that a log holds" % (printable(module), printable(name)))
 
     def find_on_stack(self):
         name, module = self._pop(), self._pop()

@@ -68,7 +68,8 @@ def is_loopback(address):
         found = ipaddress.ip_address(address.partition("%")[0])
     except ValueError:
         return False
-    return found.is_loopback or bool(getattr(found, "ipv4_mapped", None) and found.ipv4_mapped.is_loopback)
+    mapped = getattr(found, "ipv4_mapped", None)  # of ::ffff:127.0.0.1
+    return found.is_loopback or bool(mapped and mapped.is_loopback)
 
 
 def is_own(address):

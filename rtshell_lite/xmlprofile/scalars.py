@@ -289,4 +289,4 @@ def _bytes(text):
         raise ValueError("not base64")
 
 
-_TAGGED = {"str": str, "timestamp": str, "int": _integer, "float": _number, "bool": _boolean, "null": _null, "binary": _bytes}
+_TAGGED = {"str": str, "timestamp": str, "int": _integer, "float": _number, "bool": _boolean, "null": _null, "binary": _bytes}  # type: dict

@@ -276,7 +276,7 @@ def _alias(doc, pos, depth):
 
 def _tagged(doc, pos, node, tag):
     """`node` with a tag that stands before it."""
-    wanted = {dict: "map", list: "seq"}.get(type(node.value))
+    wanted = "map" if isinstance(node.value, dict) else "seq" if isinstance(node.value, list) else None
     if not tag or tag in (wanted, "!"):
         return node
     if wanted or tag in ("map", "seq"):

@@ -3,7 +3,6 @@
 If one of these fails, an operator is told that a connection or a state is there which is not, or the other way round.
 """
 import json
-import os
 import queue
 import unittest
 
@@ -225,8 +224,8 @@ class Case:
         ran = self.ran
         if b'"result"' in ran.out:
             results = [json.loads(line)["result"] for line in ran.out.decode().splitlines()
-                       if what == "connection" and '"step": "connect' in line or '"path": "%s"' % what in line]
-            if "uncertain" in results:
+                       if what == "connection" and 'connect"' in line or '"path": "%s"' % what in line]
+            if "uncertain" in results or not results:
                 return None
             return set(results) <= {"done", "already", "already so"}
         if self.scenario.name in ("rtstart", "rtstop") and b"Executing" not in ran.err:
@@ -258,7 +257,7 @@ def cases():
 class Nth(unittest.TestCase):
     def test_every_call_fails_once(self):
         everything = cases()
-        done = running.together(Case.run, running.sample(everything, SHORT, int(os.environ.get("SEED", 1))), LANES)
+        done = running.together(Case.run, running.sample(everything, SHORT), LANES)
         print("figures: %d of %d faults in the middle of %d commands; %d of them were survived with status 0, longest run %.2f s"
               % (len(done), len(everything), len(SCENARIOS), sum(case.ran.status == 0 for case in done),
                  max(case.ran.seconds for case in done)))

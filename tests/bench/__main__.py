@@ -1,0 +1,266 @@
+"""What the commands cost, beside the floor under each (floors.py): medians and ratios of one run. Nothing is asserted.
+
+    python3 -m tests.bench [--sizes 1,10,100,1000] [--rounds N] [--only WORD] [--peers] [SECTION ...]
+
+sections: commands   CPU, wall, peak memory and remote calls of every command, for 1, 10, 100 and 1,000 components
+          hung       how long a listing takes beside processes that hang
+          profiles   loading and saving a large RtsProfile, restoring and checking a system of 200 components
+          logs       rtlog: rates, CPU, memory            ports   rtprint, rtinject: rates (where ports.py is)
+
+Both of a pair run by turns, so that another load on the machine hits both. --peers also runs the real rtshell, where pip can
+install it (into a directory of its own).
+"""
+import argparse
+import json
+import os
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import venv
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+sys.path[:0] = [ROOT, os.path.join(ROOT, "tests")]
+import mocks  # noqa: E402: the path first
+
+SECTIONS = ("commands", "hung", "profiles", "logs", "ports")
+ROUNDS = {1: 15, 10: 15, 100: 7, 1000: 3}
+SIZES = sorted(ROUNDS)
+
+# A command, its floor, the objects that the floor is told, and what puts things back, not measured. {dir} is the directory,
+# {all} all components in it, {one} the first, {other} the second, {file} an RtsProfile of them.
+GROWING = [
+    ("rtls {dir}", "listed", "", ""),
+    ("rtls -l {dir}", "figures", "", ""),
+    ("rtcat {all}", "profiles", "{all}", ""),
+    ("rtact {all}", "activate", "{all}", "rtdeact {all}"),
+    ("rtcryo --all -o {file} {dir}", "system", "{all}", ""),
+    ("rtcheck -s inactive {file}", "system", "{all}", ""),
+    ("rtfind {dir} -t c", "listed", "", ""),
+]
+SINGLE = [
+    ("rtpwd", "nothing", "", ""),
+    ("rtcwd {dir}", "listed", "", ""),
+    ("rtcon {one}:out {other}:in", "connect", "{one} {other}", "rtdis {one}"),
+    ("rtdis {one}:out {other}:in", "disconnect", "{one} {other}", "rtcon {one}:out {other}:in"),
+    ("rtcat -ll {one}", "profiles", "{one}", ""),
+    ("rtconf {one}", "configurations", "{one}", ""),
+    ("rtec {one}", "contexts", "{one}", ""),
+    ("rtdoc {one}", "profiles", "{one}", ""),
+    ("rtdeact {all}", "deactivate", "{all}", "rtact {all}"),
+    ("rtreset --dry-run {all}", "listed", "", ""),
+    ("rtexit --dry-run {all}", "listed", "", ""),
+    ("rtdel --dry-run {all}", "listed", "", ""),
+    ("rtsh -c {session}", "profiles", "{one}", ""),
+    ("rtmgr --loaded {beside}/manager.mgr", "manager", "", ""),
+    ("rtcomp --dry-run {beside}/manager.mgr:all -a {one}", "manager", "", ""),
+    ("rtfsm {beside}/Microwave0.rtc getstate", "contexts", "{one}", ""),
+    ("rtteardown --dry-run {file}", "system", "{all}", ""),
+    ("rtresurrect --dry-run {file}", "system", "{all}", ""),
+    ("rtstart --dry-run {file}", "nothing", "", ""),
+    ("rtstop --dry-run {file}", "nothing", "", ""),
+    ("rtstodot {file}", "nothing", "", ""),
+    ("rtdoctor {dir}", "system", "{all}", ""),
+    ("rtprint -n 1 {one}:out -t 0.2", "profiles", "{one}", ""),
+    ("rtinject -n 1 {other}:in -c 42", "profiles", "{other}", ""),
+    ("rtlog -f {log} -e 1 -i -t 0.2 {one}:out", "profiles", "{one}", ""),
+    ("rtwatch -t 0.2 {one}", "profiles", "{one}", ""),
+    ("rtvlog -t 0.2 {beside}/Motor0.rtc", "profiles", "{one}", ""),
+    ("rttop -n 1", "figures", "", ""),
+]
+BESIDE = [["manager"], ["fsm"], ["observed"]]  # worlds of which commands of the second list need something, in a directory apart
+
+
+class Meter:
+    """The process that measures."""
+
+    def __init__(self):
+        self.process = subprocess.Popen([sys.executable, "-I", os.path.join(HERE, "measure.py")], stdin=subprocess.PIPE,
+                                        stdout=subprocess.PIPE)
+
+    def run(self, words, environment, out=None):
+        """(seconds of CPU, seconds, MiB, exit status)"""
+        self.process.stdin.write(json.dumps({"words": words, "environment": environment, "out": out}).encode() + b"\n")
+        self.process.stdin.flush()
+        return json.loads(self.process.stdout.readline().decode())
+
+    def close(self):
+        self.process.stdin.close()
+        self.process.stdout.close()
+        self.process.wait()
+
+
+class Bench:
+    """A name server and what runs against it."""
+
+    def __init__(self, rounds, only, peer):
+        self.rounds, self.only, self.peer = rounds, only, peer
+        mocks.start_name_server()
+        self.meter, self.directory = Meter(), tempfile.TemporaryDirectory()
+        self.place = "127.0.0.1:%d" % mocks.Server.port
+        known = {name: value for name, value in mocks.ENVIRONMENT.items() if name not in (
+            "PYTHONDONTWRITEBYTECODE", "PYTHONUNBUFFERED")}  # nobody's robot compiles at every start
+        self.environment = dict(known, RTCTREE_NAMESERVERS=self.place, RTCSH_CWD="/%s/test.host_cxt" % self.place)
+
+    def close(self):
+        self.meter.close()
+        self.directory.cleanup()
+        mocks.Server.stop()
+
+    def words(self, text, size, bare=False):
+        """The words of a command or, `bare`, of a floor."""
+        names = ["Mock%d" % number + ("" if bare else ".rtc") for number in range(size)]
+        found = {"{dir}": ["."], "{all}": names, "{file}": [os.path.join(self.directory.name, "system.xml")],
+                 "{log}": [os.path.join(self.directory.name, "log")], "{session}": ["rtls; rtcat %s; rtec %s" % (names[0], names[0])]}
+        one = {"{one}": names[0], "{other}": names[1 % size], "{beside}": "../beside.host_cxt"}
+        words = []
+        for word in text.split():
+            for mark, name in one.items():
+                word = word.replace(mark, name)
+            words += found.get(word, [word])
+        return words
+
+    def ours(self, words):
+        return self.meter.run([sys.executable, os.path.join(mocks.COMMANDS, words[0])] + words[1:], self.environment)
+
+    def theirs(self, words):
+        return self.meter.run([os.path.join(self.peer, words[0])] + words[1:], self.environment)
+
+    def floor(self, name, words):
+        program = [sys.executable, os.path.join(HERE, "floors.py"), name, str(mocks.Server.port)]
+        return self.meter.run(program + words, self.environment)
+
+    def compare(self, world, size, command, floor, told, undo):
+        """One line of the table."""
+        words, told = self.words(command, size), self.words(told, size, True)
+        ways = {"floor": lambda: self.floor(floor, told), "ours": lambda: self.ours(words), "peer": lambda: self.theirs(words)}
+        if not self.peer:
+            del ways["peer"]
+        back = self.words(undo, size)
+        world.ctl("reset")
+        ways["ours"]()
+        calls = sum(int(line.split()[0]) for line in world.ctl("calls")[1].splitlines())
+        measured = {kind: [] for kind in ways}
+        for _ in range(self.rounds or ROUNDS.get(size, 3)):
+            for kind in ways:
+                if back:
+                    self.ours(back)
+                measured[kind].append(ways[kind]())
+        if back:
+            self.ours(back)
+        return self.line(command, size, measured, calls)
+
+    def line(self, command, size, measured, calls):
+        medians = {kind: [statistics.median(column) for column in zip(*found)] for kind, found in measured.items()}
+        said = {kind: ",".join(str(status) for status in sorted({int(one[3]) for one in found})) for kind, found in measured.items()}
+        own, floor = medians["ours"], medians["floor"]
+        text = "%-46s %5d  %6.0f %6.0f %5.2f  %6.0f %6.0f  %5.1f %5.1f %5.2f  %6d  %s" % (
+            command, size, own[0] * 1000, floor[0] * 1000, own[0] / floor[0], own[1] * 1000, floor[1] * 1000, own[2], floor[2],
+            own[2] / floor[2], calls, said["ours"])
+        if "peer" in medians:
+            text += "   %6.0f %6.0f %5.1f  %s" % (medians["peer"][0] * 1000, medians["peer"][1] * 1000, medians["peer"][2], said["peer"])
+        print(text, flush=True)
+        return own[0], floor[0]
+
+    def commands(self, sizes):
+        print("%-46s %5s  %6s %6s %5s  %6s %6s  %5s %5s %5s  %6s  %s" % (
+            "command", "size", "CPU", "floor", "ratio", "wall", "floor", "MiB", "floor", "ratio", "calls", "status") + (
+            "   %6s %6s %5s  %s" % ("rtshell", "wall", "MiB", "status") if self.peer else "") + "   (ms)")
+        costs = {}
+        for size in sizes:
+            rows = GROWING + (SINGLE if size == 10 or sizes == [size] else [])
+            rows = [row for row in rows if not self.only or row[0].split()[0] in self.only]
+            world = mocks.World("many", str(size))
+            beside = [mocks.World(*words + ["--context", "beside.host_cxt/%n.rtc"]) for words in BESIDE if "beside" in str(rows)]
+            try:
+                self.ours(self.words("rtcryo --all -o {file} {dir}", size))
+                for row in rows:
+                    if os.path.exists(os.path.join(mocks.COMMANDS, row[0].split()[0])):
+                        costs[row[0], size] = self.compare(world, size, *row)
+            finally:
+                for each in [world] + beside:
+                    each.close()
+                self.ours(["rtdel", "-q", "-z"])
+        if len(sizes) > 1:
+            self.growth(costs, sizes[0], sizes[-1])
+
+    def growth(self, costs, least, most):
+        """How steep each line is."""
+        for command in sorted({command for command, _ in costs}):
+            if (command, least) in costs and (command, most) in costs:
+                own, floor = [(costs[command, most][i] - costs[command, least][i]) / (most - least) * 1000 for i in (0, 1)]
+                print("%-46s each component more: %.2f ms, floor %.2f ms, ratio %.2f" % (command, own, floor, own / floor))
+
+    def hung(self):
+        live = mocks.World("two")
+        for count in (0, 1, 4, 16):
+            worlds = [mocks.World("these", "ConsoleIn:Hung%d" % number) for number in range(count)]
+            for world in worlds:
+                world.process.send_signal(signal.SIGSTOP)
+            for words in (["rtls", "--timeout", "1", "."], ["rtls", "-l", "--timeout", "1", "."],
+                          ["rtcat", "--timeout", "1", "ConsoleIn0.rtc"]):
+                one = self.ours(words)
+                print("%2d hung processes: %-24s %.2f s, status %d" % (count, " ".join(words), one[1], one[3]), flush=True)
+            for world in worlds:
+                world.close()
+            self.ours(["rtdel", "-q", "-z"])
+        live.close()
+
+
+def script(name, *words):
+    """Run one of the scripts beside this file."""
+    if os.path.exists(os.path.join(HERE, name)):
+        subprocess.run([sys.executable, os.path.join(HERE, name)] + list(words), check=False)
+    else:
+        print("%s is not there" % name)
+
+
+def real_rtshell(directory):
+    """Where the commands of the real rtshell are; None when pip cannot install it."""
+    venv.create(directory, with_pip=True, system_site_packages=True)
+    done = subprocess.run([os.path.join(directory, "bin", "python"), "-m", "pip", "install", "-q", "rtshell-aist"],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+    if done.returncode or not os.path.exists(os.path.join(directory, "bin", "rtls")):
+        print("the real rtshell cannot be installed: %s" % (done.stdout.strip().splitlines() or ["no rtls"])[-1])
+        return None
+    return os.path.join(directory, "bin")
+
+
+def options():
+    parser = argparse.ArgumentParser(prog="python3 -m tests.bench", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("section", nargs="*", help="default: all")
+    parser.add_argument("--sizes", default=",".join(map(str, SIZES)))
+    parser.add_argument("--rounds", type=int, help="default: 15 of small systems, 3 of large ones")
+    parser.add_argument("--only", action="append", metavar="COMMAND", help="may be repeated")
+    parser.add_argument("--peers", action="store_true")
+    args = parser.parse_args()
+    for section in args.section:
+        if section not in SECTIONS:
+            parser.error("no such section: " + section)
+    return args
+
+
+def main():
+    args = options()
+    wanted = args.section or SECTIONS
+    with tempfile.TemporaryDirectory() as directory:
+        peer = real_rtshell(directory) if args.peers else None
+        if "commands" in wanted or "hung" in wanted:
+            bench = Bench(args.rounds, args.only, peer)
+            try:
+                if "commands" in wanted:
+                    bench.commands([int(size) for size in args.sizes.split(",")])
+                if "hung" in wanted:
+                    bench.hung()
+            finally:
+                bench.close()
+    for section, name in (("profiles", "restore.py"), ("logs", "rtlog.py"), ("ports", "ports.py")):
+        if section in wanted:
+            script(name)
+
+
+if __name__ == "__main__":
+    main()

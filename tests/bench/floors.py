@@ -1,0 +1,134 @@
+"""The floor under a command: bare Python that imports omniORB, makes the fewest calls that can give the same answer, prints it.
+
+    python3 floors.py FLOOR TCPPORT NAME ...      objects are bound in test.host_cxt of the name server at that port
+"""
+import os
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.append(ROOT)
+
+
+def start(port):
+    """The directory, and the stubs of what is in it."""
+    global CosNaming, OpenRTM, RTC, SDOPackage
+    from omniORB import CORBA
+    import CosNaming
+    from rtshell_lite.idl_stubs.component import OpenRTM, RTC, SDOPackage
+    orb = CORBA.ORB_init(["floor", "-ORBclientCallTimeOutPeriod", "3000", "-ORBverifyObjectExistsAndType", "0"], CORBA.ORB_ID)
+    root = orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%s/NameService" % port)._unchecked_narrow(CosNaming.NamingContext)
+    return root.resolve([CosNaming.NameComponent("test", "host_cxt")])._unchecked_narrow(CosNaming.NamingContext)
+
+
+def components(directory, names):
+    for name in names:
+        yield directory.resolve([CosNaming.NameComponent(name, "rtc")])._unchecked_narrow(OpenRTM.DataFlowComponent)
+
+
+def nothing(port, names):
+    pass
+
+
+def listed(port, names):
+    """Which objects there are, and whether they live."""
+    directory = start(port)
+    bindings, _ = directory.list(10000)
+    for binding in bindings:
+        ref = directory.resolve(binding.binding_name)
+        print(("*" if ref._non_existent() else "") + binding.binding_name[0].id)
+
+
+def figures(port, names):
+    """The state and the ports of each."""
+    directory = start(port)
+    bindings, _ = directory.list(10000)
+    for each in components(directory, [binding.binding_name[0].id for binding in bindings]):
+        contexts = each.get_owned_contexts() + each.get_participating_contexts()
+        states = [context.get_component_state(each) for context in contexts]
+        print(states, [(profile.name, len(profile.connector_profiles)) for profile in (p.get_port_profile() for p in each.get_ports())])
+
+
+def profiles(port, names):
+    """All that a component says of itself and its ports."""
+    for each in components(start(port), names):
+        ports = [found.get_port_profile() for found in each.get_ports()]
+        contexts = each.get_owned_contexts(), each.get_participating_contexts()
+        states = [(context.get_component_state(each), context.get_profile()) for group in contexts for context in group]
+        print(each.get_component_profile(), each.get_owned_organizations(), each.get_organizations(), states, ports)
+
+
+def _change(operation, port, names):
+    for each in components(start(port), names):
+        contexts = each.get_owned_contexts()
+        print(getattr(contexts[0], operation)(each))
+
+
+def activate(port, names):
+    _change("activate_component", port, names)
+
+
+def deactivate(port, names):
+    _change("deactivate_component", port, names)
+
+
+def _ends(port, names):
+    """The port `out` of the first, `in` of the second."""
+    found = []
+    for each, name in zip(components(start(port), names), ("out", "in")):
+        for one in each.get_ports():
+            if one.get_port_profile().name.endswith("." + name):
+                found.append(one)
+    return found
+
+
+def connect(port, names):
+    from omniORB import any as omniany
+    ends = _ends(port, names)
+    properties = [SDOPackage.NameValue("dataport." + key, omniany.to_any(value)) for key, value in (
+        ("data_type", "IDL:RTC/TimedLong:1.0"), ("interface_type", "corba_cdr"), ("dataflow_type", "push"), ("subscription_type", "flush"))]
+    print(ends[0].connect(RTC.ConnectorProfile("out_in", "", ends, properties))[0])
+
+
+def disconnect(port, names):
+    ends = _ends(port, names)
+    for connector in ends[0].get_connector_profiles():
+        print(ends[0].disconnect(connector.connector_id))
+
+
+def configurations(port, names):
+    for each in components(start(port), names):
+        found = each.get_configuration()
+        print(found.get_active_configuration_set(), found.get_configuration_sets())
+
+
+def contexts(port, names):
+    for each in components(start(port), names):
+        for context in each.get_owned_contexts() + each.get_participating_contexts():
+            print(context.get_profile(), context.is_running(), context.get_component_state(each))
+
+
+def manager(port, names):
+    """What a manager has loaded."""
+    start(port)
+    from rtshell_lite.idl_stubs.manager import RTM
+    from omniORB import CORBA
+    root = CORBA.ORB_init([], CORBA.ORB_ID).string_to_object("corbaloc:iiop:1.2@127.0.0.1:%s/NameService" % port)
+    found = root._unchecked_narrow(CosNaming.NamingContext).resolve([
+        CosNaming.NameComponent("beside", "host_cxt"), CosNaming.NameComponent("manager", "mgr")])._unchecked_narrow(RTM.Manager)
+    print(found.get_loaded_modules())
+
+
+def system(port, names):
+    """What a profile of the whole system holds."""
+    for each in components(start(port), names):
+        ports = [found.get_port_profile() for found in each.get_ports()]
+        found = each.get_configuration()
+        contexts = [(context.get_profile(), context.get_component_state(each)) for context in each.get_owned_contexts()]
+        print(each.get_component_profile(), each.get_owned_organizations(), found.get_active_configuration_set(),
+              found.get_configuration_sets(), contexts, ports)
+
+
+if __name__ == "__main__":
+    globals()[sys.argv[1]](sys.argv[2], sys.argv[3:])
+    sys.stdout.flush()
+    os._exit(0)  # as our commands do: the ORB's end costs 6 ms
