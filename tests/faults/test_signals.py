@@ -188,7 +188,8 @@ class Screen:
             env=running.environment(RTCTREE_NAMESERVERS=server[1:], HOME=around.top), stdin=self.slave, stdout=self.slave,
             stderr=self.slave)
         self.said = b""
-        threading.Thread(target=self.listen, daemon=True).start()
+        self.listener = threading.Thread(target=self.listen, daemon=True)
+        self.listener.start()
 
     def take(self):
         os.setsid()
@@ -215,15 +216,17 @@ class Signals(unittest.TestCase):
                 with self.subTest(words=words, which=which, moment=moment):
                     time.sleep(moment)
                     if isinstance(which, str):
+                        mocks.eventually(lambda: screen.said, "a prompt, which takes what is typed")
                         os.write(screen.master, which.encode())
                     else:
                         screen.process.send_signal(which)
                     screen.process.wait(running.LIMIT)
                     self.assertEqual(termios.tcgetattr(screen.slave), screen.before, screen.said)
+                    os.close(screen.slave)
+                    screen.listener.join(running.LIMIT)  # all that was said has been heard
                     self.assertEqual(screen.said.count(b"\x1b[?1049h"), screen.said.count(b"\x1b[?1049l"), screen.said)
                     self.assertEqual(screen.said.count(b"\x1b[?25l") > 0, b"\x1b[?25h" in screen.said, screen.said)
                     self.assertNotRegex(screen.said, rb"rtshell_lite/\w+\.py")
-                os.close(screen.slave)
                 os.close(screen.master)
 
     def test_every_command_goes_at_once_and_leaves_nothing(self):
