@@ -8,12 +8,17 @@ from .stage import PUSH
 
 
 def crossed(stage):
-    """four connections gone wrong: In0 > Out0 one-sided, In1 > Out1 told differently, Sensor0 > Out2 types, In3 a tool's"""
+    """connections gone wrong: In0 > Out0 one-sided, In1 > Out1 told differently, Sensor0 > Out2 types, In3 a tool's;
+    Want0 > Want1 and Have0 > Have1 want, have the same service; Want2 > Have0 fit, Want3 > Have1 are mapped wrongly"""
     for number in range(3):
         stage.add("ConsoleOut", "Out%d" % number)
     for number in (0, 1, 3):
         stage.add("ConsoleIn", "In%d" % number)
     stage.add("Sensor")
+    for name in ("Want0", "Want1", "Want2", "Want3"):
+        stage.add("MyServiceConsumer", name)
+    for name in ("Have0", "Have1"):
+        stage.add("MyServiceProvider", name)
     stage.connect("In0:out", "Out0:in")
     stage.port("Out0:in").notify_disconnect(only_id(stage.port("In0:out")))  # of the last port: the others do not hear of it
     stage.connect("In1:out", "Out1:in")
@@ -24,6 +29,18 @@ def crossed(stage):
     port = stage.port("In3:out")
     code, _ = port.connect(RTC.ConnectorProfile("print", "", [port.reference], nvlist(
         PUSH + [("dataport.corba_cdr.inport_ior", gone)])))
+    assert code == RTC.RTC_OK, code
+    serve(stage, "Want0", "Want1")
+    serve(stage, "Have0", "Have1")
+    serve(stage, "Want2", "Have0")
+    serve(stage, "Want3", "Have1", [("Want3.port.MyService.required.MyService.myservice0", "nowhere")])
+
+
+def serve(stage, one, other, properties=()):
+    """Connect two service ports, as tools do that look at nothing."""
+    found = [stage.port(name + ":MyService") for name in (one, other)]
+    profile = RTC.ConnectorProfile("service", "", [port.reference for port in found], nvlist(properties))
+    code, _ = found[0].connect(profile)
     assert code == RTC.RTC_OK, code
 
 

@@ -3,7 +3,7 @@ import time
 
 from rtshell_lite.idl_stubs.component import RTC
 
-from . import values
+from . import arm, values
 from .composite import Composite
 from .fsm import StateMachine
 from .rtc import Component
@@ -160,6 +160,8 @@ class Spec:
         return pairs
 
 
+ARM = Spec("Arm", "Has ports of a data type of its own", [("in", "command", arm.NAME), ("out", "status", arm.NAME)], play=Sender,
+           category="test", stamps=True)
 _PAIR = {"Python": "Shinji Kurihara, AIST"}
 
 SPECS = {spec.type_name: spec for spec in (

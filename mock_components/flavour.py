@@ -119,4 +119,5 @@ class Flavour:
 
     def data_type(self, name):
         """A data type name as this implementation writes it."""
-        return name if self.bare_types else "IDL:RTC/{}:1.0".format(name)
+        scope, _, last = name.rpartition("/")
+        return last if self.bare_types else "IDL:{}/{}:1.0".format(scope or "RTC", last)

@@ -33,10 +33,10 @@ def binary():
     return shutil.which("omniNames")
 
 
-def free_port():
-    """A port below the kernel's ephemeral range, so that no outgoing connection takes it in between."""
+def free_port(above=12000):
+    """A port below the kernel's ephemeral range, so that no outgoing connection takes it in between; there is one above it."""
     for _ in range(200):
-        port = random.randrange(12000, 32000)
+        port = random.randrange(above + 1, (above + 32000) // 2)
         with socket.socket() as probe:
             try:
                 probe.bind(("127.0.0.1", port))

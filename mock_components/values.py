@@ -1,22 +1,25 @@
-"""Values of the basic data types, and their CDR form."""
+"""Values of the basic data types and of a user's own, and their CDR form."""
 import time
 
 import omniORB
 from rtshell_lite.idl_stubs.data import RTC
 
+from . import arm
 from .properties import get
 
 LENGTH = 10             # of the sequences that the sequence examples send
 
 
 def typecode(type_name):
-    return getattr(RTC, "_tc_" + type_name)
+    return arm.TYPE_CODE if type_name == arm.NAME else getattr(RTC, "_tc_" + type_name)
 
 
 def make(type_name, number, stamped=False):
-    """The value of a Timed… type that goes with a number, a sequence holding numbers from there on."""
+    """The value of a type that goes with a number, a sequence holding numbers from there on."""
     now = time.time()
     tm = RTC.Time(int(now), int(now % 1 * 1e9)) if stamped else RTC.Time(0, 0)
+    if type_name == arm.NAME:
+        return arm.make(tm, number)
     kind = type_name[len("Timed"):]
     if kind.endswith("Seq"):
         numbers = [_one(kind[:-3], number + i) for i in range(LENGTH)]

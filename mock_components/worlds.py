@@ -2,7 +2,7 @@
 import os
 import signal
 
-from . import ailments, components, deployment, hostile, observers, odd, orphans
+from . import ailments, components, deployment, hostile, observers, odd, orphans, wicked
 
 
 def two(stage):
@@ -133,6 +133,11 @@ def senders(stage, rate=1000, size=1000, *changes):
     source.owned[0].activate_component(source.reference)
 
 
+def custom(stage):
+    """Arm0 with ports `command` and `status`, whose type is that of mock_components/arm.py, in no standard IDL"""
+    stage.add(components.ARM, "Arm0")
+
+
 def orphan(stage):
     """Orphan0, connected to Peer0 (`out` to `in`) whose process has been killed"""
     orphans.leave_behind(stage, "Orphan0", stage.flavour)
@@ -165,9 +170,14 @@ def cruel(stage):
     hostile.add(stage)
 
 
+def harassing(stage, only=None):
+    """[NAME]: components whose every string is hostile, each in its own way, and that log, report and send it all the time"""
+    wicked.add(stage, only)
+
+
 WORLDS = {world.__name__: world for world in (
     two, linked, console, services, config, parts, robot, these, many, error, slow, stopped, contexts, composite, deadmember,
-    fsm, observed, senders, orphan, fragile, hung, zombie, names)}
+    fsm, observed, senders, custom, orphan, fragile, hung, zombie, names)}
 WORLDS.update(deployment.WORLDS)
 WORLDS.update(ailments.WORLDS)
-WORLDS.update({"all": everything, "hostile": cruel})
+WORLDS.update({"all": everything, "hostile": cruel, "wicked": harassing})

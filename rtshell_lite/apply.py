@@ -1,7 +1,7 @@
 """Carries out a list of steps.
 
 Each is looked at first, done only if it is not so, and looked at again, so that what is reported is what there is. Steps that
-concern one component are done in their order, others at the same time.
+concern one component are done one by one, in their order where that matters, others at the same time.
 """
 from rtshell_lite import errors, rpc, steps, tree
 
@@ -55,14 +55,16 @@ def check(outcomes):
 
 
 def carry_out(outcomes, all_or_nothing=False):
-    """Do the pending steps. `all_or_nothing`: if anything required fails, stop and undo all that has been done."""
+    """Do the pending steps. `all_or_nothing`: if anything required fails, or it is interrupted, undo it all."""
+    over = False
     try:
         for level in _levels([each for each in outcomes if each.pending]):
             if all_or_nothing and _spoilt(outcomes):
-                return
+                break
             _carry_out(level, outcomes)
+        over = True
     finally:
-        if all_or_nothing and _spoilt(outcomes):
+        if all_or_nothing and (not over or _spoilt(outcomes)):
             _roll_back(outcomes)
 
 
@@ -86,13 +88,25 @@ def _roll_back(outcomes):
 
 
 def _levels(outcomes):
-    """Lists of outcomes, one after the other, such that no two of a list share a Site and the order of those that do is kept."""
-    heights, levels = {}, []
+    """Lists of outcomes, one after the other, such that no two of a list share a Site.
+
+    The order of those that share one is kept, but among steps that are `free`: connections of one component after another
+    to the next would make a list each.
+    """
+    ends, taken, levels = {}, {}, []  # by id of a Site: the level that ends those in order, and all levels in use
     for each in outcomes:
-        height = max(heights.get(id(site), 0) for site in each.step.sites)
-        heights.update((id(site), height + 1) for site in each.step.sites)
-        levels[height:] = levels[height:] or [[]]
-        levels[height].append(each)
+        keys = [id(site) for site in each.step.sites]
+        level = max([ends.get(key, 0) for key in keys] or [0])
+        if each.step.free:
+            while any(level in taken.get(key, ()) for key in keys):
+                level += 1
+        else:
+            level = max([level] + [max(taken[key]) + 1 for key in keys if key in taken])
+            ends.update((key, level + 1) for key in keys)
+        for key in keys:
+            taken.setdefault(key, set()).add(level)
+        levels += [[] for _ in range(level + 1 - len(levels))]
+        levels[level].append(each)
     return levels
 
 
@@ -152,10 +166,11 @@ def _bury(outcomes, others=()):
 
 def _carry_out(level, outcomes):
     """Do the steps of one level."""
+    def act(each):
+        each.fail(errors.No(each.step.where, "interrupted while it was done"), UNSURE)  # what stays if we are interrupted
+        each.step.act(each.before)
     todo = _look(level)
-    for each in todo:  # what stays if we are interrupted
-        each.fail(errors.No(each.step.where, "interrupted while it was done"), UNSURE)
-    results = rpc.gather([_job(each, lambda each=each: each.step.act(each.before)) for each in todo])
+    results = rpc.gather([_job(each, lambda each=each: act(each)) for each in todo])
     for each, result in zip(todo, results):
         if isinstance(result, errors.Silent):
             # one call was lost; whether the process answers others decides what is reported

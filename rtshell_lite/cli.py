@@ -1,12 +1,20 @@
 """What every command shares: its parser and common options, its exit status, its one line on stderr."""
-import argparse
-import collections
-import errno
-import io
-import os
-import sys
+# Before all else: until main() can catch it, Ctrl-C ends the process without a word, not with a traceback of half an import.
+import _signal  # which `signal` is made of: that one takes longer to import than all that stands before it
+if _signal.getsignal(_signal.SIGINT) == _signal.default_int_handler:
+    try:
+        _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
+    except ValueError:  # not the main thread, so not a command that starts
+        pass
 
-from rtshell_lite import __version__, commandline, errors, path, rpc, text
+import argparse  # noqa: E402: see above
+import collections  # noqa: E402
+import errno  # noqa: E402
+import io  # noqa: E402
+import os  # noqa: E402
+import sys  # noqa: E402
+
+from rtshell_lite import __version__, commandline, errors, path, rpc, text  # noqa: E402
 
 EXIT_STATUSES = """exit status:
   0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
@@ -22,6 +30,8 @@ def main(arguments, run, doc, argv=None):
     """Run one command and exit: `arguments(parser)` declares, `run(args)` does the work and returns the exit status."""
     _prepare_streams()
     try:
+        if _signal.getsignal(_signal.SIGINT) == _signal.SIG_DFL:
+            _signal.signal(_signal.SIGINT, _signal.default_int_handler)
         _leave(command(arguments, run, doc, sys.argv[1:] if argv is None else argv))
     except KeyboardInterrupt:
         _leave(130)
@@ -77,10 +87,17 @@ def unwind_when_ended():
         signal.signal(number, unwind)
 
 
+def ignore_hangup():
+    """The terminal is gone, and we unwind: its SIGHUP, which comes later to all but the shell, must not cut that short."""
+    import signal
+    signal.signal(signal.SIGHUP, lambda *_: None)
+
+
 def _settle(quiet, verbose, timeout):
     global _quiet, _verbose
     _quiet, _verbose, rpc.timeout = quiet, verbose, timeout
     rpc.silent.clear()  # in rtsh: what was silent for one command is asked again by the next
+    rpc.slots = rpc.Slots()
 
 
 class _Closed(io.TextIOBase):
@@ -249,10 +266,7 @@ class Progress(Tally):
     def ended(self, result):
         """An action has ended, or will not be tried; failures of optional components leave the exit status as it is."""
         action, error = result.action, result.error
-        if self.as_json:
-            print(text.json_line({
-                "action": self.verb.lower(), "number": action.number, "path": action.path, "context": action.context,
-                "required": action.component.is_required, "result": result.outcome, "error": str(error) if error else None}))
+        self.passed_over(result)
         if error is None:
             self.add(action)
             detail("%s: %s%s" % (action.path, "already " if result.outcome == "already" else "", self.state))
@@ -260,6 +274,14 @@ class Progress(Tally):
             self.add(error)
         else:
             _say_as_it_is("Action failed: %s" % error)
+
+    def passed_over(self, result):
+        """An action will not be tried, for a reason that has been told."""
+        action, error = result.action, result.error
+        if self.as_json:
+            print(text.json_line({
+                "action": self.verb.lower(), "number": action.number, "path": action.path, "context": action.context,
+                "required": action.component.is_required, "result": result.outcome, "error": str(error) if error else None}))
 
 
 # ---- options --------------------------------------------------------------------------------------------------

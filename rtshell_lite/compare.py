@@ -1,11 +1,11 @@
 """What rtcheck does: a list of checks made from an RtsProfile, and the differences that they find in the running system."""
 import collections
 
-from rtshell_lite import component, errors, orb, ports, system
+from rtshell_lite import component, errors, orb, ports, system, tree
 from rtshell_lite.system import shown_path as _path
 from rtshell_lite.text import printable
 
-# One check. `what` completes "Check …", `needs` are the components of the profile that have to be there for it, and
+# One check. `what` completes "Checking …", `needs` are the components of the profile that have to be there for it, and
 # `differences(found, …)` with the Found of each gives Differences.
 Check = collections.namedtuple("Check", "kind required what needs differences")
 
@@ -26,7 +26,7 @@ class Result:
 # ---- doing them -----------------------------------------------------------------------------------------------
 
 def compare(profile, state, tell=lambda line: None, extra=False):
-    """Do all checks, in order, and return the Result; `tell` gets a line for each. `extra`: see `_extra`."""
+    """Do all checks, in order, and return the Result; `tell` gets a line for each. `extra`: what there is beyond the profile."""
     running = {id(each): found for each, found in zip(profile.components, system.look(profile))}
     result = Result()
     for each in profile.components:
@@ -42,9 +42,30 @@ def compare(profile, state, tell=lambda line: None, extra=False):
                 seen.add(difference.message)
                 result.differences.append(difference)
     if extra:
-        result.differences += _extra(profile, [(each, running[id(each)]) for each in profile.components
-                                               if not isinstance(running[id(each)], errors.Error)])
+        there = [(each, running[id(each)]) for each in profile.components if not isinstance(running[id(each)], errors.Error)]
+        _strangers(profile, there, result)
+        result.differences += _extra(profile, there)
     return result
+
+
+def _strangers(profile, there, result):
+    """Add to the Result the components that run in the name servers of a profile, and that it does not have."""
+    servers = set()
+    for each in profile.components:
+        try:
+            servers.add(system.path_of(each)._replace(names=()))
+        except errors.BadPath:
+            pass  # told before
+    nodes, failures, _ = system.components(sorted(servers, key=str))
+    known = {orb.identity(found.node.ref) for _, found in there} | {system.shown_path(each) for each in profile.components}
+    strange = [node for node in nodes if orb.identity(node.ref) not in known and str(node.path) not in known]
+    for node in tree.look(strange):
+        if node.kind == "silent":
+            failures.append(node.error)
+        elif node.kind == "component":
+            path = str(node.path)
+            result.differences.append(Difference("component", True, "Component not in the file: " + path, path, None, path))
+    result.failures += [failure for failure in failures if str(failure) not in map(str, result.failures)]
 
 
 def _extra(profile, there):
@@ -123,6 +144,15 @@ def checks(profile, state):
     for each in by_need:
         found += _state_checks(each, state)
     return found
+
+
+def line(check):
+    """A check that is not done but shown, as rtshell does."""
+    what, each = check.what, check.needs[0] if check.needs else None
+    if check.kind == "component":
+        what = 'for %s component "%s", "%s" at path %s' % (
+            "required" if check.required else "optional", printable(each.id), printable(each.instance_name), _path(each))
+    return "Check %s%s" % (what, " (Required)" if check.required else "")
 
 
 def _component_check(each):

@@ -237,9 +237,7 @@ class Reader(Connection):
 
     def _buffer(self):
         """A port keeps as many values as its buffer is long, so only small ones may wait in great number."""
-        members = datatypes.members(self.port.properties.get("dataport.data_type", "")) or [("", "any")]
-        fixed = not any(words.startswith(("sequence", "string", "any")) for _, words in members)
-        return SMALL_BUFFER if fixed else LARGE_BUFFER
+        return SMALL_BUFFER if has_fixed_size(self.port) else LARGE_BUFFER
 
     def _open(self):
         try:
@@ -306,6 +304,12 @@ class Reader(Connection):
         properties = dict(component.profile(self.port.node).properties)
         old = properties.get("openrtm.version", "").startswith(("1.0", "1.1"))
         return properties.get("language", "").startswith("C") and not old
+
+
+def has_fixed_size(port):
+    """True when all values of a data port are of one, small size, as far as its standard type tells."""
+    members = datatypes.members(port.properties.get("dataport.data_type", "")) or [("", "any")]
+    return not any(words.startswith(("sequence", "string", "any")) for _, words in members)
 
 
 def fetcher(reader):

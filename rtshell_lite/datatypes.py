@@ -3,6 +3,7 @@
 Where a type is looked for: the standard types; what the user names, IDL files and compiled stubs; what the component offers.
 """
 import importlib
+import importlib.util
 import json
 import struct
 import sys
@@ -11,7 +12,8 @@ from rtshell_lite import cdr, descriptors, errors, orb, portable, values
 from rtshell_lite.text import from_wire, printable
 
 STANDARD = ("RTC", "Img")  # the modules of the stubs that come along
-REMEDY = "name its IDL file (--idl FILE) or compiled stubs (-m MODULE -p DIR), or look at the bytes (--raw)"
+SOURCES = "name its IDL file (--idl FILE) or compiled stubs (-m MODULE -p DIR)"
+REMEDY = SOURCES + ", or look at the bytes (--raw)"
 
 
 class Type:
@@ -118,7 +120,8 @@ class Types:
             found = _offered(port)
         if found is None:
             from rtshell_lite import ports
-            raise errors.NoSuch(ports.label(port), "data type known", "%s; %s" % (printable(name) or "none given", REMEDY))
+            raise errors.NoSuch(ports.label(port), "data type known", "%s; %s" % (
+                printable(name) or "none given", SOURCES if port.type == "DataInPort" else REMEDY))
         return found
 
     def _find(self, name):
@@ -176,6 +179,7 @@ def _best(known, name):
 def _imported(name, path):
     """The module of stubs that the user named. Raises NoSuch when it cannot be imported."""
     orb.start()  # without omniORB no stub can be
+    _lend_standard_stubs()
     own, sys.path[:0] = list(sys.path), path
     try:
         return importlib.import_module(name)
@@ -184,6 +188,14 @@ def _imported(name, path):
         raise errors.NoSuch(printable(name), "module" + where, printable(str(e)))
     finally:
         sys.path[:] = own
+
+
+def _lend_standard_stubs():
+    """Stubs import those of the files that theirs included: OpenRTM-aist-Python's where it is installed, else ours."""
+    from rtshell_lite.idl_stubs import data
+    for name in ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "InterfaceDataTypes_idl", "CameraCommonInterface_idl"):
+        if name not in sys.modules and importlib.util.find_spec(name) is None:
+            sys.modules[name] = importlib.import_module("%s.%s" % (data.__name__, name))
 
 
 def _of_module(module):

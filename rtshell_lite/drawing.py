@@ -1,4 +1,4 @@
-"""A system drawn in the terminal, or as SVG: boxes below each other, as the data goes, and a lane for each out port beside.
+"""A system drawn in the terminal: boxes below each other, as the data goes, and a lane for each out port beside.
 
     ┌────────────┐
     │ ConsoleIn0 │
@@ -12,7 +12,7 @@ Where lines meet they are joined; a line that only passes is drawn over the othe
 """
 import collections
 
-from rtshell_lite.graph import COLOURS
+from rtshell_lite.graph import heads, in_order
 from rtshell_lite.text import cells, printable
 
 # A row of the stack of boxes: text between its borders, and the borders.
@@ -28,10 +28,10 @@ _ASCII = {ord(c): "+" for c in "┌┐└┘├┤┬┴┼╗╝╣╦╩╬╞
 _ASCII.update({ord("─"): "-", ord("│"): "|", ord("═"): "=", ord("║"): ":"})
 
 
-def lines(graph, ascii_only=False):
+def lines(picture, ascii_only=False):
     """The lines of the drawing of a graph.Graph; with `ascii_only` nothing but ASCII."""
-    rows, at = _stack(graph)
-    nets = _nets(graph, at)
+    rows, at = _stack(picture)
+    nets = _nets(picture, at)
     lanes = _lanes(nets)
     wide = max([cells(row.text) for row in rows] or [0])
     for number, row in enumerate(rows):
@@ -44,16 +44,13 @@ def lines(graph, ascii_only=False):
         yield line.translate(_ASCII).encode("ascii", "backslashreplace").decode() if ascii_only else line
 
 
-def _stack(graph):
+def _stack(picture):
     """(Rows of all boxes, {(box, port): number of its row}). The right border `>` marks text that goes to the right."""
-    order, rows, at = _order(graph), [], {}
-    parents = {member: box.name for box in graph.boxes for member in box.members}
-    for place, number in enumerate(order):
-        box = graph.boxes[number]
+    rows, at = [], {}
+    for place, number in enumerate(in_order(picture)):
+        box = picture.boxes[number]
         rows.append(Row("├", "", "┤") if place else Row("┌", "", "┐"))
-        rows.append(Row("│", " %s " % "  ".join(_title(box, parents.get(number))), "│"))
-        if box.members:
-            rows.append(Row("│", " made of %s " % ", ".join(printable(graph.boxes[m].name) for m in box.members), "│"))
+        rows += [Row("│", " %s " % head, "│") for head in heads(picture, number)]
         for side, mark in ((box.left, "│"), (box.right, ">")):
             for port in side:
                 at[number, port] = len(rows)
@@ -61,42 +58,10 @@ def _stack(graph):
     return rows + [Row("└", "", "┘")] * bool(rows), at
 
 
-def _title(box, parent):
-    words = [printable(box.name)]
-    if box.missing:
-        words.append("(not in the profile)")
-    if box.state is not None:
-        words.append(box.state)
-    return words + (["(in %s)" % printable(parent)] if parent is not None else [])
-
-
-def _order(graph):
-    """Numbers of the boxes such that data flows downwards where it can; as they come where it goes round in a circle."""
-    waiting, order = collections.OrderedDict.fromkeys(range(len(graph.boxes))), []
-    above = {number: set() for number in waiting}
-    for one, _, other, _, service in graph.edges:
-        if one != other and not service:
-            above[other].add(one)
-    below = {number: [other for other in above if number in above[other]] for number in waiting}
-    left = {number: len(above[number]) for number in waiting}
-    ready = collections.deque(number for number in waiting if not left[number])
-    while waiting:
-        number = ready.popleft() if ready else next(iter(waiting))
-        if number not in waiting:
-            continue
-        del waiting[number]
-        order.append(number)
-        for other in reversed(below[number]):
-            left[other] -= 1
-            if not left[other]:
-                ready.appendleft(other)
-    return order
-
-
-def _nets(graph, at):
+def _nets(picture, at):
     """The Nets: one for each port that connections start at, and kind."""
     rows = collections.OrderedDict()
-    for one, out, other, into, service in graph.edges:
+    for one, out, other, into, service in picture.edges:
         rows.setdefault((at[one, out], service), set()).update([at[one, out], at[other, into]])
     return [Net(joined, start, service) for (start, service), joined in rows.items() if len(joined) > 1]
 
@@ -134,37 +99,3 @@ def _beside(row, nets, lanes):
             drawn.append("─═"[service] if lane < far else " ")
     border = "├╞"[service] if joined and not arrives else ""
     return "".join(drawn), border
-
-
-# ---- SVG ------------------------------------------------------------------------------------------------------
-
-_ROW, _CELL, _LANE = 20, 9, 14  # pixels: height of a row, width of a character, between lanes
-_HEAD = ('<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" font-family="monospace" font-size="14">\n'
-         '<defs><marker id="arrow" markerWidth="8" markerHeight="8" refX="7" refY="4" orient="auto">'
-         '<path d="M0,0 L8,4 L0,8 z"/></marker></defs>\n<rect width="100%%" height="100%%" fill="white"/>')
-
-
-def svg(graph):
-    """Lines of an SVG file: the same drawing, boxes coloured by their states."""
-    rows, at = _stack(graph)
-    nets = _nets(graph, at)
-    lanes = _lanes(nets)
-    wide = max([cells(row.text) for row in rows] or [0]) * _CELL
-    yield _HEAD % (wide + (max(lanes or [0]) + 3) * _LANE + _LANE, (len(rows) + 1) * _ROW)
-    tops = [number for number, row in enumerate(rows) if not row.text]
-    for box, top, bottom in zip(_order(graph), tops, tops[1:]):
-        colour = COLOURS.get(graph.boxes[box].state, "white" if graph.boxes[box].state is None else "lightgrey")
-        yield '<rect x="%d" y="%d" width="%d" height="%d" rx="5" fill="%s" stroke="black"%s/>' % (
-            _LANE, top * _ROW + 14, wide, (bottom - top) * _ROW - 6, colour,
-            ' stroke-dasharray="4"' if graph.boxes[box].missing else "")
-    for number, row in enumerate(rows):
-        if row.text:
-            x, anchor = (_LANE + wide - 5, "end") if row.right == ">" else (_LANE + 5, "start")
-            yield '<text x="%d" y="%d" text-anchor="%s">%s</text>' % (
-                x, number * _ROW + 16, anchor, row.text.strip().replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;"))
-    for net, lane in zip(nets, lanes):
-        for end in sorted(net.rows - {net.start}):
-            yield '<path d="M%d,%d H%d V%d H%d" fill="none" stroke="%s" marker-end="url(#arrow)"/>' % (
-                _LANE + wide, net.start * _ROW + 11, wide + (lane + 3) * _LANE, end * _ROW + 11, _LANE + wide,
-                'black" stroke-dasharray="5,3' if net.service else "black")
-    yield "</svg>"

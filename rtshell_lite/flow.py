@@ -1,5 +1,7 @@
 """How values flow over a port: their rate, the gaps between them, bytes, and what their own timestamps tell."""
+import collections
 import math
+import time
 
 LONG, SHORT = 1.5, 0.5  # gaps between timestamps: so many times the usual one has missing values in it, or late ones behind it
 PAUSE, PAUSE_LEAST = 20, 10**9  # a gap of so many usual ones, and of 1 s at least, is a pause, from which all begins anew
@@ -109,3 +111,39 @@ class Flow:
     def _count(self, what, number):
         for stretch in (self.total, self.recent):
             setattr(stretch, what, max(0, getattr(stretch, what) + number))
+
+
+# ---- the rate of the last seconds -----------------------------------------------------------------------------
+
+WINDOW = 2.0  # seconds over which a rate is taken
+LEAST = 0.2  # seconds below which there is none
+
+# Values and bytes a second, None while not known; `path` is the port's, `failure` an errors.Error or None.
+Rate = collections.namedtuple("Rate", "path values bytes failure")
+
+
+class Meter:
+    """Counts the values of the port at a path; `take` is what its dataport.Reader, the `reader`, delivers to."""
+
+    def __init__(self, path, failure=None):
+        self.path, self.failure = path, failure
+        self.reader = None
+        self._values = self._bytes = 0
+        self._looks = collections.deque()  # (when, values, bytes)
+
+    def take(self, message):
+        """Count a dataport.Message, on a thread of the ORB."""
+        self._values += 1
+        self._bytes += len(message.data)
+
+    def rate(self):
+        """The Rate over the looks of the last WINDOW seconds."""
+        now = time.monotonic()
+        while len(self._looks) > 1 and now - self._looks[1][0] >= WINDOW:
+            self._looks.popleft()
+        self._looks.append((now, self._values, self._bytes))
+        failure = self.failure or self.reader and self.reader.failure
+        since, values, size = self._looks[0]
+        if failure or now - since < LEAST:
+            return Rate(self.path, None, None, failure)
+        return Rate(self.path, (self._values - values) / (now - since), (self._bytes - size) / (now - since), None)

@@ -83,6 +83,44 @@ def _compose(profile, boxes, numbers, locate):
     return [number for number in range(len(boxes)) if number not in inside]
 
 
+# ---- what drawings share --------------------------------------------------------------------------------------
+
+def heads(graph, number):
+    """What is written at the top of a box, a text for each line: name, state, composites around it; its members."""
+    box = graph.boxes[number]
+    words = [printable(box.name)]
+    if box.missing:
+        words.append("(not in the profile)")
+    if box.state is not None:
+        words.append(box.state)
+    words += ["(in %s)" % printable(each.name) for each in graph.boxes if number in each.members]
+    made = ["made of " + ", ".join(printable(graph.boxes[member].name) for member in box.members)] if box.members else []
+    return ["  ".join(words)] + made
+
+
+def in_order(graph):
+    """Numbers of the boxes such that data flows downwards where it can; as they come where it goes round in a circle."""
+    waiting, order = collections.OrderedDict.fromkeys(range(len(graph.boxes))), []
+    above = {number: set() for number in waiting}
+    for one, _, other, _, service in graph.edges:
+        if one != other and not service:
+            above[other].add(one)
+    below = {number: [other for other in above if number in above[other]] for number in waiting}
+    left = {number: len(above[number]) for number in waiting}
+    ready = collections.deque(number for number in waiting if not left[number])
+    while waiting:
+        number = ready.popleft() if ready else next(iter(waiting))
+        if number not in waiting:
+            continue
+        del waiting[number]
+        order.append(number)
+        for other in reversed(below[number]):
+            left[other] -= 1
+            if not left[other]:
+                ready.appendleft(other)
+    return order
+
+
 # ---- DOT ------------------------------------------------------------------------------------------------------
 
 def dot(graph):

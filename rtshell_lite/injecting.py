@@ -1,6 +1,7 @@
 """Sending values to in ports at a rate: where they come from, when each is due, and what becomes of it."""
 import math
 import queue
+import select
 import sys
 import threading
 import time
@@ -21,6 +22,9 @@ class Constant:
         """(text of a value, where it stands)"""
         return self.text, None
 
+    def close(self):
+        """Nothing is open."""
+
 
 class Lines:
     """The values on stdin. A line is read when it is asked for, by a thread, so that a clock can be kept meanwhile."""
@@ -28,7 +32,7 @@ class Lines:
     def __init__(self):
         if sys.stdin is None:
             raise errors.Usage("no -c VALUE, and stdin is closed")
-        self.number, self.waiting = 0, False
+        self.number, self.waiting, self.closed = 0, False, threading.Event()
         self.asked, self.read = queue.Queue(), queue.Queue()
         threading.Thread(target=self._read, daemon=True).start()
 
@@ -53,13 +57,22 @@ class Lines:
             except (EOFError, OSError) as e:
                 self.read.put(e)
 
+    def close(self):
+        """Read no more: what is typed from now on is for the prompt of rtsh."""
+        self.closed.set()
+
     def _line(self):
-        for line in iter(sys.stdin.buffer.readline, b""):
+        for line in iter(self._raw_line, b""):
             self.number += 1
             text = line.decode("utf-8", "surrogateescape").strip()
             if text and not text.startswith("#"):
                 return text, "line %d" % self.number
         raise EOFError()
+
+    def _raw_line(self):
+        while sys.stdin.isatty() and not select.select([sys.stdin], [], [], TICK)[0] and not self.closed.is_set():
+            pass
+        return b"" if self.closed.is_set() else sys.stdin.buffer.readline()
 
 
 class Injection:

@@ -6,6 +6,8 @@ from rtshell_lite.text import printable, shell_word
 class Connection(steps.Step):
     """What connecting and disconnecting share: a connector of the profile, and its `ends` as (Site, port name)."""
 
+    free = True
+
     def __init__(self, connector, ends):
         names = [str(site.path.with_port(name)) for site, name in ends]
         sites = []
@@ -98,6 +100,7 @@ class Disconnect(Connection):
 
     kind = "disconnect"
     tolerant = True
+    command = ""  # once it has been seen that it is there
 
     @property
     def endpoint(self):
@@ -108,13 +111,11 @@ class Disconnect(Connection):
 
     jobs = _looked_at
 
-    @property
-    def command(self):  # type: ignore[override]
-        return "; ".join("rtdis -i %s %s" % (shell_word(one.id), shell_word(ports.label(port))) for port, one in self.last[:1])
-
     def so(self, answers):
         there = [answer for answer in answers if not isinstance(answer, errors.Error)]
         self.last = [(port, one) for port, one in ((port, self._ours(port, there)) for port in there) if one is not None]
+        for port, one in self.last[:1]:
+            self.command = "rtdis -i %s %s" % (shell_word(one.id), shell_word(ports.label(port)))
         failed = [e for e in answers + [site.error for site in self.sites] if isinstance(e, errors.Error)]
         for e in failed:
             if not self.last and not steps.is_gone(e):

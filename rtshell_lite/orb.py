@@ -14,6 +14,8 @@ from rtshell_lite.text import from_wire, printable, to_wire
 
 Address = collections.namedtuple("Address", "type_id host port key")  # what an IOR says: text, text, int, bytes
 
+CONNECTIONS = 5  # that omniORB holds to one process at most (its maxGIOPConnectionPerServer)
+
 _started = None  # the ORB, once there is one
 _deadline = None  # seconds: the deadline it was given
 _starting = threading.RLock()
@@ -232,15 +234,33 @@ def call(where, ref, operation, *args, seconds=None):
         return rpc.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args, seconds=seconds))
     import omniORB
     from omniORB import CORBA
-    if seconds and seconds > rpc.timeout:
-        omniORB.setClientCallTimeout(ref, int(_milliseconds(seconds)))
-        rpc.alive(seconds)
+    longer = seconds if seconds and seconds > rpc.timeout else None
+    if longer:
+        omniORB.setClientCallTimeout(ref, int(_milliseconds(longer)))
     try:
-        result = getattr(ref, operation)(*args)
+        with rpc.slots:
+            rpc.alive(longer)
+            result = _result(ref, operation, args)
     except CORBA.Exception as e:
         raise _error(where, e, max(seconds or 0, rpc.timeout))
     rpc.answered()
     return result
+
+
+def _result(ref, operation, args):
+    """The result of a call. A question whose answer was lost is asked again, once for each connection that may be an old one.
+
+    rtsh keeps connections: where a process has ended since, or was started anew at the same port, all of them are lost, and
+    each tells so only when it is used. Changes are not repeated: they may have been made.
+    """
+    from omniORB import CORBA
+    asks = operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
+    for _ in range(CONNECTIONS if asks and rpc.has_answered() else 0):
+        try:
+            return getattr(ref, operation)(*args)
+        except CORBA.COMM_FAILURE:
+            pass
+    return getattr(ref, operation)(*args)
 
 
 def ask(where, ref, operation, *args, seconds=None):

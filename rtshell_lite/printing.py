@@ -29,7 +29,10 @@ class Channel:
 
     def value(self, message):
         """The Python value of a Message, or the member of it that is asked for. Raises errors.Error."""
-        value = self.type.decode(message.data, message.little)
+        try:
+            value = self.type.decode(message.data, message.little)
+        except errors.BadData as e:
+            raise errors.BadData(self.path, "%s: %s" % e.args)
         return values.field(value, self.field) if self.field else value
 
     def line(self, message):

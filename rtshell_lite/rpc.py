@@ -52,6 +52,27 @@ class _Peer:
 _lane = threading.local()
 
 
+class Slots:
+    """Remote calls in flight at one time, to all processes together: at most `most`, None for as many as there are lanes.
+
+    Each call is made inside `with rpc.slots:`. Waiting there is no silence of the peer.
+    """
+
+    def __init__(self, most=None):
+        self._free = threading.Semaphore(most) if most else None
+
+    def __enter__(self):
+        while self._free and not self._free.acquire(timeout=TICK):
+            alive()
+
+    def __exit__(self, *_):
+        if self._free:
+            self._free.release()
+
+
+slots = Slots()
+
+
 def in_lane():
     """True on a thread that may make remote calls."""
     return hasattr(_lane, "peer")
@@ -82,6 +103,11 @@ def answered():
         _answered[_lane.peer.endpoint] = time.monotonic()
 
 
+def has_answered():
+    """True where the peer of this lane has ever answered a call."""
+    return in_lane() and _lane.peer.endpoint in _answered
+
+
 def ask(endpoint, where, call):
     """Run one call and return its value or raise its error.
 
@@ -106,9 +132,13 @@ def gather(jobs):
     for peer in peers.values():
         for _ in range(min(LANES, len(peer.todo))):
             threading.Thread(target=_work, args=(peer, values, results), daemon=True).start()
-    while not results.complete.wait(TICK):
-        alive()  # for a gather inside a lane
-        _give_up(peers.values(), jobs, values, results)
+    try:
+        while not results.complete.wait(TICK):
+            alive()  # for a gather inside a lane
+            _give_up(peers.values(), jobs, values, results)
+    finally:
+        for peer in peers.values():  # when Ctrl-C interrupts it, nothing more is begun
+            peer.todo.clear()
     for value in values:
         if isinstance(value, Exception) and not isinstance(value, errors.Error):
             raise value  # a bug of ours, not a failure of the peer

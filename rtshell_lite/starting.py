@@ -20,7 +20,7 @@ class Run:
     """A plan being carried out."""
 
     def __init__(self, actions, transition, progress, wait=None):
-        """`progress` is told as it goes, on the thread that calls `carry_out`: starting(action, line), ended(Result).
+        """`progress` is told as it goes, on the thread that calls: starting(action, line), ended(Result), passed_over(Result).
 
         `wait`: how long a component may take to reach its state, in seconds (default: the timeout).
         """
@@ -39,7 +39,7 @@ class Run:
         Returns the errors of the required ones: with any of these, nothing is to be started. `tell` gets a line for each.
         """
         failures = []
-        for each, answer in zip(profile.components, system.look(profile, _ask)):
+        for each, answer in zip(profile.components, self._look(profile, _ask)):
             if each.is_required:
                 tell("Checking for required component %s with ID \"%s\" and instance name \"%s\"" % (
                     system.shown_path(each), printable(each.id), printable(each.instance_name)))
@@ -49,6 +49,16 @@ class Run:
                 self._found[id(each)] = e
                 failures += [e] if each.is_required else []
         return failures
+
+    def refuse(self):
+        """Tell of each action what `check` has found: that it fails, or that another one does, which is required."""
+        for action in self.actions:
+            found = self._found[id(action.component)]
+            if isinstance(found, errors.Error):
+                self.progress.ended(Result(action, plan.FAILED, found))
+            else:
+                error = errors.NotTried(action.path, "something that is required failed")
+                self.progress.passed_over(Result(action, plan.NOT_TRIED, error))
 
     def _checked(self, each, answer):
         """(node, _Contexts) of a component of the profile. Raises what is wrong with it."""
@@ -68,8 +78,22 @@ class Run:
 
     def find(self, profile):
         """Find the components, and leave what else there is to know about them until it is their turn."""
-        for each, answer in zip(profile.components, system.look(profile, lambda node: node)):
+        for each, answer in zip(profile.components, self._look(profile, lambda node: node)):
             self._found[id(each)] = answer if isinstance(answer, errors.Error) else (answer, None)
+
+    def _look(self, profile, function):
+        """system.look; when an exception interrupts it, all actions are told not to be tried."""
+        interrupted = True
+        try:
+            answers = system.look(profile, function)
+            interrupted = False
+        except errors.Error:  # nobody can be asked at all
+            interrupted = False
+            raise
+        finally:
+            if interrupted:
+                self._leave()
+        return answers
 
     # ---- doing it ----
 

@@ -53,6 +53,7 @@ class Step:
 
     kind = command = ""
     tolerant = False  # True if it makes sense though a component is dead
+    free = False  # True if others of the kind may come before or after it
 
     def __init__(self, sites, where, title):
         self.sites, self.where, self.title = list(sites), where, title

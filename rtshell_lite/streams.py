@@ -36,12 +36,21 @@ def _duration(value):
 
 def hertz(value):
     """A positive rate in Hz: a type of options."""
+    return _positive(value, "a number of Hz above 0")
+
+
+def factor(value):
+    """A positive number: a type of options."""
+    return _positive(value, "a number above 0")
+
+
+def _positive(value, wanted):
     try:
         number = float(value)
     except ValueError:
         number = 0.0
     if not 0 < number < math.inf:
-        raise argparse.ArgumentTypeError("not a number of Hz above 0: %s" % text.printable(value))
+        raise argparse.ArgumentTypeError("not %s: %s" % (wanted, text.printable(value)))
     return number
 
 
@@ -93,6 +102,7 @@ class Watcher:
                 cli.note("%s: answers again" % each.where)
             self.told[each] = each.failure
         if any(events & (select.POLLERR | select.POLLHUP) for _, events in self.output.poll(0)):
+            cli.ignore_hangup()
             raise BrokenPipeError(errno.EPIPE, "nobody reads the output")
 
     def count(self, tally, of_no_use=()):

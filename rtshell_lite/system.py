@@ -60,11 +60,8 @@ def is_reference(name, value):
 # ---- capturing ------------------------------------------------------------------------------------------------
 
 def capture(tops=(), all_components=False):
-    """The System below the Paths `tops` (none: all name servers), sorted; only what is connected, or a composite of it.
-
-    Components below managers are passed over: they are bound in a name server, too.
-    """
-    nodes, failures, notes = _nodes(tops)
+    """The System below the Paths `tops` (none: all name servers), sorted; only what is connected, or a composite of it."""
+    nodes, failures, notes = components(tops)
     found, silent = [], set()
     for node, answer in zip(nodes, tree.on_nodes(nodes, ask)):
         if not isinstance(answer, errors.Error):
@@ -85,8 +82,11 @@ def capture(tops=(), all_components=False):
     return System(profile, found, failures, notes)
 
 
-def _nodes(tops):
-    """(component nodes, each object once, by its first path; errors; notes) below the Paths."""
+def components(tops=()):
+    """(component nodes, each object once, by its first path; errors; notes) below the Paths (none: all name servers).
+
+    Components below managers are passed over: they are bound in a name server, too.
+    """
     orb.start()
     parts = rpc.gather([rpc.Job(tree.lane(top), str(top), lambda top=top: list(tree.walk(tree.resolve(top), managers=False)))
                         for top in tops or [path.ROOT]])

@@ -9,11 +9,12 @@ Resolution is lazy: only what a path names is asked. As a library:
 import collections
 import functools
 import os
+import re
 
 from rtshell_lite import errors, orb, rpc
 from rtshell_lite.node import DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes  # of which callers use tree's names
-from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse
-from rtshell_lite.text import from_wire
+from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_address
+from rtshell_lite.text import from_wire, printable
 
 MOST = 1000000  # names in one context: an iterator may say for ever that there is more
 DEPTH = 64  # contexts can be bound inside themselves by another name
@@ -25,6 +26,29 @@ def servers():
     """Addresses of the name servers of RTCTREE_NAMESERVERS (separated by semicolons), else localhost."""
     listed = [address for address in os.environ.get("RTCTREE_NAMESERVERS", "").split(";") if address.strip()]
     return list(collections.OrderedDict.fromkeys(address.strip() for address in listed or ["localhost"]))
+
+
+def tops(words):
+    """Paths of what a command looks at as a whole; a bare host:2809, 192.0.2.1 or [::1] is a name server, and so is a bare
+    word without a dot, as names of components have one. Raises BadPath, Usage.
+    """
+    return [_top(word) for word in words]
+
+
+def _top(word):
+    if word and "/" not in word and _is_server(word):
+        return parse("/" + word)
+    top = parse(word)
+    if top.port is not None:
+        raise errors.Usage("%s: a port is looked at with its component" % printable(word))
+    return top
+
+
+def _is_server(word):
+    host, port = split_address(word)
+    if word in servers() or ":" in word and port is not None:
+        return True
+    return host == word and ("." not in word and "\\" not in word or re.match(r"[0-9]+(\.[0-9]+){3}$", word) is not None)
 
 
 def _server(path):

@@ -336,6 +336,7 @@ class Cdr(Target):
         as_json, _, data = data.partition(b"\n")
         try:
             one = datatypes.from_bytes(as_json)
+            datatypes.check(one.descriptor, one.name)
         except errors.BadType as e:
             raise Refused(str(e))
         known, refused = {}, None

@@ -22,10 +22,10 @@ class Failed(Exception):
 
 # ---- starting ----
 
-def start_name_server(name):
-    """Start an omniNames of its own data directory; returns its port as text."""
+def start_name_server(name, above="12000"):
+    """Start an omniNames of its own data directory; returns its port as text, one that sorts behind `above`."""
     for attempt in range(5):  # another session may have taken the port since it was found free
-        port = str(nameserver.free_port())
+        port = str(nameserver.free_port(int(above)))
         data = session_file("%s-%d" % (name, attempt))
         os.mkdir(data)
         server = start(name, [nameserver.binary(), "-start", port, "-logdir", data, "-ORBendPoint", "giop:tcp:127.0.0.1:" + port])

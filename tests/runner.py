@@ -7,9 +7,10 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
   tests/run 'rtls.t (dash)'       one transcript under one shell
   tests/run --python 3.7 rtls     on another Python
   tests/run --peers               profiles against PyYAML and the real rtsprofile, from the package index
+  tests/run --long test_long      the long form of what tests/faults/ and the like try in short: hours in all
   tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
-  tests/run --all                 the matrix: all on 3.11, once more on 3.7 under ash and on 3.13 under dash, what needs
-                                  no omniORBpy on 3.6, and the packaging on every Python from 3.6 to 3.13 that is found
+  tests/run --all                 the matrix: all on 3.11, 3.7 and 3.13, under dash, ash, and dash; what needs no omniORBpy
+                                  on 3.6, and the packaging on every Python from 3.6 to 3.13 that is found
 """
 import argparse
 import glob
@@ -29,9 +30,10 @@ import transcripts
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FULL, PURE, ALL = ["3.11", "3.7", "3.13"], ["3.6"], ["3.%d" % minor for minor in range(6, 14)]
-# The matrix: both shells on the first Python, one on the others; what a shell does does not depend on the Python.
-AGAIN = {"3.7": ["ash"], "3.13": ["dash"], "3.6": ["ash"]}
+# The matrix: one shell on each Python, as what a shell does does not depend on the Python.
+MATRIX = {"3.11": ["dash"], "3.7": ["ash"], "3.13": ["dash"], "3.6": ["ash"]}
 MODULE_LIMIT = 300.0  # seconds for one test module
+LONG_LIMIT = 4 * 3600.0  # the same with --long
 PACKAGING = "test_packaging"
 
 
@@ -46,8 +48,11 @@ class Job:
 
 # ---- jobs ----
 
-def test_modules():
-    return sorted(os.path.basename(path)[:-3] for path in glob.glob(os.path.join(glob.escape(HERE), "test_*.py")))
+def test_modules(directory=""):
+    """Names of test modules: those beside this file and in faults/, or those in another directory."""
+    found = [os.path.relpath(path, HERE)[:-3] for where in ([directory] if directory else ["", "faults"])
+             for path in glob.glob(os.path.join(glob.escape(HERE), where, "test_*.py"))]
+    return sorted(found)
 
 
 def module_jobs(python, setting, wheel, patterns, modules):
@@ -86,6 +91,7 @@ def run_module(module, python, environment, patterns):
                 outcomes = json.load(file)
         except (OSError, ValueError):
             return [(module, "fail", "%s\n%s" % (why, said))]
+    outcomes = [[module, "figures", line] for line in said.splitlines() if line.startswith("figures: ")] + outcomes
     if said and any(outcome[1] == "fail" for outcome in outcomes):
         outcomes[-1] = outcomes[-1][:2] + [outcomes[-1][2] + "\noutput of %s:\n%s" % (module, said)]
     return outcomes
@@ -93,9 +99,10 @@ def run_module(module, python, environment, patterns):
 
 def wait(process):
     try:
-        why = "ended with status %d" % process.wait(MODULE_LIMIT)
+        limit = LONG_LIMIT if os.environ.get("RTSHELL_FAULTS") else MODULE_LIMIT
+        why = "ended with status %d" % process.wait(limit)
     except subprocess.TimeoutExpired:
-        why = "no end after %g s" % MODULE_LIMIT
+        why = "no end after %g s" % limit
     try:
         os.killpg(process.pid, signal.SIGKILL)
     except ProcessLookupError:
@@ -115,8 +122,8 @@ def peers():
     return directory
 
 
-def transcript_jobs(python, setting, patterns, shells=None, accept=False):
-    """Jobs for the transcripts; `shells`: under these only, and without those that one Python is enough for."""
+def transcript_jobs(python, setting, patterns, shells=None, once=True, accept=False):
+    """Jobs for the transcripts under these shells (None: all); `once`: also for those that one Python is enough for."""
     missing = transcripts.missing_shells()
 
     def job(path, shell):
@@ -128,7 +135,7 @@ def transcript_jobs(python, setting, patterns, shells=None, accept=False):
             return [(name,) + transcripts.run_case(path, shell, setting, accept)]
         return Job("%s %s" % (python.version, name), run, transcripts.says(path, "alone"))
     return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shells)
-            if not (shells and transcripts.says(path, "once"))]
+            if once or not transcripts.says(path, "once")]
 
 
 # ---- running them ----
@@ -141,6 +148,9 @@ class Score:
         self.reasons = {}
 
     def add(self, label, outcomes, seconds=None):
+        for line in [text for _, outcome, text in outcomes if outcome == "figures"]:
+            print("     %s: %s" % (label, line[len("figures: "):]), flush=True)
+        outcomes = [each for each in outcomes if each[1] != "figures"]
         for name, outcome, text in outcomes:
             self.counts[outcome] += 1
             if outcome == "fail":
@@ -220,7 +230,7 @@ def left_behind(marker):
 def peer_jobs(args):
     """The tests that need PyYAML and the real rtsprofile; skipped where these cannot be installed."""
     python = environments.find_python(args.python[0] if args.python else sys.executable)
-    modules = sorted(os.path.relpath(path, HERE)[:-3] for path in glob.glob(os.path.join(glob.escape(HERE), "peers", "test_*.py")))
+    modules = test_modules("peers")
     try:
         interpreter = environments.prepare_peers(python)
     except environments.Failed as e:
@@ -239,9 +249,10 @@ def jobs_for(version, wheel, args):
     setting = transcripts.Setting(interpreter, os.path.dirname(interpreter))
     if args.accept:
         return transcript_jobs(python, setting, args.pattern, accept=True)
-    shells = AGAIN.get(version) if args.all else None
-    modules = [module for module in test_modules() if not (shells and says(module, "ONCE"))]
-    return module_jobs(python, setting, wheel, args.pattern, modules) + transcript_jobs(python, setting, args.pattern, shells)
+    once = not args.all or version == FULL[0]
+    modules = [module for module in test_modules() if once or not says(module, "ONCE")]
+    return (module_jobs(python, setting, wheel, args.pattern, modules)
+            + transcript_jobs(python, setting, args.pattern, MATRIX[version] if args.all else None, once))
 
 
 def packaging_jobs(version, wheel, args):
@@ -285,12 +296,15 @@ def options():
     parser.add_argument("--python", action="append", metavar="VERSION", help="a version or a path; may be repeated")
     parser.add_argument("--peers", action="store_true", help="compare with the real libraries")
     parser.add_argument("--all", action="store_true", help="the matrix")
+    parser.add_argument("--long", action="store_true", help="all cases of the tests of faults, and long runs of 10 minutes")
     parser.add_argument("--accept", action="store_true", help="rewrite transcripts from what is printed")
     return parser.parse_args()
 
 
 def main():
     args = options()
+    if args.long:
+        os.environ["RTSHELL_FAULTS"] = "1"
     marker, score = mark(), Score()
     held = environments.lock()
     try:

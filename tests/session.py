@@ -123,7 +123,8 @@ def start_peers(asked, environment):
             words = words.replace("$" + name, environment[name])
         if kind == "server":
             name = unused(environment, "PORT")
-            environment[name] = peers.start_name_server(name.replace("PORT", "names"))
+            last = max(environment[each] for each in environment if re.match(r"PORT\d*$", each))
+            environment[name] = peers.start_name_server(name.replace("PORT", "names"), above=last)
         elif kind == "world":
             process, name = peers.start_world(words.split(), environment["PORT"])
             environment[unused(environment, "MOCK_CONTROL")] = peers.control(name)

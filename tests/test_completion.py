@@ -12,10 +12,10 @@ import unittest
 import mocks
 from mocks import Server, World
 
-from rtshell_lite import orb
+from rtshell_lite import orb, path
 
 HOSTILE = ["$(touch canary)", "`touch canary`", ";touch canary;", "q\"uo'te !", "a&&touch canary", "w*?~[a]", "日本 語", "=ls", "~root",
-           "#no", "{a,b}", "-e", "b\\$x"]
+           "#no", "{a,b}", "-e", "b\\$x", "co:lon", "new\nline", "sl/ash", "e\x1b[31m", "two words\\"]
 ONCE = "three shells are tried: one Python is enough"
 LIMIT = 1.0  # seconds from TAB to the next key, with a name server that hangs
 
@@ -172,7 +172,7 @@ class InShell:
         """Completed from their first letters and from within quotes, they mean themselves, and nothing is executed."""
         before = {name: None for name in os.listdir(self.directory)}
         for name in HOSTILE:
-            spelt = name.replace("\\", "\\\\") + ".x"
+            spelt = str(path.Name(name, "x"))
             for quote, typed in ("", self.typed(spelt)), ("'", spelt[0]), ('"', "\\" * (spelt[0] in self.special) + spelt[0]):
                 with self.subTest(name, quote=quote):
                     line = self.terminal.line("rtls %shostile.cxt/%s\t" % (quote, typed))

@@ -84,7 +84,8 @@ class Japanese(unittest.TestCase):
 
     def test_code(self):
         """Scripts and commands to type are the same; what is behind blanks explains them."""
-        for english, japanese in (("Scripts", "スクリプト"), ("Install", "インストール")):
+        for english, japanese in (("Scripts", "スクリプト"), ("Install", "インストール"),
+                                  ("When the robot does not work", "ロボットが動かないとき")):
             self.assertEqual(self.code("README.ja.md", japanese), self.code("README.md", english))
 
     def code(self, readme, title):

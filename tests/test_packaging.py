@@ -19,11 +19,12 @@ import zipfile
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 WHEEL, OMNIORB_WHEEL = (os.environ.get(name) and os.path.abspath(os.environ[name])
                         for name in ("RTSHELL_WHEEL", "RTSHELL_OMNIORB_WHEEL"))
-LARGEST = 400000
+LARGEST = 600000
 MISSING = "omniORBpy is not installed"
 # Arguments with which a command must ask somebody; the others get one path.
 ASKING = {"rtcon": ["/localhost/a.rtc:o", "/localhost/b.rtc:i"], "rtlog": ["/localhost/a.rtc:o"],
-          "rtfsm": ["/localhost/a.rtc", "getstate"], "rtls": [], "rtpwd": [],
+          "rtprint": ["/localhost/a.rtc:o"], "rtinject": ["-c", "RTC.TimedLong({time}, 1)", "/localhost/a.rtc:i"],
+          "rtfsm": ["/localhost/a.rtc", "getstate"], "rtls": [], "rtpwd": [], "rttop": [],
           "rtconf": ["/localhost/a.rtc", "list"], "rtmgr": ["-r", "/localhost/a.mgr"], "rtstodot": ["--live"]}
 # These contact nothing, have a file to read first, or tell it as a finding.
 LOCAL = {"rtpwd", "rtsh", "rtcheck", "rtresurrect", "rtteardown", "rtstart", "rtstop", "rtdoctor"}

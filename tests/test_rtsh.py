@@ -2,9 +2,13 @@
 import os
 import pty
 import re
+import resource
 import select
 import shutil
+import signal
+import subprocess
 import tempfile
+import termios
 import time
 import unittest
 
@@ -26,6 +30,27 @@ def tearDownModule():
     Server.stop()
 
 
+def environment(**more):
+    """What rtsh runs in."""
+    usual = dict(mocks.ENVIRONMENT, PATH=COMMANDS + os.pathsep + os.environ["PATH"], TERM="dumb", LC_ALL="C.UTF-8",
+                 RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD="/localhost:%d/test.host_cxt" % Server.port)
+    return dict(usual, **more)
+
+
+class Many(unittest.TestCase):
+    def test_a_command_costs_a_tenth_of_a_process(self):
+        """CPU time; a thousand need no more than a hundred for that, and no machine without anything else to do."""
+        one_process = self.cost("for i in 0 1 2 3 4 5 6 7 8 9; do rtls -l; done") / 10
+        one_command = self.cost("yes 'ls -l' | head -n 200 | rtsh") / 200
+        self.assertLess(one_command, one_process / 10)
+
+    def cost(self, script):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.check_call(["sh", "-c", script], env=environment(), stdout=subprocess.DEVNULL)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
 class AtThePrompt(unittest.TestCase):
     def setUp(self):
         self.home = tempfile.mkdtemp()
@@ -34,12 +59,10 @@ class AtThePrompt(unittest.TestCase):
 
     def start(self, **more):
         """Start rtsh on a terminal of its own, and wait for its prompt."""
-        top = "/localhost:%d/test.host_cxt" % Server.port
-        environment = dict(mocks.ENVIRONMENT, PATH=COMMANDS + os.pathsep + os.environ["PATH"], HOME=self.home, TERM="dumb",
-                           RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD=top, LC_ALL="C.UTF-8", **more)
+        variables = environment(HOME=self.home, **more)
         self.pid, self.terminal = pty.fork()
         if self.pid == 0:
-            os.execvpe("rtsh", ["rtsh"], environment)
+            os.execvpe("rtsh", ["rtsh"], variables)
         self.screen, self.ended = "", False
         self.addCleanup(self.end)
         self.shows(r"test\.host_cxt> ")
@@ -53,14 +76,16 @@ class AtThePrompt(unittest.TestCase):
     def press(self, keys):
         """Press keys; what the terminal showed before does not count any more."""
         self.screen = ""
-        os.write(self.terminal, keys.encode())
+        os.write(self.terminal, keys if isinstance(keys, bytes) else keys.encode())
 
-    def shows(self, pattern):
-        """Wait until the terminal shows something that matches."""
+    def shows(self, pattern, again=""):
+        """Wait until the terminal shows something that matches; press keys `again` while it shows nothing."""
         end = time.monotonic() + mocks.LIMIT
         while not re.search(pattern, self.screen.replace("\r", "")):
             self.assertLess(time.monotonic(), end, "no %s here:\n%s" % (pattern, self.screen))
             self.read()
+            if not self.screen:
+                os.write(self.terminal, again.encode())
 
     def read(self):
         if select.select([self.terminal], [], [], 0.05)[0]:
@@ -106,11 +131,49 @@ class AtThePrompt(unittest.TestCase):
         self.press("rubbish")
         self.shows("rubbish")
         self.press(CTRL_C)
-        self.shows(r"\nrtsh .*> $")
+        self.shows(r"\nrtsh .*> $", again=CTRL_C)  # one that comes just before Python waits for keys is seen at the next
         self.press("pwd\r")
         self.shows(r"\n/localhost:\d+/test\.host_cxt\nrtsh .*> $")
         self.press(CTRL_D)
         self.assertEqual(self.status(), 0)
+
+    def test_ctrl_c_leaves_nothing_behind(self):
+        """No connection in a component, and no reader that takes the next line for a value."""
+        self.press("print ConsoleIn0.rtc:out\r")
+        mocks.eventually(lambda: World.one.ctl("connectors", "ConsoleIn0:out")[1], "a connection")
+        self.press(CTRL_C)
+        self.shows(r"\nrtsh .*> $")
+        self.assertEqual(World.one.ctl("connectors", "ConsoleIn0:out"), (0, ""))
+        self.press("inject ConsoleOut0.rtc:in\r")
+        mocks.eventually(lambda: World.one.ctl("connectors", "ConsoleOut0:in")[1], "a connection")
+        self.press("42\r")
+        mocks.eventually(lambda: World.one.count("put"), "a value")
+        self.press(CTRL_C)
+        self.shows(r"\nrtsh .*> $")
+        self.assertEqual(World.one.ctl("connectors", "ConsoleOut0:in"), (0, ""))
+        for _ in range(2):
+            self.press("pwd\r")
+            self.shows(r"\n/localhost:\d+/test\.host_cxt\nrtsh .*> $")
+
+    def test_kill(self):
+        """The terminal is as it was, and what was typed is in the history."""
+        self.press("pwd\r")
+        self.shows(r"\n/localhost:\d+/test\.host_cxt\nrtsh .*> $")
+        self.press("rubbish")
+        self.shows("rubbish")
+        os.kill(self.pid, signal.SIGTERM)
+        self.assertEqual(self.status(), 128 + signal.SIGTERM)
+        modes = termios.tcgetattr(self.terminal)[3]
+        self.assertTrue(modes & termios.ECHO and modes & termios.ICANON)
+        self.assertEqual(os.listdir(self.home), [".rtsh_history"])
+
+    def test_bytes_that_are_no_text(self):
+        self.end()
+        self.start(PYTHONIOENCODING="utf-8:strict")  # as in a locale of Japan
+        self.press(b"ls \xff\xfe\r")
+        self.shows(r"/\\xff\\xfe: no such path\nrtsh .*> $")
+        self.press(CTRL_D)
+        self.assertEqual(self.status(), 3)
 
     def test_the_history_is_there_the_next_time(self):
         self.press("ls nowhere\r")

@@ -37,6 +37,13 @@ class Channels:
         except errors.NoSuch:
             return None
 
+    def notes(self):
+        """What is wrong with the log, in words."""
+        for note in self.log.notes():
+            yield note
+        if self.unreadable:
+            yield "%d entries are not what their type says, and shown as bytes" % self.unreadable
+
     def value(self, entry):
         """The value of an entry as stubs make it; None when the type is not known. Raises errors.No when it does not fit."""
         type = self.type(entry.channel)
@@ -67,7 +74,7 @@ class Channels:
         if value is None:
             channel = self.log.channels[entry.channel]
             raise errors.No(self.log.where, "%s: its type %s is not known; %s" % (
-                printable(channel.name), printable(channel.type_id), datatypes.REMEDY))
+                printable(channel.name), printable(channel.type_id), datatypes.SOURCES))
         stamp = values.timestamp(value)
         if stamped and any(stamp):
             value = values.with_timestamp(value, *_moved(stamp, shift))

@@ -4,6 +4,7 @@ import math
 import time
 
 from rtshell_lite import errors, ports
+from rtshell_lite.datalog import meaning
 from rtshell_lite.text import printable
 
 LONGEST = 86400  # seconds: what a log asks for may be more than time.sleep takes
@@ -33,6 +34,20 @@ class Range:
         if log.first is not None and limit < log.first:
             raise errors.No(log.where, "the end is before the first entry")
         return itertools.takewhile(lambda entry: entry.received <= limit, entries)
+
+    def words(self, seconds):
+        """What is told of it and of a limit in seconds, as lines."""
+        if seconds < math.inf:
+            yield "Playing for %ss." % seconds
+        limits = self.start, self.end
+        if self.by_index:
+            forms = "from entry %d to entry %d", "from entry %d", "%d entries"
+        else:
+            limits = [limit and meaning.date(int(limit * 1e9)) for limit in limits]
+            forms = "from %s until %s", "from %s", "until %s"
+        given = tuple(limit for limit in limits if limit is not None)
+        if given:
+            yield "Playing %s." % (forms[0 if len(given) == 2 else 1 if self.start is not None else 2] % given)
 
     def _first(self, log):
         if self.start is None:

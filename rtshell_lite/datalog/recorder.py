@@ -3,7 +3,7 @@ import sys
 import threading
 import time
 
-from rtshell_lite import errors, inbox, ports
+from rtshell_lite import datatypes, errors, inbox, ports
 from rtshell_lite.datalog import Channel, blocks
 from rtshell_lite.text import printable
 
@@ -32,9 +32,12 @@ class Channels:
                 return number
         try:
             type = self._known.of_port(port)
-        except (errors.NoSuch, errors.BadType) as e:
-            self.notes.append("%s; recorded as bytes" % e)
+        except errors.NoSuch:
             type = None
+            self.notes.append("%s: recorded as bytes: %s is not known; %s" % (where, printable(type_id), datatypes.SOURCES))
+        except errors.BadType as e:
+            type = None
+            self.notes.append("%s: recorded as bytes: %s" % (where, e))
         self.types.append(type)
         self._found.append(Channel(name, type.id if type else type_id, type.to_bytes() if type else b"", [where]))
         return len(self._found) - 1

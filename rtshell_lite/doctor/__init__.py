@@ -12,26 +12,28 @@ from rtshell_lite.doctor.finding import warn
 STEPS = 3  # times the timeout: what takes longer is told as not looked at; a step waits for silence only once
 
 
-def examine(tops=(), compare=None, measure=None):
-    """Yield lists of Findings, step by step. Without Paths `tops`, all name servers of RTCTREE_NAMESERVERS are examined.
+def examine(tops=(), compare=None, seconds=0, large=False):
+    """Yield lists of Findings, step by step. Without Paths `tops`, or with the root, all name servers are examined.
 
     compare  (RtsProfile, its file's name, the state of the components): what the system is to agree with
-    measure  seconds during which rates are measured, which connects to an out port of each component and leaves it again
+    seconds  how long rates are measured, which connects to an out port of each active component and leaves it again; 0: not
+    large    whether ports with large values are connected to, too
     """
     rpc.end = time.monotonic() + STEPS * rpc.timeout
     try:
-        for findings in _steps(tops, compare, measure):
+        for findings in _steps(tops, compare, seconds, large):
             yield findings
     finally:
         rpc.end = None  # other commands may follow in this process
 
 
-def _steps(tops, compare, measure):
+def _steps(tops, compare, seconds, large):
     found = here.findings()
     yield found
     if any(each.check in ("omniORBpy", "ORB") and each.level == "fail" for each in found):
         return
-    for findings in _robot(tops or _name_servers(), measure):
+    everything = not tops or path.ROOT in tops
+    for findings in _robot(_name_servers() if everything else tops, seconds, large):
         yield findings
     if compare:
         from rtshell_lite.doctor import profile
@@ -44,7 +46,7 @@ def _name_servers():
     return [path.parse("/" + address) for address in tree.servers() if not here.fault(address)]
 
 
-def _robot(tops, measure):
+def _robot(tops, seconds, large):
     from rtshell_lite.doctor import components, connections, managers, references, servers
     visits = servers.visits(tops)
     yield [each for visit in visits for each in visit.findings] + _same_server(visits)
@@ -53,16 +55,16 @@ def _robot(tops, measure):
     examined = components.examined(nodes)
     links, managed = connections.findings(examined), managers.findings(nodes)
     hung = sorted(str(node.path) for node in nodes if node.kind == "silent")
-    yield components.findings(examined, _rates(examined, measure) if measure else {}, hung)
+    yield components.findings(examined, _rates(examined, seconds, large) if seconds else {}, hung)
     yield links
     yield managed
 
 
-def _rates(examined, seconds):
+def _rates(examined, seconds, large):
     from rtshell_lite.doctor import rates
     end, rpc.end = rpc.end, None  # what is connected must be disconnected again, whatever the time
     try:
-        return rates.measured(examined, seconds)
+        return rates.measured(examined, seconds, large)
     finally:
         rpc.end = end
 

@@ -2,6 +2,7 @@
 import collections
 
 from rtshell_lite import errors, orb, ports, rpc, system, tree
+from rtshell_lite.doctor import services
 from rtshell_lite.doctor.finding import fail, reason, warn
 from rtshell_lite.places import Places
 from rtshell_lite.text import printable, shell_word
@@ -186,14 +187,18 @@ def _shown(value):
 
 def _mismatches(link, where, found, undo):
     """Why these ports should not be connected in this way (components themselves connect nearly everything)."""
-    if link.port.type not in ports.DATA or any(port.node is None for port in found):
+    if any(port.node is None for port in found):
         return []
     properties = {key: _plain(key, value) for key, value in link.connector.properties if key in SETTLED}
     if properties.get("dataport.dataflow_type") == "pull":
         properties.pop("dataport.subscription_type", None)  # it says nothing then
+    reasons = []
+    if any(port.type in ports.DATA for port in found):
+        reasons = ports.mismatches(found, properties)
+    elif link.port.type == "CorbaPort":
+        reasons = services.mismatches(found, dict(link.connector.properties))
     far = ", ".join(ports.label(port) for port in found[1:])
-    return [fail("connection", where, "connected to %s: %s" % (far, why), undo)
-            for why in ports.mismatches(found, properties)]
+    return [fail("connection", where, "connected to %s: %s" % (far, why), undo) for why in reasons]
 
 
 def _left_behind(link, where, undo):

@@ -19,23 +19,25 @@ class Watched:
         self.count = 0  # values seen
 
 
-def measured(all_of_them, seconds):
+def measured(all_of_them, seconds, large):
     """Measure for `seconds` each component that can be: {path: [Finding]}.
 
+    With `large` ports whose values may be large are measured, too, which costs: each value is fetched; and it is told which
+    components could not be measured.
     As `execution.measured` does, several at a time; no new batch begins when the timeout is over.
     """
     found, waiting = {}, []
     for each in all_of_them:
-        watched, why_not = _watchable(each)
+        watched, why_not = _watchable(each, large)
         if watched:
             waiting.append(watched)
-        elif why_not:
+        elif why_not and large:
             found[each.where] = [ok("rate", each.where, "rate not measured: " + why_not)]
     begun = time.monotonic()
     while waiting:
         batch, waiting = _batch(waiting)
         if found and time.monotonic() - begun > rpc.timeout:
-            found.update((one.each.where, [_unmeasured(one.each, rpc.NO_TIME)]) for one in batch)
+            found.update((one.each.where, [_unmeasured(one.each, errors.Silent(one.each.where, rpc.NO_TIME))]) for one in batch)
             continue
         found.update((one.each.where, [finding]) for one, finding in zip(batch, _watch(batch, seconds)))
     return found
@@ -50,7 +52,7 @@ def _batch(waiting):
     return batch, rest
 
 
-def _watchable(each):
+def _watchable(each, large):
     """(Watched, '') for a component whose rate can be seen from outside, else (None, why not, '' where that is told)."""
     running = [(context, state) for context, state in zip(each.contexts, each.states)
                if context is not None and context.running and context.kind == "Periodic" and context.rate > 0]
@@ -59,14 +61,19 @@ def _watchable(each):
     active = [context for context, state in running if state == "Active"]
     if not active:
         return None, "it is %s" % component.merged(each.states)
-    port = next((port for port in each.ports if port.type == "DataOutPort"), None)
-    if port is None:
+    found = [port for port in each.ports if port.type == "DataOutPort"]
+    if not found:
         return None, "it has no out port"
-    return Watched(each, active[0].rate, port), ""
+    small = [port for port in found if large or dataport.has_fixed_size(port)]
+    if not small:
+        return None, ""
+    return Watched(each, active[0].rate, small[0]), ""
 
 
-def _unmeasured(each, why):
-    return warn("rate", each.where, "rate not measured: " + why, "rtec --measure " + each.word)
+def _unmeasured(each, e):
+    if isinstance(e, errors.Silent) and e.args[1:] != (rpc.NO_TIME,):
+        return warn("rate", each.where, "rate not measured: " + reason(e), "rtec --measure " + each.word)
+    return ok("rate", each.where, "rate not measured: " + reason(e))
 
 
 # ---- one batch ------------------------------------------------------------------------------------------------
@@ -88,7 +95,7 @@ def _watch(batch, seconds):
         for one in batch:
             if one.reader:
                 one.count, one.failure = one.reader.count - before[one.reader], one.reader.failure
-    return [_unmeasured(one.each, reason(one.failure)) if one.failure else _finding(one, spent) for one in batch]
+    return [_unmeasured(one.each, one.failure) if one.failure else _finding(one, spent) for one in batch]
 
 
 def _finding(one, spent):

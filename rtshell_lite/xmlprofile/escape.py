@@ -11,7 +11,8 @@ _SPELT = "(?:00(?:0[0-8BCEF]|1[0-9A-F]|5F)|D[89A-F][0-9A-F]{2}|FFF[EF])"
 _TO_SPELL = re.compile("[%s]|_(?=x%s[_%s])" % (_ILLEGAL, _SPELT, _ILLEGAL))
 _TO_READ = re.compile("_x(%s)_" % _SPELT)
 _ILLEGAL_ONE = re.compile("[%s]" % _ILLEGAL)
-_MARKUP = re.compile("[&<>\"\t\n\r\x7f-\x9f\u2028\u2029]")
+_INVISIBLE = "\x7f-\x9f\xad\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb\U000e0000-\U000e0fff"
+_MARKUP = re.compile("[&<>\"\t\n\r%s]" % _INVISIBLE)
 
 
 def quoted(text):
@@ -22,7 +23,7 @@ def quoted(text):
 
 
 def marked(text):
-    """`text`, which XML can hold, with references for what would be markup or would be read as a blank."""
+    """`text`, which XML can hold, with references for what would be markup, read as a blank, or do something to a terminal."""
     return _MARKUP.sub(_reference, text) if _MARKUP.search(text) else text
 
 

@@ -126,13 +126,13 @@ Components: missing ones, other ones. What is not required is told, and does not
   Action failed: Optional component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   Action failed: Destination component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   $ ctl reset; rtcheck --dry-run a.xml; calls
-  Check for required component /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc with ID "RTC:Shinji Kurihara:example:ConsoleIn:1.0" and instance name "ConsoleIn0" (Required)
-  Check for required component /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc with ID "RTC:Shinji Kurihara:example:ConsoleOut:1.0" and instance name "ConsoleOut0" (Required)
-  Check for required component /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc with ID "RTC:Shinji Kurihara:example:ConsoleOut:1.0" and instance name "ConsoleOut1" (Required)
-  Check for required component /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc with ID "RTC:Geoffrey Biggs, AIST:Sensor:Hokuyo_AIST:1.0" and instance name "Hokuyo_AIST0" (Required)
-  Check for required component /localhost:$PORT/test.host_cxt/Motor0.rtc with ID "RTC:Shinji Kurihara, AIST:example:Motor:1.0" and instance name "Motor0" (Required)
-  Check for required component /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc with ID "RTC:Shinji Kurihara:example:MyServiceConsumer:1.0" and instance name "MyServiceConsumer0" (Required)
-  Check for required component /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc with ID "RTC:Shinji Kurihara:example:MyServiceProvider:1.0" and instance name "MyServiceProvider0" (Required)
+  Check for required component "RTC:Shinji Kurihara:example:ConsoleIn:1.0", "ConsoleIn0" at path /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc (Required)
+  Check for required component "RTC:Shinji Kurihara:example:ConsoleOut:1.0", "ConsoleOut0" at path /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc (Required)
+  Check for required component "RTC:Shinji Kurihara:example:ConsoleOut:1.0", "ConsoleOut1" at path /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc (Required)
+  Check for required component "RTC:Geoffrey Biggs, AIST:Sensor:Hokuyo_AIST:1.0", "Hokuyo_AIST0" at path /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc (Required)
+  Check for required component "RTC:Shinji Kurihara, AIST:example:Motor:1.0", "Motor0" at path /localhost:$PORT/test.host_cxt/Motor0.rtc (Required)
+  Check for required component "RTC:Shinji Kurihara:example:MyServiceConsumer:1.0", "MyServiceConsumer0" at path /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc (Required)
+  Check for required component "RTC:Shinji Kurihara:example:MyServiceProvider:1.0", "MyServiceProvider0" at path /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc (Required)
   Check for connection between /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out and /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in and /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in (Required)
   Check for connection between /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService and /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService (Required)
   Check configuration set "default" is active on component /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc (Required)
@@ -234,5 +234,12 @@ What the components have beyond the file is told with --extra:
   Connection not in the file: less between /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Motor0.rtc:in
   Configuration parameter not in the file: motor_id in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc
   [1]
-  $ rtcheck --extra --json -s Inactive less.xml | head -1
-  {"actual": "fast", "check": "configuration", "expected": null, "message": "Configuration set not in the file: fast on component /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc", "path": "/localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc", "required": true}
+  $ rtexit --wait=5 MyServiceConsumer0.rtc; rtcryo --all -q -o all.xml /localhost:$PORT; rtcheck --extra -s Inactive all.xml
+  $ sed '/pathUri="[^"]*MyServiceProvider0.rtc"/,/<.rts:Components>/d' all.xml > one.xml
+  $ mock hung 1 --context hung.host_cxt/%n.rtc; rtcheck -s Inactive one.xml; rtcheck --extra --timeout 0.5 -s Inactive one.xml
+  rtcheck: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.5s
+  Component not in the file: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc
+  [5]
+  $ rtcheck --extra --json -s Inactive less.xml 2> said | tail -2
+  {"actual": "less", "check": "connection", "expected": null, "message": "Connection not in the file: less between /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Motor0.rtc:in", "path": "/localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Motor0.rtc:in", "required": true}
+  {"actual": "0", "check": "configuration", "expected": null, "message": "Configuration parameter not in the file: motor_id in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "required": true}

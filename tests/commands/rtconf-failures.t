@@ -122,7 +122,9 @@ Dead and silent peers:
   [4]
   $ interrupt 0.5 rtconf Hung0.rtc set int_param0 1
   [130]
-  $ ctl fail get_configuration_sets 1 COMM_FAILURE; rtconf ConfigSample0.rtc
+  $ ctl fail get_configuration_sets 1 COMM_FAILURE; rtconf ConfigSample0.rtc | head -1  # a question is asked again
+  +default
+  $ ctl fail set_configuration_set_values 1 COMM_FAILURE; rtconf ConfigSample0.rtc set int_param0 5
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: connection lost
   [4]
   $ ctl fail set_configuration_set_values 1 UNKNOWN; rtconf ConfigSample0.rtc set int_param0 5

@@ -10,23 +10,27 @@ world: linked --flavour cpp2 --context new.host_cxt/%n.rtc
 world: linked --flavour rtorb --context small.host_cxt/%n.rtc
 world: services --context service.host_cxt/%n.rtc
 
-  $ doctor() { rtdoctor "$@" > out; code=$?; grep -v -e "here: " -e " failed, " -e "^[a-z]* *[^ ]*$PORT: [as][nl]" out; return $code; }
+  $ doctor() { rtdoctor --no-measure "$@" > out; code=$?; grep -v -e "here: " -e " failed, " -e "^[a-z]* *[^ ]*$PORT: [as][nl]" out; return $code; }
   $ rtact ../far.host_cxt/Far0.rtc
 
 One-sided; told differently at both ends; of different types; left by a tool that has been killed:
 
   $ doctor -q .
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/In0.rtc /localhost:$PORT/test.host_cxt/In1.rtc /localhost:$PORT/test.host_cxt/In3.rtc ...
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/Have0.rtc /localhost:$PORT/test.host_cxt/Have1.rtc /localhost:$PORT/test.host_cxt/In0.rtc ...
+  fail  /localhost:$PORT/test.host_cxt/Have0.rtc:MyService: connected to /localhost:$PORT/test.host_cxt/Have1.rtc:MyService: each end provides something, and none requires anything; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Have0.rtc:MyService
+  fail  /localhost:$PORT/test.host_cxt/Have1.rtc:MyService: connected to /localhost:$PORT/test.host_cxt/Want3.rtc:MyService: nobody in it provides interface myservice0 (MyService), which /localhost:$PORT/test.host_cxt/Want3.rtc:MyService requires; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Have1.rtc:MyService
   fail  /localhost:$PORT/test.host_cxt/In0.rtc:out: connection out_in is one-sided: /localhost:$PORT/test.host_cxt/Out0.rtc:in does not know it; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/In0.rtc:out; rtcon -n out_in -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=flush /localhost:$PORT/test.host_cxt/In0.rtc:out /localhost:$PORT/test.host_cxt/Out0.rtc:in
   warn  /localhost:$PORT/test.host_cxt/In1.rtc:out: dataport.subscription_type is flush here, new at /localhost:$PORT/test.host_cxt/Out1.rtc:in; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/In1.rtc:out; rtcon -n out_in -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=flush /localhost:$PORT/test.host_cxt/In1.rtc:out /localhost:$PORT/test.host_cxt/Out1.rtc:in
   warn  /localhost:$PORT/test.host_cxt/In3.rtc:out: connection print was left behind by a tool that is gone; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/In3.rtc:out
   fail  /localhost:$PORT/test.host_cxt/Out2.rtc:in: connected to /localhost:$PORT/test.host_cxt/Sensor0.rtc:out: data types differ (RTC/TimedLong, RTC/TimedFloat); try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Out2.rtc:in
+  fail  /localhost:$PORT/test.host_cxt/Want0.rtc:MyService: connected to /localhost:$PORT/test.host_cxt/Want1.rtc:MyService: nobody in it provides interface myservice0 (MyService), which /localhost:$PORT/test.host_cxt/Want0.rtc:MyService requires; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Want0.rtc:MyService
+  fail  /localhost:$PORT/test.host_cxt/Want0.rtc:MyService: connected to /localhost:$PORT/test.host_cxt/Want1.rtc:MyService: nobody in it provides interface myservice0 (MyService), which /localhost:$PORT/test.host_cxt/Want1.rtc:MyService requires; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Want0.rtc:MyService
   [1]
 
 What it says can be pasted:
 
   $ doctor -q . | sed -n 's/.*one-sided.*; try: //p' > mend; sh ./mend; doctor -q . | grep In0.rtc
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/In0.rtc /localhost:$PORT/test.host_cxt/In1.rtc /localhost:$PORT/test.host_cxt/In3.rtc ...
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/Have0.rtc /localhost:$PORT/test.host_cxt/Have1.rtc /localhost:$PORT/test.host_cxt/In0.rtc ...
 
 Far ends that are dead: a component drops such connections when it is asked for its ports, and some tell about it. This
 ends no component of C++ 2.1, which is asked in the right order:
@@ -57,12 +61,12 @@ A far end that is not below the path is asked all the same, and may be gone when
   $ ctl @these2 fail get_port_profile 1 NO_PERMISSION; doctor -q ../near.host_cxt
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection, at 127.0.0.1:*, cannot be asked (CORBA.NO_PERMISSION); try: restart the process of the far end, or: rtdis -i $UUID /localhost:$PORT/near.host_cxt/Near0.rtc:out (glob)
   [1]
-  $ ctl @these2 delay get_port_profile 30; within 0.4-2 rtdoctor -q --timeout 0.5 ../near.host_cxt | grep Near; ctl @these2 delay get_port_profile 0
+  $ ctl @these2 delay get_port_profile 30; within 0.4-2 rtdoctor -q --no-measure --timeout 0.5 ../near.host_cxt | grep Near; ctl @these2 delay get_port_profile 0
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection, at 127.0.0.1:*, cannot be asked (no answer within 0.5s); try: restart the process of the far end, or: rtdis -i $UUID /localhost:$PORT/near.host_cxt/Near0.rtc:out (glob)
 
 A far end whose process hangs makes the near one hang, too, for it looks whether its far ends are there:
 
-  $ hang these2; within 0.5-2 rtdoctor -q --timeout 0.5 ../near.host_cxt ../far.host_cxt | grep rtc; resume these2
+  $ hang these2; within 0.5-2 rtdoctor -q --no-measure --timeout 0.5 ../near.host_cxt ../far.host_cxt | grep rtc; resume these2
   fail  /localhost:$PORT/far.host_cxt/Far0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc: hangs when asked for the profile of its port 1, maybe waiting for a hung far end; try: mend /localhost:$PORT/far.host_cxt/Far0.rtc first
 

@@ -5,32 +5,36 @@ world: managers --rate 20 --context mgr.host_cxt/%n.rtc
 server: another
 world: linked --nameserver localhost:$PORT2
 
-  $ doctor() { rtdoctor "$@" > out; code=$?; grep -v -e "this host's name" -e ": slow (" out; return $code; }
+  $ doctor() { rtdoctor --no-measure "$@" > out; code=$?; grep -v -e "this host's name" -e ": slow (" out; return $code; }
   $ rtact --wait Sensor0.rtc Controller0.rtc Motor0.rtc Hokuyo_AIST0.rtc Clusterer0.rtc
 
 A robot that works: a line for each object, a summary, status 0. With -q, nothing is left to say:
 
-  $ doctor | grep -v failed
+  $ rtdoctor > out; grep -v -e "this host's name" -e failed out
   ok    here: Python *, omniORBpy * (glob)
   ok    here: RTCTREE_NAMESERVERS: localhost:$PORT
   ok    /localhost:$PORT: answers (name * ms, TCP * ms, CORBA * ms, naming * ms) (glob)
   ok    /localhost:$PORT/mgr.host_cxt/ConsoleIn0.rtc: Inactive, claims 20 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/mgr.host_cxt/ConsoleOut0.rtc: Inactive, claims 20 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/test.host_cxt/Clusterer0.rtc: Active, claims 10 Hz, 2 ports, 1 connection, at 127.0.0.1:* (glob)
+  ok    /localhost:$PORT/test.host_cxt/Controller0.rtc: keeps * of 10 Hz (writes to out) (glob)
   ok    /localhost:$PORT/test.host_cxt/Controller0.rtc: Active, claims 10 Hz, 2 ports, 2 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc: Active, claims 10 Hz, 3 ports, 1 connection, at 127.0.0.1:* (glob)
+  ok    /localhost:$PORT/test.host_cxt/Motor0.rtc: keeps * of 10 Hz (writes to out) (glob)
   ok    /localhost:$PORT/test.host_cxt/Motor0.rtc: Active, claims 10 Hz, 2 ports, 2 connections, at 127.0.0.1:* (glob)
+  ok    /localhost:$PORT/test.host_cxt/Sensor0.rtc: keeps * of 10 Hz (writes to out) (glob)
   ok    /localhost:$PORT/test.host_cxt/Sensor0.rtc: Active, claims 10 Hz, 2 ports, 2 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/mgr.host_cxt/manager.mgr: manager of 2 components, 2 slaves, at 127.0.0.1:* (glob)
-  $ rtdoctor | grep -c '^[0-9]* failed, [0-9]* to be looked at, [0-9]* ok$'
+  $ rtdoctor --no-measure | grep -c '^[0-9]* failed, [0-9]* to be looked at, [0-9]* ok$'
   1
   $ doctor -q
-  $ doctor -q --measure
+  $ doctor -q; rtdoctor -q --measure > out; grep -v "this host's name" out
+  [1]
   $ rtdoctor -q localhost:$PORT localhost:$PORT2 > out; rtdoctor -q /localhost:$PORT/test.host_cxt/Motor0.rtc > out
 
-Nothing is changed: it asks, and makes no connection. What is bound twice, or by a manager, too, is asked once:
+With --no-measure it only asks. What is bound twice, or by a manager, too, is asked once:
 
-  $ ctl reset; ctl @managers slave 1 reset; rtdoctor -q > out; ctl calls Motor0
+  $ ctl reset; ctl @managers slave 1 reset; rtdoctor -q --no-measure > out; ctl calls Motor0
   1 _non_existent
   1 get_component_profile
   1 get_component_state
@@ -52,6 +56,11 @@ Nothing is changed: it asks, and makes no connection. What is bound twice, or by
   1 get_ports
   1 get_profile
   1 get_sdo_id
+  1 is_running
+  $ ctl reset; rtdoctor -q > out; ctl calls Motor0 | grep -v get
+  1 _non_existent
+  1 connect
+  1 disconnect
   1 is_running
   $ test $(ctl highwater) -le 4
 
@@ -75,13 +84,30 @@ A path, several, a name server; relative paths start at the working directory:
   $ RTCSH_CWD= doctor -q localhost | grep -c '^fail  /localhost: '
   1
 
+A word without a dot or a slash is a name server, as is an address, or what is in RTCTREE_NAMESERVERS:
+
+  $ for each in localhost 127.0.0.1 '[::1]' 127.0.0.1:2809 robot.local; do
+  > RTCTREE_NAMESERVERS=robot.local rtdoctor -q --no-measure $each | sed -n 's/^fail  \(\/[^ ]*\): .*/\1/p'; done
+  /localhost
+  /127.0.0.1
+  /[::1]
+  /127.0.0.1:2809
+  /robot.local
+  $ for each in / ../.. '/ Motor0.rtc'; do doctor $each | grep -c 'rtc: Active'; done
+  5
+  5
+  5
+  $ doctor -q robot1.local nowhere/ | grep path
+  fail  /localhost:$PORT/test.host_cxt/nowhere: no such path; try: rtls /localhost:$PORT/test.host_cxt
+  fail  /localhost:$PORT/test.host_cxt/robot1.local: no such path; try: rtls /localhost:$PORT/test.host_cxt
+
 One JSON object a line, whatever -q leaves:
 
   $ rtdoctor --json Motor0.rtc | tail -1
   {"check": "component", "level": "ok", "message": "Active, claims 10 Hz, 2 ports, 2 connections, at 127.0.0.1:*", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "remedy": ""} (glob)
   $ rtdoctor --json -q nobody.rtc | tail -1
   {"check": "path", "level": "fail", "message": "no such path", "path": "/localhost:$PORT/test.host_cxt/nobody.rtc", "remedy": "rtls /localhost:$PORT/test.host_cxt"}
-  $ rtdoctor --json | python3 -c 'import json, sys
+  $ rtdoctor --no-measure --json | python3 -c 'import json, sys
   > for line in sys.stdin:
   >     each = json.loads(line)
   >     assert sorted(each) == ["check", "level", "message", "path", "remedy"], each
@@ -97,7 +123,7 @@ With a profile, all that rtcheck finds:
   $ rtcryo -q -o robot.rtsys localhost:$PORT; doctor -q --profile robot.rtsys; doctor --profile robot.rtsys Motor0.rtc | tail -2 | head -1
   ok    /: as the profile says: 5 components, 4 connections
   $ rtconf Motor0.rtc set motor_id 7; rtdis Sensor0.rtc:out; rtdeact --wait Clusterer0.rtc
-  $ doctor -q --profile robot.rtsys --measure
+  $ doctor -q --profile robot.rtsys
   fail  /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Controller0.rtc:in: No connection between /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Controller0.rtc:in; try: rtresurrect robot.rtsys
   fail  /localhost:$PORT/test.host_cxt/Motor0.rtc: Configuration parameter motor_id in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc is incorrect (value: 7); try: rtresurrect robot.rtsys
   fail  /localhost:$PORT/test.host_cxt/Clusterer0.rtc: Component /localhost:$PORT/test.host_cxt/Clusterer0.rtc is in incorrect state Inactive; try: rtact /localhost:$PORT/test.host_cxt/Clusterer0.rtc
@@ -119,10 +145,13 @@ With a profile, all that rtcheck finds:
 Wrong usage:
 
   $ rtdoctor Motor0.rtc:in
-  rtdoctor: Motor0.rtc:in: a port is examined with its component (see --help)
+  rtdoctor: Motor0.rtc:in: a port is looked at with its component (see --help)
   [2]
   $ rtdoctor --measure=0
   rtdoctor: argument --measure: not a number of seconds above 0: 0 (see --help)
+  [2]
+  $ rtdoctor --measure --no-measure
+  rtdoctor: --measure and --no-measure: one of the two (see --help)
   [2]
   $ rtdoctor -s Dead
   rtdoctor: argument -s/--state: not one of Active, Inactive, Error, Created, Unknown: Dead (see --help)

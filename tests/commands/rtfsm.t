@@ -108,9 +108,9 @@ A component without the service, or none, or none that answers:
   $ rtfsm Microwave0.rtc getstructure
   rtfsm: /localhost:$PORT/test.host_cxt/Microwave0.rtc: CORBA.UNKNOWN
   [6]
-  $ ctl fail get_current_state 1 COMM_FAILURE
+  $ ctl fail get_current_state 1 TRANSIENT
   $ rtfsm Microwave0.rtc getstate
-  rtfsm: /localhost:$PORT/test.host_cxt/Microwave0.rtc: connection lost
+  rtfsm: /localhost:$PORT/test.host_cxt/Microwave0.rtc: connection refused
   [4]
 
 The file:

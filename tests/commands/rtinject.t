@@ -97,10 +97,10 @@ What does not fit is told before anything is sent:
   rtinject: RTC.TimedLong: no member date (its members: tm, data)
   [2]
   $ rtinject -c 'RTC.TimedFloat({time}, 1)' ConsoleOut0.rtc:in
-  rtinject: RTC.TimedLong: not what is written here: RTC.TimedFloat
+  rtinject: RTC.TimedFloat: not the type that is wanted, RTC.TimedLong
   [2]
   $ rtinject -c 'RTC.TimedLong({time}, 1)' ConsoleOut0.rtc:in SequenceInComponent0.rtc:Float
-  rtinject: RTC.TimedFloat: not what is written here: RTC.TimedLong
+  rtinject: RTC.TimedLong: not the type that is wanted, RTC.TimedFloat
   [2]
   $ calls | grep connect
   [1]

@@ -20,6 +20,14 @@ From -c, with and without the leading rt, separated by semicolons, quoted as in 
   rtls: /localhost:$PORT/test.host_cxt/g#h: no such path
   [3]
   $ rtsh -c ''; rtsh -c ' ;; # nothing'
+  $ rtsh -c 'check "a\$b"; check "a\\b"; check "a\"b\c"; check "it'"'"'s"; check a""b; ""'
+  rtcheck: a$b: No such file or directory
+  rtcheck: a\\b: No such file or directory
+  rtcheck: a"b\\c: No such file or directory
+  rtcheck: it's: No such file or directory
+  rtcheck: ab: No such file or directory
+  rtsh: '': no such command
+  [2]
 
 The working directory is its own:
 
@@ -42,6 +50,14 @@ From a pipe and from a file; a backslash at the end of a line joins it with the 
   rtsh: act /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
   rtsh: act /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   $ rtsh < /dev/null; rtsh <&-
+  $ printf '\357\273\277pwd\nls x\000y\ncheck x\000y\n' | rtsh
+  /localhost:$PORT/test.host_cxt
+  rtsh: stdin:2: a NUL character: ls x\x00y
+  rtsh: stdin:3: a NUL character: check x\x00y
+  [2]
+  $ awk 'BEGIN { printf "ls nowhere"; for (i = 0; i < 500000; i++) printf "ab"; print ""; print "pwd" }' | within 0-5 rtsh 2> out; grep -c nowhere out
+  /localhost:$PORT/test.host_cxt
+  1
   $ rtsh nowhere
   rtsh: nowhere: No such file or directory
   [1]
@@ -135,3 +151,13 @@ The connections stay open, so a second command asks no more than the first:
   ConsoleIn0.rtc
   ConsoleOut0.rtc
   5 _non_existent
+
+Its connections may be old ones: what has ended meanwhile is told as ever, and is no failure where it would be none:
+
+  $ mock these ConsoleIn:Doomed0 ConsoleIn:Doomed1
+  $ { echo 'ls -l Doomed0.rtc Doomed1.rtc'; until [ -s said ]; do sleep 0.1; done; kill-mock these; echo "cryo --all -o a.xml $RTCSH_CWD; ls -l Doomed0.rtc"; } | rtsh > said; cat said
+  rtcryo: /localhost:$PORT/test.host_cxt/Doomed0.rtc: zombie, left out
+  rtcryo: /localhost:$PORT/test.host_cxt/Doomed1.rtc: zombie, left out
+  Inactive  1/0  0/0  1/0  0/0  Doomed0.rtc
+  Inactive  1/0  0/0  1/0  0/0  Doomed1.rtc
+  -  -  -  -  -  *Doomed0.rtc

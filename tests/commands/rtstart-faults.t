@@ -27,7 +27,22 @@ What takes longer than the timeout failed, --wait gives it more; what answers be
   rtstart: /localhost:$PORT/test.host_cxt/Stuck0.rtc: not Active within 2s, still Inactive
   [5]
 
-Ctrl-C and SIGTERM:
+Ctrl-C and SIGTERM, during the checks too:
+
+  $ ctl delay get_ports 9; interrupt 1 rtstart --json -q --timeout 9 all.xml 2> said | cut -c1-160
+  {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not tried: interrupted", "number": 1, "path": "/localhost:$PORT/
+  {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not tried: interrupted", "number": 2, "path": "/localhost:$PORT
+  {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/Motor0.rtc: not tried: interrupted", "number": 3, "path": "/localhost:$PORT/test
+  {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/Sensor0.rtc: not tried: interrupted", "number": 4, "path": "/localhost:$PORT/tes
+  {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/Slow0.rtc: not tried: interrupted", "number": 5, "path": "/localhost:$PORT/test.
+  {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/Stuck0.rtc: not tried: interrupted", "number": 6, "path": "/localhost:$PORT/test
+  $ cat said; ctl reset
+  rtstart: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not tried: interrupted
+  rtstart: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not tried: interrupted
+  rtstart: /localhost:$PORT/test.host_cxt/Motor0.rtc: not tried: interrupted
+  rtstart: /localhost:$PORT/test.host_cxt/Sensor0.rtc: not tried: interrupted
+  rtstart: /localhost:$PORT/test.host_cxt/Slow0.rtc: not tried: interrupted
+  rtstart: /localhost:$PORT/test.host_cxt/Stuck0.rtc: not tried: interrupted
 
   $ plan $(when 1 Sensor0 "$(waiting 9000)") $(when 2 ConsoleIn0 "$(preceding SYNC 0 Sensor0)") < all.xml > c.xml
   $ rtdeact --wait ConsoleIn0.rtc Sensor0.rtc; interrupt 1 rtstart -q --wait 9 c.xml

@@ -123,6 +123,10 @@ Nothing starts unless every required component is there and the one that is mean
   rtstart: /localhost:$PORT/test.host_cxt/Gone0.rtc: no such path
   rtstart: /localhost:$PORT/test.host_cxt/Sensor0.rtc: not a component named Sensor1 (it is a component named Sensor0)
   [3]
+  $ sed 's/Motor0.rtc/Gone0.rtc/' a.xml | rtstart --json | tail -2
+  rtstart: /localhost:$PORT/test.host_cxt/Gone0.rtc: no such path
+  {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/Gone0.rtc: no such path", "number": 4, "path": "/localhost:$PORT/test.host_cxt/Gone0.rtc", "required": true, "result": "failed"}
+  {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/Sensor0.rtc: not tried: something that is required failed", "number": 5, "path": "/localhost:$PORT/test.host_cxt/Sensor0.rtc", "required": true, "result": "not tried"}
   $ sed 's/rts:id="0" rts:kind/rts:id="7" rts:kind/' a.xml | rtstart 2>&1 | head -1
   rtstart: /localhost:$PORT/test.host_cxt/Clusterer0.rtc: no such execution context: 7 (it has 0)
   $ states | grep -c Inactive

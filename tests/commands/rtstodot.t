@@ -148,16 +148,16 @@ Composites are boxes around their members; a port that a composite exports belon
 --svg makes a picture that any browser shows:
 
   $ rtstodot --svg --live a.xml | sed 's/<defs>.*/…/'
-  <svg xmlns="http://www.w3.org/2000/svg" width="263" height="160" font-family="monospace" font-size="14">
+  <svg xmlns="http://www.w3.org/2000/svg" width="557" height="130" font-family="monospace" font-size="14">
   …
   <rect width="100%" height="100%" fill="white"/>
-  <rect x="14" y="14" width="207" height="54" rx="5" fill="lightblue" stroke="black"/>
-  <rect x="14" y="74" width="207" height="54" rx="5" fill="lightblue" stroke="black"/>
-  <text x="19" y="36" text-anchor="start">ConsoleIn0  Inactive</text>
-  <text x="216" y="56" text-anchor="end">out</text>
-  <text x="19" y="96" text-anchor="start">ConsoleOut0  Inactive</text>
-  <text x="19" y="116" text-anchor="start">in</text>
-  <path d="M221,51 H249 V111 H221" fill="none" stroke="black" marker-end="url(#arrow)"/>
+  <rect x="40" y="40" width="189" height="50" rx="5" fill="lightblue" stroke="black"/>
+  <text x="134" y="59" text-anchor="middle">ConsoleIn0  Inactive</text>
+  <text x="223" y="80" text-anchor="end">out</text>
+  <rect x="319" y="40" width="198" height="50" rx="5" fill="lightblue" stroke="black"/>
+  <text x="418" y="59" text-anchor="middle">ConsoleOut0  Inactive</text>
+  <text x="325" y="80" text-anchor="start">in</text>
+  <path d="M229,75 C274,75 274,75 319,75" fill="none" stroke="black" marker-end="url(#arrow)"><title>ConsoleIn0:out to ConsoleOut0:in</title></path>
   </svg>
   $ rtstodot --svg --text a.xml
   rtstodot: --svg does not go with --text or --ascii (see --help)

@@ -24,9 +24,9 @@ Doing it; other connections stay, and a second time nothing is left to do:
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
   rtteardown: 3 done
   rtteardown: 3 already so
-  {"command": null, "object": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in", "reason": null, "required": true, "status": "already so", "step": "disconnect"}
-  {"command": null, "object": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in", "reason": null, "required": true, "status": "already so", "step": "disconnect"}
-  {"command": null, "object": "/localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService", "reason": null, "required": true, "status": "already so", "step": "disconnect"}
+  {"command": null, "error": null, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in", "required": true, "result": "already", "step": "disconnect"}
+  {"command": null, "error": null, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in", "required": true, "result": "already", "step": "disconnect"}
+  {"command": null, "error": null, "path": "/localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService", "required": true, "result": "already", "step": "disconnect"}
   $ rtls -l
   Inactive  1/1  0/0  1/1  0/0  ConsoleIn0.rtc
   Inactive  1/0  1/0  0/0  0/0  ConsoleOut0.rtc
@@ -34,6 +34,8 @@ Doing it; other connections stay, and a second time nothing is left to do:
   Inactive  1/1  1/1  0/0  0/0  ConsoleOut2.rtc
   Inactive  1/0  0/0  0/0  1/0  MyServiceConsumer0.rtc
   Inactive  1/0  0/0  0/0  1/0  MyServiceProvider0.rtc
+  $ rtresurrect a.xml; rtteardown --json a.xml | head -1
+  {"command": "rtdis -i one /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out", "error": null, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in", "required": true, "result": "done", "step": "disconnect"}
   $ rtresurrect a.xml; sh -e script; rtteardown --dry-run -y a.yaml
 
 One that fails is told, the others are removed; with --rollback these are made again:

@@ -1,0 +1,43 @@
+"""A log as lines: for people, as JSON, as a table."""
+import csv
+import io
+import sys
+
+from rtshell_lite import text
+from rtshell_lite.datalog import meaning
+
+LONG = 8  # elements of a sequence that are shown on a terminal
+
+
+def lines(channels, entries):
+    """The entries of a log as lines for people."""
+    limit = LONG if sys.stdout.isatty() else None
+    return (meaning.line(channels, entry, limit) for entry in entries)
+
+
+def json_lines(channels, entries):
+    """They as JSON objects."""
+    return (text.json_line(meaning.record(channels, entry)) for entry in entries)
+
+
+def csv_lines(channels, before, entries):
+    """They as rows of a table; `before` are the same entries once more: what columns there are takes a look at all."""
+    columns = {}
+    for entry in before:
+        for name, _ in meaning.cells(channels, entry):
+            columns.setdefault(name, len(columns))
+    channels.unreadable = 0
+    line = io.StringIO()
+    table = csv.DictWriter(line, list(columns) or ["number", "received", "port"], lineterminator="")
+    table.writeheader()
+    yield _taken(line)
+    for entry in entries:
+        table.writerow(dict(meaning.cells(channels, entry)))
+        yield _taken(line)
+
+
+def _taken(line):
+    found = line.getvalue()
+    line.seek(0)
+    line.truncate()
+    return found

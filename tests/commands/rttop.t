@@ -1,0 +1,189 @@
+rttop without a terminal, or with -n, prints pages. The live page is tried in tests/test_rttop.py.
+
+world: robot
+world: error --context err.host_cxt/%n.rtc
+world: senders 50 100 --context src.host_cxt/%n.rtc
+world: zombie 1 --context gone.host_cxt/%n.rtc
+server: empty
+
+  $ top() { rttop -n 1 --timeout 1 "$@"; }
+
+One page; by default, of all name servers. What is dead has its line, and spoils no status:
+
+  $ top
+  STATE         RATE  CONN  COMPONENT
+  Error         1000     0  Broken0.rtc
+  Inactive      1000     1  Clusterer0.rtc
+  Inactive      1000     2  Controller0.rtc
+  Inactive      1000     0  Err0.rtc
+  Inactive      1000     0  ErrStart0.rtc
+  Inactive      1000     1  Hokuyo_AIST0.rtc
+  -                -     -  *Mock0.rtc: connection refused; its process is gone (zombie)
+  Inactive      1000     2  Motor0.rtc
+  Inactive      1000     2  Sensor0.rtc
+  Active          50     0  Source0.rtc
+  $ RTCTREE_NAMESERVERS="localhost:$PORT2;localhost:$PORT" top -f robot
+  $ rtact --wait 2 Motor0.rtc; rtec Sensor0.rtc stop; top .
+  STATE         RATE  CONN  COMPONENT
+  Inactive      1000     1  Clusterer0.rtc
+  Inactive      1000     2  Controller0.rtc
+  Inactive      1000     1  Hokuyo_AIST0.rtc
+  Active        1000     2  Motor0.rtc
+  Inactive   stopped     2  Sensor0.rtc
+  $ top Motor0.rtc ../err.host_cxt
+  STATE         RATE  CONN  COMPONENT
+  Error         1000     0  Broken0.rtc
+  Inactive      1000     0  Err0.rtc
+  Inactive      1000     0  ErrStart0.rtc
+  Active        1000     2  Motor0.rtc
+  $ top localhost:$PORT2
+
+In another order, and only some: words of paths, or states, in capitals or not:
+
+  $ top -s state | cut -c1-8 | uniq -c
+        1 STATE\x20\x20\x20 (esc)
+        1 Error\x20\x20\x20 (esc)
+        1 -\x20\x20\x20\x20\x20\x20\x20 (esc)
+        2 Active\x20\x20 (esc)
+        6 Inactive
+  $ top -s rate -f inactive .
+  STATE         RATE  CONN  COMPONENT
+  Inactive      1000     1  Clusterer0.rtc
+  Inactive      1000     2  Controller0.rtc
+  Inactive      1000     1  Hokuyo_AIST0.rtc
+  Inactive   stopped     2  Sensor0.rtc
+  $ top -s connections -f test.host
+  STATE         RATE  CONN  COMPONENT
+  Inactive      1000     2  Controller0.rtc
+  Active        1000     2  Motor0.rtc
+  Inactive   stopped     2  Sensor0.rtc
+  Inactive      1000     1  Clusterer0.rtc
+  Inactive      1000     1  Hokuyo_AIST0.rtc
+  $ top -f 'err BROKEN'
+  STATE         RATE  CONN  COMPONENT
+  Error         1000     0  Broken0.rtc
+  $ top -f nobody
+
+The flow of ports, over a second, by a connection that is gone at the end:
+
+  $ top -p ../src.host_cxt/Source0.rtc:number -p ../src.host_cxt/Source0.rtc:block -f source
+  STATE         RATE  CONN  COMPONENT
+  Active          50     2  Source0.rtc
+      [3-6]\d\.\d Hz      \d\d\d B/s  /localhost:\$PORT/src.host_cxt/Source0.rtc:number (re)
+      [3-6]\d\.\d Hz     [3-7]\.\d kB/s  /localhost:\$PORT/src.host_cxt/Source0.rtc:block (re)
+  $ ctl @senders connectors Source0:number
+  $ top -p Sensor0.rtc:out Sensor0.rtc
+  STATE         RATE  CONN  COMPONENT
+  Inactive   stopped     3  Sensor0.rtc
+       0.0 Hz        0 B/s  /localhost:$PORT/test.host_cxt/Sensor0.rtc:out
+
+JSON:
+
+  $ top --json -p ../src.host_cxt/Source0.rtc:number -f motor
+  {"connections": 2, "kind": "component", "name": "Motor0.rtc", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "ports": 2, "rate": 1000.0, "running": true, "state": "Active", "time": *} (glob)
+  {"bytes_per_second": *, "kind": "port", "path": "/localhost:$PORT/src.host_cxt/Source0.rtc:number", "time": *, "values_per_second": *} (glob)
+  $ top --json ../gone.host_cxt
+  {"connections": null, "error": "/localhost:$PORT/gone.host_cxt/Mock0.rtc: connection refused; its process is gone (zombie)", "kind": "zombie", "name": "Mock0.rtc", "path": "/localhost:$PORT/gone.host_cxt/Mock0.rtc", "ports": null, "rate": null, "running": null, "state": "-", "time": *} (glob)
+
+Pages follow one another, -r times a second, or without end:
+
+  $ within 0.5-6 rttop -n 3 -r 4 Motor0.rtc
+  STATE         RATE  CONN  COMPONENT
+  Active        1000     2  Motor0.rtc
+
+  STATE         RATE  CONN  COMPONENT
+  Active        1000     2  Motor0.rtc
+
+  STATE         RATE  CONN  COMPONENT
+  Active        1000     2  Motor0.rtc
+  $ rttop -r 5 Motor0.rtc | head -4
+  STATE         RATE  CONN  COMPONENT
+  Active        1000     2  Motor0.rtc
+
+  STATE         RATE  CONN  COMPONENT
+  $ interrupt 1.5 rttop --json Motor0.rtc > out; echo $?; cut -d: -f1-8 out | uniq | wc -l
+  130
+  1
+  $ timeout -s TERM --foreground 2 rttop -p ../src.host_cxt/Source0.rtc:number Motor0.rtc > out; echo $?
+  124
+  $ tail -1 out; ctl @senders connectors Source0:number
+      [3-6]\d\.\d Hz      \d\d\d B/s  /localhost:\$PORT/src.host_cxt/Source0.rtc:number (re)
+
+Where a terminal knows no pages, they are printed:
+
+  $ TERM=dumb tty 80 timeout -s INT --foreground 1 rttop Motor0.rtc | uniq | head -3
+  rttop: the terminal dumb has no pages: pages are printed one below the other
+  STATE         RATE  CONN  COMPONENT
+  Active        1000     2  Motor0.rtc
+  $ TERM=nonsense tty 80 timeout -s INT --foreground 1 rttop Motor0.rtc | uniq | head -3
+  rttop: the terminal nonsense is not known here: pages are printed one below the other
+  STATE         RATE  CONN  COMPONENT
+  Active        1000     2  Motor0.rtc
+  $ mkdir lib; echo 'raise ImportError("no")' > lib/curses.py
+  $ PYTHONPATH=lib:$PYTHONPATH tty 80 timeout -s INT --foreground 1 rttop Motor0.rtc | uniq | head -1
+  rttop: this Python has no curses: pages are printed one below the other
+
+What cannot be shown is told; the rest is shown all the same:
+
+  $ top nobody.rtc
+  rttop: /localhost:$PORT/test.host_cxt/nobody.rtc: no such path
+  [3]
+  $ top nobody.rtc Motor0.rtc -p Motor0.rtc:nothing -p Motor0.rtc:in -p nobody.rtc:out
+  rttop: /localhost:$PORT/test.host_cxt/nobody.rtc: no such path
+  rttop: /localhost:$PORT/test.host_cxt/Motor0.rtc: no such port: nothing (its ports: in, out)
+  rttop: /localhost:$PORT/test.host_cxt/Motor0.rtc:in: not a DataOutPort (it is a DataInPort)
+  STATE         RATE  CONN  COMPONENT
+  Active        1000     2  Motor0.rtc
+  [5]
+  $ top localhost:1
+  rttop: /localhost:1: connection refused; is the name server running?
+  [4]
+  $ top localhost:1 Motor0.rtc
+  rttop: /localhost:1: connection refused; is the name server running?
+  STATE         RATE  CONN  COMPONENT
+  Active        1000     2  Motor0.rtc
+  [5]
+  $ top --json nobody.rtc
+  rttop: /localhost:$PORT/test.host_cxt/nobody.rtc: no such path
+  [3]
+
+Asking is cheap: state twice a second, contexts and ports now and then, four calls at a time:
+
+  $ ctl reset; rttop -n 2 . > out; ctl calls Controller0; ctl highwater
+  2 get_component_state
+  1 get_owned_contexts
+  1 get_participating_contexts
+  2 get_port_profile
+  1 get_ports
+  1 get_rate
+  1 is_running
+  1
+  $ rttop -n 1 > /dev/full
+  rttop: No space left on device
+  [1]
+
+Wrong usage is found before anything is asked:
+
+  $ ctl reset
+  $ rttop Motor0.rtc:in
+  rttop: Motor0.rtc:in: a port is looked at with its component (see --help)
+  [2]
+  $ rttop -p Motor0.rtc
+  rttop: /localhost:$PORT/test.host_cxt/Motor0.rtc: no port specified (see --help)
+  [2]
+  $ rttop -s size
+  rttop: argument -s/--sort: not one of name, state, rate, connections: size (see --help)
+  [2]
+  $ rttop -r 6
+  rttop: -r 6: at most 5 (see --help)
+  [2]
+  $ rttop -r 0
+  rttop: argument -r/--rate: not a number of Hz above 0: 0 (see --help)
+  [2]
+  $ rttop -n many
+  rttop: argument -n/--number: invalid int value: 'many' (see --help)
+  [2]
+  $ rttop ''
+  rttop: empty path
+  [2]
+  $ ctl calls

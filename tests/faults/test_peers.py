@@ -1,0 +1,155 @@
+"""Every command against every kind of broken peer, as name server and as component: one calm line, in time, and no more
+memory than it needs. If one of these fails, a broken robot takes the tool that is to look after it along."""
+import re
+import unittest
+
+import invocations
+from faults import running
+from mock_components import faulty
+
+ONCE = "how long a peer is waited for does not depend on the Python"
+ALONE = "it measures times"
+
+try:
+    import omniORB  # noqa: F401: the commands need it
+except ImportError:
+    raise unittest.SkipTest("needs omniORBpy")
+
+MODES = sorted(set(faulty.MODES) | set(faulty.UNREACHABLE))
+NAMING = {"hostile", "many", "loop", "bottomless"}  # these answer as a name server does, if strangely
+SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"}
+SHORT = 250             # of 4,500 cases
+LIST_LIMIT = 60.0       # seconds for 20,000 names, each of which is asked for and then asked
+
+# The doctor promises three times the timeout; what asks one after the other may wait as often.
+PATIENCE = {"rtdoctor": 3, "rtsh": 2}
+
+BAD = {4}               # the peer is dead, silent or garbled
+# What the status may be besides, by role and command: the answer of those that look is that the peer is bad, what asks only
+# the name server does not notice a bad component, and so on.
+ALSO = {
+    "server": {"rtdoctor": {1}, "rtdel": {3}},
+    "component": {
+        "rtcheck": {1, 5}, "rtdoctor": {1}, "rtdel": {0, 3}, "rtls": {0, 5}, "rtfind": {0, 1}, "rtcwd": {3}, "rtmgr": {3},
+        "rtteardown": {0}, "rtcryo": {0, 5}, "rtcomp": {3}, "rtsh": {0, 5}, "rtstodot": {5}, "rtresurrect": {5},
+        "rtstart": {5}, "rtstop": {5}, "rtact": {5, 6}, "rtdeact": {5, 6}, "rtreset": {5, 6}, "rtcat": {5}, "rtconf": {3},
+        "rtwatch": {5}, "rtinject": {5}, "rtprint": {5}},
+}
+
+
+class Case:
+    """One command line and one peer, as name server or as component."""
+
+    def __init__(self, number, command, line, mode, role):
+        self.number, self.command, self.line, self.mode, self.role = number, command, line, mode, role
+
+    def __str__(self):
+        return "%s %s, %s as %s" % (self.command, self.line, self.mode, self.role)
+
+    def meant(self):
+        """What the words of the tables stand for."""
+        top = "/127.0.0.1:%d" % ports[self.mode]
+        if self.role == "server":
+            names = {"SERVER": top, "A": top + "/a.rtc", "B": top + "/b.rtc", "MGR": top + "/m.mgr"}
+        else:
+            name = self.mode
+            if self.command == "rtdel":  # after which it is gone
+                name += "-%d" % invocations.ASKING["rtdel"].index(self.line)
+            top = server + "/%s.host_cxt" % name
+            a = "%s/%s.rtc" % (top, self.mode)
+            names = {"SERVER": top, "A": a, "B": server + "/test.host_cxt/ConsoleOut0.rtc", "MGR": a}
+        return dict(names, OUT="out", LOG=log,
+                    FILE=around.profile(text, "%d.yaml" % self.number, server, names["A"], names["B"]))
+
+    def run(self):
+        meant = self.meant()
+        self.peer = meant["SERVER" if self.role == "server" else "A"]
+        self.ran = running.run([self.command] + invocations.words(self.line, meant), around.directory("run%d" % self.number),
+                               RTCTREE_NAMESERVERS=self.peer[1:].partition("/")[0], RTSHELL_TIMEOUT=str(running.TIMEOUT))
+        return self
+
+    def limit(self):
+        """Seconds that it may take: what the command line asks for, and the timeout."""
+        if self.mode == "many" and self.role == "server" and re.search("SERVER", self.line):
+            return LIST_LIMIT
+        asked = sum(float(seconds) for seconds in re.findall(r"(?:-t|--wait|--measure)[ =]([\d.]+)", self.line))
+        return asked + running.TIMEOUT * PATIENCE.get(self.command, 1) + running.SLACK + start_up
+
+    def problems(self):
+        """What is wrong with what it did."""
+        ran, lines = self.ran, self.ran.err.decode("utf-8", "replace").splitlines()
+        if b"Traceback" in ran.err + ran.out or b"internal error" in ran.err or ran.status in (70, 141) or ran.status > 128:
+            yield "a bug"
+        if ran.seconds > self.limit():
+            yield "%.2f s, not %.2f" % (ran.seconds, self.limit())
+        if ran.resident > running.RESIDENT:
+            yield "%d kB" % ran.resident
+        if ran.status not in self.allowed():
+            yield "status %d, not of %s" % (ran.status, sorted(self.allowed()))
+        told = [line for line in lines if re.match(r"rt\w+: (/|\d+ of \d+ did not answer)", line)]
+        if len(set(told)) < len(told):
+            yield "told twice"
+        about = [line for line in told if self.peer in line]
+        if self.mode not in SANE and len(about) > self.most_lines():
+            yield "%d lines" % len(about)
+        if ran.status not in (0, 1) and not told:
+            yield "no line"
+
+    def allowed(self):
+        """What the exit status may be."""
+        if self.mode in SANE:  # these answer, and what they answer may be taken for something
+            return {0, 1, 3, 4, 5, 6}
+        return BAD | ALSO[self.role].get(self.command, set())
+
+    def most_lines(self):
+        """One line, or one of each command of rtsh."""
+        return 2 if self.command == "rtsh" else 1
+
+
+def setUpModule():
+    global around, server, text, log, ports
+    around = running.Surroundings()
+    server = around.name_server()
+    around.world(server, "linked")
+    text, log = around.files(server)
+    ports = around.faulty(*MODES)
+    for mode in MODES:
+        for name in [mode] + ["%s-%d" % (mode, number) for number, _ in enumerate(invocations.ASKING["rtdel"])]:
+            faulty.bind("%s/%s.host_cxt" % (server[1:], name), {mode: ports[mode]})
+
+
+def tearDownModule():
+    around.close()
+
+
+def cases():
+    found = [(command, line) for command, lines in sorted(invocations.ASKING.items())
+             if command in invocations.all_commands() for line in lines]
+    return [Case(number, command, line, mode, role) for number, (command, line, mode, role) in enumerate(
+        (command, line, mode, role) for role in ("server", "component") for command, line in found for mode in MODES)]
+
+
+def control(_):
+    """Seconds that a command takes which has to do with no fault, in the same crowd."""
+    return running.run(["rtcat", server + "/test.host_cxt/ConsoleIn0.rtc"], around.top).seconds
+
+
+class Peers(unittest.TestCase):
+    def test_every_command_against_every_peer(self):
+        global start_up
+        chosen = running.sample(cases(), SHORT)
+        jobs = [each for number, case in enumerate(chosen) for each in ([case, None] if number % 10 == 0 else [case])]
+        done = running.together(lambda case: case.run() if case else control(case), jobs)
+        start_up = max(each for each in done if isinstance(each, float))
+        ran = [each.ran for each in done if isinstance(each, Case)]
+        print("figures: %d runs against %d kinds of peers; longest %.2f s with a timeout of %g s (start-up %.2f s), most memory "
+              "%d kB" % (len(ran), len(MODES), max(each.seconds for each in ran), running.TIMEOUT, start_up,
+                         max(each.resident for each in ran)))
+        for case in done:
+            if isinstance(case, Case):
+                with self.subTest(str(case)):
+                    self.assertEqual(list(case.problems()), [], case.ran)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,184 @@
+"""Ctrl-C, SIGTERM and SIGHUP at random moments of every command: it is gone at once and leaves nothing behind.
+
+If one of these fails, an operator who gives up on a command leaves observers, half connections or half a file on the robot.
+"""
+import os
+import queue
+import random
+import re
+import signal
+import tempfile
+import time
+import unittest
+
+import invocations
+from faults import running
+from rtshell_lite import datalog, errors, xmlprofile
+
+ONCE = "signals are the same for every Python"
+ALONE = "it measures times"
+
+try:
+    import omniORB  # noqa: F401: the commands need it
+except ImportError:
+    raise unittest.SkipTest("needs omniORBpy")
+
+LIMIT = 0.3             # seconds from the signal to the end
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+LANES = 4
+TIMES = 30 if running.THOROUGH else 3   # how often each command is interrupted
+PORTS = ("ConsoleIn0:out", "ConsoleOut0:in", "Motor0:in", "Motor0:out", "Mock0:in", "Mock0:out")
+FATAL = {"rtexit", "rtdel", "rtcomp"}   # these may end what the others need
+
+
+class Lane:
+    """A world of one's own, in which nobody else changes anything."""
+
+    def __init__(self, number):
+        self.place = "lane%d.host_cxt" % number
+        self.begin()
+        home = server + "/%s/" % self.place
+        self.meant = {"SERVER": server + "/" + self.place, "A": home + "ConsoleIn0.rtc", "B": home + "ConsoleOut0.rtc", "OUT": "out",
+                      "MGR": home + "manager.mgr", "LOG": log}
+        self.meant["FILE"] = around.profile(text, "lane%d.yaml" % number, server, self.meant["A"], self.meant["B"])
+
+    def begin(self):
+        self.world = around.world(server, "observed", "--context", self.place + "/%n.rtc")
+
+    def connections(self):
+        """{port: [connector id and name]}"""
+        return {port: around.ctl(self.world, "connectors", port) for port in PORTS}
+
+    def left_behind(self):
+        """What is there that must not be: services of tools, connections that only one end knows, of more than two ends."""
+        for component in ("ConsoleIn0", "ConsoleOut0", "Microwave0", "Motor0", "Mock0"):
+            if around.ctl(self.world, "observers", component):
+                yield "observers of " + component
+        found = self.connections()
+        ends = [each for each in found.values() for each in each]
+        if any(ends.count(each) != 2 for each in ends):
+            yield "connections: %s" % found
+
+    def tidy(self):
+        """As it was in the beginning."""
+        for port in PORTS:
+            around.ctl(self.world, "forget", port)
+
+    def renew(self):
+        around.end(self.world)
+        self.begin()
+
+
+def setUpModule():
+    global around, server, text, log, lanes
+    around = running.Surroundings()
+    server = around.name_server()
+    around.world(server, "linked")
+    text, log = around.files(server)
+    lanes = queue.Queue()
+    for number in range(LANES):
+        lanes.put(Lane(number))
+
+
+def tearDownModule():
+    around.close()
+
+
+class Case:
+    """A command that is interrupted at some moment between its start and `span` seconds later."""
+
+    def __init__(self, number, command, line, span, which):
+        dice = random.Random(number)
+        self.command, self.line, self.which = command, line, which
+        self.moment = dice.uniform(0.02, span)
+
+    def __str__(self):
+        return "%s %s: %s after %.3f s" % (self.command, self.line, self.which.name, self.moment)
+
+    def run(self):
+        lane = lanes.get()
+        try:
+            self.try_in(lane)
+        finally:
+            lanes.put(lane)
+        return self
+
+    def try_in(self, lane):
+        words = [self.command] + invocations.words(self.line, lane.meant)
+        with tempfile.TemporaryDirectory(dir=around.top) as where, tempfile.TemporaryFile() as output:
+            process = running.start(words, where, {"RTCTREE_NAMESERVERS": server[1:]}, stdin=running.subprocess.DEVNULL,
+                                    stdout=output, stderr=output)
+            time.sleep(self.moment)
+            before = running.waited_for_processor(process.pid)
+            begun = time.monotonic()
+            os.kill(process.pid, self.which)  # also when it has ended: nobody has waited for it
+            os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)
+            self.seconds = time.monotonic() - begun
+            self.seconds = max(0, self.seconds - max(0, running.waited_for_processor(process.pid) - before))
+            status = process.wait()
+            self.status = 128 - status if status < 0 else status
+            output.seek(0)
+            self.said = output.read()
+            self.files = list(wrong_files(where, self.command))
+        begun = time.monotonic()
+        self.left = list(lane.left_behind()) if self.command not in FATAL else []
+        self.answer = (time.monotonic() - begun) / 11   # how long a mock takes to say something while all this goes on
+        lane.renew() if self.command in FATAL else lane.tidy()
+
+    def problems(self):
+        if self.status == 128 + self.which:
+            if self.seconds > LIMIT + 4 * self.answer:
+                yield "gone after %.2f s (a mock answers within %.3f s)" % (self.seconds, self.answer)
+        elif self.status not in range(7):
+            yield "status %d" % self.status
+        if b"internal error" in self.said or re.search(rb"Traceback[^$]*rtshell_lite/\w+\.py", self.said):
+            yield "a traceback"  # that of Python itself, not yet at our first line, is none of ours
+        for each in self.left + self.files:
+            yield each
+
+
+def wrong_files(where, command):
+    """Temporary and half-written files in a directory."""
+    for name in os.listdir(where):
+        path = os.path.join(where, name)
+        try:
+            if name.endswith(".tmp"):
+                yield "left: " + name
+            elif command == "rtcryo":
+                with open(path, "rb") as file:
+                    xmlprofile.load(file.read().decode(), name)
+            elif command == "rtlog":
+                found = datalog.load(path)
+                if found.torn:
+                    yield "torn: " + name
+        except errors.Error as e:
+            yield str(e)
+
+
+def cases():
+    found, dice = [], random.Random(7)
+    for command, lines in sorted(invocations.ASKING.items()):
+        if command in invocations.all_commands():
+            for _ in range(TIMES):
+                found.append((command, dice.choice(lines), 0.4))
+    for command, line in sorted(invocations.LASTING.items()):
+        if command in invocations.all_commands() and line:
+            for _ in range(TIMES):
+                found.append((command, line, 1.0))
+    return [Case(number, *(each + (SIGNALS[number % 3],))) for number, each in enumerate(found)]
+
+
+class Signals(unittest.TestCase):
+    def test_every_command_goes_at_once_and_leaves_nothing(self):
+        done = running.together(Case.run, cases(), LANES)
+        caught = [case.seconds for case in done if case.status == 128 + case.which]
+        self.assertGreater(len(caught), len(done) / 3)
+        print("figures: %d commands got a signal, %d of them before they had ended; these were gone within %.2f s at most, "
+              "%.3f s in the mean" % (len(done), len(caught), max(caught), sum(caught) / len(caught)))
+        for case in done:
+            with self.subTest(str(case)):
+                self.assertEqual(list(case.problems()), [], "status %d: %s" % (case.status, case.said.decode("utf-8", "replace")))
+
+
+if __name__ == "__main__":
+    unittest.main()
