@@ -17,7 +17,8 @@ forget COMPONENT:PORT      let the last port of connections forget them, and the
 state COMPONENT [HANDLE]   its state in its first context, or in another: 1000 of the composite that has taken it
 error COMPONENT            put it into the Error state
 fail OPERATION [N] [KIND]  the Nth next call of it ends badly: a system exception such as TRANSIENT (default),
-                           COMM_FAILURE, UNKNOWN or TIMEOUT; HANG (no answer); DIE (the process ends)
+                           COMM_FAILURE, UNKNOWN or TIMEOUT; HANG (no answer); LOST (done, but no answer);
+                           DIE (the process ends)
 delay OPERATION SECONDS    every call of it takes that long
 hang COMPONENT SECONDS     its calls wait until so long from now; 0 lets them go
 log COMPONENT LEVEL NAME MESSAGE  hand a record to its loggers, as no real component does

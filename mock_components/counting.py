@@ -43,7 +43,9 @@ class Ledger:
         try:
             time.sleep(delay)
             self._hold(owner)
-            if kind:
+            if kind == "LOST":
+                self.local.lost = True
+            elif kind:
                 self._fail(kind)
         except Exception:
             self.end()
@@ -54,10 +56,13 @@ class Ledger:
         if not self.local.depth:
             with self.lock:
                 self.in_flight -= 1
+            if getattr(self.local, "lost", False):
+                self.local.lost = False
+                time.sleep(FOR_EVER)
 
     def fail(self, operation, nth=1, kind="TRANSIENT"):
         """Let the nth next call of the operation end badly."""
-        if kind not in ("HANG", "DIE") and not hasattr(CORBA, kind):
+        if kind not in ("HANG", "DIE", "LOST") and not hasattr(CORBA, kind):
             raise ValueError("no such failure: " + kind)
         with self.lock:
             self.faults.append([operation, nth, kind])

@@ -193,11 +193,19 @@ def change_in(node, ref, transition, wait=None, called="this execution context",
         stage("told")
     if code == "RTC_OK" and wait is None:
         return before
-    now = state_in(node, ref)
+    now = _state_now(node, ref)
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
         raise errors.Refused(str(node.path), "cannot %s: %s" % (transition.name, _reason(code, before, now, transition)))
     _until(node, ref, transition, now, rpc.timeout if wait is None else wait)
     return before
+
+
+def _state_now(node, ref):
+    """`state_in` after a request: who does not tell it may have done what was asked for. Raises Uncertain."""
+    try:
+        return state_in(node, ref)
+    except errors.Refused as e:
+        raise errors.Uncertain(*e.args)
 
 
 def _request(node, ref, transition, target, wait):
@@ -227,7 +235,7 @@ def _until(node, ref, transition, now, seconds):
             raise errors.Unreachable(str(node.path), "not %s within %gs, still %s" % (transition.target, seconds, now))
         time.sleep(pause)
         pause = min(2 * pause, POLL)
-        now = state_in(node, ref)
+        now = _state_now(node, ref)
 
 
 # ---- exit -----------------------------------------------------------------------------------------------------

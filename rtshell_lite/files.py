@@ -44,7 +44,7 @@ def _replace(target, data):
             pipe.write(data)
         return
     folder, base = os.path.split(target)
-    temporary = os.path.join(folder, ".%s.tmp" % base)
+    temporary, done = os.path.join(folder, ".%s.tmp" % base), False
     try:
         with io.open(temporary, "wb") as out:
             out.write(data)
@@ -53,7 +53,7 @@ def _replace(target, data):
         if os.path.exists(target):
             os.chmod(temporary, stat.S_IMODE(os.stat(target).st_mode))
         os.replace(temporary, target)
-    except OSError:
-        if os.path.exists(temporary):
+        done = True
+    finally:  # Ctrl-C may have come, too
+        if not done and os.path.exists(temporary):
             os.remove(temporary)
-        raise

@@ -335,8 +335,27 @@ def disconnect(each, connector):
             return
         left = component.once_more(lambda: orb.call(label(each), each.ref, "get_connector_profiles"))
         if connector_id not in [c.connector_id for c in left]:
+            _forget_elsewhere(each, connector)
             return
     raise failure
+
+
+def _forget_elsewhere(each, connector):
+    """Let the other ends forget a Connector that a Port has removed without reaching all of them; dead ends do not matter.
+
+    Raises Uncertain where one does not answer: it may live, and have half a connection.
+    """
+    for ref in connector.ports:
+        if ref is None or orb.same(ref, each.ref):
+            continue
+        try:
+            orb.ask(label(each), ref, "notify_disconnect", to_wire(connector.id))
+        except (errors.Gone, errors.ConnectionRefused, errors.Refused):
+            pass
+        except errors.Unreachable as e:
+            why = "connection %s is removed here, its end at %s:%d says nothing (%s)" % (
+                (printable(connector.id),) + orb.endpoint(ref) + (e.args[1],))
+            raise errors.Uncertain(label(each), why)
 
 
 def _forgetting_failed(each, operation, connector_id):

@@ -7,6 +7,7 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
   tests/run 'rtls.t (dash)'       one transcript under one shell
   tests/run --python 3.7 rtls     on another Python
   tests/run --peers               profiles against PyYAML and the real rtsprofile, from the package index
+  tests/run --long test_long      the long form of what tests/faults/ and the like try in short: hours in all
   tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
   tests/run --all                 the matrix: all on 3.11, 3.7 and 3.13, under dash, ash, and dash; what needs no omniORBpy
                                   on 3.6, and the packaging on every Python from 3.6 to 3.13 that is found
@@ -32,6 +33,7 @@ FULL, PURE, ALL = ["3.11", "3.7", "3.13"], ["3.6"], ["3.%d" % minor for minor in
 # The matrix: one shell on each Python, as what a shell does does not depend on the Python.
 MATRIX = {"3.11": ["dash"], "3.7": ["ash"], "3.13": ["dash"], "3.6": ["ash"]}
 MODULE_LIMIT = 300.0  # seconds for one test module
+LONG_LIMIT = 4 * 3600.0  # the same with --long
 PACKAGING = "test_packaging"
 
 
@@ -97,9 +99,10 @@ def run_module(module, python, environment, patterns):
 
 def wait(process):
     try:
-        why = "ended with status %d" % process.wait(MODULE_LIMIT)
+        limit = LONG_LIMIT if os.environ.get("RTSHELL_FAULTS") else MODULE_LIMIT
+        why = "ended with status %d" % process.wait(limit)
     except subprocess.TimeoutExpired:
-        why = "no end after %g s" % MODULE_LIMIT
+        why = "no end after %g s" % limit
     try:
         os.killpg(process.pid, signal.SIGKILL)
     except ProcessLookupError:
@@ -293,12 +296,15 @@ def options():
     parser.add_argument("--python", action="append", metavar="VERSION", help="a version or a path; may be repeated")
     parser.add_argument("--peers", action="store_true", help="compare with the real libraries")
     parser.add_argument("--all", action="store_true", help="the matrix")
+    parser.add_argument("--long", action="store_true", help="all cases of the tests of faults, and long runs of 10 minutes")
     parser.add_argument("--accept", action="store_true", help="rewrite transcripts from what is printed")
     return parser.parse_args()
 
 
 def main():
     args = options()
+    if args.long:
+        os.environ["RTSHELL_FAULTS"] = "1"
     marker, score = mark(), Score()
     held = environments.lock()
     try:

@@ -18,6 +18,7 @@ import mocks
 import peers
 from mocks import Server, World
 
+import rtshell_lite
 from rtshell_lite import datatypes, orb, values
 
 ONCE = "each example is run by the tests of its command on all Pythons, in other words"
@@ -58,7 +59,8 @@ NAMES = [
     ("rtlog -f run.rtlog -t 60", "rtlog -f run.rtlog -t 1"), ("-t 5 ConsoleOut0", "-t 1 ConsoleOut0"),
     (r"(rtprint.*) ConsoleIn0.rtc:out", r"\1 Source0.rtc:number"),
     (r"/(localhost|robot1)(?=[/ \"']|$)", "/localhost:@PORT@"),
-    (r"(?<![\w/.:@=])(localhost|robot1|robot2:2810)(?=[ ;]|$)", "/localhost:@PORT@"),
+    ("/robot1:2809", "/localhost:@PORT@"),
+    (r"(?<![\w/.:@=])(localhost|robot1:2809|robot1|robot2:2810)(?=[ ;]|$)", "/localhost:@PORT@"),
 ]
 # Statuses other than 0.
 STATUS = {
@@ -71,7 +73,7 @@ ELSEWHERE = {  # run by other tests
     "eval": "test_completion", "rtcwd --shell": "test_completion",
 }
 FIRST_WORDS = ("until", "while", "for", "if", "echo", "eval")
-# Other indented lines of README.md: a path, what rtdoctor says, values (run by test_values), and what only a clone can run.
+# Other indented lines of README.md: a path, what rtdoctor says, values (test_values), the tour (test_tour), and what runs this.
 NO_COMMANDS = ("/localhost/", "fail  ", "RTC.", '{"data"', "mock_components/tour ", "tests/run ")
 PATIENCE = 3.0   # seconds after which Ctrl-C is pressed
 LIMIT = 30.0
@@ -346,6 +348,27 @@ class Readme(Case):
         self.addCleanup(os.remove, os.path.join(TOP, "df"))
         self.in_shells("log-port", "Source0.rtc:number logs 1.2", "rm -rf logs; mkdir logs; rtact Source0.rtc",
                        "test $(ls logs | wc -l) = 2 && rtlog -d -f logs/$(ls logs | head -n 1)")
+
+
+class Tour(unittest.TestCase):
+    def test_tour(self):
+        """mock_components/tour, but for its installation of what is installed already, runs and does what it says."""
+        top = tempfile.mkdtemp(dir=TOP)
+        os.makedirs(os.path.join(top, ".venv-tour", "bin"))
+        python = os.path.join(top, ".venv-tour", "bin", "python")
+        with open(python, "w") as file:
+            file.write('#!/bin/sh\n[ "$1 $2" = "-m pip" ] || exec "%s" "$@"\n' % sys.executable)
+        os.chmod(python, 0o755)
+        for package in os.path.join(peers.ROOT, "mock_components"), os.path.dirname(rtshell_lite.__file__):
+            os.symlink(package, os.path.join(top, os.path.basename(package)))
+        environment = dict(mocks.ENVIRONMENT, PATH=mocks.COMMANDS + os.pathsep + os.environ["PATH"], PYTHON=sys.executable,
+                           PYTHONDONTWRITEBYTECODE="1", LC_ALL="C.UTF-8")
+        done = subprocess.run(["sh", os.path.join(top, "mock_components", "tour")], env=environment, timeout=120,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        said = done.stdout.decode("utf-8", "replace")
+        self.assertEqual(done.returncode, 0, said)
+        self.assertEqual(re.findall(r"\$ (.*)\n(?:[^$\n].*\n)*\(exit status (\d+)\)", said), [
+            ("rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService", "6"), ("rtact Broken0.rtc", "6")], said)
 
 
 if __name__ == "__main__":

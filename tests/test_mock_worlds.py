@@ -152,7 +152,7 @@ class Worlds(unittest.TestCase):
         self.assertEqual(raised(component.get_ports), "TIMEOUT")
         self.assertIsNone(raised(world.component("ConsoleOut0").get_ports))
         world.ctl("hang", "ConsoleIn0", "0")
-        self.assertIsNone(raised(component.get_ports))
+        self.assertIsNone(raised(world.component("ConsoleIn0").get_ports))
         world.ctl("delay", "get_ports", "0.3")
         start = time.monotonic()
         component = world.component("ConsoleIn0")

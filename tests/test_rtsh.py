@@ -2,9 +2,11 @@
 import os
 import pty
 import re
+import resource
 import select
 import shutil
 import signal
+import subprocess
 import tempfile
 import termios
 import time
@@ -28,6 +30,27 @@ def tearDownModule():
     Server.stop()
 
 
+def environment(**more):
+    """What rtsh runs in."""
+    usual = dict(mocks.ENVIRONMENT, PATH=COMMANDS + os.pathsep + os.environ["PATH"], TERM="dumb", LC_ALL="C.UTF-8",
+                 RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD="/localhost:%d/test.host_cxt" % Server.port)
+    return dict(usual, **more)
+
+
+class Many(unittest.TestCase):
+    def test_a_command_costs_a_tenth_of_a_process(self):
+        """CPU time; a thousand need no more than a hundred for that, and no machine without anything else to do."""
+        one_process = self.cost("for i in 0 1 2 3 4 5 6 7 8 9; do rtls -l; done") / 10
+        one_command = self.cost("yes 'ls -l' | head -n 200 | rtsh") / 200
+        self.assertLess(one_command, one_process / 10)
+
+    def cost(self, script):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.check_call(["sh", "-c", script], env=environment(), stdout=subprocess.DEVNULL)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
 class AtThePrompt(unittest.TestCase):
     def setUp(self):
         self.home = tempfile.mkdtemp()
@@ -36,12 +59,10 @@ class AtThePrompt(unittest.TestCase):
 
     def start(self, **more):
         """Start rtsh on a terminal of its own, and wait for its prompt."""
-        top = "/localhost:%d/test.host_cxt" % Server.port
-        environment = dict(mocks.ENVIRONMENT, PATH=COMMANDS + os.pathsep + os.environ["PATH"], HOME=self.home, TERM="dumb",
-                           RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD=top, LC_ALL="C.UTF-8", **more)
+        variables = environment(HOME=self.home, **more)
         self.pid, self.terminal = pty.fork()
         if self.pid == 0:
-            os.execvpe("rtsh", ["rtsh"], environment)
+            os.execvpe("rtsh", ["rtsh"], variables)
         self.screen, self.ended = "", False
         self.addCleanup(self.end)
         self.shows(r"test\.host_cxt> ")
@@ -57,12 +78,14 @@ class AtThePrompt(unittest.TestCase):
         self.screen = ""
         os.write(self.terminal, keys if isinstance(keys, bytes) else keys.encode())
 
-    def shows(self, pattern):
-        """Wait until the terminal shows something that matches."""
+    def shows(self, pattern, again=""):
+        """Wait until the terminal shows something that matches; press keys `again` while it shows nothing."""
         end = time.monotonic() + mocks.LIMIT
         while not re.search(pattern, self.screen.replace("\r", "")):
             self.assertLess(time.monotonic(), end, "no %s here:\n%s" % (pattern, self.screen))
             self.read()
+            if not self.screen:
+                os.write(self.terminal, again.encode())
 
     def read(self):
         if select.select([self.terminal], [], [], 0.05)[0]:
@@ -108,7 +131,7 @@ class AtThePrompt(unittest.TestCase):
         self.press("rubbish")
         self.shows("rubbish")
         self.press(CTRL_C)
-        self.shows(r"\nrtsh .*> $")
+        self.shows(r"\nrtsh .*> $", again=CTRL_C)  # one that comes just before Python waits for keys is seen at the next
         self.press("pwd\r")
         self.shows(r"\n/localhost:\d+/test\.host_cxt\nrtsh .*> $")
         self.press(CTRL_D)

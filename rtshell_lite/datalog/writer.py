@@ -74,18 +74,22 @@ class Writer:
             return
         folder, base = os.path.split(target)
         temporary = os.path.join(folder, ".%s.tmp" % base)
-        old = open(target, "rb") if os.path.exists(target) else None
+        old, ours = open(target, "rb") if os.path.exists(target) else None, False
         try:
             if old:
                 _lock(old, self.name)
             self._file = _opened(temporary, self.name)
             _lock(self._file, self.name)
+            ours = True
             self._start(header)
             os.fsync(self._file.fileno())
             if old:
                 os.chmod(temporary, stat.S_IMODE(os.fstat(old.fileno()).st_mode))
             os.replace(temporary, target)
+            ours = False
         finally:
+            if ours:
+                os.remove(temporary)
             if old:
                 old.close()
 

@@ -13,7 +13,7 @@ STEPS = 3  # times the timeout: what takes longer is told as not looked at; a st
 
 
 def examine(tops=(), compare=None, seconds=0, large=False):
-    """Yield lists of Findings, step by step. Without Paths `tops`, all name servers of RTCTREE_NAMESERVERS are examined.
+    """Yield lists of Findings, step by step. Without Paths `tops`, or with the root, all name servers are examined.
 
     compare  (RtsProfile, its file's name, the state of the components): what the system is to agree with
     seconds  how long rates are measured, which connects to an out port of each active component and leaves it again; 0: not
@@ -32,7 +32,8 @@ def _steps(tops, compare, seconds, large):
     yield found
     if any(each.check in ("omniORBpy", "ORB") and each.level == "fail" for each in found):
         return
-    for findings in _robot(tops or _name_servers(), seconds, large):
+    everything = not tops or path.ROOT in tops
+    for findings in _robot(_name_servers() if everything else tops, seconds, large):
         yield findings
     if compare:
         from rtshell_lite.doctor import profile

@@ -153,12 +153,10 @@ def _restart(each):
 # ---- names ----------------------------------------------------------------------------------------------------
 
 def _names(each):
-    """Names that a component has been given by others; its own are in its property naming.names."""
+    """Names that a component has been given by others; its own are in its property naming.names, if it says so."""
     if each.profile is None:
         return []
-    own = dict(each.profile.properties).get("naming.names", "")
-    if not own:
-        return []
+    own = dict(each.profile.properties).get("naming.names", "") or _bound_as(each.node)
     known = [node for node in each.nodes if _bound_as(node) in own.split(",")]
     strange = [node for node in each.nodes if node not in known]
     if known:

@@ -93,6 +93,10 @@ A word without a dot or a slash is a name server, as is an address, or what is i
   /[::1]
   /127.0.0.1:2809
   /robot.local
+  $ for each in / ../.. '/ Motor0.rtc'; do doctor $each | grep -c 'rtc: Active'; done
+  5
+  5
+  5
   $ doctor -q robot1.local nowhere/ | grep path
   fail  /localhost:$PORT/test.host_cxt/nowhere: no such path; try: rtls /localhost:$PORT/test.host_cxt
   fail  /localhost:$PORT/test.host_cxt/robot1.local: no such path; try: rtls /localhost:$PORT/test.host_cxt

@@ -133,7 +133,7 @@ class Surroundings:
         self.top = tempfile.mkdtemp(prefix="rt-faults-")
         os.environ["SESSION"] = self.top
         session.keep_alive()
-        self.processes = []
+        self.processes, self.worlds = [], {}
         self.lock = threading.Lock()
 
     def name_server(self, name="names"):
@@ -145,6 +145,7 @@ class Surroundings:
         with self.lock:  # names are given by what is there
             process, name = peers.start_world(list(words), server.rpartition(":")[2])
         self.processes.append(process)
+        self.worlds[name] = process
         peers.ready(process, name)
         return name
 
@@ -185,11 +186,11 @@ class Surroundings:
             file.write(text.replace(home + "ConsoleIn0.rtc", a[1:]).replace(home + "ConsoleOut0.rtc", b[1:]))
         return path
 
-    def wait(self, number):
-        """Wait for the end of a process that was started here."""
-        for process in self.processes:
-            if process.pid == number:
-                process.wait(LIMIT)
+    def end(self, name):
+        """End a world at once."""
+        process = self.worlds.pop(name)
+        process.kill()
+        process.wait()
 
     def directory(self, name):
         """An empty directory for a command to run in."""

@@ -65,10 +65,7 @@ class Lane:
             around.ctl(self.world, "forget", port)
 
     def renew(self):
-        with open(os.path.join(around.top, self.world + ".pid")) as file:
-            number = int(file.read())
-        os.kill(number, signal.SIGTERM)
-        around.wait(number)
+        around.end(self.world)
         self.begin()
 
 
@@ -117,7 +114,7 @@ class Case:
             os.kill(process.pid, self.which)  # also when it has ended: nobody has waited for it
             os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)
             self.seconds = time.monotonic() - begun
-            self.seconds -= max(0, running.waited_for_processor(process.pid) - before)
+            self.seconds = max(0, self.seconds - max(0, running.waited_for_processor(process.pid) - before))
             status = process.wait()
             self.status = 128 - status if status < 0 else status
             output.seek(0)

@@ -1,0 +1,106 @@
+"""Commands that run for long do not grow: neither memory, nor threads, nor open files.
+
+30 seconds, or 10 minutes with `tests/run --long`. If this fails, a monitor that runs for a week ends the robot it watches.
+"""
+import os
+import subprocess
+import time
+import unittest
+
+import invocations
+from faults import running
+
+ONCE = "what grows does so under every Python"
+
+try:
+    import omniORB  # noqa: F401: the commands need it
+except ImportError:
+    raise unittest.SkipTest("needs omniORBpy")
+
+SECONDS = 600 if running.THOROUGH else 30
+GROWTH = 1024           # kB that the memory may grow in the second half
+LINES = "ls -l HOME; cat -l A; conf -l C; act A; deact A; con D:out E:in; dis D:out E:in; print -n 1 A:number; cat HOME/none.rtc\n"
+
+
+class Watched:
+    """A process, and how large it was at which time."""
+
+    def __init__(self, name, words, feed=None):
+        self.name, self.feed = name, feed
+        self.output = open(os.path.join(around.top, name + ".out"), "w+b")
+        self.process = running.start(words, around.directory(name), {"RTCTREE_NAMESERVERS": server[1:]}, stdout=self.output,
+                                     stdin=subprocess.PIPE if feed else subprocess.DEVNULL, stderr=subprocess.STDOUT)
+        self.seen = []
+
+    def look(self):
+        """Note its size; tell it more, and throw away what it has printed."""
+        proc = "/proc/%d/" % self.process.pid
+        with open(proc + "statm") as file:
+            memory = int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") // 1024
+        self.seen.append((memory, len(os.listdir(proc + "task")), len(os.listdir(proc + "fd"))))
+        if self.feed:
+            self.process.stdin.write(self.feed)
+            self.process.stdin.flush()
+
+    def halves(self):
+        """The greatest (memory, threads, files) of the second quarter of the time, and of the last."""
+        quarter = len(self.seen) // 4
+        return [tuple(map(max, zip(*part))) for part in (self.seen[quarter:2 * quarter], self.seen[3 * quarter:])]
+
+    def end(self):
+        self.process.terminate()
+        if self.feed:
+            self.process.stdin.close()
+        self.process.wait(running.LIMIT)
+        self.output.close()
+
+
+def setUpModule():
+    global around, server
+    around = running.Surroundings()
+    server = around.name_server()
+    around.world(server, "senders", "100", "1000")
+    around.world(server, "observed")
+    around.world(server, "config")
+
+
+def tearDownModule():
+    around.close()
+
+
+class LongRuns(unittest.TestCase):
+    def test_nothing_grows(self):
+        home = server + "/test.host_cxt"
+        source = home + "/Source0.rtc"
+        feed = LINES.replace("HOME", home)
+        for letter, name in (("A", "Source0"), ("C", "ConfigSample0"), ("D", "ConsoleIn0"), ("E", "ConsoleOut0")):
+            feed = feed.replace(" %s:" % letter, " %s/%s.rtc:" % (home, name)).replace(" %s;" % letter, " %s/%s.rtc;" % (home, name))
+        wanted = [("rtprint", ["rtprint", source + ":number"]), ("rtprint-stats", ["rtprint", "--stats", source + ":block"]),
+                  ("rtlog", ["rtlog", "-f", "log", source + ":number", source + ":block"]),
+                  ("rtwatch", ["rtwatch", home + "/ConsoleIn0.rtc", source]),
+                  ("rtvlog", ["rtvlog", home + "/Motor0.rtc"])]
+        if "rttop" in invocations.all_commands():
+            wanted.append(("rttop", ["rttop", home]))
+        watched = [Watched(name, words) for name, words in wanted] + [Watched("rtsh", ["rtsh"], feed.encode())]
+        end = time.monotonic() + SECONDS
+        while time.monotonic() < end:
+            time.sleep(SECONDS / 60)  # a period, not a wait for something
+            around.ctl("observed", "log", "Motor0", "ERROR", "motor", "hot")
+            for each in watched:
+                each.look()
+        said = []
+        for each in watched:
+            before, after = each.halves()
+            said.append("%s %d to %d kB, %d threads, %d files" % ((each.name, before[0]) + after))
+            with self.subTest(each.name):
+                self.assertIsNone(each.process.poll(), "it has ended")
+                self.assertLess(after[0], before[0] + GROWTH, each.seen)
+                self.assertLessEqual(after[1], before[1] + 1, each.seen)
+                self.assertLessEqual(after[2], before[2] + 1, each.seen)
+                self.assertLess(after[0], running.RESIDENT)
+            each.end()
+        print("figures: %d s side by side: %s" % (SECONDS, "; ".join(said)))
+
+
+if __name__ == "__main__":
+    unittest.main()

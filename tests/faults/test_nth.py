@@ -1,0 +1,270 @@
+"""The n-th call fails, for every n, of every command that makes several: what it reports is what has become of the robot.
+
+If one of these fails, an operator is told that a connection or a state is there which is not, or the other way round.
+"""
+import json
+import os
+import queue
+import unittest
+
+from faults import running
+
+ONCE = "what is reported does not depend on the Python"
+
+try:
+    import omniORB  # noqa: F401: the commands need it
+except ImportError:
+    raise unittest.SkipTest("needs omniORBpy")
+
+KINDS = ("TRANSIENT", "COMM_FAILURE", "UNKNOWN", "HANG", "LOST", "DIE")
+LANES = 4
+SHORT = 90             # cases
+UNSURE = (b"not known", b"no answer", b"connection lost", b"connection refused", b"cannot be reached", b"does not activate")
+
+
+class Lane:
+    """Two worlds, one component of interest in each, a manager, and the truth about them."""
+
+    def __init__(self, number):
+        self.place = "lane%d.host_cxt" % number
+        self.home = server + "/" + self.place
+        self.a, self.b, self.c = ["%s/%s.rtc" % (self.home, name) for name in ("ConsoleIn0", "ConsoleOut0", "composite0")]
+        self.file = around.profile(text, "lane%d.yaml" % number, server, self.a, self.b)
+        self.worlds = [None] * len(WORLDS)
+        self.renew()
+
+    def renew(self):
+        """Start what has died."""
+        for number, words in enumerate(WORLDS):
+            if self.worlds[number] is None:
+                self.worlds[number] = around.world(server, *words, "--context", self.place + "/%n.rtc")
+
+    def heal(self, broken):
+        """No faults any more, and no connections; a world that died or hangs is replaced."""
+        for number, name in enumerate(self.worlds):
+            if number == broken:
+                around.end(name)
+                self.worlds[number] = None
+        self.renew()
+        for name in self.worlds:
+            around.ctl(name, "reset")
+        for number, port in ((0, "ConsoleIn0:out"), (1, "ConsoleOut0:in")):
+            around.ctl(self.worlds[number], "forget", port)
+
+    def command(self, *words, timeout=10):
+        return running.run(list(words), around.top, RTCTREE_NAMESERVERS=server[1:], RTSHELL_TIMEOUT=str(timeout))
+
+    # the truth, None where there is nobody to tell it
+
+    def ctl(self, number, *words):
+        try:
+            return around.ctl(self.worlds[number], *words)
+        except AssertionError:
+            return None
+
+    def connected(self):
+        ends = [self.ctl(0, "connectors", "ConsoleIn0:out"), self.ctl(1, "connectors", "ConsoleOut0:in")]
+        if None in ends:
+            return None
+        return "half" if ends[0] != ends[1] else bool(ends[0])
+
+    def active(self, number, name):
+        found = self.ctl(number, "state", name)
+        return None if found is None else found == ["ACTIVE"]
+
+
+class Scenario:
+    """A command: `before` is run to prepare, `truth(lane)` gives {path or what: whether it is as the command wants it}."""
+
+    def __init__(self, name, words, truth, before=()):
+        self.name, self.words, self.truth, self.before = name, words, truth, before
+
+
+def states(wanted):
+    def truth(lane):
+        found = {lane.a: lane.active(0, "ConsoleIn0"), lane.b: lane.active(1, "ConsoleOut0")}
+        return {path: None if state is None else state == wanted for path, state in found.items()}
+    return truth
+
+
+def connection(wanted):
+    def truth(lane):
+        found = lane.connected()
+        return {"connection": found if found in (None, "half") else found == wanted}
+    return truth
+
+
+WORLDS = [["these", "ConsoleIn"], ["these", "ConsoleOut", "ConfigSample"], ["manager", "Motor"]]
+CON = ["rtcon", "a:out", "b:in"]
+SCENARIOS = [
+    Scenario("rtcon", CON, connection(True)),
+    Scenario("rtdis two ports", ["rtdis", "a:out", "b:in"], connection(False), [CON]),
+    Scenario("rtdis a component", ["rtdis", "a"], connection(False), [CON]),
+    Scenario("rtact", ["rtact", "a", "b"], states(True)),
+    Scenario("rtact --wait", ["rtact", "--wait=0.5", "a", "b"], states(True)),
+    Scenario("rtdeact", ["rtdeact", "a", "b"], states(False), [["rtact", "a", "b"]]),
+    Scenario("rtresurrect", ["rtresurrect", "--json", "file"], connection(True)),
+    Scenario("rtteardown", ["rtteardown", "--json", "file"], connection(False), [["rtresurrect", "file"]]),
+    Scenario("rtstart", ["rtstart", "--json", "--wait=0.5", "file"], states(True)),
+    Scenario("rtstop", ["rtstop", "--json", "--wait=0.5", "file"], states(False), [["rtact", "a", "b"]]),
+    Scenario("rtmgr -c", ["rtmgr", "-c", "Sensor?instance_name=New0", "m"],
+             lambda lane: {"New0": made(lane, "New0")}, [["rtmgr", "-d", "New0", "m"]]),
+    Scenario("rtmgr -d", ["rtmgr", "-d", "New0", "m"], lambda lane: {"New0": not made(lane, "New0")},
+             [["rtmgr", "-c", "Sensor?instance_name=New0", "m"]]),
+    Scenario("rtconf set", ["rtconf", "p", "set", "int_param0=77", "str_param0=x"], lambda lane: {"values": configured(lane)},
+             [["rtconf", "p", "set", "int_param0=1", "str_param0=y"]]),
+    Scenario("rtec rate", ["rtec", "a", "rate", "250"], lambda lane: {"rate": rate(lane) == 250.0}, [["rtec", "a", "rate", "1000"]]),
+]
+
+
+def made(lane, name):
+    """Does the slave have the component?"""
+    found = lane.ctl(2, "slave", "1", "components")
+    return found is not None and name in found
+
+
+def asked(lane, *words):
+    """What a command says when nothing is in its way."""
+    for name in lane.worlds:
+        try:
+            around.ctl(name, "reset")
+        except AssertionError:
+            pass
+    return [json.loads(line) for line in lane.command(*words).out.decode().splitlines()]
+
+
+def configured(lane):
+    found = [each for each in asked(lane, "rtconf", "--json", lane.home + "/ConfigSample0.rtc", "list") if each["active"]]
+    values = found[0]["values"] if found else next(
+        each["values"] for each in asked(lane, "rtconf", "--json", lane.home + "/ConfigSample0.rtc", "list") if each["id"] == "mode1")
+    return (values["int_param0"], values["str_param0"]) == ("77", "x")
+
+
+def rate(lane):
+    return asked(lane, "rtec", "--json", lane.a)[0]["rate"]
+
+
+def setUpModule():
+    global around, server, text, lanes
+    around = running.Surroundings()
+    server = around.name_server()
+    around.world(server, "linked")
+    text, _ = around.files(server)
+    lanes = queue.Queue()
+    for lane in running.together(Lane, range(LANES)):
+        lanes.put(lane)
+
+
+def tearDownModule():
+    around.close()
+
+
+class Case:
+    """One scenario in which the `nth` call of an operation to a world ends in some way."""
+
+    def __init__(self, scenario, world, operation, nth, kind):
+        self.scenario, self.world, self.operation, self.nth, self.kind = scenario, world, operation, nth, kind
+
+    def __str__(self):
+        return "%s: call %d of %s to world %d: %s" % (self.scenario.name, self.nth, self.operation, self.world, self.kind)
+
+    def run(self):
+        lane = lanes.get()
+        try:
+            self.prepare(lane)
+            around.ctl(lane.worlds[self.world], "fail", self.operation, str(self.nth), self.kind)
+            self.ran = lane.command(*meant(lane, self.scenario.words), timeout=running.TIMEOUT)
+            self.truth = self.scenario.truth(lane)
+        finally:
+            lane.heal(self.world if self.kind in ("DIE", "HANG", "LOST") else None)
+            lanes.put(lane)
+        return self
+
+    def prepare(self, lane):
+        for words in self.scenario.before:
+            ran = lane.command(*meant(lane, words))
+            assert ran.status == 0 or words[0] == "rtmgr", ran  # which may be there, or gone, from before
+        if self.scenario.name.startswith(("rtact", "rtstart")):
+            lane.command("rtdeact", "-q", lane.a, lane.b)
+        for name in lane.worlds:
+            around.ctl(name, "reset")
+
+    def counts(self):
+        """[(world, operation, how many)] of the calls when nothing fails."""
+        lane = lanes.get()
+        try:
+            self.prepare(lane)
+            ran = lane.command(*meant(lane, self.scenario.words))
+            assert ran.status == 0, ran
+            found = [(number, line.split()[1], int(line.split()[0])) for number, name in enumerate(lane.worlds)
+                     for line in around.ctl(name, "calls")]
+            truth = self.scenario.truth(lane)
+            assert all(truth.values()), (self.scenario.name, truth)
+        finally:
+            lane.heal(None)
+            lanes.put(lane)
+        return found
+
+    def problems(self):
+        ran = self.ran
+        if b"Traceback" in ran.err or b"internal error" in ran.err or ran.status in (2, 70) or ran.status > 128:
+            yield "a bug"
+        for what, true in self.truth.items():
+            told = self.told(what)
+            if true == "half":
+                if told is not None:
+                    yield "half connected"
+            elif true is not None and told not in (true, None):
+                yield "%s: told %s, is %s" % (what, told, true)
+        if ran.status == 0 and not ran.err and self.truth and not all(each in (True, None) for each in self.truth.values()):
+            yield "done, it says"
+
+    def told(self, what):
+        """What the command says became of it: True, False, or None where it is not sure."""
+        ran = self.ran
+        if b'"result"' in ran.out:
+            results = [json.loads(line)["result"] for line in ran.out.decode().splitlines()
+                       if what == "connection" and '"step": "connect' in line or '"path": "%s"' % what in line]
+            if "uncertain" in results:
+                return None
+            return set(results) <= {"done", "already", "already so"}
+        if self.scenario.name in ("rtstart", "rtstop") and b"Executing" not in ran.err:
+            return False  # nothing is tried where not all can be asked before
+        if what.startswith("/"):
+            lines = [line for line in ran.err.splitlines() if what.encode() in line]
+        else:
+            lines = ran.err.splitlines() if ran.status else []
+        if any(word in line for line in lines for word in UNSURE):
+            return None
+        return not lines
+
+
+def meant(lane, words):
+    names = {"a": lane.a, "b": lane.b, "a:out": lane.a + ":out", "b:in": lane.b + ":in", "file": lane.file,
+             "m": lane.home + "/manager.mgr", "p": lane.home + "/ConfigSample0.rtc"}
+    return [names.get(word, word) for word in words]
+
+
+def cases():
+    found = []
+    for scenario, counts in zip(SCENARIOS, running.together(lambda scenario: Case(scenario, 0, "", 0, "").counts(), SCENARIOS, LANES)):
+        for world, operation, count in counts:
+            for nth in range(1, count + 1):
+                found += [Case(scenario, world, operation, nth, kind) for kind in KINDS]
+    return found
+
+
+class Nth(unittest.TestCase):
+    def test_every_call_fails_once(self):
+        everything = cases()
+        done = running.together(Case.run, running.sample(everything, SHORT, int(os.environ.get("SEED", 1))), LANES)
+        print("figures: %d of %d faults in the middle of %d commands; %d of them were survived with status 0, longest run %.2f s"
+              % (len(done), len(everything), len(SCENARIOS), sum(case.ran.status == 0 for case in done),
+                 max(case.ran.seconds for case in done)))
+        for case in done:
+            with self.subTest(str(case)):
+                self.assertEqual(list(case.problems()), [], case.ran)
+
+
+if __name__ == "__main__":
+    unittest.main()
