@@ -52,18 +52,26 @@ def once_more(call):
 
 def context_refs(node):
     """References of the execution contexts that a component owns, and of those that it takes part in: two lists."""
+    return _refs(node, "get_owned_contexts"), _refs(node, "get_participating_contexts")
+
+
+def _refs(node, operation):
     from rtshell_lite.idl_stubs.component import RTC
-    return tuple([orb.narrow(ref, RTC.ExecutionContextService) for ref in node.call(operation) if ref is not None]
-                 for operation in ("get_owned_contexts", "get_participating_contexts"))
+    return [orb.narrow(ref, RTC.ExecutionContextService) for ref in node.call(operation) if ref is not None]
 
 
 def context_ref(node, index):
-    """The reference of the execution context number `index`: the owned ones from 0, then the participating ones."""
-    owned, participating = context_refs(node)
-    every = owned + participating
-    if not -len(owned) <= index < len(every):
+    """The reference of the execution context number `index`: the owned ones from 0, then the participating ones.
+
+    One call where it is an owned one, which it mostly is.
+    """
+    owned = _refs(node, "get_owned_contexts")
+    if -len(owned) <= index < len(owned):
+        return owned[index]
+    every = owned + _refs(node, "get_participating_contexts")
+    if not 0 <= index < len(every):
         raise errors.NoSuch(str(node.path), "execution context", "%d (it has %d)" % (index, len(every)))
-    return owned[index] if index < 0 else every[index]
+    return every[index]
 
 
 def context(node, ref):
@@ -193,17 +201,17 @@ def change_in(node, ref, transition, wait=None, called="this execution context",
         stage("told")
     if code == "RTC_OK" and wait is None:
         return before
-    now = _state_now(node, ref)
+    now = seen(lambda: state_in(node, ref))
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
         raise errors.Refused(str(node.path), "cannot %s: %s" % (transition.name, _reason(code, before, now, transition)))
     _until(node, ref, transition, now, rpc.timeout if wait is None else wait)
     return before
 
 
-def _state_now(node, ref):
-    """`state_in` after a request: who does not tell it may have done what was asked for. Raises Uncertain."""
+def seen(ask):
+    """What ask() tells after a change: who refuses to tell has perhaps done what was asked for. Raises Uncertain."""
     try:
-        return state_in(node, ref)
+        return ask()
     except errors.Refused as e:
         raise errors.Uncertain(*e.args)
 
@@ -235,7 +243,7 @@ def _until(node, ref, transition, now, seconds):
             raise errors.Unreachable(str(node.path), "not %s within %gs, still %s" % (transition.target, seconds, now))
         time.sleep(pause)
         pause = min(2 * pause, POLL)
-        now = _state_now(node, ref)
+        now = seen(lambda: state_in(node, ref))
 
 
 # ---- exit -----------------------------------------------------------------------------------------------------
