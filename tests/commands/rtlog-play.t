@@ -62,6 +62,9 @@ A part:
   $ rtlog -p -f b.rtlog -i -s -3 ConsoleOut0.rtc:in.n
   rtlog: start or end out of bounds (see --help)
   [2]
+  $ rtlog -p -f b.rtlog -s 1e300 ConsoleOut0.rtc:in.n
+  rtlog: start or end out of bounds (see --help)
+  [2]
   $ rtlog -p -f b.rtlog -i ConsoleOut0.rtc:in.n
   rtlog: WARNING: --index has no effect without --start or --end
   rtlog: End of log reached.
