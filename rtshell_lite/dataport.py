@@ -189,7 +189,8 @@ class Opened:
 
     def live(self):
         """The connections that may still bring or take something."""
-        return [each for each in self.connections if each.failure is None or isinstance(each.failure, errors.Silent)]
+        return [each for each in self.connections
+                if each.failure is None or each.connector and isinstance(each.failure, errors.Silent)]
 
     def _in_lanes(self, step, connections=None):
         connections = self.connections if connections is None else connections

@@ -25,3 +25,12 @@ While they are removed, at the command's own end; at most four are being removed
   [143]
   $ connected 1
   [1]
+
+A component that is silent when it is to connect; it may have taken the connection all the same, or may yet:
+
+  $ export RTSHELL_TIMEOUT=1; ctl reset; ctl fail connect 1 HANG; rtprint -n 1 ConsoleIn0.rtc:out
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 1s
+  [4]
+  $ ctl fail connect 1 HANG; rtinject -c 1 ConsoleOut0.rtc:in
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: no answer within 1s
+  [4]
