@@ -18,6 +18,8 @@ def arguments():
     parser.add_argument("--context", metavar="FORMAT", default="test.host_cxt/%n.rtc",
                         help="names to bind, like naming.formats of OpenRTM (default: %(default)s)".replace("%n", "%%n"))
     parser.add_argument("--port", type=int, default=0, help="IIOP port (default: any)")
+    parser.add_argument("--host", default="127.0.0.1", help="address to listen on (default: %(default)s)")
+    parser.add_argument("--publish", metavar="HOST", help="address that references tell (with --port; default: that of --host)")
     parser.add_argument("--control", metavar="PATH", default=os.environ.get("MOCK_CONTROL"),
                         help="Unix socket for ctl (default: MOCK_CONTROL)")
     parser.add_argument("--flavour", default="py2", help="cpp11, cpp12, cpp2, py2 (default), java, rtorb")
@@ -60,7 +62,7 @@ def main(argv):
 def play(args, worlds, flavour):
     """Set up the world, say so, and stay until told to go."""
     from . import control, naming, process, stage as staging
-    here = process.Process(args.port)
+    here = process.Process(args.port, args.host, args.publish)
     here.ledger.own_thread()
     server = args.nameserver or os.environ.get("RTCTREE_NAMESERVERS", "localhost").split(";")[0]
     options = Options(context=args.context, rate=args.rate, sync=args.sync, contexts=1, running=True,

@@ -31,9 +31,11 @@ class Locator(PortableServer__POA.ServantLocator):
 class Process:
     """The ORB of this process and the objects that it serves."""
 
-    def __init__(self, port=0):
-        endpoint = "giop:tcp:127.0.0.1:%s" % (port or "")
-        self.orb = CORBA.ORB_init([sys.argv[0], "-ORBendPoint", endpoint, "-ORBtraceLevel", "0",
+    def __init__(self, port=0, host="127.0.0.1", publish=None):
+        """`publish` is the address that references tell, where it is not that on which the process listens."""
+        published = ["-ORBendPointPublish", "giop:tcp:%s:%s" % (publish, port)] if publish else []
+        self.orb = CORBA.ORB_init([sys.argv[0], "-ORBendPoint", "giop:tcp:%s:%s" % (host, port or "")] + published + [
+                                   "-ORBtraceLevel", "0",
                                    "-ORBgiopMaxMsgSize", str(32 << 20)], CORBA.ORB_ID)  # as components that send images need it
         self.ledger = Ledger()
         self.locator = Locator(self.ledger)

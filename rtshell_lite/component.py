@@ -201,17 +201,17 @@ def change_in(node, ref, transition, wait=None, called="this execution context",
         stage("told")
     if code == "RTC_OK" and wait is None:
         return before
-    now = _state_now(node, ref)
+    now = seen(lambda: state_in(node, ref))
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
         raise errors.Refused(str(node.path), "cannot %s: %s" % (transition.name, _reason(code, before, now, transition)))
     _until(node, ref, transition, now, rpc.timeout if wait is None else wait)
     return before
 
 
-def _state_now(node, ref):
-    """`state_in` after a request: who does not tell it may have done what was asked for. Raises Uncertain."""
+def seen(ask):
+    """What ask() tells after a change: who refuses to tell has perhaps done what was asked for. Raises Uncertain."""
     try:
-        return state_in(node, ref)
+        return ask()
     except errors.Refused as e:
         raise errors.Uncertain(*e.args)
 
@@ -243,7 +243,7 @@ def _until(node, ref, transition, now, seconds):
             raise errors.Unreachable(str(node.path), "not %s within %gs, still %s" % (transition.target, seconds, now))
         time.sleep(pause)
         pause = min(2 * pause, POLL)
-        now = _state_now(node, ref)
+        now = seen(lambda: state_in(node, ref))
 
 
 # ---- exit -----------------------------------------------------------------------------------------------------

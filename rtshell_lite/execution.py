@@ -46,7 +46,7 @@ def set_rate(node, index, rate):
     """Set the rate (Hz) of a context and check that it took it. Raises Refused."""
     ref, where = component.context_ref(node, index), str(node.path)
     code = str(orb.ask(where, ref, "set_rate", rate))
-    now = orb.ask(where, ref, "get_rate")
+    now = component.seen(lambda: orb.ask(where, ref, "get_rate"))
     if code != "RTC_OK" or not same_rate(now, rate):
         raise errors.Refused(where, "does not take a rate of %g Hz (%s; it is %g Hz)" % (rate, code, now))
     return "%s: %g Hz" % (node.path, now)
@@ -70,7 +70,7 @@ def stop(node, index):
 def _run(node, index, operation, wanted):
     ref, where = component.context_ref(node, index), str(node.path)
     code = str(orb.ask(where, ref, operation))  # PRECONDITION_NOT_MET where it is so already
-    if bool(orb.ask(where, ref, "is_running")) != wanted:
+    if bool(component.seen(lambda: orb.ask(where, ref, "is_running"))) != wanted:
         raise errors.Refused(where, "its execution context does not %s (%s)" % (operation, code))
     return "%s: %s" % (node.path, "running" if wanted else "stopped")
 
@@ -95,7 +95,7 @@ def attach(node, index, other):
         raise errors.No(where, "%s owns this execution context" % str(other.path))
     if not _takes_part(found, other):
         code = str(orb.ask(where, ref, "add_component", other.typed))
-        if code != "RTC_OK" or not _takes_part(orb.ask(where, ref, "get_profile"), other):
+        if code != "RTC_OK" or not _takes_part(component.seen(lambda: orb.ask(where, ref, "get_profile")), other):
             raise errors.Refused(where, "its execution context does not take %s (%s)" % (str(other.path), code))
     return "%s: %s takes part" % (node.path, other.path)
 
@@ -108,7 +108,7 @@ def detach(node, index, other):
         raise errors.NoSuch(where, "participant", str(other.path))
     code = str(orb.ask(where, ref, "remove_component", other.typed))
     end = time.monotonic() + max(SETTLE_TIME, 3 / found.rate if found.rate > 0 else 0)
-    while _takes_part(orb.ask(where, ref, "get_profile"), other):
+    while _takes_part(component.seen(lambda: orb.ask(where, ref, "get_profile")), other):
         if time.monotonic() > end:
             raise errors.Refused(where, "its execution context does not let go of %s (%s)" % (str(other.path), code))
         time.sleep(component.POLL)

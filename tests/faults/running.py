@@ -51,17 +51,21 @@ def environment(**more):
     return found
 
 
-def start(words, where, more, **streams):
-    """Start a command that hears Ctrl-C: a runner in the background ignores it, and that is inherited."""
-    return subprocess.Popen([sys.executable, os.path.join(mocks.COMMANDS, words[0])] + words[1:], env=environment(**more), cwd=where,
+def start(words, where, more, inside=(), **streams):
+    """Start a command that hears Ctrl-C: a runner in the background ignores it, and that is inherited.
+
+    `inside` are words to put before it, such as those that enter a network namespace.
+    """
+    command = list(inside) + [sys.executable, os.path.join(mocks.COMMANDS, words[0])] + words[1:]
+    return subprocess.Popen(command, env=environment(**more), cwd=where,
                             preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), **streams)
 
 
-def run(words, where, **more):
-    """Run a command in the directory `where`, with more in its environment, and wait for it."""
+def run(words, where, inside=(), **more):
+    """Run a command in the directory `where`, with more in its environment, and wait for it; `inside`: see `start`."""
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         begun = time.monotonic()
-        process = start(words, where, more, stdin=subprocess.DEVNULL, stdout=out, stderr=err)
+        process = start(words, where, more, inside, stdin=subprocess.DEVNULL, stdout=out, stderr=err)
         killer = threading.Timer(LIMIT, process.kill)
         killer.start()
         os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)  # it stays as a zombie whose figures can be read
@@ -204,5 +208,7 @@ class Surroundings:
             process.wait()
         for path in glob.glob(os.path.join(glob.escape(self.top), "names*.pid")):
             with open(path) as file:
-                os.kill(int(file.read()), signal.SIGKILL)
+                number = int(file.read())
+            if number not in [process.pid for process in self.processes]:
+                os.kill(number, signal.SIGKILL)
         shutil.rmtree(self.top, ignore_errors=True)

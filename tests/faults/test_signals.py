@@ -2,16 +2,24 @@
 
 If one of these fails, an operator who gives up on a command leaves observers, half connections or half a file on the robot.
 """
+import fcntl
 import os
+import pty
 import queue
 import random
 import re
 import signal
+import struct
+import subprocess
+import sys
 import tempfile
+import termios
+import threading
 import time
 import unittest
 
 import invocations
+import mocks
 from faults import running
 from rtshell_lite import datalog, errors, xmlprofile
 
@@ -106,7 +114,7 @@ class Case:
     def try_in(self, lane):
         words = [self.command] + invocations.words(self.line, lane.meant)
         with tempfile.TemporaryDirectory(dir=around.top) as where, tempfile.TemporaryFile() as output:
-            process = running.start(words, where, {"RTCTREE_NAMESERVERS": server[1:]}, stdin=running.subprocess.DEVNULL,
+            process = running.start(words, where, {"RTCTREE_NAMESERVERS": server[1:]}, stdin=subprocess.DEVNULL,
                                     stdout=output, stderr=output)
             time.sleep(self.moment)
             before = running.waited_for_processor(process.pid)
@@ -168,7 +176,59 @@ def cases():
     return [Case(number, *(each + (SIGNALS[number % 3],))) for number, each in enumerate(found)]
 
 
+class Screen:
+    """A command on a terminal, which is there still when the command has gone."""
+
+    def __init__(self, words):
+        self.master, self.slave = pty.openpty()
+        fcntl.ioctl(self.master, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
+        self.before = termios.tcgetattr(self.slave)
+        self.process = subprocess.Popen(
+            [sys.executable, os.path.join(mocks.COMMANDS, words[0])] + words[1:], cwd=around.top, preexec_fn=self.take,
+            env=running.environment(RTCTREE_NAMESERVERS=server[1:], HOME=around.top), stdin=self.slave, stdout=self.slave,
+            stderr=self.slave)
+        self.said = b""
+        self.listener = threading.Thread(target=self.listen, daemon=True)
+        self.listener.start()
+
+    def take(self):
+        os.setsid()
+        fcntl.ioctl(0, termios.TIOCSCTTY, 0)
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+    def listen(self):
+        while True:
+            try:
+                self.said += os.read(self.master, 65536)
+            except OSError:
+                return
+
+
 class Signals(unittest.TestCase):
+    def test_the_terminal_is_as_it_was(self):
+        """Also for those that take it over, ended at any moment; Ctrl-C is typed."""
+        dice = random.Random(11)
+        for words in [words for words in (["rttop"], ["rtsh"]) if words[0] in invocations.all_commands()]:
+            for which in ("\x03", signal.SIGTERM, signal.SIGHUP) * (10 if running.THOROUGH else 2):
+                if (words[0], which) == ("rtsh", "\x03"):
+                    which = "\x04"  # Ctrl-C ends a line only
+                screen, moment = Screen(words), dice.uniform(0.05, 0.8)
+                with self.subTest(words=words, which=which, moment=moment):
+                    time.sleep(moment)
+                    if isinstance(which, str):
+                        mocks.eventually(lambda: screen.said, "a prompt, which takes what is typed")
+                        os.write(screen.master, which.encode())
+                    else:
+                        screen.process.send_signal(which)
+                    screen.process.wait(running.LIMIT)
+                    self.assertEqual(termios.tcgetattr(screen.slave), screen.before, screen.said)
+                    os.close(screen.slave)
+                    screen.listener.join(running.LIMIT)  # all that was said has been heard
+                    self.assertEqual(screen.said.count(b"\x1b[?1049h"), screen.said.count(b"\x1b[?1049l"), screen.said)
+                    self.assertEqual(screen.said.count(b"\x1b[?25l") > 0, b"\x1b[?25h" in screen.said, screen.said)
+                    self.assertNotRegex(screen.said, rb"rtshell_lite/\w+\.py")
+                os.close(screen.master)
+
     def test_every_command_goes_at_once_and_leaves_nothing(self):
         done = running.together(Case.run, cases(), LANES)
         caught = [case.seconds for case in done if case.status == 128 + case.which]

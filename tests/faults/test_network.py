@@ -1,0 +1,180 @@
+"""Two robots and a laptop, each in a network of its own, a cable that is pulled, and an address that leads nowhere.
+
+If one of these fails, the tool works on the desk and not at the robot. Needs `ip netns`, and the right to use it.
+"""
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+from faults import running
+
+ONCE = "what a network does is the same for every Python"
+ALONE = "it measures times"
+
+try:
+    import omniORB  # noqa: F401: the commands need it
+except ImportError:
+    raise unittest.SkipTest("needs omniORBpy")
+
+HOSTS = {"laptop": "10.77.0.1", "robot1": "10.77.0.2", "robot2": "10.77.0.3"}
+NOWHERE = "10.77.0.99"  # nobody has it: questions who does are not answered
+MARK = "rt%d" % os.getpid()
+PORT = 2809
+
+
+def ip(*words):
+    """Run ip; raises CalledProcessError."""
+    subprocess.run(("ip",) + words, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+
+
+def namespace(name):
+    return "%s-%s" % (MARK, name)
+
+
+def inside(name):
+    return ["ip", "netns", "exec", namespace(name)]
+
+
+def build():
+    """The hosts, and a switch with a bridge that joins them."""
+    ip("netns", "add", namespace("switch"))
+    ip("-n", namespace("switch"), "link", "add", "bridge", "type", "bridge")
+    ip("-n", namespace("switch"), "link", "set", "bridge", "up")
+    for name, address in HOSTS.items():
+        ip("netns", "add", namespace(name))
+        ip("-n", namespace("switch"), "link", "add", name, "type", "veth", "peer", "name", "eth0", "netns", namespace(name))
+        ip("-n", namespace("switch"), "link", "set", name, "master", "bridge", "up")
+        ip("-n", namespace(name), "link", "set", "lo", "up")
+        ip("-n", namespace(name), "address", "add", address + "/24", "dev", "eth0")
+        ip("-n", namespace(name), "link", "set", "eth0", "up")
+
+
+def setUpModule():
+    global around
+    if not shutil.which("ip"):
+        raise unittest.SkipTest("needs ip (iproute2)")
+    try:
+        build()
+    except subprocess.CalledProcessError as e:
+        unbuild()
+        raise unittest.SkipTest("this machine allows no network namespaces: " + e.stderr.decode().strip())
+    around = running.Surroundings()
+    for name, words in (("robot1", ["these", "ConsoleIn"]), ("robot2", ["these", "ConsoleOut"])):
+        populate(name, words)
+
+
+def populate(name, words):
+    """A name server on a host, and components."""
+    data = around.directory("names-" + name)
+    start("names-" + name, name, [running.peers.nameserver.binary(), "-start", str(PORT), "-logdir", data,
+                                  "-ORBendPoint", "giop:tcp:%s:%d" % (HOSTS[name], PORT)])
+    end = time.monotonic() + running.LIMIT
+    while laptop("rtls", "/" + HOSTS[name]).status:
+        assert time.monotonic() < end, "omniNames on %s does not answer" % name
+    world(name, name, words)
+
+
+def start(label, host, command):
+    process = running.peers.start(label, inside(host) + command)
+    around.processes.append(process)
+    return process
+
+
+def world(label, host, words, *options):
+    process = start(label, host, [sys.executable, "-m", "mock_components", "--host", HOSTS[host], "--control",
+                                  running.peers.control(label), "--nameserver", "%s:%d" % (HOSTS[host], PORT)] + list(options) + words)
+    running.peers.ready(process, label)
+
+
+def tearDownModule():
+    around.close()
+    unbuild()
+
+
+def unbuild():
+    for name in list(HOSTS) + ["switch"]:
+        subprocess.run(["ip", "netns", "del", namespace(name)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+
+def laptop(*words, timeout=running.TIMEOUT):
+    return running.run(list(words), around.top, inside("laptop"), **surroundings(timeout))
+
+
+def surroundings(timeout):
+    return {"RTCTREE_NAMESERVERS": "%(robot1)s;%(robot2)s" % HOSTS, "RTSHELL_TIMEOUT": str(timeout)}
+
+
+def cable(name, how):
+    """Pull the cable of a host at the switch ("down"), or plug it in again ("up"): the host itself does not notice."""
+    ip("-n", namespace("switch"), "link", "set", name, how)
+
+
+A, B = "/%s/test.host_cxt/ConsoleIn0.rtc" % HOSTS["robot1"], "/%s/test.host_cxt/ConsoleOut0.rtc" % HOSTS["robot2"]
+BOUND = running.TIMEOUT + running.SLACK
+
+
+class Network(unittest.TestCase):
+    def ends(self, ran, status, seconds=BOUND):
+        self.assertIn(ran.status, status, ran)
+        self.assertLess(ran.seconds, seconds + self.start_up, ran)
+        self.assertNotIn(b"Traceback", ran.err)
+
+    def test_a_cable_is_pulled(self):
+        seen = laptop("rtls", "-R", "/", timeout=10)
+        self.start_up = seen.seconds
+        self.assertEqual(seen.status, 0, seen)
+        self.assertEqual(laptop("rtcon", A + ":out", B + ":in", timeout=10).status, 0)
+        around.ctl("robot1", "write", "ConsoleIn0:out", "42")
+        self.assertEqual(around.ctl("robot2", "received", "ConsoleOut0:in", "1"), ["1 42"])
+        lasting = [running.start(words, around.top, surroundings(running.TIMEOUT), inside("laptop"), stdout=subprocess.DEVNULL,
+                                 stderr=subprocess.DEVNULL)
+                   for words in (["rtwatch", A, B], ["rtfind", "--wait", "60", "/", "-n", "none"], ["rtprint", A + ":out"])]
+        while not len(around.ctl("robot1", "connectors", "ConsoleIn0:out")) == 2:  # until rtprint is there
+            time.sleep(0.02)
+        cable("robot2", "down")
+        # the component on robot1 waits for its peer, too: those that ask it, and robot2 before, wait twice
+        for words, status in ((["rtls", "-l", "-R", "/"], (4, 5)), (["rtls", "/" + HOSTS["robot2"]], (4,)), (["rtcat", B], (4,)),
+                              (["rtact", A, B], (4, 5)), (["rtcon", A + ":out", B + ":in"], (4,)), (["rtfind", "/"], (4, 5)),
+                              (["rtdel", "-z"], (4, 5)), (["rtdis", B], (4,))):
+            with self.subTest(" ".join(words)):
+                self.ends(laptop(*words), status, BOUND + running.TIMEOUT if A in words[1] or "-l" in words else BOUND)
+        self.assertIn(b"ConsoleIn0", laptop("rtls", "-R", "/").out)
+        self.ends(laptop("rtdoctor", "-q"), (1,), 3 * running.TIMEOUT + running.SLACK)
+        for process in lasting:  # while what they hold is out of reach
+            begun = time.monotonic()
+            process.send_signal(signal.SIGINT)
+            process.wait(running.LIMIT)
+            self.assertLess(time.monotonic() - begun, BOUND + self.start_up, process.args)
+        cable("robot2", "up")
+        end = time.monotonic() + running.LIMIT
+        while laptop("rtls", "-l", "-R", "/").status:  # the hosts have to find each other again
+            self.assertLess(time.monotonic(), end)
+        self.assertEqual(laptop("rtdis", A, timeout=10).status, 0)
+        self.assertEqual((around.ctl("robot1", "connectors", "ConsoleIn0:out"), around.ctl("robot2", "connectors", "ConsoleOut0:in")),
+                         ([], []))
+        self.assertEqual(laptop("rtcon", A + ":out", B + ":in", timeout=10).status, 0)
+
+    def test_an_address_that_leads_nowhere(self):
+        """It lives, but from here it cannot be reached: it is told so, and its name is not taken for that of a dead one."""
+        self.start_up = laptop("rtls", "/" + HOSTS["robot1"], timeout=10).seconds
+        world("lost", "robot1", ["these", "Mock:Lost0"], "--publish", NOWHERE, "--port", "2999")
+        lost = "/%s/test.host_cxt/Lost0.rtc" % HOSTS["robot1"]
+        ran = laptop("rtcat", lost)
+        self.ends(ran, (4,))
+        for words in (["rtls", "-l", lost], ["rtdel", "-z"], ["rtdel", "-z", lost], ["rtact", lost], ["rtls", "-R", "/"]):
+            with self.subTest(" ".join(words)):
+                self.ends(laptop(*words), (0, 3, 4, 5))
+        time.sleep(3.2)  # by now the kernel knows that nobody has the address, and refuses at once
+        for words in (["rtls", "-l", lost], ["rtdel", "-z"], ["rtdel", "-z", lost]):
+            with self.subTest(" ".join(words)):
+                self.ends(laptop(*words), (0, 3, 4, 5))
+        self.assertIn(b"Lost0.rtc", laptop("rtls", "/%s/test.host_cxt" % HOSTS["robot1"]).out)
+        self.assertIn(NOWHERE.encode(), laptop("rtdoctor", lost).out)
+
+
+if __name__ == "__main__":
+    unittest.main()
