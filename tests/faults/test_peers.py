@@ -22,7 +22,8 @@ SHORT = 250             # of 4,500 cases
 LIST_LIMIT = 60.0       # seconds for 20,000 names, each of which is asked for and then asked
 LIST_RESIDENT = 96 * 1024   # kB for them: a line, or a failure, of each is kept until it can be sorted
 
-# The doctor promises three times the timeout; what asks one after the other may wait as often.
+# The doctor promises three times the timeout; what asks one after the other may wait as often, such as rtcheck --extra, which
+# asks the components of the file, then all bad peers at once, for their ports and then for their profiles.
 PATIENCE = {"rtdoctor": 3, "rtsh": 2}
 
 BAD = {4}               # the peer is dead, silent or garbled
@@ -74,7 +75,8 @@ class Case:
         if self.mode == "many" and self.role == "server" and re.search("SERVER", self.line):
             return LIST_LIMIT
         asked = sum(float(seconds) for seconds in re.findall(r"(?:-t|--wait|--measure)[ =]([\d.]+)", self.line))
-        return asked + running.TIMEOUT * PATIENCE.get(self.command, 1) + running.SLACK + start_up
+        patience = 3 if "--extra" in self.line else PATIENCE.get(self.command, 1)
+        return asked + running.TIMEOUT * patience + running.SLACK + start_up
 
     def problems(self):
         """What is wrong with what it did."""
@@ -103,8 +105,8 @@ class Case:
         return BAD | ALSO[self.role].get(self.command, set())
 
     def most_lines(self):
-        """One line, or one of each command of rtsh."""
-        return 2 if self.command == "rtsh" else 1
+        """One line, or one of each command of rtsh, of the component and of its connection."""
+        return 2 if self.command in ("rtsh", "rtteardown") else 1
 
 
 def setUpModule():
