@@ -3,6 +3,8 @@
 Each is looked at first, done only if it is not so, and looked at again, so that what is reported is what there is. Steps that
 concern one component are done one by one, in their order where that matters, others at the same time.
 """
+import time
+
 from rtshell_lite import errors, rpc, steps, tree
 
 DONE, SO, FAILED, UNTRIED = "done", "already so", "failed", "not tried"
@@ -16,6 +18,7 @@ class Outcome:
     def __init__(self, step, status=UNTRIED, error=None):
         self.step, self.status, self.error = step, status, error
         self.before = self.after = None
+        self.flying = False  # True while it is being done
         self.likely = False  # True for one that is so now, and that an earlier step may change
 
     @property
@@ -74,14 +77,19 @@ def _spoilt(outcomes):
 
 def _roll_back(outcomes):
     """Undo what has been done, the last first."""
+    limit = time.monotonic() + rpc.timeout + rpc.GRACE
+    while any(each.flying for each in outcomes) and time.monotonic() < limit:  # what is done later could not be undone
+        time.sleep(rpc.TICK)
     for each in reversed([each for each in outcomes if each.status in (DONE, UNSURE)]):
         each.fail(errors.No(each.step.where, "interrupted while it was undone"), STUCK)
-        failure = _tried(each, lambda: each.step.undo(each.before, each.after or each.before))
+        if each.after is None:  # it was interrupted before it was looked at again
+            each.after = _answers([each])[0]
+        failure = _tried(each, lambda: each.step.undo(each.before, each.after))
         try:
             undone = not each.step.so(_answers([each])[0])
         except errors.Error as e:
             undone, failure = isinstance(e, errors.Gone), failure or e
-        if undone:
+        if undone and not each.flying:
             each.status, each.error = UNDONE, None
         else:
             each.fail(failure or errors.Refused(each.step.where, "is as it was made"), STUCK)
@@ -166,11 +174,8 @@ def _bury(outcomes, others=()):
 
 def _carry_out(level, outcomes):
     """Do the steps of one level."""
-    def act(each):
-        each.fail(errors.No(each.step.where, "interrupted while it was done"), UNSURE)  # what stays if we are interrupted
-        each.step.act(each.before)
     todo = _look(level)
-    results = rpc.gather([_job(each, lambda each=each: act(each)) for each in todo])
+    results = rpc.gather([_job(each, lambda each=each: _act(each)) for each in todo])
     for each, result in zip(todo, results):
         if isinstance(result, errors.Silent):
             # one call was lost; whether the process answers others decides what is reported
@@ -186,6 +191,19 @@ def _carry_out(level, outcomes):
     for each in level:
         if each.error is not None:
             each.step.give_up(each.error)
+
+
+def _act(each):
+    """Do a step, and note what is known of it if we are interrupted before it is judged."""
+    interrupted = errors.No(each.step.where, "interrupted while it was done")
+    each.fail(interrupted, UNSURE)
+    each.flying = True
+    try:
+        each.step.act(each.before)
+        if each.error is interrupted:  # else it was given up, and has been judged
+            each.status, each.error = DONE, None
+    finally:
+        each.flying = False
 
 
 def _job(each, call):

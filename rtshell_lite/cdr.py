@@ -363,8 +363,10 @@ class _Maker:
         def read(data, at):
             if at >= len(data) or data[at] not in (2, 4) or at + 1 + data[at] > len(data):
                 raise Fault("a wide character without its size")
-            end = at + 1 + data[at]
-            return _utf16(data[at + 1:end]), end
+            text, end = _utf16(data[at + 1:at + 1 + data[at]]), at + 1 + data[at]
+            if len(text) != 1 or text > "\uffff":
+                raise Fault("not one UTF-16 unit")
+            return text, end
         return read
 
     def write_wchar(self, _):

@@ -52,18 +52,26 @@ def once_more(call):
 
 def context_refs(node):
     """References of the execution contexts that a component owns, and of those that it takes part in: two lists."""
+    return _refs(node, "get_owned_contexts"), _refs(node, "get_participating_contexts")
+
+
+def _refs(node, operation):
     from rtshell_lite.idl_stubs.component import RTC
-    return tuple([orb.narrow(ref, RTC.ExecutionContextService) for ref in node.call(operation) if ref is not None]
-                 for operation in ("get_owned_contexts", "get_participating_contexts"))
+    return [orb.narrow(ref, RTC.ExecutionContextService) for ref in node.call(operation) if ref is not None]
 
 
 def context_ref(node, index):
-    """The reference of the execution context number `index`: the owned ones from 0, then the participating ones."""
-    owned, participating = context_refs(node)
-    every = owned + participating
-    if not -len(owned) <= index < len(every):
+    """The reference of the execution context number `index`: the owned ones from 0, then the participating ones.
+
+    One call where it is an owned one, which it mostly is.
+    """
+    owned = _refs(node, "get_owned_contexts")
+    if -len(owned) <= index < len(owned):
+        return owned[index]
+    every = owned + _refs(node, "get_participating_contexts")
+    if not 0 <= index < len(every):
         raise errors.NoSuch(str(node.path), "execution context", "%d (it has %d)" % (index, len(every)))
-    return owned[index] if index < 0 else every[index]
+    return every[index]
 
 
 def context(node, ref):

@@ -7,6 +7,7 @@
 The connector is removed however the `with` statement ends. Commands call cli.unwind_when_ended() before.
 """
 import collections
+import sys
 import threading
 import time
 
@@ -21,6 +22,7 @@ QUEUE = 4096  # values the port may queue between two looks while writes are cou
 SMALL_BUFFER, LARGE_BUFFER = 256, 16  # values the port may queue for a reader: of fixed size, of any size
 POLL = 0.02  # seconds between two looks at a queue
 LOOK = 1.0  # seconds between two looks whether a port that sends nothing is still there
+SWITCH = 0.0005  # seconds that a component may have to wait for Python's lock, 0.005 else (290, now 430 MB/s recorded)
 GRACE = 0.2  # seconds that an interrupted command waits for connectors that are just being made
 
 
@@ -229,6 +231,7 @@ class Reader(Connection):
         if self.dataflow == "pull":
             return dict(common, **{"dataport.subscription_type": "new", "dataport.buffer.read.empty_policy": "do_nothing"})
         from rtshell_lite import servants
+        sys.setswitchinterval(SWITCH)
         self.served = servants.Served(servants.RECEIVERS[self.interface](self._take))
         subscription = self.subscription or ports.connection_properties([self.port], {})["dataport.subscription_type"]
         return dict(common, **{

@@ -1,9 +1,11 @@
 """Values that have come and wait to be used: those who bring them never wait, what does not fit is dropped and counted."""
 import collections
 import threading
+import time
 
 MOST = 100000  # values
-MOST_BYTES = 256 << 20
+MOST_BYTES = 64 << 20  # robots have little memory
+GATHER = 0.005  # seconds: to be woken for each value costs those who bring them half of their speed
 
 
 class Inbox:
@@ -24,16 +26,20 @@ class Inbox:
                 return
             self.waiting.append((key, message))
             self.bytes += size
-            self.arrived.notify()
+            if len(self.waiting) == 1:
+                self.arrived.notify()
 
     def taker(self, key):
         """The function that takes the values of `key`."""
         return lambda message: self.put(key, message)
 
     def get(self, seconds):
-        """All that has come, as a list in that order; waits up to `seconds` for the first one."""
+        """All that has come, as a list in that order; waits up to `seconds` for the first one, and GATHER for those behind it."""
+        if seconds:
+            with self.arrived:
+                if not self.waiting:
+                    self.arrived.wait(seconds)
+            time.sleep(min(seconds, GATHER))
         with self.arrived:
-            if not self.waiting:
-                self.arrived.wait(seconds)
             taken, self.waiting, self.bytes = self.waiting, [], 0
         return taken

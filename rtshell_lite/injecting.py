@@ -9,7 +9,8 @@ import time
 from rtshell_lite import errors, rpc, values
 
 TICK = 0.2  # seconds between two looks at what is not a value
-LATE = 0.1  # seconds that may be caught up; what is later than that stays late, so that no burst follows a hiccup
+LATE = 1.0  # seconds that may be caught up; what is later than that stays late
+HURRY = 2  # how many times the rate values may come then: no burst follows a hiccup
 
 
 class Constant:
@@ -111,13 +112,12 @@ class Injection:
             expressions = self.checked(*found)
             if due >= end:
                 return
-            self._wait(due, look)
+            self._wait(max(due, self.ended + 1 / rate / HURRY), look)
             for error in self._send(expressions):
                 yield error
             now = time.monotonic()
             due = now if rate == math.inf else due + 1 / rate
-            if due < now - LATE:
-                due = now
+            due = max(due, now - LATE)
 
     def live(self):
         """(Writer, its place) of those that can be sent to."""

@@ -23,7 +23,7 @@ class Node:
 
     def __init__(self, path, kind, ref=None, error=None):
         self.path, self.kind, self.ref, self.error = path, kind, ref, error
-        self._endpoint = None
+        self._endpoint = self._typed = None
 
     @property
     def name(self):
@@ -48,6 +48,11 @@ class Node:
     @property
     def typed(self):
         """`ref` as a reference of the interface that its kind implies; the stubs are imported only here."""
+        if self._typed is None:
+            self._typed = self._narrowed()
+        return self._typed
+
+    def _narrowed(self):
         if self.kind in ("server", "directory"):
             return orb.context(self.ref)
         if self.kind == "manager":

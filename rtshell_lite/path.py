@@ -73,7 +73,10 @@ ROOT = Path(None, (), None, False)
 
 def _spelt(s, more=""):
     """`s` with everything escaped that the parser would take for something else."""
-    return "".join("\\" + c if c in "/:" + more else c for c in printable(s))
+    s = printable(s)
+    for c in "/:" + more:
+        s = s.replace(c, "\\" + c)
+    return s
 
 
 def _spelt_server(server):
@@ -121,6 +124,8 @@ def _working_directory(cwd):
 
 def _cut(text, separator):
     """Split at every `separator` that no backslash protects; the pieces stay escaped."""
+    if "\\" not in text:
+        return text.split(separator)
     pieces, start = [], 0
     for found in re.finditer(r"\\.|.", text, re.DOTALL):
         if found.group() == separator:

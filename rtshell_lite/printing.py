@@ -9,6 +9,7 @@ import time
 from rtshell_lite import datatypes, errors, flow, text, values
 
 TICK = 0.2  # seconds between two looks at what is not a value: dead ports, the end of the time
+PORTION = 1 << 16  # characters that are written at once
 LONG = 8  # elements of a sequence that are shown on a terminal
 USER_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)  # what a formatter may well raise
 
@@ -113,6 +114,18 @@ def batches(box, opened, look, seconds=math.inf, rate=None):
         yield sorted(dict(batch).items()) if rate else batch
         if last:
             return
+
+
+def portions(lines):
+    """Lines put together to strings of some length: many small writes cost time, a large one memory."""
+    some, size = [], 0
+    for line in lines:
+        some.append(line)
+        size += len(line)
+        if size >= PORTION:
+            yield "".join(some)
+            some, size = [], 0
+    yield "".join(some)
 
 
 # ---- figures --------------------------------------------------------------------------------------------------

@@ -124,16 +124,18 @@ def ask(endpoint, where, call):
 def gather(jobs):
     """Run all `jobs` (iterable of Job) and return their values in order; a failed job's value is its errors.Error."""
     jobs = list(jobs)
-    values, peers, done = [None] * len(jobs), {}, queue.Queue()
+    values, peers, results = [None] * len(jobs), {}, _Results(len(jobs))
     for i, job in enumerate(jobs):
         peer = peers.get(job.endpoint) or peers.setdefault(job.endpoint, _Peer(job.endpoint))
         peer.todo.append((i, job))
         peer.open.add(i)
     for peer in peers.values():
         for _ in range(min(LANES, len(peer.todo))):
-            threading.Thread(target=_work, args=(peer, done), daemon=True).start()
+            threading.Thread(target=_work, args=(peer, values, results), daemon=True).start()
     try:
-        _collect(jobs, values, peers, done)
+        while not results.complete.wait(TICK):
+            alive()  # for a gather inside a lane
+            _give_up(peers.values(), jobs, values, results)
     finally:
         for peer in peers.values():  # when Ctrl-C interrupts it, nothing more is begun
             peer.todo.clear()
@@ -143,41 +145,47 @@ def gather(jobs):
     return values
 
 
-def _collect(jobs, values, peers, done):
-    """Put what the lanes send into `values` until all is there."""
-    waiting = len(jobs)
-    while waiting:
-        alive()  # for a gather inside a lane
-        try:
-            peer, i, value = done.get(timeout=TICK)
-        except queue.Empty:
-            waiting -= _give_up(peers.values(), jobs, values)
-            continue
-        if i in peer.open:  # not given up before
-            peer.open.remove(i)
-            values[i] = value
-            waiting -= 1
+class _Results:
+    """How many values are still to come. Who waits is woken once, in the end: at each of 1,000 values, it cost as much as the calls."""
+
+    def __init__(self, count):
+        self.lock, self.left, self.complete = threading.Lock(), count, threading.Event()
+        self.came(0)
+
+    def came(self, count):
+        """Take note of values; the lock is held."""
+        self.left -= count
+        if not self.left:
+            self.complete.set()
 
 
-def _work(peer, done):
+def _work(peer, values, results):
     _lane.peer = peer
     while True:
         try:
             i, job = peer.todo.popleft()
         except IndexError:
             return
-        if peer.silence or is_over():
-            done.put((peer, i, errors.Silent(job.where, peer.silence or NO_TIME)))
-            continue
-        alive()
-        try:
-            value = job.call()
-        except errors.Silent as e:
-            value = _alone(e)
-            peer.fall_silent(e.args[1])
-        except Exception as e:
-            value = _alone(e)
-        done.put((peer, i, value))
+        value = _value(peer, job)
+        with results.lock:
+            if i in peer.open:  # not given up before
+                peer.open.remove(i)
+                values[i] = value
+                results.came(1)
+
+
+def _value(peer, job):
+    """What a job gives: its value, or the exception that it raises."""
+    if peer.silence or is_over():
+        return errors.Silent(job.where, peer.silence or NO_TIME)
+    alive()
+    try:
+        return job.call()
+    except errors.Silent as e:
+        peer.fall_silent(e.args[1])
+        return _alone(e)
+    except Exception as e:
+        return _alone(e)
 
 
 def _alone(e):
@@ -187,9 +195,9 @@ def _alone(e):
     return e
 
 
-def _give_up(peers, jobs, values):
-    """Fail the open jobs of peers that stayed silent too long; returns how many."""
-    count, now = 0, time.monotonic()
+def _give_up(peers, jobs, values, results):
+    """Fail the open jobs of peers that stayed silent too long."""
+    now = time.monotonic()
     for peer in peers:
         silent_too_long = now - peer.heard > peer.limit + GRACE
         if peer.open and (silent_too_long or is_over()):
@@ -197,11 +205,11 @@ def _give_up(peers, jobs, values):
             if silent_too_long:
                 peer.fall_silent(why)
             peer.todo.clear()
-            for i in peer.open:
-                values[i] = errors.Silent(jobs[i].where, why)
-            count += len(peer.open)
-            peer.open.clear()
-    return count
+            with results.lock:
+                for i in peer.open:
+                    values[i] = errors.Silent(jobs[i].where, why)
+                results.came(len(peer.open))
+                peer.open.clear()
 
 
 def is_over():

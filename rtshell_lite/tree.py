@@ -7,6 +7,7 @@ Resolution is lazy: only what a path names is asked. As a library:
         print(node.path, node.kind)
 """
 import collections
+import functools
 import os
 import re
 
@@ -52,8 +53,12 @@ def _is_server(word):
 
 def _server(path):
     """The node of the name server that `path` begins with; contacts nobody."""
-    where = Path(path.server, (), None, False)
-    return Node(where, "server", orb.corbaloc(str(where), path.server, "NameService", DEFAULT_PORT))
+    return Node(Path(path.server, (), None, False), "server", _reference(path.server))
+
+
+@functools.lru_cache(maxsize=64)
+def _reference(server):
+    return orb.corbaloc(str(Path(server, (), None, False)), server, "NameService", DEFAULT_PORT)
 
 
 def lane(path):

@@ -1,8 +1,9 @@
 """What rtdoctor says of things that no mock of ours does: if one of these fails, it stumbles over a broken robot."""
 import unittest
+from unittest import mock
 
-from rtshell_lite import component, path, ports, tree
-from rtshell_lite.doctor import components, connections
+from rtshell_lite import component, errors, orb, path, ports, tree
+from rtshell_lite.doctor import components, connections, here, servers
 
 
 class Connections(unittest.TestCase):
@@ -13,6 +14,43 @@ class Connections(unittest.TestCase):
         finding, = connections._troubles(connections.Link(components.Examined([node]), port, connector), {})
         self.assertEqual(finding, ("fail", "connection", "/localhost/In0.rtc:out", "connection out_in has an end that is nothing (nil)",
                                    "rtdis -i one /localhost/In0.rtc:out"))
+
+    def test_what_one_end_does_not_have(self):
+        there = ports.Connector("one", "c", [], [("x", "1")])
+        here = ports.Connector("one", "c", [], [("x", "1"), ("dataport.dataflow_type", "push")])
+        port = ports.Port(tree.Node(path.parse("/localhost/In0.rtc"), "component", None), "In0.out", "DataOutPort", {}, [], [here],
+                          None, None)
+        found = connections._differences(connections.Link(None, port, here),
+                                         connections.End(port._replace(connectors=[there]), None, "/far.rtc:in"), "mend")
+        self.assertEqual([finding.message for finding in found], ["dataport.dataflow_type is push here, missing at /far.rtc:in"])
+
+
+class Here(unittest.TestCase):
+    def test_an_old_omniorb(self):
+        with mock.patch.object(orb, "version", lambda: "3.7.1"), mock.patch.object(orb, "start"):
+            finding, = here._programs()
+        self.assertEqual(finding.level, "warn")
+        self.assertIn("omniORBpy 3.7.1: older than 4.0, untried", finding.message)
+
+
+class NameServers(unittest.TestCase):
+    """omniNames does nothing of this."""
+
+    def stopped(self, check, answer):
+        def call(*_):
+            if isinstance(answer, Exception):
+                raise answer
+            return answer
+        with mock.patch.object(orb, "call", call), mock.patch.object(orb, "endpoint", lambda ref: ("robot1", 2809)):
+            with self.assertRaises(servers._Stop) as caught:
+                check("/robot1", None)
+        return caught.exception.finding.message
+
+    def test_what_it_may_answer(self):
+        refused = errors.Refused("/robot1", "CORBA.NO_PERMISSION")
+        self.assertEqual(self.stopped(servers._is_there, refused), "answers with CORBA.NO_PERMISSION")
+        self.assertEqual(self.stopped(servers._is_context, refused), "is there, but does not say what it is (CORBA.NO_PERMISSION)")
+        self.assertEqual(self.stopped(servers._is_context, False), "its object NameService is no naming context")
 
 
 class Names(unittest.TestCase):

@@ -193,9 +193,10 @@ class Log:
         for number, offset in zip(numbers, offsets):
             self._file.seek(offset)
             _demand(blocks.read_number(self._file, position - offset) == number)
+        last = None
         for _, last in self._records(offsets[-1], position):
             pass
-        _demand(last.number == index.next - 1 and last.received == index.last and isinstance(index.first, int))
+        _demand(last is not None and last.number == index.next - 1 and last.received == index.last and isinstance(index.first, int))
 
     def _scanned(self):
         """An index made by reading all, and where the whole blocks end."""

@@ -1,5 +1,4 @@
 """Recording: what waits in an inbox.Inbox is written by a thread of its own, so that no sender waits for a disk."""
-import sys
 import threading
 import time
 
@@ -7,9 +6,8 @@ from rtshell_lite import datatypes, errors, inbox, ports
 from rtshell_lite.datalog import Channel, blocks
 from rtshell_lite.text import printable
 
-VALUES, OCTETS = 200000, 64 << 20  # that may wait; robots have little memory
+VALUES = 200000  # that may wait
 TICK = 0.1  # seconds between two looks whether recording is over
-SWITCH = 0.0005  # seconds: the writer gives up Python's lock at every write, and got it back too late (290, now 430 MB/s)
 SYNC = 5.0  # seconds between two fsyncs: what a power failure costs
 
 
@@ -55,14 +53,13 @@ class Recorder:
     """
 
     def __init__(self, most=None):
-        self.box, self._most = inbox.Inbox(VALUES, OCTETS), most
+        self.box, self._most = inbox.Inbox(VALUES), most
         self.count = self.octets = 0
         self.failure = self._thread = None
         self.done, self._stopped = threading.Event(), threading.Event()
 
     def start(self, writer):
         """Write what has come and what will come with a Writer (of writer or textlog)."""
-        sys.setswitchinterval(SWITCH)
         self._thread = threading.Thread(target=self._run, args=(writer,), daemon=True)
         self._thread.start()
 

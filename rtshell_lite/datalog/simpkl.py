@@ -30,6 +30,8 @@ class Log:
         try:
             started, specs = machine.load()
             self.started = int(started) * 10 ** 9 + int(started % 1 * 1e9)
+            if not -1 << 63 <= self.started < 1 << 63:
+                raise ValueError("no time")
             self.channels = [_channel(spec.fields) for spec in specs]
         except pickles.Refused as e:
             raise errors.No(where, "its header cannot be read: %s" % e)

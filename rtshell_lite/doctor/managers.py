@@ -1,5 +1,5 @@
 """Each manager: whether it answers, and whether what it lists is there."""
-from rtshell_lite import errors, tree
+from rtshell_lite import errors, rpc, tree
 from rtshell_lite.doctor.finding import counted, fail, ok, published, reason
 from rtshell_lite.text import shell_word
 
@@ -31,9 +31,12 @@ def _ask(node):
 
 def _troubles(node, answer):
     where, word = str(node.path), shell_word(str(node.path))
+    if isinstance(answer, errors.Error) and answer.args[1:] == (rpc.NO_TIME,):
+        return [fail("manager", where, "slow: " + rpc.NO_TIME, "rtdoctor --timeout 30 " + word)]
     if isinstance(answer, errors.Error):
+        whom = "restart it, or a slave that it waits for" if isinstance(answer, errors.Silent) else "restart it"
         return [fail("manager", where, "does not tell what it has (%s)" % reason(answer),
-                     "restart it; netstat -ltnp | grep :%d there names its process" % node.endpoint[1])]
+                     "%s; netstat -ltnp | grep :%d there names its process" % (whom, node.endpoint[1]))]
     slaves, components, twice = answer
     found = []
     if twice:

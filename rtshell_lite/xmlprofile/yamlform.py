@@ -21,7 +21,10 @@ def read(text, name):
     doc, root = yaml.parse(text, name)
     if not isinstance(root.value, dict) or ROOT not in root.value:
         doc.fail(root.pos, "not an RtsProfile: the key %s is missing" % ROOT)
-    return _element(doc, root.value[ROOT], model.RtsProfile, 1)
+    profile = _element(doc, root.value[ROOT], model.RtsProfile, 1)
+    if profile.version == "0.1":
+        profile.version = "0.2"  # its spellings are understood; what stands elsewhere in 0.1, only XML ever had
+    return profile
 
 
 def write(profile):

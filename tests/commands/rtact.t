@@ -38,7 +38,6 @@ What it costs a component:
   1 activate_component
   1 get_component_state
   1 get_owned_contexts
-  1 get_participating_contexts
   $ rtdeact ConsoleIn0.rtc
 
 --dry-run prints commands that do it, and changes nothing; what is active already needs no command:

@@ -46,6 +46,16 @@ A port that refuses its profile; the component's own profile is not asked for th
   fail  /localhost:$PORT/half.host_cxt/composite0.rtc: its port 2 is out of reach: a member of this composite is dead, perhaps; try: start the member again, or: rtcomp -r MEMBER /localhost:$PORT/half.host_cxt/composite0.rtc
   [1]
 
+Other questions refused; what has none of a component's operations; a context of another component, which is gone:
+
+  $ ctl @these fail get_ports 1 NO_PERMISSION; doctor -q ../many.host_cxt/A0.rtc | grep A0
+  fail  /localhost:$PORT/many.host_cxt/A0.rtc: does not tell its ports (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
+  $ ctl @these fail get_ports 1 BAD_OPERATION; doctor -q ../many.host_cxt/A0.rtc | grep A0
+  fail  /localhost:$PORT/many.host_cxt/A0.rtc: somebody else's: it is registered as a component, and is none; try: rtdel /localhost:$PORT/many.host_cxt/A0.rtc
+  $ mock these Mock:Guest0 --context guest.host_cxt/%n.rtc; mock these Mock:Host0 --context host.host_cxt/%n.rtc
+  $ rtec ../host.host_cxt/Host0.rtc attach ../guest.host_cxt/Guest0.rtc; kill-mock these5; doctor -q ../guest.host_cxt | grep context
+  warn  /localhost:$PORT/guest.host_cxt/Guest0.rtc: its execution context 1 belongs to another component, which does not answer; try: rtec -e 1 /localhost:$PORT/guest.host_cxt/Guest0.rtc
+
 An operation that hangs, in a process that goes on; the bound is kept, however many components it has:
 
   $ ctl @these delay get_port_profile 30; ctl @these2 reset
@@ -61,7 +71,7 @@ An operation that hangs, in a process that goes on; the bound is kept, however m
   A4
   A5
   Ports0
-  $ ctl @these delay get_port_profile 0.4; within 1.4-3 rtdoctor -q --timeout 0.5 ../many.host_cxt/Ports0.rtc | grep rtc
+  $ ctl @these delay get_port_profile 0.5; within 2.8-6 rtdoctor -q --timeout 1 ../many.host_cxt/Ports0.rtc | grep rtc
   fail  /localhost:$PORT/many.host_cxt/Ports0.rtc: slow: there was no time left to ask it; try: rtdoctor --timeout 30 /localhost:$PORT/many.host_cxt/Ports0.rtc
   $ ctl @these delay get_port_profile 0
 
@@ -115,3 +125,9 @@ Managers: what they list must be there:
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/forgotten.host_cxt/ConsoleIn0.rtc
   fail  /localhost:$PORT/forgotten.host_cxt/manager.mgr: lists a component that is gone; try: restart it; rtls /localhost:$PORT/forgotten.host_cxt/manager.mgr marks what is gone
   [1]
+  $ ctl @managers fail get_slave_managers 1 NO_PERMISSION; doctor -q ../mgr.host_cxt | grep mgr:
+  fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: does not tell what it has (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
+  $ ctl @managers fail get_components 1 TRANSIENT; doctor -q ../mgr.host_cxt | grep mgr:
+  fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: one of its slaves has died, and its components with it; try: restart that slave
+  $ ctl @managers slave 1 hang manager 30; doctor -q --timeout 1 ../mgr.host_cxt | grep mgr:
+  fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: does not tell what it has (no answer within 1s); try: restart it, or a slave that it waits for; netstat -ltnp | grep :* there names its process (glob)

@@ -27,7 +27,7 @@ world: senders 4 5000000 --flavour cpp2 --context big.host_cxt/%n.rtc
   cpp2 3
   py2 3
   java 3
-  rtorb 2
+  rtorb 3
   $ each --property dataport.serializer.cdr.endian=big,little --property dataport.subscription_type=flush
   cpp11 3
   cpp12 3

@@ -91,6 +91,16 @@ Ctrl-C is told what has been done, and what may have been:
   [130]
   $ ctl @these3 reset; rtresurrect a.xml; rtcheck -s inactive a.xml
 
+With --rollback it undoes all, what was being done, too, as soon as that has come to its end:
+
+  $ rtteardown a.xml; ctl @these3 delay notify_connect 4; timeout 3 rtresurrect --rollback --timeout 9 -v a.xml
+  rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: undone
+  rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: undone
+  rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: not tried
+  rtresurrect: 20 already so, 2 undone, 1 not tried
+  [124]
+  $ ctl @these3 reset; rtteardown --dry-run a.xml; rtresurrect a.xml; rtcheck -s inactive a.xml
+
 A name server that is not there:
 
   $ rtresurrect --map localhost:$PORT=localhost:1 a.xml
