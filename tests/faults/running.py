@@ -210,7 +210,7 @@ class Surroundings:
         for process in self.processes:
             process.kill()
             process.wait()
-        for path in glob.glob(os.path.join(glob.escape(self.top), "names*.pid")):
+        for path in glob.glob(os.path.join(glob.escape(self.top), "*.pid")):
             with open(path) as file:
                 number = int(file.read())
             if number not in [process.pid for process in self.processes]:
