@@ -149,7 +149,7 @@ def create(node, argument, wait=None):
     if ref is None:
         raise errors.Refused(str(node.path), "does not create %s (%s)" % (printable(argument), _why_not(node, argument)))
     made = tree.Node(node.path, "component", ref)
-    name = from_wire(made.call("get_sdo_id"))
+    name = from_wire(component.seen(lambda: made.call("get_sdo_id")))
     if any(orb.same(ref, other.ref) for _, other in before):
         raise errors.Refused(str(node.path), "made nothing new: it gave back %s, which was there" % printable(name))
     if wait is not None:
@@ -264,7 +264,7 @@ def shut_down(node):
 
 def _until(limit, reached, where, otherwise):
     end = time.monotonic() + limit
-    while not reached():
+    while not component.seen(reached):
         if time.monotonic() > end:
             raise errors.Unreachable(where, "%s after %gs" % (otherwise, limit))
         time.sleep(component.POLL)
