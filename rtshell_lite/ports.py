@@ -32,10 +32,10 @@ def refs(node):
     return [orb.narrow(ref, RTC.PortService) for ref in node.call("get_ports") if ref is not None]
 
 
-def port(node, ref, persist=component.once_more):
-    """The Port behind a reference (PortService::get_port_profile); `persist` makes the call, and again where need be."""
+def port(node, ref, failures=None):
+    """The Port behind a reference (PortService::get_port_profile); for `failures` see `component.once_more`."""
     try:
-        found = persist(lambda: orb.ask(str(node.path), ref, "get_port_profile"))
+        found = component.once_more(lambda: orb.ask(str(node.path), ref, "get_port_profile"), failures)
     except (errors.Gone, errors.ConnectionRefused):
         if orb.endpoint(ref) == node.endpoint:
             raise
