@@ -149,7 +149,7 @@ def create(node, argument, wait=None):
     if ref is None:
         raise errors.Refused(str(node.path), "does not create %s (%s)" % (printable(argument), _why_not(node, argument)))
     made = tree.Node(node.path, "component", ref)
-    name = from_wire(made.call("get_sdo_id"))
+    name = from_wire(component.seen(lambda: made.call("get_sdo_id")))
     if any(orb.same(ref, other.ref) for _, other in before):
         raise errors.Refused(str(node.path), "made nothing new: it gave back %s, which was there" % printable(name))
     if wait is not None:
@@ -263,5 +263,5 @@ def shut_down(node):
 
 
 def _until(limit, reached, where, otherwise):
-    if not component.until(reached, limit):
+    if not component.until(lambda: component.seen(reached), limit):
         raise errors.Unreachable(where, "%s after %gs" % (otherwise, limit))

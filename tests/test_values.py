@@ -1,7 +1,6 @@
 """Values in every form: bytes in both byte orders, JSON, constructors, text; and what is wrong with those that do not fit.
 
-Needs no omniORB: the types are those of our own IDL files, read by our own parser. RTSHELL_FUZZ=50000 tries that many spoilt
-values of each kind.
+Needs no omniORB: the types are those of our own IDL files, read by our own parser. Spoilt ones are fuzz.py's.
 """
 import glob
 import json
@@ -17,7 +16,6 @@ from rtshell_lite import datatypes, errors, idl, values
 OWN = os.path.join(os.path.dirname(idl.tokens.OWN), "idl")
 TRICKY = os.path.join(os.path.dirname(os.path.abspath(__file__)), "data", "idl", "valid")
 FILES = sorted(glob.glob(os.path.join(glob.escape(OWN), "data", "*.idl")))
-ROUNDS = int(os.environ.get("RTSHELL_FUZZ", 0))
 
 
 class Own(datatypes.Types):
@@ -75,22 +73,6 @@ class RoundTrips(unittest.TestCase):
                     self.assertTrue(values.text(value).isprintable(), values.text(value))
                     self.assertTrue(all(cell is None or isinstance(cell, (str, int, float)) for _, cell in values.flat(value)))
         self.assertGreater(count, 1000)
-
-    def test_spoilt_bytes(self):
-        """Whatever comes, it is a value or an error, soon, and in no more memory than its length allows."""
-        every = list(EVERYTHING.all())
-        for number in range(ROUNDS or 1500):
-            one = self.rng.choice(every)
-            data = bytearray(one.encode(random_values.value(self.rng, one.descriptor), True))
-            for _ in range(self.rng.randrange(1, 4)):
-                at = self.rng.randrange(len(data) + 1)
-                data[at:at + self.rng.randrange(3)] = self.rng.choice((b"", b"\xff\xff\xff\xff", b"\0", b"\x7f", os.urandom(2)))
-            start = time.monotonic()
-            try:
-                values.text(one.decode(bytes(data), True), 10)
-            except errors.BadData:
-                pass
-            self.assertLess(time.monotonic() - start, 20, one.id)
 
     def test_announced_but_not_there(self):
         for name, tail in (("TimedDoubleSeq", b""), ("TimedOctetSeq", b"x"), ("TimedStringSeq", b""), ("TimedString", b"abc"),
@@ -286,20 +268,6 @@ class Written(unittest.TestCase):
             self.assertLess(len(str(caught.exception)), 400, text[:40])
             self.assertLess(time.monotonic() - start, 20, text[:40])
 
-    def test_spoilt(self):
-        rng = random.Random(11)
-        good = ["RTC.TimedPose2D({time}, RTC.Pose2D(RTC.Point2D(x=1, y=-2.5e3), 'x'))", '{"tm": {"sec": 1}, "data": [1, 2]}',
-                "RTC.TimedStringSeq({time}, ['a', b'b', \"c\\n\"])"]
-        for _ in range(ROUNDS or 1500):
-            text = list(rng.choice(good))
-            for _ in range(rng.randrange(1, 5)):
-                at = rng.randrange(len(text))
-                text[at:at + rng.randrange(3)] = rng.choice(("", "(", ")", "'", "{time}", "\\", "é", "\0", "{{", "0x", "=", "."))
-            try:
-                made("".join(text), rng.choice((None, "TimedPose2D", "TimedStringSeq", "TimedLongSeq")))
-            except errors.Error as e:
-                self.assertTrue(str(e).isprintable(), str(e))
-
 
 class Encoding(unittest.TestCase):
     def test_values_of_other_types(self):
@@ -310,19 +278,6 @@ class Encoding(unittest.TestCase):
         for wrong in (5, None, "x", [], made("RTC.Point2D(1, 2)")):
             with self.assertRaises(errors.BadValue):
                 one.encode(wrong)
-
-    def test_spoilt_types(self):
-        rng = random.Random(3)
-        types = [one.to_bytes() for one in EVERYTHING.all()]
-        for _ in range(ROUNDS or 1500):
-            data = bytearray(rng.choice(types))
-            for _ in range(rng.randrange(1, 4)):
-                at = rng.randrange(len(data))
-                data[at:at + rng.randrange(8)] = rng.choice((b"", b"-1", b"[", b"]", b'"', b"99999999999", b'"see"', b"null", b"\xff"))
-            try:
-                datatypes.from_bytes(bytes(data)).decode(bytes(64), True)
-            except (errors.BadType, errors.BadData):
-                pass
 
     def test_hostile_types(self):
         laughs = '["struct","S0","S0",[["a","long"]]]'

@@ -174,8 +174,8 @@ A component that breaks down while it is asked:
   $ ctl state ConsoleIn0
   INACTIVE
   $ ctl fail activate_component 1 DIE; rtact ConsoleIn0.rtc ConsoleOut0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection lost
-  rtact: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: connection lost
+  rtact: /localhost:\$PORT/test.host_cxt/ConsoleIn0.rtc: connection (lost|refused) (re)
+  rtact: /localhost:\$PORT/test.host_cxt/ConsoleOut0.rtc: connection (lost|refused) (re)
   [4]
 
 The component that dies of being asked for its profile at the wrong time is never asked:

@@ -18,7 +18,8 @@ except ImportError:
 KINDS = ("TRANSIENT", "COMM_FAILURE", "UNKNOWN", "HANG", "LOST", "DIE")
 LANES = 4
 SHORT = 90             # cases
-UNSURE = (b"not known", b"no answer", b"connection lost", b"connection refused", b"cannot be reached", b"does not activate")
+UNSURE = (b"not known", b"no answer", b"connection lost", b"connection refused", b"cannot be reached", b"does not activate",
+          b"not connected")
 
 
 class Lane:
