@@ -104,8 +104,8 @@ class Case:
         return BAD | ALSO[self.role].get(self.command, set())
 
     def most_lines(self):
-        """One line, or one of each command of rtsh, of the component and of its connection."""
-        return 2 if self.command in ("rtsh", "rtteardown") else 1
+        """One line, or one of each command of rtsh, of the component and of its connection, of each way to ask a name server."""
+        return 2 if self.command in ("rtsh", "rtteardown") or "--extra" in self.line else 1
 
 
 def setUpModule():
