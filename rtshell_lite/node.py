@@ -82,6 +82,7 @@ class Node:
 
 
 def no_name_server(node):
+    """The error for an object that answers at the address of a name server, and is none."""
     return errors.WrongKind(str(node.path), "name server", "CORBA process of another kind")
 
 

@@ -37,7 +37,7 @@ def start():
 
 
 def _make_orb():
-    CORBA = _import_omniorb()
+    CORBA = import_omniorb()
     arguments = ["rtshell_lite", "-ORBtraceLevel", "0", "-ORBverifyObjectExistsAndType", "0",
                  "-ORBclientCallTimeOutPeriod", _milliseconds(rpc.timeout),
                  "-ORBclientConnectTimeOutPeriod", _milliseconds(rpc.timeout),
@@ -52,7 +52,7 @@ def _make_orb():
 
 def version():
     """The version of omniORBpy. Raises MissingOmniORB."""
-    _import_omniorb()
+    import_omniorb()
     import omniORB
     return omniORB.__version__
 
@@ -63,8 +63,10 @@ def _set_deadline():
     omniORB.setClientConnectTimeout(int(_milliseconds(rpc.timeout)))
 
 
-def _import_omniorb():
-    """Import omniORB without its quarter of unneeded weight; returns its module CORBA.
+def import_omniorb():
+    """Import omniORB without its quarter of unneeded weight, before any of our stubs do; returns its module CORBA.
+
+    Raises MissingOmniORB.
 
     Measured: of 18 ms for `import omniORB`, 9 ms are `tempfile`, which only importIDLString uses, never called here. The
     empty stand-in leaves sys.modules again, so that anybody else's import gets the real one.

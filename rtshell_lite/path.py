@@ -86,7 +86,7 @@ def _spelt_server(server):
 def parse(text, cwd=None):
     """Parse what a user typed into a Path. `cwd` is the directory relative paths start from (default: $RTCSH_CWD).
 
-    Raises Usage for a path that cannot be one; never looks at the network.
+    Raises BadPath for what cannot be a path; never looks at the network.
     """
     if not text:
         raise errors.BadPath("empty path")

@@ -6,11 +6,10 @@ costs one timeout however many components it holds. Every answer restarts the cl
 link may take longer than the timeout, a silent one may not.
 """
 import collections
-import queue
 import threading
 import time
 
-from rtshell_lite import errors
+from rtshell_lite import errors, interrupts
 
 LANES = 4  # calls in flight per process: kind to real-time processes, and below omniORB's 5 connections
 GRACE = 0.2  # the ORB's own deadline comes first and knows more; ours is for what it does not bound (name look-ups)
@@ -130,10 +129,10 @@ def gather(jobs):
         peer.open[i] = job
         values.append(None)
     results = _Results(len(values))
-    for peer in peers.values():
-        for _ in range(min(LANES, len(peer.todo))):
-            threading.Thread(target=_work, args=(peer, values, results), daemon=True).start()
     try:
+        for peer in peers.values():
+            for _ in range(min(LANES, len(peer.todo))):
+                start(_work, peer, values, results)
         while not results.complete.wait(TICK):
             alive()  # for a gather inside a lane
             _give_up(peers.values(), values, results)
@@ -146,18 +145,24 @@ def gather(jobs):
     return values
 
 
+def start(function, *args):
+    """Run function(*args) on a thread of its own."""
+    with interrupts.held():
+        threading.Thread(target=function, args=args, daemon=True).start()
+
+
 class _Results:
     """How many values are still to come. Who waits is woken once, in the end: at each of 1,000 values, it cost as much as the calls."""
 
     def __init__(self, count):
-        self.lock, self.left, self.complete = threading.Lock(), count, threading.Event()
+        self.lock, self.left, self.complete = threading.Lock(), count, interrupts.Bell()
         self.came(0)
 
     def came(self, count):
         """Take note of values; the lock is held."""
         self.left -= count
         if not self.left:
-            self.complete.set()
+            self.complete.ring()
 
 
 def _work(peer, values, results):
@@ -225,7 +230,7 @@ class Calls:
     """
 
     def __init__(self):
-        self._events = queue.Queue()
+        self._events = interrupts.Mailbox()
         self._lock = threading.Lock()
         self._waiting = {}  # by endpoint
         self._threads = collections.Counter()  # by endpoint
@@ -239,7 +244,7 @@ class Calls:
             if self._threads[endpoint] == LANES:
                 return
             self._threads[endpoint] += 1
-        threading.Thread(target=self._run, args=(endpoint,), daemon=True).start()
+        start(self._run, endpoint)
 
     def _run(self, endpoint):
         while True:
@@ -261,10 +266,10 @@ class Calls:
 
     def ended(self, seconds):
         """The next (key, value), where value is an errors.Error if the function has failed; None after so many seconds."""
-        try:
-            key, value = self._events.get(timeout=seconds) if seconds > 0 else self._events.get_nowait()
-        except queue.Empty:
+        found = self._events.get(seconds)
+        if found is None:
             return None
+        key, value = found
         if isinstance(value, Exception) and not isinstance(value, errors.Error):
             raise value
         return key, value

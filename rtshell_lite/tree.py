@@ -12,7 +12,8 @@ import os
 import re
 
 from rtshell_lite import errors, orb, rpc
-from rtshell_lite.node import DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes  # of which callers use tree's names
+# other modules use these as tree.look, tree.Node …
+from rtshell_lite.node import DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_address
 from rtshell_lite.text import from_wire, printable
 

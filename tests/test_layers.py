@@ -23,7 +23,7 @@ LAYERS = [
     ["node"],
     ["orb", "cli", "commandline", "streams", "installation"],
     ["path", "xmlprofile", "values", "constants", "construct", "cdr", "descriptors", "portable", "idl", "overview"],
-    ["rpc", "text", "files", "shell"],
+    ["rpc", "interrupts", "text", "files", "shell"],
     ["errors"],
     ["__init__"],
 ]

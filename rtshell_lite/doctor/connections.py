@@ -14,7 +14,7 @@ Link = collections.namedtuple("Link", "each port connector")
 # of a component that is bound nowhere has no `node`.
 End = collections.namedtuple("End", "port error name")
 
-SETTLED = ("dataport.dataflow_type", "dataport.interface_type", "dataport.subscription_type")
+SETTLED = [key for key, _ in ports.DEFAULTS]  # what ports agree upon when they are connected
 
 
 def findings(all_of_them):
@@ -145,8 +145,8 @@ def _redo(link, others):
     if any(end.port is None or end.port.node is None for end in others):
         return "then connect them again: rtcon"
     given = {key: value for key, value in link.connector.properties if key in SETTLED}
-    found = [link.port] + [end.port for end in others]
-    return ports.command(found, link.connector.name, "", given)
+    labels = [ports.label(port) for port in [link.port] + [end.port for end in others]]
+    return ports.command(labels, link.connector.name, "", given)
 
 
 def _lost(where, end, undo):

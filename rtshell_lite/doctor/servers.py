@@ -4,7 +4,7 @@ import time
 
 from rtshell_lite import errors, orb, path, rpc, tree
 from rtshell_lite.doctor import addresses
-from rtshell_lite.doctor.finding import fail, ok, reason, warn
+from rtshell_lite.doctor.finding import fail, ok, reason, restart, warn
 from rtshell_lite.text import printable, shell_word
 
 SLOW = 1.0  # seconds: a step that takes longer makes every command slow
@@ -113,7 +113,7 @@ def _is_there(where, ref):
         gone = True
     except errors.Silent as e:
         raise _Stop(where, "hung: accepts TCP, but %s" % reason(e),
-                    "restart it; netstat -ltnp | grep :%d there names its process" % port)
+                    restart(port))
     except errors.Unreachable as e:
         if not reason(e).startswith(("connection lost", "garbled")):
             raise _Stop(where, "TCP connects, omniORB does not (%s)" % reason(e), "correct the ORB: rtdoctor | grep ORB")
