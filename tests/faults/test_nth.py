@@ -2,6 +2,7 @@
 
 If one of these fails, an operator is told that a connection or a state is there which is not, or the other way round.
 """
+import itertools
 import json
 import queue
 import unittest
@@ -29,6 +30,7 @@ class Lane:
 
     def __init__(self, number):
         self.place = "lane%d.host_cxt" % number
+        self.old = ""
         self.names = proxy.Proxy()
         self.direct = around.name_server("lane%d" % number, self.names.port)  # where it can be reached for certain
         self.names.target = int(self.direct.rpartition(":")[2])
@@ -116,18 +118,20 @@ def exited(lane):
 
 
 def bind_old(lane):
-    """Names below a context, as components leave them behind that have gone."""
-    faulty.bind(lane.direct[1:] + "/old.host_cxt/sub.host_cxt", {"x": 9, "y": 9})
-    faulty.bind(lane.direct[1:] + "/old.host_cxt", {"z": 9})
+    """Names below a context, as components leave them behind that have gone; below a new one each time."""
+    lane.old = "/old%d.host_cxt" % next(NUMBERS)
+    faulty.bind(lane.direct[1:] + lane.old + "/sub.host_cxt", {"x": 9, "y": 9})
+    faulty.bind(lane.direct[1:] + lane.old, {"z": 9})
 
 
 def deleted(lane):
     lane.names.reset()
     there = running.run(["rtfind", lane.direct], around.top).out.decode().split()
-    return {lane.server + name: lane.direct + name not in there for name in OLD}
+    return {lane.server + lane.old + name: lane.direct + lane.old + name not in there for name in OLD}
 
 
-OLD = ["/old.host_cxt" + name for name in ("", "/z.rtc", "/sub.host_cxt", "/sub.host_cxt/x.rtc", "/sub.host_cxt/y.rtc")]
+NUMBERS = itertools.count()
+OLD = ("", "/z.rtc", "/sub.host_cxt", "/sub.host_cxt/x.rtc", "/sub.host_cxt/y.rtc")
 WORLDS = [["these", "ConsoleIn"], ["these", "ConsoleOut", "ConfigSample"], ["manager", "Motor", "--flavour", "cpp2"]]
 ARM = [["rtmgr", "-d", "Arm", "m"], ["rtcomp", "-a", "motor:in", "m:Arm"]]
 CON = ["rtcon", "a:out", "b:in"]
@@ -315,7 +319,7 @@ class Case:
 def meant(lane, words):
     names = {"a": lane.a, "b": lane.b, "a:out": lane.a + ":out", "b:in": lane.b + ":in", "file": lane.file,
              "m": lane.home + "/manager.mgr", "m:Arm": lane.home + "/manager.mgr:Arm", "motor:in": lane.home + "/Motor0.rtc:in",
-             "p": lane.home + "/ConfigSample0.rtc", "old": lane.server + OLD[0], "dumped": dumped[0], "changed": dumped[1]}
+             "p": lane.home + "/ConfigSample0.rtc", "old": lane.server + lane.old, "dumped": dumped[0], "changed": dumped[1]}
     return [names.get(word, word) for word in words]
 
 
