@@ -71,7 +71,7 @@ class Case:
 
     def limit(self):
         """Seconds that it may take: what the command line asks for, and the timeout."""
-        if self.mode == "many" and self.role == "server" and re.search("SERVER", self.line):
+        if self.mode == "many" and self.role == "server" and re.search("SERVER|--extra", self.line):
             return LIST_LIMIT
         asked = sum(float(seconds) for seconds in re.findall(r"(?:-t|--wait|--measure)[ =]([\d.]+)", self.line))
         patience = 3 if "--extra" in self.line else PATIENCE.get(self.command, 1)
