@@ -252,20 +252,21 @@ def bind(place, ports):
     omniORB.setClientCallTimeout(5000)
     orb = CORBA.ORB_init(["faulty"])
     address, _, path = place.partition("/")
-    context = orb.string_to_object("corbaloc:iiop:1.2@{}/NameService".format(address))
-    context = context._unchecked_narrow(CosNaming.NamingContext)
+    root = orb.string_to_object("corbaloc:iiop:1.2@{}/NameService".format(address))._unchecked_narrow(CosNaming.NamingContext)
+    place = []
     for part in filter(None, path.split("/")):
+        place += name_of(part)
         try:
-            context = context.bind_new_context(name_of(part))
+            root.bind_new_context(place)
         except CosNaming.NamingContext.AlreadyBound:
-            context = context.resolve(name_of(part))._narrow(CosNaming.NamingContext)
+            pass
     for name, port in ports.items():
         if name.endswith(".rtc") or "." not in name:
             component = orb.string_to_object(stringified(port))
-            context.rebind(name_of(name if "." in name else name + ".rtc"), component)
+            root.rebind(place + name_of(name if "." in name else name + ".rtc"), component)
         else:
             other = orb.string_to_object(stringified(port, CONTEXT))
-            context.rebind_context(name_of(name), other._unchecked_narrow(CosNaming.NamingContext))
+            root.rebind_context(place + name_of(name), other._unchecked_narrow(CosNaming.NamingContext))
 
 
 def name_of(text):

@@ -22,13 +22,17 @@ class Failed(Exception):
 
 # ---- starting ----
 
-def start_name_server(name, above="12000"):
-    """Start an omniNames of its own data directory; returns its port as text, one that sorts behind `above`."""
+def start_name_server(name, above="12000", published=None):
+    """Start an omniNames of its own data directory; returns its port as text, one that sorts behind `above`.
+
+    `published` is the port that its references tell, where that is another one.
+    """
+    publish = ["-ORBendPointPublish", "giop:tcp:127.0.0.1:%d" % published] if published else []
     for attempt in range(5):  # another session may have taken the port since it was found free
         port = str(nameserver.free_port(int(above)))
         data = session_file("%s-%d" % (name, attempt))
         os.mkdir(data)
-        server = start(name, [nameserver.binary(), "-start", port, "-logdir", data, "-ORBendPoint", "giop:tcp:127.0.0.1:" + port])
+        server = start(name, [nameserver.binary(), "-start", port, "-logdir", data, "-ORBendPoint", "giop:tcp:127.0.0.1:" + port] + publish)
         if wait_until(lambda: answers(int(port)), server):
             return port
     raise Failed("omniNames does not start: " + said(name))

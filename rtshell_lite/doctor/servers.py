@@ -27,9 +27,11 @@ def visits(tops):
     return [_too_late(place, visit) if isinstance(visit, errors.Error) else visit for place, visit in zip(places, found)]
 
 
-def _too_late(place, e):
+def _too_late(place, e, findings=()):
+    """The Visit to a name server that there was no time for, or not for all that is bound in it."""
     where = str(place)
-    return Visit(place, [], [fail("name server", where, reason(e), "rtdoctor --timeout 30 " + shell_word(where))], [], {})
+    late = fail("name server", where, reason(e), "rtdoctor --timeout 30 " + shell_word(where))
+    return Visit(place, [], list(findings) + [late], [], {})
 
 
 def _visit(place, tops):
@@ -39,9 +41,13 @@ def _visit(place, tops):
     for top in tops:
         known = {node.path for node in visit.nodes}
         visit.nodes.extend(node for node in _below(visit, top) if node.path not in known)
-    visit.nodes[:], probes = rpc.gather([
+    looked, probes = rpc.gather([
         rpc.Job(("look", place), str(place), lambda: tree.look(visit.nodes)),
         rpc.Job(("probe", place), str(place), lambda: _probes(visit.nodes))])
+    for failure in (looked, probes):
+        if isinstance(failure, errors.Error):
+            return _too_late(place, failure, visit.findings)
+    visit.nodes[:] = looked
     visit.probes.update(probes)
     return visit
 

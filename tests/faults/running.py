@@ -4,6 +4,7 @@ import fcntl
 import glob
 import os
 import pty
+import re
 import shutil
 import signal
 import struct
@@ -145,9 +146,9 @@ class Surroundings:
         self.processes, self.worlds = [], {}
         self.lock = threading.Lock()
 
-    def name_server(self, name="names"):
-        """Start one; its address."""
-        return "/127.0.0.1:" + peers.start_name_server(name)
+    def name_server(self, name="names", published=None):
+        """Start one; its address. `published`: the port that its references tell, where that is another one."""
+        return "/127.0.0.1:" + peers.start_name_server(name, published=published)
 
     def world(self, server, *words):
         """Start a world on a name server; its name, for `ctl`."""
@@ -194,6 +195,17 @@ class Surroundings:
         with open(path, "w") as file:
             file.write(text.replace(home + "ConsoleIn0.rtc", a[1:]).replace(home + "ConsoleOut0.rtc", b[1:]))
         return path
+
+    def dumped(self, component, changes):
+        """Two files for `rtconf load`: what a component's configuration is, and that with {parameter: value} in every set."""
+        text = run(["rtconf", component, "dump"], self.top).out.decode()
+        paths = [os.path.join(self.top, name) for name in ("dumped", "changed")]
+        for path in paths:
+            with open(path, "w") as file:
+                file.write(text)
+            for name, value in changes.items():
+                text = re.sub("(?m)^%s=.*" % name, "%s=%s" % (name, value), text)
+        return paths
 
     def end(self, name):
         """End a world at once."""

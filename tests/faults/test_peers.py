@@ -71,7 +71,7 @@ class Case:
 
     def limit(self):
         """Seconds that it may take: what the command line asks for, and the timeout."""
-        if self.mode == "many" and self.role == "server" and re.search("SERVER", self.line):
+        if self.mode == "many" and self.role == "server" and re.search("SERVER|--extra", self.line):
             return LIST_LIMIT
         asked = sum(float(seconds) for seconds in re.findall(r"(?:-t|--wait|--measure)[ =]([\d.]+)", self.line))
         patience = 3 if "--extra" in self.line else PATIENCE.get(self.command, 1)
@@ -104,8 +104,8 @@ class Case:
         return BAD | ALSO[self.role].get(self.command, set())
 
     def most_lines(self):
-        """One line, or one of each command of rtsh, of the component and of its connection."""
-        return 2 if self.command in ("rtsh", "rtteardown") else 1
+        """One line, or one of each command of rtsh, of the component and of its connection, of each way to ask a name server."""
+        return 2 if self.command in ("rtsh", "rtteardown") or "--extra" in self.line else 1
 
 
 def setUpModule():
