@@ -3,7 +3,7 @@
 python3 -m mock_components.faulty [--bind HOST:PORT[/CONTEXT...]] [NAME=]MODE...
 
 One port on 127.0.0.1 for each MODE; one line of JSON, {"NAME": port, ...}, says that all are ready. NAME is MODE unless
-given. The end of stdin, SIGTERM, or ten minutes end it. Every port can be taken for a naming context (corbaloc:iiop:
+given. The end of stdin, SIGTERM, or an hour ends it. Every port can be taken for a naming context (corbaloc:iiop:
 1.2@127.0.0.1:PORT/NameService) and for a component: object keys are not looked at.
 
 --bind enters each peer in a live name server, below CONTEXT, which is made if need be, as the component NAME.rtc; a NAME
@@ -24,7 +24,7 @@ import time
 from .giop import (COMPONENT, CONTEXT, bad_operation, bindings, cdr, component_profile, harmless_answer, read_request,
                    reference, reply, stringified)
 
-LIFETIME = 600
+LIFETIME = 3600
 
 HOSTILE_NAMES = [
     (b"\x1b]0;pwned\x07\x1b[2Jescape", b"rtc"),

@@ -14,7 +14,7 @@ import io  # noqa: E402
 import os  # noqa: E402
 import sys  # noqa: E402
 
-from rtshell_lite import __version__, commandline, errors, path, rpc, text  # noqa: E402
+from rtshell_lite import __version__, commandline, errors, interrupts, path, rpc, text  # noqa: E402
 
 EXIT_STATUSES = """exit status:
   0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
@@ -31,7 +31,7 @@ def main(arguments, run, doc, argv=None):
     _prepare_streams()
     try:
         if _signal.getsignal(_signal.SIGINT) == _signal.SIG_DFL:
-            _signal.signal(_signal.SIGINT, _signal.default_int_handler)
+            _signal.signal(_signal.SIGINT, interrupts.ctrl_c)
         _leave(command(arguments, run, doc, sys.argv[1:] if argv is None else argv))
     except KeyboardInterrupt:
         _leave(130)
@@ -72,19 +72,12 @@ def command(arguments, run, doc, argv):
 def unwind_when_ended():
     """Let SIGTERM and SIGHUP end the command as Ctrl-C does, by way of its `finally`s: it has put something into a component.
 
-    The first of them counts: a terminal that closes and systemd send both, and the second must not cut the unwinding short.
+    The first of them counts: a terminal that closes and systemd send both.
     """
     import signal
-    ours = [number for number in (signal.SIGTERM, signal.SIGHUP)
-            if signal.getsignal(number) == signal.SIG_DFL]  # nohup ignores SIGHUP
-
-    def unwind(number, frame):
-        for each in ours:  # not SIG_IGN: Python complains of a signal that came just before
-            signal.signal(each, lambda *_: None)
-        raise Ended(128 + number)
-
-    for number in ours:
-        signal.signal(number, unwind)
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores SIGHUP
+            signal.signal(number, lambda number, frame: interrupts.strike(Ended(128 + number), ends=True))
 
 
 def ignore_hangup():

@@ -11,7 +11,7 @@ import sys
 import threading
 import time
 
-from rtshell_lite import component, datatypes, errors, orb, ports, rpc
+from rtshell_lite import component, datatypes, errors, interrupts, orb, ports, rpc
 from rtshell_lite.text import printable, to_wire
 
 # One value: when it came, in nanoseconds since 1970; CDR bytes without any header (protocol.md 7.1); their byte order.
@@ -23,7 +23,7 @@ SMALL_BUFFER, LARGE_BUFFER = 256, 16  # values the port may queue for a reader: 
 POLL = 0.02  # seconds between two looks at a queue
 LOOK = 1.0  # seconds between two looks whether a port that sends nothing is still there
 SWITCH = 0.0005  # seconds that a component may have to wait for Python's lock, 0.005 else (290, now 430 MB/s recorded)
-GRACE = 0.2  # seconds that an interrupted command waits for connectors that are just being made
+GRACE = 0.2  # seconds, besides the timeout, that an interrupted command waits for connectors that are just being made
 
 
 # ---- one connector --------------------------------------------------------------------------------------------
@@ -39,6 +39,7 @@ class Connection:
         self.given = dict(properties or {})
         self.connector = self.failure = None
         self.little = True  # the byte order agreed upon
+        self.begun = False
         self.settled, self.closing = threading.Event(), threading.Event()
         self.lock = threading.Lock()
         if port.type != self.kind:
@@ -58,13 +59,14 @@ class Connection:
 
     def open(self):
         """Make the connector; runs in a lane of the port's process. Raises errors.Error."""
+        self.begun = True
         try:
             if not self.closing.is_set():
                 self._open()
         finally:
+            if self.closing.is_set():  # interrupted meanwhile
+                self.close()
             self.settled.set()
-        if self.closing.is_set():  # interrupted meanwhile
-            self.close()
 
     def _open(self):
         asked = {"dataport.dataflow_type": self.dataflow, "dataport.interface_type": self.interface,
@@ -106,7 +108,7 @@ class Connection:
         except (errors.Gone, errors.ConnectionRefused) as e:
             raise errors.Unreachable(self.where, "the component %s" % (
                 "has ended" if isinstance(e, errors.Gone) else "is gone, and its process too"))
-        if not found.connector_id:
+        if not found.connector_id and not self.closing.is_set():
             raise errors.Unreachable(self.where, self.lost())
 
     def lost(self):
@@ -158,43 +160,56 @@ class Opened:
 
     def __init__(self, connections):
         self.connections = list(connections)
-        self.ended = threading.Event()
+        self.ended, self.closed = threading.Event(), False
 
     def __enter__(self):
         complete = False
         try:
             self._in_lanes("open")
+            rpc.start(self._watch)
             complete = True
+            return self
         finally:
             if not complete:  # Ctrl-C, SIGTERM
-                self._abandon()
-        threading.Thread(target=self._watch, daemon=True).start()
-        return self
+                with interrupts.held():
+                    self._abandon()
 
     def __exit__(self, *_):
-        self.ended.set()
-        self._in_lanes("close")
+        try:
+            self._close()
+        finally:
+            if not self.closed:  # a signal has struck before anything was held
+                self._close()
+
+    def _close(self):
+        with interrupts.held():
+            self.ended.set()
+            self._in_lanes("close")
+            self.closed = True
 
     def live(self):
         """The connections that may still bring or take something."""
-        return [each for each in self.connections if each.failure is None or isinstance(each.failure, errors.Silent)]
+        return [each for each in self.connections
+                if each.failure is None or each.connector and isinstance(each.failure, errors.Silent)]
 
     def _in_lanes(self, step, connections=None):
         connections = self.connections if connections is None else connections
         jobs = [rpc.Job(each.endpoint, each.where, getattr(each, step)) for each in connections]
         for each, result in zip(connections, rpc.gather(jobs)):
+            if step == "look" and each.closing.is_set():
+                continue  # what it was asked is gone by our own doing
             if isinstance(result, errors.Error):
                 each.failure = each.failure or result
             elif isinstance(each.failure, errors.Silent) and step == "look":
                 each.failure = None
 
     def _abandon(self):
-        """Connectors that are just being made are waited for, a moment, and removed."""
+        """Connectors that are just being made are waited for, as long as they may take, and removed."""
         self.ended.set()
         for each in self.connections:
             each.closing.set()
-        end = time.monotonic() + GRACE
-        for each in self.connections:
+        end = time.monotonic() + rpc.timeout + GRACE
+        for each in [each for each in self.connections if each.begun]:
             each.settled.wait(max(0, end - time.monotonic()))
         self._in_lanes("close", [each for each in self.connections if each.connector])
 
@@ -254,7 +269,7 @@ class Reader(Connection):
             self.early = None
         if self.dataflow == "pull":
             self.get = fetcher(self)
-            threading.Thread(target=self._poll, daemon=True).start()
+            rpc.start(self._poll)
 
     def _take(self, received, data):
         self.count += 1
@@ -296,7 +311,8 @@ class Reader(Connection):
         return Connection.lost(self)
 
     def release(self):
-        served, self.served = self.served, None
+        with self.lock:  # who opens and who closes may both do it
+            served, self.served = self.served, None
         if served:
             served.withdraw()
 

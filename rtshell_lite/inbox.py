@@ -3,6 +3,8 @@ import collections
 import threading
 import time
 
+from rtshell_lite import interrupts
+
 MOST = 100000  # values
 MOST_BYTES = 64 << 20  # robots have little memory
 GATHER = 0.005  # seconds: to be woken for each value costs those who bring them half of their speed
@@ -15,19 +17,19 @@ class Inbox:
         self.most, self.most_bytes = most, most_bytes
         self.waiting, self.bytes = [], 0
         self.dropped = collections.Counter()
-        self.arrived = threading.Condition(threading.Lock())
+        self.lock, self.arrived = threading.Lock(), interrupts.Bell()
 
     def put(self, key, message):
         """Add a value, from any thread; returns at once. One value always fits, however big."""
         size = len(message.data)
-        with self.arrived:
+        with self.lock:
             if self.waiting and (len(self.waiting) >= self.most or self.bytes + size > self.most_bytes):
                 self.dropped[key] += 1
                 return
             self.waiting.append((key, message))
             self.bytes += size
             if len(self.waiting) == 1:
-                self.arrived.notify()
+                self.arrived.ring()
 
     def taker(self, key):
         """The function that takes the values of `key`."""
@@ -36,10 +38,9 @@ class Inbox:
     def get(self, seconds):
         """All that has come, as a list in that order; waits up to `seconds` for the first one, and GATHER for those behind it."""
         if seconds:
-            with self.arrived:
-                if not self.waiting:
-                    self.arrived.wait(seconds)
+            if not self.waiting:
+                self.arrived.wait(seconds)
             time.sleep(min(seconds, GATHER))
-        with self.arrived:
+        with self.lock:
             taken, self.waiting, self.bytes = self.waiting, [], 0
         return taken

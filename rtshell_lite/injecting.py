@@ -6,7 +6,7 @@ import sys
 import threading
 import time
 
-from rtshell_lite import errors, rpc, values
+from rtshell_lite import errors, interrupts, rpc, values
 
 TICK = 0.2  # seconds between two looks at what is not a value
 LATE = 1.0  # seconds that may be caught up; what is later than that stays late
@@ -34,17 +34,16 @@ class Lines:
         if sys.stdin is None:
             raise errors.Usage("no -c VALUE, and stdin is closed")
         self.number, self.waiting, self.closed = 0, False, threading.Event()
-        self.asked, self.read = queue.Queue(), queue.Queue()
-        threading.Thread(target=self._read, daemon=True).start()
+        self.asked, self.read = queue.Queue(), interrupts.Mailbox()
+        rpc.start(self._read)
 
     def next(self, seconds):
         """The next (text, where it stands); None when none has come within `seconds`. Raises EOFError, OSError."""
         if not self.waiting:
             self.waiting = True
             self.asked.put(True)
-        try:
-            found = self.read.get(timeout=seconds)
-        except queue.Empty:
+        found = self.read.get(seconds)
+        if found is None:
             return None
         self.waiting = False
         if isinstance(found, Exception):

@@ -6,11 +6,10 @@ costs one timeout however many components it holds. Every answer restarts the cl
 link may take longer than the timeout, a silent one may not.
 """
 import collections
-import queue
 import threading
 import time
 
-from rtshell_lite import errors
+from rtshell_lite import errors, interrupts
 
 LANES = 4  # calls in flight per process: kind to real-time processes, and below omniORB's 5 connections
 GRACE = 0.2  # the ORB's own deadline comes first and knows more; ours is for what it does not bound (name look-ups)
@@ -21,7 +20,7 @@ end = None  # time.monotonic() after which nobody is asked any more, None for no
 NO_TIME = "there was no time left to ask it"
 
 # A remote call to be made: `endpoint` of the process that answers, (host, port) or anything hashable; `where`, the path of
-# the object for errors; `call`, a function without arguments.
+# the object, or a text, for errors; `call`, a function without arguments.
 Job = collections.namedtuple("Job", "endpoint where call")
 
 # When which process was found silent, and the words for it. For as long as the timeout it is not asked again: what comes
@@ -35,8 +34,8 @@ class _Peer:
 
     def __init__(self, endpoint):
         self.endpoint = endpoint
-        self.todo = collections.deque()
-        self.open = set()
+        self.todo = collections.deque()  # numbers of the jobs that nobody has begun
+        self.open = {}  # jobs without a value yet, by number
         self.heard = time.monotonic()
         self.limit = timeout
         since, why = silent.get(endpoint, (0, None))
@@ -124,19 +123,20 @@ def ask(endpoint, where, call):
 
 def gather(jobs):
     """Run all `jobs` (iterable of Job) and return their values in order; a failed job's value is its errors.Error."""
-    jobs = list(jobs)
-    values, peers, results = [None] * len(jobs), {}, _Results(len(jobs))
+    values, peers = [], {}
     for i, job in enumerate(jobs):
         peer = peers.get(job.endpoint) or peers.setdefault(job.endpoint, _Peer(job.endpoint))
-        peer.todo.append((i, job))
-        peer.open.add(i)
-    for peer in peers.values():
-        for _ in range(min(LANES, len(peer.todo))):
-            threading.Thread(target=_work, args=(peer, values, results), daemon=True).start()
+        peer.todo.append(i)
+        peer.open[i] = job
+        values.append(None)
+    results = _Results(len(values))
     try:
+        for peer in peers.values():
+            for _ in range(min(LANES, len(peer.todo))):
+                start(_work, peer, values, results)
         while not results.complete.wait(TICK):
             alive()  # for a gather inside a lane
-            _give_up(peers.values(), jobs, values, results)
+            _give_up(peers.values(), values, results)
     finally:
         for peer in peers.values():  # when Ctrl-C interrupts it, nothing more is begun
             peer.todo.clear()
@@ -146,6 +146,12 @@ def gather(jobs):
     return values
 
 
+def start(function, *args):
+    """Run function(*args) on a thread of its own."""
+    with interrupts.held():
+        threading.Thread(target=function, args=args, daemon=True).start()
+
+
 class _Results:
     """How many values are still to come.
 
@@ -153,27 +159,27 @@ class _Results:
     """
 
     def __init__(self, count):
-        self.lock, self.left, self.complete = threading.Lock(), count, threading.Event()
+        self.lock, self.left, self.complete = threading.Lock(), count, interrupts.Bell()
         self.came(0)
 
     def came(self, count):
         """Take note of values; the lock is held."""
         self.left -= count
         if not self.left:
-            self.complete.set()
+            self.complete.ring()
 
 
 def _work(peer, values, results):
     _lane.peer = peer
     while True:
         try:
-            i, job = peer.todo.popleft()
-        except IndexError:
+            i = peer.todo.popleft()
+            job = peer.open[i]
+        except LookupError:
             return
         value = _value(peer, job)
         with results.lock:
-            if i in peer.open:  # not given up before
-                peer.open.remove(i)
+            if peer.open.pop(i, None):  # not given up before
                 values[i] = value
                 results.came(1)
 
@@ -181,7 +187,7 @@ def _work(peer, values, results):
 def _value(peer, job):
     """What a job gives: its value, or the exception that it raises."""
     if peer.silence or is_over():
-        return errors.Silent(job.where, peer.silence or NO_TIME)
+        return errors.Silent(str(job.where), peer.silence or NO_TIME)
     alive()
     try:
         return job.call()
@@ -199,7 +205,7 @@ def _alone(e):
     return e
 
 
-def _give_up(peers, jobs, values, results):
+def _give_up(peers, values, results):
     """Fail the open jobs of peers that stayed silent too long."""
     now = time.monotonic()
     for peer in peers:
@@ -210,8 +216,8 @@ def _give_up(peers, jobs, values, results):
                 peer.fall_silent(why)
             peer.todo.clear()
             with results.lock:
-                for i in peer.open:
-                    values[i] = errors.Silent(jobs[i].where, why)
+                for i, job in peer.open.items():
+                    values[i] = errors.Silent(str(job.where), why)
                 results.came(len(peer.open))
                 peer.open.clear()
 
@@ -228,7 +234,7 @@ class Calls:
     """
 
     def __init__(self):
-        self._events = queue.Queue()
+        self._events = interrupts.Mailbox()
         self._lock = threading.Lock()
         self._waiting = {}  # by endpoint
         self._threads = collections.Counter()  # by endpoint
@@ -242,7 +248,7 @@ class Calls:
             if self._threads[endpoint] == LANES:
                 return
             self._threads[endpoint] += 1
-        threading.Thread(target=self._run, args=(endpoint,), daemon=True).start()
+        start(self._run, endpoint)
 
     def _run(self, endpoint):
         while True:
@@ -264,10 +270,10 @@ class Calls:
 
     def ended(self, seconds):
         """The next (key, value), where value is an errors.Error if the function has failed; None after so many seconds."""
-        try:
-            key, value = self._events.get(timeout=seconds) if seconds > 0 else self._events.get_nowait()
-        except queue.Empty:
+        found = self._events.get(seconds)
+        if found is None:
             return None
+        key, value = found
         if isinstance(value, Exception) and not isinstance(value, errors.Error):
             raise value
         return key, value

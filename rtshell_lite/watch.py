@@ -1,10 +1,9 @@
 """Following components for as long as one likes: what they tell, whether they live, when they come back."""
 import collections
-import queue
 import threading
 import time
 
-from rtshell_lite import component, errors, observer, orb, polling, rpc, tree
+from rtshell_lite import component, errors, interrupts, observer, orb, polling, rpc, tree
 from rtshell_lite.observer import BEAT, Event
 
 LATE = 1.5 * BEAT  # after so many seconds without a heartbeat a component is asked whether it lives
@@ -191,7 +190,7 @@ class Watch:
         """`what`: Events or Records. `note` is called with lines about what is no event, on any thread."""
         self.what, self._note = what, note
         self.watched, self._loans = [], []
-        self._items = queue.Queue(MOST)
+        self._items = interrupts.Mailbox(MOST)
         self.dropped = 0
         self._ended = threading.Event()
         self._guard = threading.Lock()
@@ -212,7 +211,7 @@ class Watch:
         for each in self.watched:
             processes.setdefault(each.node.endpoint, []).append(each)
         for endpoint, group in processes.items():
-            threading.Thread(target=self._look_after, args=(endpoint, group), daemon=True).start()
+            rpc.start(self._look_after, endpoint, group)
         return found
 
     def _look_after(self, endpoint, group):
@@ -237,9 +236,7 @@ class Watch:
                 self.note(watched, {"DIED": "its process is gone", "BACK": "is back", "EXITED": "has exited",
                                     "ANSWERS": "answers again"}[item.event])
             return
-        try:
-            self._items.put_nowait((watched, item))
-        except queue.Full:
+        if not self._items.put((watched, item)):
             self.dropped += 1
 
     def _unknown(self, item):
@@ -259,11 +256,10 @@ class Watch:
             if left <= 0:
                 break
             idle()
-            try:
-                yield self._items.get(timeout=left)
-            except queue.Empty:
-                continue
-            number -= 1
+            found = self._items.get(left)
+            if found is not None:
+                yield found
+                number -= 1
         if self.dropped:
             self._note("%d lines dropped: they came faster than they could be printed" % self.dropped)
         if number > 0 and self.watched:
@@ -272,9 +268,10 @@ class Watch:
 
     def close(self):
         """Take back all that was lent; bounded by the timeout. Tells who did not answer."""
-        with self._guard:
-            self._ended.set()
-        values = rpc.gather([rpc.Job(loan.node.endpoint, loan.where, loan.take_back) for loan in self._loans])
+        with interrupts.held():
+            with self._guard:
+                self._ended.set()
+            values = rpc.gather([rpc.Job(loan.node.endpoint, loan.where, loan.take_back) for loan in self._loans])
         for value in values:
             if isinstance(value, errors.Silent):
                 self._note("%s; it still has our observer, and drops it when it calls us in vain" % value)

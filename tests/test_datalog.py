@@ -4,6 +4,7 @@ import os
 import random
 import resource
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -11,7 +12,7 @@ import tracemalloc
 import unittest
 
 from rtshell_lite import datalog, errors
-from rtshell_lite.datalog import blocks, writer
+from rtshell_lite.datalog import blocks, textlog, writer
 
 LONG = "IDL:RTC/TimedLong:1.0"
 CHANNELS = [datalog.Channel("a", LONG, b"\1\2", ("/x:a",)), datalog.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y:b"))]
@@ -68,6 +69,46 @@ class Files(Case):
         self.assertEqual((log.count, log.first, log.last, log.counts, log.closed), (
             1000, written[0][1], written[-1][1], {"a": 500, "b": 500}, True))
         self.assertEqual(list(log.notes()), [])
+
+    def test_only_what_is_torn_is_cut_off(self):
+        """To go on with a file whose middle is damaged would throw away all behind that; half a large record may go."""
+        data = self.write(messages(100, 40000), close=False)
+        with datalog.load(self.name) as log:
+            place = log.index.points[1][1]
+        damaged = data[:place + 1] + struct.pack("<I", 7) + data[place + 5:]
+        self.put(damaged)
+        with self.assertRaisesRegex(errors.No, "record to another file"):
+            self.write([], append=True)
+        with open(self.name, "rb") as file:
+            self.assertEqual(file.read(), damaged)
+        for end in (b"R" + struct.pack("<II", 9 << 20, 1) + bytes(8 << 20), bytes(2 << 20)):
+            self.put(data + end)
+            self.write(messages(1), append=True)
+            log, _ = self.read()
+            self.assertEqual((log.count, log.torn), (101, 0))
+
+    def test_nothing_else_is_gone_on_with(self):
+        for data in (b"no log", b"\x80\x04", b"x" + self.write(messages(1))[1:]):
+            self.put(data)
+            with self.assertRaisesRegex(errors.No, "not a log that"):
+                self.write([], append=True)
+            with self.assertRaisesRegex(errors.No, "not a log of text"):
+                textlog.Writer(self.name, CHANNELS, [None, None], True)
+            with open(self.name, "rb") as file:
+                self.assertEqual(file.read(), data)
+
+    def test_a_log_of_text_has_one_writer(self):
+        first = textlog.Writer(self.name, CHANNELS, [None, None])
+        first.write(messages(1))
+        for append in (True, False):
+            with self.assertRaisesRegex(errors.No, "another rtlog"):
+                textlog.Writer(self.name, CHANNELS, [None, None], append)
+        first.close()
+        textlog.Writer(self.name, CHANNELS, [None, None], True).close()
+        with open(self.name, "rb") as file:
+            self.assertEqual(len(file.read().splitlines()), 1)
+        textlog.Writer(self.name, CHANNELS, [None, None]).close()
+        self.assertEqual(os.path.getsize(self.name), 0)
 
     def test_places_are_found(self):
         """-s must find its entry by number and by time, on both sides of every point of the index."""

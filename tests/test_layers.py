@@ -27,7 +27,7 @@ LAYERS = [
     ["orb", "cli", "commandline", "installation", "streams"],  # the door to omniORB; what commands share
     # forms of things, told from text or bytes without asking anybody
     ["cdr", "constants", "construct", "descriptors", "idl", "overview", "path", "portable", "values", "xmlprofile"],
-    ["files", "rpc", "shell", "text"],
+    ["files", "interrupts", "rpc", "shell", "text"],
     ["errors"],
     ["__init__"],
 ]

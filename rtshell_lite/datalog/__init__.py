@@ -35,6 +35,11 @@ Channel = collections.namedtuple("Channel", "name type_id typecode sources")
 Entry = collections.namedtuple("Entry", "number received channel little data value")
 
 
+def is_text(start):
+    """True for the first bytes of a log of text."""
+    return start.split(b".")[0].isdigit()
+
+
 def load(name, modules=()):
     """Open a log file of either form, rtlog or simpkl, told apart by content. To be used in a `with` statement.
 
@@ -53,7 +58,7 @@ def load(name, modules=()):
         if start[:1] == b"\x80" or start[:2] in (b"(F", b"(G"):
             from rtshell_lite.datalog import simpkl
             return simpkl.Log(file, where, size, modules)
-        if start.split(b".")[0].isdigit():
+        if is_text(start):
             raise errors.No(where, "a log of text; it is for people, and can be neither played nor inspected")
         raise errors.No(where, "not a log file" + ("" if size else " (it is empty)"))
     except (errors.Error, OSError):

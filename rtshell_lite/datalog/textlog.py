@@ -6,6 +6,8 @@ import os
 import stat
 
 from rtshell_lite import errors, values
+from rtshell_lite.datalog import is_text, writer
+from rtshell_lite.text import printable
 
 
 class Writer:
@@ -13,7 +15,23 @@ class Writer:
 
     def __init__(self, name, channels, types, append=False):
         self.name, self._names, self._types = name, [channel.name for channel in channels], types
-        self._file = open(name, "ab" if append else "wb")
+        self._file = open(name, "ab")
+        try:
+            writer.lock(self._file, name)
+            if stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
+                self._prepare(append)
+        except errors.No:
+            self._file.close()
+            raise
+
+    def _prepare(self, append):
+        if not append:
+            self._file.truncate(0)
+            return
+        with open(self.name, "rb") as old:
+            start = old.read(32)
+        if start and not is_text(start):
+            raise errors.No(printable(self.name), "not a log of text")
 
     def write(self, messages):
         """Append messages, each (channel number, received, little, data). Raises OSError."""

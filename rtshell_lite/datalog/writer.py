@@ -77,9 +77,9 @@ class Writer:
         old, ours = open(target, "rb") if os.path.exists(target) else None, False
         try:
             if old:
-                _lock(old, self.name)
+                lock(old, self.name)
             self._file = _opened(temporary, self.name)
-            _lock(self._file, self.name)
+            lock(self._file, self.name)
             ours = True
             self._start(header)
             os.fsync(self._file.fileno())
@@ -101,15 +101,29 @@ class Writer:
     def _go_on(self, header):
         from rtshell_lite.datalog import reader
         self._file = open(self.name, "r+b", 0)
-        _lock(self._file, self.name)
+        lock(self._file, self.name)
+        if self._file.read(len(blocks.MAGIC)) != blocks.MAGIC:
+            raise errors.No(text.printable(self.name), "not a log that can be gone on with")
         size = os.fstat(self._file.fileno()).st_size
         with reader.Log(open(self.name, "rb"), text.printable(self.name), size) as old:
             self._check(old.channels)
             self.end = old.scan(self.index)
+            if not self._is_torn(old.torn):
+                raise errors.No(text.printable(self.name), "it is damaged %d octets before its end, which would be lost; "
+                                "record to another file" % old.torn)
         os.ftruncate(self._file.fileno(), self.end)
         self._file.seek(self.end)
         self.index.headers.append(self.end)
         self._put([header])
+
+    def _is_torn(self, size):
+        """True when the last `size` octets are what a sudden end leaves, not records behind one that is damaged."""
+        self._file.seek(self.end)
+        head = self._file.read(blocks.BLOCK.size)
+        if size <= CHUNK or not head.strip(b"\0"):  # file systems leave zeros after a power failure
+            return True
+        kind, length, _ = blocks.BLOCK.unpack(head)
+        return kind == blocks.RECORD and size - blocks.BLOCK.size <= length <= blocks.ENTRY.size + blocks.LARGEST
 
     def _check(self, old):
         types = {channel.name: channel.type_id for channel in old}
@@ -192,7 +206,7 @@ def _opened(name, target):
         raise
 
 
-def _lock(file, name):
+def lock(file, name):
     """Keep a second recorder away. Raises errors.No; file systems that know no locks have none."""
     import fcntl
     try:

@@ -7,7 +7,7 @@ One value, as its constructor or as JSON:
 
   $ rtinject -c 'RTC.TimedLong({time}, 42)' ConsoleOut0.rtc:in; ctl received ConsoleOut0:in 1
   1 42
-  $ rtinject -c '{"data": -5}' ConsoleOut0.rtc:in; ctl received ConsoleOut0:in 2
+  $ rtinject -c 1 -n 0 ConsoleOut0.rtc:in; rtinject -c '{"data": -5}' ConsoleOut0.rtc:in; ctl received ConsoleOut0:in 2
   2 -5
   $ rtinject -c 'RTC.TimedLong(RTC.Time(1, 2), 43)' -n 3 -r 50 ConsoleOut0.rtc:in.name; ctl received ConsoleOut0:in 5
   5 43

@@ -62,6 +62,9 @@ A part:
   $ rtlog -p -f b.rtlog -i -s -3 ConsoleOut0.rtc:in.n
   rtlog: start or end out of bounds (see --help)
   [2]
+  $ rtlog -p -f b.rtlog -s 1e300 ConsoleOut0.rtc:in.n
+  rtlog: start or end out of bounds (see --help)
+  [2]
   $ rtlog -p -f b.rtlog -i ConsoleOut0.rtc:in.n
   rtlog: WARNING: --index has no effect without --start or --end
   rtlog: End of log reached.
@@ -120,6 +123,10 @@ Ctrl-C, and a component that dies or hangs meanwhile:
   $ interrupt 0.7 rtlog -p -f c.rtlog ConsoleOut0.rtc:in.n
   [130]
   $ ctl @these connectors ConsoleOut0:in
+  $ for s in TERM HUP; do rtlog -p -f c.rtlog -r 0.05 ConsoleOut0.rtc:in.n & until [ -n "$(ctl @these connectors ConsoleOut0:in)" ]; do :; done
+  > kill -$s $!; wait $!; echo $?; ctl @these connectors ConsoleOut0:in; done
+  143
+  129
   $ rtlog -p -f c.rtlog -r 0.3 ConsoleOut0.rtc:in.n & until [ -n "$(ctl @these connectors ConsoleOut0:in)" ]; do :; done; kill-mock these; wait $!
   rtlog: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: connection lost
   [4]

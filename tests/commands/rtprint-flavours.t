@@ -10,7 +10,7 @@ world: senders 50 12 --flavour rtorb --context rtorb.host_cxt/%n.rtc
 world: senders 50 12 dataflow=pull --context pull.host_cxt/%n.rtc
 world: senders 50 12 interfaces=data_service,direct --context service.host_cxt/%n.rtc
 world: senders 50 12 interfaces=direct,shared_memory --context direct.host_cxt/%n.rtc
-world: senders 4 5000000 --flavour cpp2 --context big.host_cxt/%n.rtc
+world: senders 4 10000000 --flavour cpp2 --context big.host_cxt/%n.rtc
 
   $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtprint -n 3 ../$v.host_cxt/Source0.rtc:number "$@" 2>&1 |
   >   awk -v v=$v '/^\[/ { if ($2 > 0 && $2 < 9999) n++; next } { print } END { print v, n }'; done; }

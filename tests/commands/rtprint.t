@@ -26,7 +26,7 @@ Others stamp their values. They are printed as they come, all of them:
 
 -r looks at times and prints the newest; -n counts looks then:
 
-  $ within 0.9-2.5 rtprint -r 4 -n 3 Source0.rtc:number >lines; awk '{ print ($2 - last > 15); last = $2 }' lines | sed 1d
+  $ within 0.7-20 rtprint -r 4 -n 3 Source0.rtc:number >lines; awk '{ print ($2 - last > 4); last = $2 }' lines | sed 1d
   1
   1
 

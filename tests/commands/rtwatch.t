@@ -18,13 +18,14 @@ An observer of OpenRTM, events of some kinds; -n ends it:
   [T] 0 ERROR
   [T] 0 INACTIVE
   [T] 0 ACTIVE
-  $ rtwatch -n 4 -f EC_EVENT -f CONFIG_EVENT ConsoleIn0.rtc > out & watched ConsoleIn0
+  $ rtwatch -n 5 -f EC_EVENT -f CONFIG_EVENT ConsoleIn0.rtc > out & watched ConsoleIn0
   $ rtec ConsoleIn0.rtc rate 500; rtec ConsoleIn0.rtc stop; rtec ConsoleIn0.rtc start; rtconf ConsoleIn0.rtc act default
-  $ wait; plain out
+  $ wait; plain out | sort
   [T] 0 EC_RATE_CHANGED
   [T] 0 EC_SHUTDOWN
   [T] 0 EC_STARTUP
   [T] default CFG_ACTIVATE_SET
+  [T] default CFG_UPDATE_SET
 
 One of FSM4RTC; several components have their names in the lines. A line is written when it happens, not when a buffer is
 full, and the time is now:

@@ -23,6 +23,7 @@ TIMEOUT = 0.8           # --timeout of the commands
 SLACK = 0.5             # seconds more than that may pass; waiting for a processor is not counted
 RESIDENT = 64 * 1024    # kB
 LIMIT = 40.0            # seconds after which a command is killed
+MODULES = os.path.abspath(os.environ.get("PYTHONPATH") or peers.ROOT)   # commands run in other directories than ours
 THOROUGH = bool(os.environ.get("RTSHELL_FAULTS"))  # all cases instead of a sample
 PARALLEL = 6
 
@@ -45,7 +46,7 @@ class Ran:
 
 def environment(**more):
     """Of a command."""
-    found = dict(os.environ, PYTHONPATH=os.environ.get("PYTHONPATH") or peers.ROOT, LC_ALL="C", TERM="xterm",
+    found = dict(os.environ, PYTHONPATH=MODULES, LC_ALL="C", TERM="xterm",
                  PYTHONDONTWRITEBYTECODE="1")
     found.update(more)
     return found

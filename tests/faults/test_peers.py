@@ -20,7 +20,6 @@ NAMING = {"hostile", "many", "loop", "bottomless"}  # these answer as a name ser
 SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"}
 SHORT = 250             # of 4,500 cases
 LIST_LIMIT = 60.0       # seconds for 20,000 names, each of which is asked for and then asked
-LIST_RESIDENT = 96 * 1024   # kB for them: a line, or a failure, of each is kept until it can be sorted
 
 # The doctor promises three times the timeout; what asks one after the other may wait as often, such as rtcheck --extra, which
 # asks the components of the file, then all bad peers at once, for their ports and then for their profiles.
@@ -85,7 +84,7 @@ class Case:
             yield "a bug"
         if ran.seconds > self.limit():
             yield "%.2f s, not %.2f" % (ran.seconds, self.limit())
-        if ran.resident > (LIST_RESIDENT if self.limit() == LIST_LIMIT else running.RESIDENT):
+        if ran.resident > running.RESIDENT:
             yield "%d kB" % ran.resident
         if ran.status not in self.allowed():
             yield "status %d, not of %s" % (ran.status, sorted(self.allowed()))

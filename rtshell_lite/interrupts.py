@@ -1,0 +1,109 @@
+"""Ctrl-C, SIGTERM and SIGHUP strike the main thread between any two steps. Here is what keeps whole what must not be torn.
+
+    with held(): …     what comes meanwhile is raised afterwards
+    Bell, Mailbox      what the main thread waits with while other threads bring it something
+
+threading.Event, Condition and queue.Queue are not for a main thread that others wake all the time: an exception out of a signal
+handler may leave Condition.wait without its lock, which is then released once too often (RuntimeError; CPython 3.6 to 3.14).
+A bare lock is taken, or not, in one step.
+"""
+import collections
+import threading
+import time
+
+BOUNCE = 0.3  # seconds in which a second Ctrl-C is the first one once more
+
+_held = 0  # how many `held` there are around what the main thread does
+_waiting = None  # what is raised when nothing is held any more
+_raised = -BOUNCE  # when the last one was
+_ending = False  # whether one came that ends the process
+
+
+def strike(exception, ends=False):
+    """For handlers of signals: raise the exception, or have it raised as soon as nothing is held.
+
+    `ends`: it ends the process. Of such only the first one counts: a second must not cut its way out short.
+    """
+    global _waiting, _ending
+    if _ending if ends else time.monotonic() - _raised < BOUNCE:
+        return
+    _ending = _ending or ends
+    if _held:
+        _waiting = exception if ends else _waiting or exception
+        return
+    _raise(exception)
+
+
+def _raise(exception):
+    global _waiting, _raised
+    _waiting, _raised = None, time.monotonic()
+    raise exception
+
+
+def ctrl_c(number, frame):
+    """The handler of SIGINT."""
+    strike(KeyboardInterrupt())
+
+
+def _on_main_thread():
+    return threading.current_thread() is threading.main_thread()
+
+
+class held:
+    """Nothing interrupts what is done within this `with`; on other threads nothing does anyway."""
+
+    def __enter__(self):
+        global _held
+        self._main = _on_main_thread()
+        if self._main:
+            _held += 1
+
+    def __exit__(self, *_):
+        global _held
+        if not self._main:
+            return
+        _held -= 1
+        exception = _waiting
+        if exception and not _held:
+            _raise(exception)
+
+
+class Bell:
+    """Other threads ring it, one waits for it; a wait that was successful uses it up."""
+
+    def __init__(self):
+        self._lock = threading.Lock()
+        self._lock.acquire()
+
+    def ring(self):
+        try:
+            self._lock.release()
+        except RuntimeError:
+            pass  # it rings already
+
+    def wait(self, seconds):
+        """Wait for at most so many seconds; True if it rang."""
+        return self._lock.acquire(timeout=min(max(0, seconds), threading.TIMEOUT_MAX))
+
+
+class Mailbox:
+    """What other threads `put` in and one thread takes out, in that order. At most `most` may wait, None for any number."""
+
+    def __init__(self, most=None):
+        self._items, self._most, self._bell = collections.deque(), most, Bell()
+
+    def put(self, item):
+        """Add an item, at once; False when it does not fit."""
+        if self._most is not None and len(self._items) >= self._most:
+            return False
+        self._items.append(item)
+        self._bell.ring()
+        return True
+
+    def get(self, seconds):
+        """The next item; waits for it up to so many seconds, and returns None then."""
+        end = time.monotonic() + seconds
+        while not self._items:
+            if not self._bell.wait(end - time.monotonic()):
+                break
+        return self._items.popleft() if self._items else None

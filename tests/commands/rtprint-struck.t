@@ -1,0 +1,36 @@
+Signals that strike while connections are made or removed leave none of them behind.
+
+once: it is the moment that counts here
+world: two
+
+  $ six=$(yes ConsoleIn0.rtc:out | head -n 6)
+  $ called() { [ "$(calls | grep -c " $1\$")" -gt 0 ]; }
+  $ all_removed() { calls | awk '/ connect$/ { n = $1 } / disconnect$/ { m = $1 } END { exit !(n && n == m) }'; }
+  $ connected() { [ $(ctl connectors ConsoleIn0:out | wc -l) -ge $1 ]; }
+
+While they are made, which takes its time here:
+
+  $ ctl delay connect 1; rtprint $six & pid=$!; until called connect; do :; done; kill $pid; wait $pid
+  [143]
+  $ all_removed
+  $ ctl reset; ctl delay connect 1; rtinject -c 1 -n -1 ConsoleOut0.rtc:in & pid=$!; until called connect; do :; done; kill -HUP $pid; wait $pid
+  [129]
+  $ all_removed; ctl reset
+
+While they are removed, at the command's own end; at most four are being removed at one time:
+
+  $ rtprint -n 1 $six & pid=$!; until connected 6; do :; done; ctl delay disconnect 0.5; ctl write ConsoleIn0:out 1
+  > until called disconnect; do :; done; kill $pid; wait $pid
+  ConsoleIn0.rtc:out: [0.000000000] 1
+  [143]
+  $ connected 1
+  [1]
+
+A component that is silent when it is to connect; it may have taken the connection all the same, or may yet:
+
+  $ export RTSHELL_TIMEOUT=1; ctl reset; ctl fail connect 1 HANG; rtprint -n 1 ConsoleIn0.rtc:out
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 1s
+  [4]
+  $ ctl fail connect 1 HANG; rtinject -c 1 ConsoleOut0.rtc:in
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: no answer within 1s
+  [4]

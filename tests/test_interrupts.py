@@ -1,0 +1,113 @@
+"""Signals at the worst of moments: if one of these fails, Ctrl-C brings an internal error, or leaves a connection in a robot."""
+import os
+import signal
+import threading
+import time
+import unittest
+
+from rtshell_lite import interrupts
+from rtshell_lite.dataport import Message
+from rtshell_lite.inbox import Inbox
+
+LIMIT = 10.0  # seconds that anything may take
+
+
+class Striking(unittest.TestCase):
+    """With handlers of its own, which are put back."""
+
+    handler = staticmethod(signal.default_int_handler)
+
+    def setUp(self):
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, self.handler))
+        interrupts._raised = -interrupts.BOUNCE
+
+
+class Struck(list):
+    """A list whose append brings two signals, and takes its time between and behind them."""
+
+    def append(self, item):
+        list.append(self, item)
+        for _ in range(2):
+            os.kill(os.getpid(), signal.SIGINT)
+            time.sleep(0.1)
+
+
+class Waiting(Striking):
+    def test_what_has_come_is_taken_again_after_ctrl_c_amid_a_put(self):
+        """With a Condition, either side was told: release unlocked lock."""
+        box, broken = Inbox(), []
+        box.waiting = Struck()
+
+        def put():
+            try:
+                box.put(0, Message(0, b"", True))
+            except RuntimeError as e:
+                broken.append(e)
+        putter = threading.Timer(0.1, put)
+        putter.start()
+        try:
+            self.assertRaises(KeyboardInterrupt, box.get, LIMIT)
+            while putter.is_alive():  # until the second one
+                time.sleep(0.01)
+        except KeyboardInterrupt:
+            pass
+        putter.join()
+        self.assertEqual(broken, [])
+        box.waiting = list(box.waiting)
+        box.put(0, Message(1, b"", True))
+        self.assertEqual([message.received for _, message in box.get(0)], [0, 1])
+
+    def test_a_mailbox_keeps_the_order_and_has_an_end(self):
+        box = interrupts.Mailbox(2)
+        self.assertEqual([box.put(each) for each in "abc"], [True, True, False])
+        self.assertEqual([box.get(0), box.get(0), box.get(0)], ["a", "b", None])
+        threading.Timer(0.05, box.put, "d").start()
+        self.assertEqual(box.get(LIMIT), "d")
+        self.assertIsNone(box.get(0.01))
+
+    def test_a_bell_rings_once_however_often_it_was_rung(self):
+        bell = interrupts.Bell()
+        bell.ring()
+        bell.ring()
+        self.assertEqual([bell.wait(0), bell.wait(0)], [True, False])
+
+
+class Held(Striking):
+    handler = staticmethod(interrupts.ctrl_c)
+
+    def strike(self):
+        os.kill(os.getpid(), signal.SIGINT)
+
+    def test_comes_afterwards(self):
+        done = []
+        with self.assertRaises(KeyboardInterrupt):
+            with interrupts.held():
+                with interrupts.held():
+                    self.strike()
+                done.append("within")
+            done.append("never")
+        self.assertEqual(done, ["within"])
+
+    def test_comes_at_once_where_nothing_holds_it(self):
+        self.assertRaises(KeyboardInterrupt, self.strike)
+        self.strike()  # the same key press
+        interrupts._raised = -interrupts.BOUNCE
+        self.assertRaises(KeyboardInterrupt, self.strike)
+
+    def test_other_threads_hold_nothing(self):
+        holding, over = threading.Event(), threading.Event()
+
+        def hold():
+            with interrupts.held():
+                holding.set()
+                over.wait(LIMIT)
+        thread = threading.Thread(target=hold)
+        thread.start()
+        holding.wait(LIMIT)
+        self.assertRaises(KeyboardInterrupt, self.strike)
+        over.set()
+        thread.join()
+
+
+if __name__ == "__main__":
+    unittest.main()
