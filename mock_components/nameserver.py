@@ -85,6 +85,7 @@ def answers(port):
 
 
 def main():
+    """Serve names until standard input ends."""
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
     with tempfile.TemporaryDirectory() as directory:
         try:
