@@ -3,7 +3,7 @@
 python3 -m mock_components.faulty [--bind HOST:PORT[/CONTEXT...]] [NAME=]MODE...
 
 One port on 127.0.0.1 for each MODE; one line of JSON, {"NAME": port, ...}, says that all are ready. NAME is MODE unless
-given. The end of stdin, SIGTERM, or ten minutes end it. Every port can be taken for a naming context (corbaloc:iiop:
+given. The end of stdin, SIGTERM, or an hour ends it. Every port can be taken for a naming context (corbaloc:iiop:
 1.2@127.0.0.1:PORT/NameService) and for a component: object keys are not looked at.
 
 --bind enters each peer in a live name server, below CONTEXT, which is made if need be, as the component NAME.rtc; a NAME
@@ -24,7 +24,7 @@ import time
 from .giop import (COMPONENT, CONTEXT, bad_operation, bindings, cdr, component_profile, harmless_answer, read_request,
                    reference, reply, stringified)
 
-LIFETIME = 600
+LIFETIME = 3600
 
 HOSTILE_NAMES = [
     (b"\x1b]0;pwned\x07\x1b[2Jescape", b"rtc"),
@@ -252,20 +252,21 @@ def bind(place, ports):
     omniORB.setClientCallTimeout(5000)
     orb = CORBA.ORB_init(["faulty"])
     address, _, path = place.partition("/")
-    context = orb.string_to_object("corbaloc:iiop:1.2@{}/NameService".format(address))
-    context = context._unchecked_narrow(CosNaming.NamingContext)
+    root = orb.string_to_object("corbaloc:iiop:1.2@{}/NameService".format(address))._unchecked_narrow(CosNaming.NamingContext)
+    place = []
     for part in filter(None, path.split("/")):
+        place += name_of(part)
         try:
-            context = context.bind_new_context(name_of(part))
+            root.bind_new_context(place)
         except CosNaming.NamingContext.AlreadyBound:
-            context = context.resolve(name_of(part))._narrow(CosNaming.NamingContext)
+            pass
     for name, port in ports.items():
         if name.endswith(".rtc") or "." not in name:
             component = orb.string_to_object(stringified(port))
-            context.rebind(name_of(name if "." in name else name + ".rtc"), component)
+            root.rebind(place + name_of(name if "." in name else name + ".rtc"), component)
         else:
             other = orb.string_to_object(stringified(port, CONTEXT))
-            context.rebind_context(name_of(name), other._unchecked_narrow(CosNaming.NamingContext))
+            root.rebind_context(place + name_of(name), other._unchecked_narrow(CosNaming.NamingContext))
 
 
 def name_of(text):
@@ -304,6 +305,7 @@ def parse(arguments):
 
 
 def main(arguments):
+    """Play the peers that the arguments name, print their ports as JSON, and end with standard input."""
     if not arguments or {"-h", "--help"} & set(arguments):
         print(usage())
         return

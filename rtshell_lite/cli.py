@@ -272,7 +272,7 @@ class Progress(Tally):
     def ended(self, result):
         """An action has ended, or will not be tried; failures of optional components leave the exit status as it is."""
         action, error = result.action, result.error
-        self.passed_over(result)
+        self._as_json(result)
         if error is None:
             self.add(action)
             detail("%s: %s%s" % (action.path, "already " if result.outcome == "already" else "", self.state))
@@ -283,6 +283,9 @@ class Progress(Tally):
 
     def passed_over(self, result):
         """An action will not be tried, for a reason that has been told."""
+        self._as_json(result)
+
+    def _as_json(self, result):
         action, error = result.action, result.error
         if self.as_json:
             print(text.json_line({
@@ -381,6 +384,12 @@ def json_output(parser):
 def null(parser):
     """-0."""
     parser.add_argument("-0", "--null", action="store_true", help="full paths, each ended by a NUL byte (for xargs -0)")
+
+
+def profile_file(parser):
+    """The file that a command reads an RtsProfile from: args.file, - for stdin, and args.form as `profile_form` has it."""
+    parser.add_argument("file", nargs="?", default="-", metavar="FILE", help="an RtsProfile in XML or YAML (default: stdin)")
+    profile_form(parser, "the file is")
 
 
 def profile_form(parser, verb):

@@ -6,14 +6,12 @@ from rtshell_lite.system import shown_path as _path
 from rtshell_lite.text import printable
 
 # One check. `what` completes "Checking …", `needs` are the components of the profile that have to be there for it, and
-# `differences(found, …)` with the Found of each gives Differences.
+# `differences(check, found, …)` with the Found of each gives Differences.
 Check = collections.namedtuple("Check", "kind required what needs differences")
 
 # Where file and system differ: `message` as rtshell says it, `path` of the component or ports, what the file has (`expected`)
 # and what there is (`actual`), None where that is nothing.
 Difference = collections.namedtuple("Difference", "check required message path expected actual")
-
-TYPES = ("dataflow_type", "interface_type", "subscription_type", "data_type")
 
 
 class Result:
@@ -70,7 +68,7 @@ def _strangers(profile, there, result):
 
 def _extra(profile, there):
     """Differences for what the components of a profile have beyond it: connections, configuration sets, parameters."""
-    ids = {each.connector_id for each in profile.data_port_connectors + profile.service_port_connectors}
+    ids = {each.connector_id for each in profile.connectors}
     names = {orb.identity(port.ref): _path(each) + ":" + printable(ports.short_name(port.name, found.profile.instance_name))
              for each, found in there for port in found.ports}
     made, seen = [], set()
@@ -136,7 +134,7 @@ def checks(profile, state):
     by_need = sorted(profile.components, key=lambda each: not each.is_required)
     found = [_component_check(each) for each in by_need]
     locate = system.locator(profile)
-    connections = [_connection_check(c, locate) for c in profile.data_port_connectors + profile.service_port_connectors]
+    connections = [_connection_check(connector, locate) for connector in profile.connectors]
     found += sorted(connections, key=lambda check: not check.required)
     for each in profile.components:
         found += _configuration_checks(each)
@@ -313,7 +311,7 @@ def _instead(at):
 def wrong_properties(connector, running):
     """(name, value in the profile, value or None) of the properties in which the ports.Connector `running` differs."""
     wanted = {item.name: item.value or "" for item in connector.properties if not system.is_reference(item.name, item.value)}
-    for name in TYPES:
+    for name in system.DATA_FIELDS:
         if getattr(connector, name, ""):
             wanted["dataport." + name] = getattr(connector, name)
     actual = dict(running.properties)

@@ -23,6 +23,16 @@ Profile = collections.namedtuple("Profile", "instance_name type_name description
 Context = collections.namedtuple("Context", "handle ref kind rate running owner participants properties")
 
 
+def until(reached, seconds):
+    """Ask reached() again and again until it says True, for at most so many seconds; returns whether it has."""
+    limit = time.monotonic() + seconds
+    while not reached():
+        if time.monotonic() > limit:
+            return False
+        time.sleep(POLL)
+    return True
+
+
 # ---- profile --------------------------------------------------------------------------------------------------
 
 def profile(node):
@@ -34,8 +44,8 @@ def profile(node):
     return Profile._make(texts + [orb.properties(found.properties)])
 
 
-def once_more(call):
-    """Call again after a failure that is not silence.
+def once_more(call, failures=None):
+    """Call again after a failure that is not silence; it is added to the list `failures`, if there is one.
 
     A profile query makes a component check its connections, and the first one after a peer has died passes that peer's
     TRANSIENT on to the caller (C++ and Python 2.1).
@@ -44,7 +54,9 @@ def once_more(call):
         return call()
     except (errors.Silent, errors.Refused):
         raise
-    except errors.Unreachable:
+    except errors.Unreachable as e:
+        if failures is not None:
+            failures.append(e)
         return call()
 
 
@@ -293,12 +305,13 @@ def _has_ended(node):
 
 
 def _until_unbound(node, wait):
-    limit = time.monotonic() + wait
-    while True:
-        try:
-            tree.resolve(node.path)
-        except errors.NotFound:
-            return
-        if time.monotonic() > limit:
-            raise errors.Unreachable(str(node.path), "has exited, but its name is still bound after %gs" % wait)
-        time.sleep(POLL)
+    if not until(lambda: _is_unbound(node), wait):
+        raise errors.Unreachable(str(node.path), "has exited, but its name is still bound after %gs" % wait)
+
+
+def _is_unbound(node):
+    try:
+        tree.resolve(node.path)
+    except errors.NotFound:
+        return True
+    return False

@@ -146,6 +146,7 @@ def standard(name):
     parts = _parts(name)
     if not parts or len(parts) > 2 or len(parts) == 2 and parts[0] not in STANDARD:
         return None
+    orb.import_omniorb()
     for module in parts[:-1] or STANDARD:
         if module == "RTC":
             from rtshell_lite.idl_stubs.data import RTC
@@ -192,6 +193,7 @@ def _imported(name, path):
 
 def _lend_standard_stubs():
     """Stubs import those of the files that theirs included: OpenRTM-aist-Python's where it is installed, else ours."""
+    orb.import_omniorb()
     from rtshell_lite.idl_stubs import data
     for name in ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "InterfaceDataTypes_idl", "CameraCommonInterface_idl"):
         if name not in sys.modules and importlib.util.find_spec(name) is None:

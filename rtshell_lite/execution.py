@@ -1,6 +1,5 @@
 """Execution contexts from outside: rate, start and stop, who takes part, and the rate that is really kept (OMG RTC 1.1, 5.2.2.5)."""
 import collections
-import time
 
 from rtshell_lite import component, dataport, errors, orb, ports
 from rtshell_lite.text import from_wire, printable, shell_word
@@ -107,11 +106,9 @@ def detach(node, index, other):
     if not _takes_part(found, other):
         raise errors.NoSuch(where, "participant", str(other.path))
     code = str(orb.ask(where, ref, "remove_component", other.typed))
-    end = time.monotonic() + max(SETTLE_TIME, 3 / found.rate if found.rate > 0 else 0)
-    while _takes_part(component.seen(lambda: orb.ask(where, ref, "get_profile")), other):
-        if time.monotonic() > end:
-            raise errors.Refused(where, "its execution context does not let go of %s (%s)" % (str(other.path), code))
-        time.sleep(component.POLL)
+    seconds = max(SETTLE_TIME, 3 / found.rate if found.rate > 0 else 0)
+    if not component.until(lambda: not _takes_part(component.seen(lambda: orb.ask(where, ref, "get_profile")), other), seconds):
+        raise errors.Refused(where, "its execution context does not let go of %s (%s)" % (str(other.path), code))
     return "%s: %s left" % (node.path, other.path)
 
 

@@ -1,5 +1,4 @@
 """Local files: written whole or not at all, `-` for stdin and stdout."""
-import io
 import os
 import stat
 import sys
@@ -40,13 +39,13 @@ def write(name, content):
 
 def _replace(target, data):
     if os.path.exists(target) and not stat.S_ISREG(os.stat(target).st_mode):
-        with io.open(target, "wb") as pipe:  # a device or a FIFO; a directory raises
+        with open(target, "wb") as pipe:  # a device or a FIFO; a directory raises
             pipe.write(data)
         return
     folder, base = os.path.split(target)
     temporary, done = os.path.join(folder, ".%s.tmp" % base), False
     try:
-        with io.open(temporary, "wb") as out:
+        with open(temporary, "wb") as out:
             out.write(data)
             out.flush()
             os.fsync(out.fileno())

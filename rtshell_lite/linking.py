@@ -34,11 +34,8 @@ class Connect(Connection):
     def __init__(self, connector, ends, ids):
         Connection.__init__(self, connector, ends)
         self.ids, self.given = ids, wanted_properties(connector)
-        words = ["rtcon"] + ["-n", connector.name] * bool(connector.name)
-        words += ["-i", connector.connector_id] * bool(connector.connector_id)
-        for item in sorted(self.given.items()):
-            words += ["-p", "%s=%s" % item]
-        self.command = " ".join(map(shell_word, words + [str(site.path.with_port(name)) for site, name in ends]))
+        paths = [str(site.path.with_port(name)) for site, name in ends]
+        self.command = ports.command(paths, connector.name, connector.connector_id, self.given)
 
     @property
     def endpoint(self):
@@ -86,7 +83,7 @@ class Connect(Connection):
 def wanted_properties(connector):
     """The properties to connect with: those that the profile gives, without references to where ports once were."""
     found = {}
-    for name in compare.TYPES:
+    for name in system.DATA_FIELDS:
         value = getattr(connector, name, "")
         if value and (name != "data_type" or value.startswith("IDL:")):  # a short name: the ports know the long one
             found["dataport." + name] = value

@@ -4,7 +4,6 @@ A manager's word is not enough: load_module answers RTC_OK for files that do not
 each change is followed by a look at what has really happened.
 """
 import re
-import time
 
 from rtshell_lite import component, errors, orb, ports, tree
 from rtshell_lite.path import Path, parse, split_address
@@ -71,6 +70,7 @@ def check_argument(argument):
 
 
 def reference(word):
+    """The reference that a corbaloc of a manager stands for; contacts nobody. Raises BadPath."""
     check(word)
     return orb.corbaloc(word, _CORBALOC.match(word).group("address"), _key(word), DEFAULT_PORT)
 
@@ -263,8 +263,5 @@ def shut_down(node):
 
 
 def _until(limit, reached, where, otherwise):
-    end = time.monotonic() + limit
-    while not component.seen(reached):
-        if time.monotonic() > end:
-            raise errors.Unreachable(where, "%s after %gs" % (otherwise, limit))
-        time.sleep(component.POLL)
+    if not component.until(lambda: component.seen(reached), limit):
+        raise errors.Unreachable(where, "%s after %gs" % (otherwise, limit))

@@ -80,13 +80,15 @@ def _spelt(s, more=""):
 
 
 def _spelt_server(server):
-    return printable(server).replace("/", "\\/") if not SCHEMES.match(server) else printable(server) + "#"
+    if SCHEMES.match(server):
+        return printable(server) + "#"
+    return printable(server).replace("/", "\\/")
 
 
 def parse(text, cwd=None):
     """Parse what a user typed into a Path. `cwd` is the directory relative paths start from (default: $RTCSH_CWD).
 
-    Raises Usage for a path that cannot be one; never looks at the network.
+    Raises BadPath for what cannot be a path; never looks at the network.
     """
     if not text:
         raise errors.BadPath("empty path")

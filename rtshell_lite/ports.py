@@ -32,10 +32,10 @@ def refs(node):
     return [orb.narrow(ref, RTC.PortService) for ref in node.call("get_ports") if ref is not None]
 
 
-def port(node, ref, persist=component.once_more):
-    """The Port behind a reference (PortService::get_port_profile); `persist` makes the call, and again where need be."""
+def port(node, ref, failures=None):
+    """The Port behind a reference (PortService::get_port_profile); for `failures` see `component.once_more`."""
     try:
-        found = persist(lambda: orb.ask(str(node.path), ref, "get_port_profile"))
+        found = component.once_more(lambda: orb.ask(str(node.path), ref, "get_port_profile"), failures)
     except (errors.Gone, errors.ConnectionRefused):
         if orb.endpoint(ref) == node.endpoint:
             raise
@@ -171,9 +171,9 @@ def _not_offered(found, key, value):
     return ["%s has no %s (it has: %s)" % (label(each), what, offer) for each, offer in lacking]
 
 
-def offer_without(each, key, value):
+def offer_without(port, key, value):
     """What a port offers for a property, spelt for the terminal, when `value` is not among it; else None."""
-    offer = _choices(each, key)
+    offer = _choices(port, key)
     return None if offer is None or value in offer else printable(", ".join(offer))
 
 
@@ -195,9 +195,9 @@ def same_type(one, other):
     return one == other if len(one) > 1 and len(other) > 1 else one[-1] == other[-1]
 
 
-def _choices(each, key):
+def _choices(port, key):
     """The values that a port allows for a property, None where it allows any or does not say."""
-    listed = each.properties.get(key)
+    listed = port.properties.get(key)
     if listed is None or key == "dataport.data_type":
         return None
     values = [value.strip() for value in listed.split(",")]
@@ -263,12 +263,12 @@ def refuse_duplicate(found, name, connector_id):
         raise errors.Refused(between(found), "already connected (id %s)" % printable(connector.id))
 
 
-def command(found, name, connector_id, given):
-    """The rtcon command for a connection, ready for a shell."""
+def command(labels, name, connector_id, given):
+    """The rtcon command for a connection of the ports at these paths (texts, see `label`), ready for a shell."""
     words = ["rtcon"] + ["-n", name] * bool(name) + ["-i", connector_id] * bool(connector_id)
     for item in sorted(given.items()):
         words += ["-p", "%s=%s" % item]
-    return " ".join(shell_word(word) for word in words + [label(each) for each in found])
+    return " ".join(shell_word(word) for word in words + labels)
 
 
 def connect(found, name="", connector_id="", given=None):
@@ -290,16 +290,16 @@ def connect(found, name="", connector_id="", given=None):
     return _connector(made)
 
 
-def connect_alone(each, name, properties):
+def connect_alone(port, name, properties):
     """A connector of one data port only, as tools use it; nobody else takes part, and the port's side of it is complete.
 
     Raises Refused, Unreachable.
     """
     from rtshell_lite.idl_stubs.component import RTC
-    asked = RTC.ConnectorProfile(to_wire(name), "", [each.ref], orb.nvlist(sorted(properties.items())))
-    code, made = orb.ask(label(each), each.ref, "connect", asked)
+    asked = RTC.ConnectorProfile(to_wire(name), "", [port.ref], orb.nvlist(sorted(properties.items())))
+    code, made = orb.ask(label(port), port.ref, "connect", asked)
     if str(code) != "RTC_OK":
-        raise errors.Refused(label(each), "refused by the component (%s)" % code, name=str(code))
+        raise errors.Refused(label(port), "refused by the component (%s)" % code, name=str(code))
     return _connector(made)
 
 
@@ -326,42 +326,42 @@ def _tidy(found):
             pass  # the refusal itself is what the user has to know
 
 
-def disconnect(each, connector):
+def disconnect(port, connector):
     """Remove a Connector of a Port. Done when the port no longer has it, whatever the far end says. Raises Refused."""
     connector_id = to_wire(connector.id)
     for operation in ("disconnect", "notify_disconnect"):  # the second reaches this end alone, for a dead far end
-        failure = _forgetting_failed(each, operation, connector_id)
+        failure = _forgetting_failed(port, operation, connector_id)
         if failure is None:
             return
-        left = component.once_more(lambda: orb.call(label(each), each.ref, "get_connector_profiles"))
+        left = component.once_more(lambda: orb.call(label(port), port.ref, "get_connector_profiles"))
         if connector_id not in [c.connector_id for c in left]:
-            _forget_elsewhere(each, connector)
+            _forget_elsewhere(port, connector)
             return
     raise failure
 
 
-def _forget_elsewhere(each, connector):
+def _forget_elsewhere(port, connector):
     """Let the other ends forget a Connector that a Port has removed without reaching all of them; dead ends do not matter.
 
     Raises Uncertain where one does not answer: it may live, and have half a connection.
     """
     for ref in connector.ports:
-        if ref is None or orb.same(ref, each.ref):
+        if ref is None or orb.same(ref, port.ref):
             continue
         try:
-            orb.ask(label(each), ref, "notify_disconnect", to_wire(connector.id))
+            orb.ask(label(port), ref, "notify_disconnect", to_wire(connector.id))
         except (errors.Gone, errors.ConnectionRefused, errors.Refused):
             pass
         except errors.Unreachable as e:
             why = "connection %s is removed here, its end at %s:%d says nothing (%s)" % (
                 (printable(connector.id),) + orb.endpoint(ref) + (e.args[1],))
-            raise errors.Uncertain(label(each), why)
+            raise errors.Uncertain(label(port), why)
 
 
-def _forgetting_failed(each, operation, connector_id):
+def _forgetting_failed(port, operation, connector_id):
     """Ask a port to forget a connector; the errors.Error that tells why it may still have it, or None."""
     try:
-        code = str(orb.call(label(each), each.ref, operation, connector_id))
+        code = str(orb.call(label(port), port.ref, operation, connector_id))
     except errors.Silent:
         raise
     except errors.Unreachable as e:  # may be the far end's death, passed on
@@ -369,7 +369,7 @@ def _forgetting_failed(each, operation, connector_id):
     if code == "RTC_OK":
         return None
     # BAD_PARAMETER: it does not know the connector; or another end does not, which it has asked to tell all the others
-    return errors.Refused(label(each), "cannot remove connection %s (%s)" % (printable(from_wire(connector_id)), code))
+    return errors.Refused(label(port), "cannot remove connection %s (%s)" % (printable(from_wire(connector_id)), code))
 
 
 def disconnect_all(pairs, dry_run=False):

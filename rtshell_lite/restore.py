@@ -37,6 +37,14 @@ def _sites(profile, maps):
     return sites
 
 
+def _site_finder(locate, sites):
+    """A function: the Site of the component that an end or a participant in the profile names, or None."""
+    def at(target):
+        each = locate(target)
+        return None if each is None else sites[id(each)]
+    return at
+
+
 def _visit(sites):
     """Ask for each Site what there is; `error` tells of what is not there, or is another component than it should be."""
     asked = [site for site in sites if site.error is None]
@@ -63,10 +71,7 @@ def restoring(profile, options):
     outcomes = [_presence(site) for site in sites.values()]
     if options.create:
         outcomes = _creations(profile, outcomes, options, locate)
-
-    def at(target):
-        each = locate(target)
-        return None if each is None else sites[id(each)]
+    at = _site_finder(locate, sites)
     for site in sites.values():
         outcomes += _memberships(site, at)
     for site in sites.values():
@@ -127,7 +132,7 @@ class Holder:
 def _named_managers(profile, options, locate):
     """{id of a Component: path of the manager that the profile names for it}."""
     found = {}
-    targets = [end for each in profile.data_port_connectors + profile.service_port_connectors for end in each.ends]
+    targets = [end for each in profile.connectors for end in each.ends]
     for target in targets + [one.component for each in profile.components for one in each.participants]:
         each, uri = locate(target), target.property(system.PATH_ID)
         if each is not None and uri:
@@ -238,15 +243,11 @@ class _Unplaced(steps.Step):
         steps.Step.__init__(self, [], error.args[0], error.args[0])
 
 
-def _all_connectors(profile):
-    return profile.data_port_connectors + profile.service_port_connectors
-
-
 def _connections(profile, at):
     """Whether the connections are there; what is left of one that has lost an end is removed first."""
-    ids = {each.connector_id for each in _all_connectors(profile)}
+    ids = {each.connector_id for each in profile.connectors}
     made, broken = [], []
-    for connector in _all_connectors(profile):
+    for connector in profile.connectors:
         try:
             step = linking.Connect(connector, _ends(connector, at), ids)
         except errors.Error as e:
@@ -309,16 +310,12 @@ def tearing_down(profile, options):
             site.error = found
         else:
             site.found, site.node = found, found.node
-    locate = system.locator(profile, options.strict)
     lost = [site for site in sites.values() if site.error is not None]
     some = len(lost) < len(sites) or not sites
     outcomes = [_presence(site) for site in lost if not (some and steps.is_gone(site.error))]
     notes = [str(site.error) for site in lost if some and steps.is_gone(site.error)]
-
-    def at(target):
-        each = locate(target)
-        return None if each is None else sites[id(each)]
-    for connector in _all_connectors(profile):
+    at = _site_finder(system.locator(profile, options.strict), sites)
+    for connector in profile.connectors:
         outcomes.append(_removal(connector, at))
     if not some:
         for each in outcomes:

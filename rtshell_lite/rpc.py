@@ -19,8 +19,9 @@ timeout = 3.0  # seconds a peer may stay silent; set once by cli from --timeout
 end = None  # time.monotonic() after which nobody is asked any more, None for no such time: set by who promises a bound
 NO_TIME = "there was no time left to ask it"
 
-Job = collections.namedtuple("Job", "endpoint where call")  # (host, port) or anything hashable; path text; function()
-
+# A remote call to be made: `endpoint` of the process that answers, (host, port) or anything hashable; `where`, the path of
+# the object, or a text, for errors; `call`, a function without arguments.
+Job = collections.namedtuple("Job", "endpoint where call")
 
 # When which process was found silent, and the words for it. For as long as the timeout it is not asked again: what comes
 # next in a command, or another component's question about it, must not cost one more timeout.
@@ -33,8 +34,8 @@ class _Peer:
 
     def __init__(self, endpoint):
         self.endpoint = endpoint
-        self.todo = collections.deque()
-        self.open = set()
+        self.todo = collections.deque()  # numbers of the jobs that nobody has begun
+        self.open = {}  # jobs without a value yet, by number
         self.heard = time.monotonic()
         self.limit = timeout
         since, why = silent.get(endpoint, (0, None))
@@ -122,19 +123,20 @@ def ask(endpoint, where, call):
 
 def gather(jobs):
     """Run all `jobs` (iterable of Job) and return their values in order; a failed job's value is its errors.Error."""
-    jobs = list(jobs)
-    values, peers, results = [None] * len(jobs), {}, _Results(len(jobs))
+    values, peers = [], {}
     for i, job in enumerate(jobs):
         peer = peers.get(job.endpoint) or peers.setdefault(job.endpoint, _Peer(job.endpoint))
-        peer.todo.append((i, job))
-        peer.open.add(i)
+        peer.todo.append(i)
+        peer.open[i] = job
+        values.append(None)
+    results = _Results(len(values))
     try:
         for peer in peers.values():
             for _ in range(min(LANES, len(peer.todo))):
                 start(_work, peer, values, results)
         while not results.complete.wait(TICK):
             alive()  # for a gather inside a lane
-            _give_up(peers.values(), jobs, values, results)
+            _give_up(peers.values(), values, results)
     finally:
         for peer in peers.values():  # when Ctrl-C interrupts it, nothing more is begun
             peer.todo.clear()
@@ -151,7 +153,10 @@ def start(function, *args):
 
 
 class _Results:
-    """How many values are still to come. Who waits is woken once, in the end: at each of 1,000 values, it cost as much as the calls."""
+    """How many values are still to come.
+
+    Who waits is woken once, in the end: to be woken at each of 1,000 values cost as much as the calls themselves.
+    """
 
     def __init__(self, count):
         self.lock, self.left, self.complete = threading.Lock(), count, interrupts.Bell()
@@ -168,13 +173,13 @@ def _work(peer, values, results):
     _lane.peer = peer
     while True:
         try:
-            i, job = peer.todo.popleft()
-        except IndexError:
+            i = peer.todo.popleft()
+            job = peer.open[i]
+        except LookupError:
             return
         value = _value(peer, job)
         with results.lock:
-            if i in peer.open:  # not given up before
-                peer.open.remove(i)
+            if peer.open.pop(i, None):  # not given up before
                 values[i] = value
                 results.came(1)
 
@@ -182,7 +187,7 @@ def _work(peer, values, results):
 def _value(peer, job):
     """What a job gives: its value, or the exception that it raises."""
     if peer.silence or is_over():
-        return errors.Silent(job.where, peer.silence or NO_TIME)
+        return errors.Silent(str(job.where), peer.silence or NO_TIME)
     alive()
     try:
         return job.call()
@@ -200,7 +205,7 @@ def _alone(e):
     return e
 
 
-def _give_up(peers, jobs, values, results):
+def _give_up(peers, values, results):
     """Fail the open jobs of peers that stayed silent too long."""
     now = time.monotonic()
     for peer in peers:
@@ -211,8 +216,8 @@ def _give_up(peers, jobs, values, results):
                 peer.fall_silent(why)
             peer.todo.clear()
             with results.lock:
-                for i in peer.open:
-                    values[i] = errors.Silent(jobs[i].where, why)
+                for i, job in peer.open.items():
+                    values[i] = errors.Silent(str(job.where), why)
                 results.came(len(peer.open))
                 peer.open.clear()
 

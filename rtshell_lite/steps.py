@@ -1,6 +1,4 @@
 """Single changes to a running system: each knows the command that does it, whether it is so already, how to do and undo it."""
-import time
-
 from rtshell_lite import component, configuration, errors, execution, manager, orb, organisation, ports, rpc, tree
 from rtshell_lite.text import printable, shell_word
 
@@ -141,12 +139,9 @@ class Create(Step):
         if name != self.site.instance:
             manager.delete(self.holder.node, name)
             raise errors.Refused(self.where, "its manager made %s instead; deleted again" % printable(name))
-        limit = time.monotonic() + manager.SETTLE_TIME
-        while self._there() is None:
-            if time.monotonic() > limit:
-                manager.delete(self.holder.node, name)
-                raise errors.Refused(self.where, "%s made it, but it is not bound here; deleted again" % self.holder.where)
-            time.sleep(component.POLL)
+        if not component.until(lambda: self._there() is not None, manager.SETTLE_TIME):
+            manager.delete(self.holder.node, name)
+            raise errors.Refused(self.where, "%s made it, but it is not bound here; deleted again" % self.holder.where)
 
     def undo(self, before, after):
         manager.delete(self.holder.node, self.site.instance)

@@ -7,6 +7,8 @@ from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model
 
 PATH_ID = "COMPONENT_PATH_ID"  # the property by which rtshell and RTSystemEditor tell where the component of an end is bound
+# Fields of a model.DataPortConnector that stand for properties `dataport.…` of the connection.
+DATA_FIELDS = ("data_type", "interface_type", "dataflow_type", "subscription_type")
 
 # All that is asked of one component. `owned` are Contexts, `states` {handle: state} over all of its contexts,
 # `sets` configuration.Sets, hidden ones too, `members` (name, reference) of those that it is composed of.
@@ -240,8 +242,7 @@ def _connector(one, known):
     properties = [(name, value) for name, value in sorted(one.properties) if not is_reference(name, value)]
     if data:
         given = dict(properties)
-        made = model.DataPortConnector(**{key: given.get("dataport." + key, "") for key in (
-            "data_type", "interface_type", "dataflow_type", "subscription_type")})
+        made = model.DataPortConnector(**{key: given.get("dataport." + key, "") for key in DATA_FIELDS})
     else:
         made = model.ServicePortConnector()
     made.connector_id, made.name, made.ends = one.id, one.name, ends

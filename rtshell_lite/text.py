@@ -156,11 +156,12 @@ def columns(words, total, shown=None):
 
 
 def table(rows):
-    """Lines of `rows` (lists of str of one length) in left-aligned columns two blanks apart, the last one ragged."""
+    """Yield lines of `rows` (sequences of str of one length) in left-aligned columns two blanks apart, the last one ragged."""
     if not rows:
-        return []
+        return
     sizes = [max(cells(row[i]) for row in rows) for i in range(len(rows[0]) - 1)]
-    return ["  ".join([padded(cell, size) for cell, size in zip(row, sizes)] + [row[-1]]) for row in rows]
+    for row in rows:
+        yield "  ".join([padded(cell, size) for cell, size in zip(row, sizes)] + [row[-1]])
 
 
 def pairs(items, indent=""):

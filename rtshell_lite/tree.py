@@ -12,11 +12,13 @@ import os
 import re
 
 from rtshell_lite import errors, orb, rpc
-from rtshell_lite.node import DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes  # of which callers use tree's names
+# other modules use these as tree.look, tree.Node …
+from rtshell_lite.node import DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_address
 from rtshell_lite.text import from_wire, printable
 
 MOST = 1000000  # names in one context: an iterator may say for ever that there is more
+AT_ONCE = 1000  # names whose objects are asked for at a time: what has to be noted for each takes memory
 DEPTH = 64  # contexts can be bound inside themselves by another name
 
 
@@ -193,17 +195,22 @@ def children(node):
         return _sorted(slaves(node) + managed(node))
     if node.kind not in ("server", "directory"):
         raise errors.WrongKind(str(node.path), "directory", node.what)
-    jobs = []
     context, server = node.typed, node.endpoint
-    for name in _names(node):
-        path = node.path.child(name)
-        jobs.append(rpc.Job(server, str(path), lambda path=path: classified(
-            path, orb.call(str(path), context, "resolve", orb.naming_name(path.names[-1:])))))
-    found = [child for child in rpc.gather(jobs) if not isinstance(child, errors.Refused)]  # unbound since the list was made
-    for failure in found:
-        if isinstance(failure, errors.Error):
-            raise failure
+    names, found = _names(node), []
+    while names:
+        paths = [node.path.child(name) for name in names[-AT_ONCE:]]
+        del names[-AT_ONCE:]
+        for child in rpc.gather(rpc.Job(server, path, functools.partial(_child, context, path)) for path in paths):
+            if isinstance(child, Node):
+                found.append(child)
+            elif not isinstance(child, errors.Refused):  # unbound since the list was made
+                raise child
     return _sorted(found)
+
+
+def _child(context, path):
+    """The Node that the last name of `path` is bound to in a naming context."""
+    return classified(path, orb.call(str(path), context, "resolve", orb.naming_name(path.names[-1:])))
 
 
 def _sorted(nodes):

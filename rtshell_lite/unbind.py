@@ -84,6 +84,8 @@ def _contexts_above(path):
 
 def _delete_context(node, recursive, dry_run, above):
     """Delete a naming context, what is below it first. One that is bound inside itself loses only that name."""
+    if len(node.path.names) > tree.DEPTH:
+        raise errors.Refused(str(node.path), "more than %d directories deep" % tree.DEPTH)
     identity = orb.identity(node.ref)
     below = [] if identity in above else tree.children(node)
     if below and not recursive:

@@ -6,6 +6,10 @@ import unittest
 from test_datalog import CHANNELS, START, Case, messages
 from rtshell_lite import datalog, datatypes, errors
 from rtshell_lite.datalog import meaning, play, recorder, writer
+try:
+    import omniORB
+except ImportError:
+    omniORB = None
 
 
 class Playing(Case):
@@ -39,6 +43,7 @@ class Playing(Case):
                 self.assertTrue(due <= taken < due + 0.2, (times, expected))
 
 
+@unittest.skipUnless(omniORB, "omniORBpy is not installed")
 class Timestamps(Case):
     """rtshell never moved them, and would have forgotten the carry."""
 
@@ -89,6 +94,7 @@ class Types(Case):
         self.addCleanup(log.__exit__)
         return meaning.Channels(log, datatypes.Types()), next(log.entries())
 
+    @unittest.skipUnless(omniORB, "omniORBpy is not installed")
     def test_described_in_the_file(self):
         """No IDL is needed for a type that nobody else knows."""
         code = datatypes.Types().named("TimedLong").to_bytes()

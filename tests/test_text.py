@@ -76,13 +76,13 @@ class Layout(unittest.TestCase):
 
     def test_wide_characters_take_two_columns(self):
         self.assertEqual(text.cells("日本x"), 5)
-        self.assertEqual(text.table([["日本", "1"], ["abcd", "2"]]), ["日本  1", "abcd  2"])
+        self.assertEqual(list(text.table([["日本", "1"], ["abcd", "2"]])), ["日本  1", "abcd  2"])
 
     def test_colour_takes_no_columns(self):
         self.assertEqual(text.cells("\x1b[01;34mab\x1b[00m"), 2)
 
     def test_table_of_nothing(self):
-        self.assertEqual(text.table([]), [])
+        self.assertEqual(list(text.table([])), [])
 
     def test_json_is_ascii_and_sorted(self):
         self.assertEqual(text.json_line({"b": "日", "a": "\udcff"}), '{"a": "\\udcff", "b": "\\u65e5"}')

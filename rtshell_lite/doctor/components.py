@@ -2,9 +2,8 @@
 import collections
 
 from rtshell_lite import component, errors, orb, ports, rpc
-from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, warn
+from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, restart, warn
 from rtshell_lite.text import printable, shell_word
-
 
 MOST = 3  # names of one component that are told one by one
 
@@ -55,9 +54,9 @@ def _ask(each):
     node, each.asking = each.node, "its ports"
     for number, ref in enumerate(ports.refs(node), 1):
         each.asking = "the profile of its port %d" % number
-        failed_once = []
+        failed_once = []  # tells that the port had a connection with a dead far end
         try:
-            found = ports.port(node, ref, lambda call: _noting(call, failed_once))
+            found = ports.port(node, ref, failed_once)
         except errors.Silent:
             raise
         except errors.Error as e:
@@ -72,17 +71,6 @@ def _ask(each):
     each.asking = "its profile"
     if not each.refusing:
         each.profile = component.profile(node)
-
-
-def _noting(call, failures):
-    """`component.once_more`, which also notes the failure: it tells that the port had a connection with a dead far end."""
-    try:
-        return call()
-    except (errors.Silent, errors.Refused):
-        raise
-    except errors.Unreachable as e:
-        failures.append(e)
-        return call()
 
 
 # ---- findings -------------------------------------------------------------------------------------------------
@@ -147,7 +135,7 @@ def _stopped_answering(each, hung):
 
 
 def _restart(each):
-    return "restart it; netstat -ltnp | grep :%d there names its process" % each.node.endpoint[1]
+    return restart(each.node.endpoint[1])
 
 
 # ---- names ----------------------------------------------------------------------------------------------------

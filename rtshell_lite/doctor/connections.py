@@ -7,14 +7,14 @@ from rtshell_lite.doctor.finding import fail, reason, warn
 from rtshell_lite.places import Places
 from rtshell_lite.text import printable, shell_word
 
-# One connection as its first end, the ports.Port `port` of the Examined `each`, tells it; `connector` is a ports.Connector.
+# One connection as its first end tells it: the components.Examined `each`, its ports.Port, the ports.Connector.
 Link = collections.namedtuple("Link", "each port connector")
 
 # What an end turned out to be: `port` its ports.Port, or None and the errors.Error `error`; `name` what to call it. The Port
 # of a component that is bound nowhere has no `node`.
 End = collections.namedtuple("End", "port error name")
 
-SETTLED = ("dataport.dataflow_type", "dataport.interface_type", "dataport.subscription_type")
+SETTLED = [key for key, _ in ports.DEFAULTS]  # what ports agree upon when they are connected
 
 
 def findings(all_of_them):
@@ -145,8 +145,8 @@ def _redo(link, others):
     if any(end.port is None or end.port.node is None for end in others):
         return "then connect them again: rtcon"
     given = {key: value for key, value in link.connector.properties if key in SETTLED}
-    found = [link.port] + [end.port for end in others]
-    return ports.command(found, link.connector.name, "", given)
+    labels = [ports.label(port) for port in [link.port] + [end.port for end in others]]
+    return ports.command(labels, link.connector.name, "", given)
 
 
 def _lost(where, end, undo):

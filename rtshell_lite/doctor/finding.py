@@ -31,6 +31,11 @@ def published(ref):
     return ", ".join("%s:%d" % (printable(host), port) for host, port in orb.addresses(ref)) or "no TCP address"
 
 
+def restart(port, whom="it"):
+    """The remedy for a process that listens on a TCP port of its host."""
+    return "restart %s; netstat -ltnp | grep :%d there names its process" % (whom, port)
+
+
 def counted(number, noun):
     """`1 port`, `2 ports`."""
     return "%d %s%s" % (number, noun, "" if number == 1 else "s")

@@ -1,6 +1,6 @@
 """Each manager: whether it answers, and whether what it lists is there."""
-from rtshell_lite import errors, rpc, tree
-from rtshell_lite.doctor.finding import counted, fail, ok, published, reason
+from rtshell_lite import component, errors, rpc, tree
+from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, restart
 from rtshell_lite.text import shell_word
 
 
@@ -16,17 +16,9 @@ def findings(nodes):
 def _ask(node):
     """(slaves, components, whether it had to be asked twice): a master whose slave has died fails once."""
     failed_once = []
-
-    def once_more(call):
-        try:
-            return call()
-        except (errors.Silent, errors.Refused):
-            raise
-        except errors.Unreachable as e:
-            failed_once.append(e)
-            return call()
-    slaves = once_more(lambda: tree.slaves(node))
-    return slaves, once_more(lambda: tree.managed(node)), bool(failed_once)
+    slaves = component.once_more(lambda: tree.slaves(node), failed_once)
+    managed = component.once_more(lambda: tree.managed(node), failed_once)
+    return slaves, managed, bool(failed_once)
 
 
 def _troubles(node, answer):
@@ -34,9 +26,8 @@ def _troubles(node, answer):
     if isinstance(answer, errors.Error) and answer.args[1:] == (rpc.NO_TIME,):
         return [fail("manager", where, "slow: " + rpc.NO_TIME, "rtdoctor --timeout 30 " + word)]
     if isinstance(answer, errors.Error):
-        whom = "restart it, or a slave that it waits for" if isinstance(answer, errors.Silent) else "restart it"
-        return [fail("manager", where, "does not tell what it has (%s)" % reason(answer),
-                     "%s; netstat -ltnp | grep :%d there names its process" % (whom, node.endpoint[1]))]
+        whom = "it, or a slave that it waits for" if isinstance(answer, errors.Silent) else "it"
+        return [fail("manager", where, "does not tell what it has (%s)" % reason(answer), restart(node.endpoint[1], whom))]
     slaves, components, twice = answer
     found = []
     if twice:

@@ -15,7 +15,7 @@ def findings(profile, name, state):
         found.append((fail if each.required else warn)("profile", each.path, safe(each.message), _remedy(each, name)))
     return found or [ok("profile", str(path.ROOT), "as the profile says: %s, %s" % (
         counted(len(profile.components), "component"),
-        counted(len(profile.data_port_connectors + profile.service_port_connectors), "connection")))]
+        counted(len(profile.connectors), "connection")))]
 
 
 def _remedy(each, name):

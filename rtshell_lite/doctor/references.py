@@ -1,7 +1,7 @@
 """Each name in a name server and the reference behind it: where it leads, whether it can be reached, whether it lives."""
 from rtshell_lite import errors, orb
 from rtshell_lite.doctor import addresses
-from rtshell_lite.doctor.finding import fail, ok, published, reason, warn
+from rtshell_lite.doctor.finding import fail, ok, published, reason, restart, warn
 from rtshell_lite.text import printable, shell_word
 
 
@@ -71,8 +71,7 @@ def _silent(visit, node, offered, told):
         return fail("reference", where, "publishes %s, out of reach (%s)" % (told, reason(failure)),
                     "ping %s; else give its process an address that others reach" % printable(offered[0][0]))
     if isinstance(node.error, errors.Silent):
-        return fail("reference", where, "hung: %s accepts TCP, but %s" % (told, reason(node.error)),
-                    "restart it; netstat -ltnp | grep :%d there names its process" % offered[0][1])
+        return fail("reference", where, "hung: %s accepts TCP, but %s" % (told, reason(node.error)), restart(offered[0][1]))
     return fail("reference", where, "somebody else's: %s does not speak CORBA (%s)" % (told, reason(node.error)),
                 "netstat -ltnp | grep :%d there names it; then %s" % (offered[0][1], _command("rtdel", node)))
 

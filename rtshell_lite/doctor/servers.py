@@ -4,7 +4,7 @@ import time
 
 from rtshell_lite import errors, orb, path, rpc, tree
 from rtshell_lite.doctor import addresses
-from rtshell_lite.doctor.finding import fail, ok, reason, warn
+from rtshell_lite.doctor.finding import fail, ok, reason, restart, warn
 from rtshell_lite.text import printable, shell_word
 
 SLOW = 1.0  # seconds: a step that takes longer makes every command slow
@@ -27,9 +27,11 @@ def visits(tops):
     return [_too_late(place, visit) if isinstance(visit, errors.Error) else visit for place, visit in zip(places, found)]
 
 
-def _too_late(place, e):
+def _too_late(place, e, findings=()):
+    """The Visit to a name server that there was no time for, or not for all that is bound in it."""
     where = str(place)
-    return Visit(place, [], [fail("name server", where, reason(e), "rtdoctor --timeout 30 " + shell_word(where))], [], {})
+    late = fail("name server", where, reason(e), "rtdoctor --timeout 30 " + shell_word(where))
+    return Visit(place, [], list(findings) + [late], [], {})
 
 
 def _visit(place, tops):
@@ -39,9 +41,13 @@ def _visit(place, tops):
     for top in tops:
         known = {node.path for node in visit.nodes}
         visit.nodes.extend(node for node in _below(visit, top) if node.path not in known)
-    visit.nodes[:], probes = rpc.gather([
+    looked, probes = rpc.gather([
         rpc.Job(("look", place), str(place), lambda: tree.look(visit.nodes)),
         rpc.Job(("probe", place), str(place), lambda: _probes(visit.nodes))])
+    for failure in (looked, probes):
+        if isinstance(failure, errors.Error):
+            return _too_late(place, failure, visit.findings)
+    visit.nodes[:] = looked
     visit.probes.update(probes)
     return visit
 
@@ -113,7 +119,7 @@ def _is_there(where, ref):
         gone = True
     except errors.Silent as e:
         raise _Stop(where, "hung: accepts TCP, but %s" % reason(e),
-                    "restart it; netstat -ltnp | grep :%d there names its process" % port)
+                    restart(port))
     except errors.Unreachable as e:
         if not reason(e).startswith(("connection lost", "garbled")):
             raise _Stop(where, "TCP connects, omniORB does not (%s)" % reason(e), "correct the ORB: rtdoctor | grep ORB")

@@ -170,6 +170,8 @@ VISIBLE_ALWAYS = Field("visible", "rtsExt:visible", BOOLEAN, True, always=True)
 
 
 class TargetComponent(Element):
+    """Names a component of the profile, from elsewhere in it."""
+
     XSI_TYPE = "rtsExt:target_component_ext"
     FIELDS = (
         Field("component_id", "rts:componentId", required=True, always=True),
@@ -327,7 +329,7 @@ class ServicePortConnector(Connector):
 # ---- the order of starting and stopping -------------------------------------------------------------------------
 
 class WaitTime(Element):
-    FIELDS = (Field("wait_time", "rts:waitTime", INTEGER, 0, always=True),)  # milliseconds
+    FIELDS = (Field("wait_time", "rts:waitTime", INTEGER, 0, always=True),)  # milliseconds, counted as plan.py tells
 
 
 class Preceding(Element):
@@ -354,6 +356,8 @@ class Condition(Element):
 
 
 class MessageSending(Element):
+    """A section such as Activation: the conditions of the components that it starts or stops."""
+
     FIELDS = (Children("targets", "rts:targets", Condition),)
 
 
@@ -387,3 +391,8 @@ class RtsProfile(Element):
         PROPERTIES,
         Children("systems", "rtsExt:Systems", System),
     )
+
+    @property
+    def connectors(self):
+        """All connections, those of data ports first."""
+        return self.data_port_connectors + self.service_port_connectors

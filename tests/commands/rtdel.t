@@ -5,6 +5,7 @@ world: names --context odd.host_cxt/%n.rtc
 world: these Mock:Dead0 Mock:Dead1 Mock:Dead2 Mock:Dead3
 world: these Mock:Hung0
 world: fragile
+faulty: bottomless
 
 A name, whatever it stands for; the component does not notice:
 
@@ -190,3 +191,8 @@ Not to be deleted:
   $ rtdel -z :
   rtdel: :: bad path (one colon stands before a port; write \: in a name)
   [2]
+
+A name server in which there is always one more directory below is given up:
+
+  $ rtdel --recursive /localhost:$BOTTOMLESS/x.host_cxt 2>&1 | sed 's|/deeper[^:]*|/…|'
+  rtdel: /localhost:$BOTTOMLESS/x.host_cxt/…: more than 64 directories deep

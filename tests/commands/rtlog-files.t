@@ -1,7 +1,5 @@
 rtlog inspects and exports logs: its own and rtshell's, whole and damaged; no component is asked.
 
-python: pure
-
 A log that rtshell's rtlog wrote (simpkl, Python 3.7), and one of Python 2 whose recording was killed:
 
   $ base64 -d << END | gzip -d > old.rtlog

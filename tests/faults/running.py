@@ -4,6 +4,7 @@ import fcntl
 import glob
 import os
 import pty
+import re
 import shutil
 import signal
 import struct
@@ -23,6 +24,7 @@ TIMEOUT = 0.8           # --timeout of the commands
 SLACK = 0.5             # seconds more than that may pass; waiting for a processor is not counted
 RESIDENT = 64 * 1024    # kB
 LIMIT = 40.0            # seconds after which a command is killed
+MODULES = os.path.abspath(os.environ.get("PYTHONPATH") or peers.ROOT)   # commands run in other directories than ours
 THOROUGH = bool(os.environ.get("RTSHELL_FAULTS"))  # all cases instead of a sample
 PARALLEL = 6
 
@@ -45,7 +47,7 @@ class Ran:
 
 def environment(**more):
     """Of a command."""
-    found = dict(os.environ, PYTHONPATH=os.environ.get("PYTHONPATH") or peers.ROOT, LC_ALL="C", TERM="xterm",
+    found = dict(os.environ, PYTHONPATH=MODULES, LC_ALL="C", TERM="xterm",
                  PYTHONDONTWRITEBYTECODE="1")
     found.update(more)
     return found
@@ -91,17 +93,10 @@ def run_on_terminal(words, where, columns=80, **more):
         finally:
             os._exit(127)
     fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
-    begun, said = time.monotonic(), b""
+    begun = time.monotonic()
     killer = threading.Timer(LIMIT, os.kill, (child, signal.SIGKILL))
     killer.start()
-    while True:
-        try:
-            data = os.read(terminal, 65536)
-        except OSError:  # how Linux says that the other side is closed
-            data = b""
-        if not data:
-            break
-        said += data
+    said = b"".join(session.printed_on(terminal))
     os.close(terminal)
     status, usage = os.wait4(child, 0)[1:]
     killer.cancel()
@@ -144,9 +139,9 @@ class Surroundings:
         self.processes, self.worlds = [], {}
         self.lock = threading.Lock()
 
-    def name_server(self, name="names"):
-        """Start one; its address."""
-        return "/127.0.0.1:" + peers.start_name_server(name)
+    def name_server(self, name="names", published=None):
+        """Start one; its address. `published`: the port that its references tell, where that is another one."""
+        return "/127.0.0.1:" + peers.start_name_server(name, published=published)
 
     def world(self, server, *words):
         """Start a world on a name server; its name, for `ctl`."""
@@ -193,6 +188,17 @@ class Surroundings:
         with open(path, "w") as file:
             file.write(text.replace(home + "ConsoleIn0.rtc", a[1:]).replace(home + "ConsoleOut0.rtc", b[1:]))
         return path
+
+    def dumped(self, component, changes):
+        """Two files for `rtconf load`: what a component's configuration is, and that with {parameter: value} in every set."""
+        text = run(["rtconf", component, "dump"], self.top).out.decode()
+        paths = [os.path.join(self.top, name) for name in ("dumped", "changed")]
+        for path in paths:
+            with open(path, "w") as file:
+                file.write(text)
+            for name, value in changes.items():
+                text = re.sub("(?m)^%s=.*" % name, "%s=%s" % (name, value), text)
+        return paths
 
     def end(self, name):
         """End a world at once."""

@@ -2,12 +2,17 @@
 
 30 seconds, or 10 minutes with `tests/run --long`. If this fails, a monitor that runs for a week ends the robot it watches.
 """
+import fcntl
+import io
 import os
+import pty
+import struct
 import subprocess
+import termios
+import threading
 import time
 import unittest
 
-import invocations
 from faults import running
 
 ONCE = "what grows does so under every Python"
@@ -23,14 +28,21 @@ LINES = "ls -l HOME; cat -l A; conf -l C; act A; deact A; con D:out E:in; dis D:
 
 
 class Watched:
-    """A process, and how large it was at which time."""
+    """A process, and how large it was at which time; with `terminal`, it has one of its own."""
 
-    def __init__(self, name, words, feed=None):
+    def __init__(self, name, words, feed=None, terminal=False):
         self.name, self.feed = name, feed
-        self.output = open(os.path.join(around.top, name + ".out"), "w+b")
-        self.process = running.start(words, around.directory(name), {"RTCTREE_NAMESERVERS": server[1:]}, stdout=self.output,
-                                     stdin=subprocess.PIPE if feed else subprocess.DEVNULL, stderr=subprocess.STDOUT)
+        if terminal:
+            self.output, inside = terminal_pair()
+        else:
+            self.output = inside = open(os.path.join(around.top, name + ".out"), "w+b")
+        self.process = running.start(words, around.directory(name), {"RTCTREE_NAMESERVERS": server[1:]}, stdout=inside,
+                                     stdin=subprocess.PIPE if feed else inside if terminal else subprocess.DEVNULL,
+                                     stderr=subprocess.STDOUT)
         self.seen = []
+        if terminal:
+            inside.close()
+            threading.Thread(target=drain, args=(self.output,), daemon=True).start()
 
     def look(self):
         """Note its size; tell it more, and throw away what it has printed."""
@@ -52,7 +64,25 @@ class Watched:
         if self.feed:
             self.process.stdin.close()
         self.process.wait(running.LIMIT)
-        self.output.close()
+        if not isinstance(self.output, io.FileIO):
+            self.output.close()
+
+
+def terminal_pair():
+    """A terminal: the file that its user has, and that of its programs."""
+    outside, inside = pty.openpty()
+    fcntl.ioctl(inside, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
+    return os.fdopen(outside, "r+b", 0), os.fdopen(inside, "r+b", 0)
+
+
+def drain(file):
+    """Read what is printed, and close the file when nobody prints any more."""
+    with file:
+        try:
+            while file.read(65536):
+                pass
+        except OSError:  # how Linux says that the other side is closed
+            pass
 
 
 def setUpModule():
@@ -79,9 +109,8 @@ class LongRuns(unittest.TestCase):
                   ("rtlog", ["rtlog", "-f", "log", source + ":number", source + ":block"]),
                   ("rtwatch", ["rtwatch", home + "/ConsoleIn0.rtc", source]),
                   ("rtvlog", ["rtvlog", home + "/Motor0.rtc"])]
-        if "rttop" in invocations.all_commands():
-            wanted.append(("rttop", ["rttop", home]))
-        watched = [Watched(name, words) for name, words in wanted] + [Watched("rtsh", ["rtsh"], feed.encode())]
+        watched = [Watched(name, words) for name, words in wanted]
+        watched += [Watched("rttop", ["rttop", home], terminal=True), Watched("rtsh", ["rtsh"], feed.encode())]
         end = time.monotonic() + SECONDS
         while time.monotonic() < end:
             time.sleep(SECONDS / 60)  # a period, not a wait for something

@@ -2,11 +2,13 @@
 
 If one of these fails, an operator is told that a connection or a state is there which is not, or the other way round.
 """
+import itertools
 import json
 import queue
 import unittest
 
-from faults import running
+from faults import proxy, running
+from mock_components import faulty
 
 ONCE = "what is reported does not depend on the Python"
 
@@ -16,6 +18,7 @@ except ImportError:
     raise unittest.SkipTest("needs omniORBpy")
 
 KINDS = ("TRANSIENT", "COMM_FAILURE", "UNKNOWN", "HANG", "LOST", "DIE")
+NAMES = "names"        # stands for the number of a world where the name server is meant
 LANES = 4
 SHORT = 90             # cases
 UNSURE = (b"not known", b"no answer", b"connection lost", b"connection refused", b"cannot be reached", b"does not activate",
@@ -23,12 +26,17 @@ UNSURE = (b"not known", b"no answer", b"connection lost", b"connection refused",
 
 
 class Lane:
-    """Two worlds, one component of interest in each, a manager, and the truth about them."""
+    """Two worlds, one component of interest in each, a manager, a name server that can fail, and the truth about them."""
 
     def __init__(self, number):
         self.place = "lane%d.host_cxt" % number
-        self.home = server + "/" + self.place
-        self.a, self.b, self.c = ["%s/%s.rtc" % (self.home, name) for name in ("ConsoleIn0", "ConsoleOut0", "composite0")]
+        self.old = ""
+        self.names = proxy.Proxy()
+        self.direct = around.name_server("lane%d" % number, self.names.port)  # where it can be reached for certain
+        self.names.target = int(self.direct.rpartition(":")[2])
+        self.server = "/127.0.0.1:%d" % self.names.port
+        self.home = self.server + "/" + self.place
+        self.a, self.b = ["%s/%s.rtc" % (self.home, name) for name in ("ConsoleIn0", "ConsoleOut0")]
         self.file = around.profile(text, "lane%d.yaml" % number, server, self.a, self.b)
         self.worlds = [None] * len(WORLDS)
         self.renew()
@@ -37,12 +45,13 @@ class Lane:
         """Start what has died."""
         for number, words in enumerate(WORLDS):
             if self.worlds[number] is None:
-                self.worlds[number] = around.world(server, *words, "--context", self.place + "/%n.rtc")
+                self.worlds[number] = around.world(self.direct, *words, "--context", self.place + "/%n.rtc")
 
     def heal(self, broken):
-        """No faults any more, and no connections; a world that died or hangs is replaced."""
+        """No faults any more, and no connections; the worlds that died or hang, by number, are replaced."""
+        self.names.reset()
         for number, name in enumerate(self.worlds):
-            if number == broken:
+            if number in broken:
                 around.end(name)
                 self.worlds[number] = None
         self.renew()
@@ -52,7 +61,7 @@ class Lane:
             around.ctl(self.worlds[number], "forget", port)
 
     def command(self, *words, timeout=10):
-        return running.run(list(words), around.top, RTCTREE_NAMESERVERS=server[1:], RTSHELL_TIMEOUT=str(timeout))
+        return running.run(list(words), around.top, RTCTREE_NAMESERVERS=self.server[1:], RTSHELL_TIMEOUT=str(timeout))
 
     # the truth, None where there is nobody to tell it
 
@@ -68,16 +77,22 @@ class Lane:
             return None
         return "half" if ends[0] != ends[1] else bool(ends[0])
 
+    def has_ended(self, number):
+        return around.worlds[self.worlds[number]].poll() is not None
+
     def active(self, number, name):
         found = self.ctl(number, "state", name)
         return None if found is None else found == ["ACTIVE"]
 
 
 class Scenario:
-    """A command: `before` is run to prepare, `truth(lane)` gives {path or what: whether it is as the command wants it}."""
+    """A command: `before` is run to prepare, `truth(lane)` gives {path or what: whether it is as the command wants it}.
 
-    def __init__(self, name, words, truth, before=()):
-        self.name, self.words, self.truth, self.before = name, words, truth, before
+    `ends` are the numbers of the worlds that are others afterwards.
+    """
+
+    def __init__(self, name, words, truth, before=(), ends=()):
+        self.name, self.words, self.truth, self.before, self.ends = name, words, truth, before, ends
 
 
 def states(wanted):
@@ -94,7 +109,31 @@ def connection(wanted):
     return truth
 
 
-WORLDS = [["these", "ConsoleIn"], ["these", "ConsoleOut", "ConfigSample"], ["manager", "Motor"]]
+def exited(lane):
+    found = {}
+    for number, path, name in ((0, lane.a, "ConsoleIn0"), (1, lane.b, "ConsoleOut0")):
+        there = lane.ctl(number, "components")
+        found[path] = name not in there if there is not None else True if lane.has_ended(number) else None
+    return found
+
+
+def bind_old(lane):
+    """Names below a context, as components leave them behind that have gone; below a new one each time."""
+    lane.old = "/old%d.host_cxt" % next(NUMBERS)
+    faulty.bind(lane.direct[1:] + lane.old + "/sub.host_cxt", {"x": 9, "y": 9})
+    faulty.bind(lane.direct[1:] + lane.old, {"z": 9})
+
+
+def deleted(lane):
+    lane.names.reset()
+    there = running.run(["rtfind", lane.direct], around.top).out.decode().split()
+    return {lane.server + lane.old + name: lane.direct + lane.old + name not in there for name in OLD}
+
+
+NUMBERS = itertools.count()
+OLD = ("", "/z.rtc", "/sub.host_cxt", "/sub.host_cxt/x.rtc", "/sub.host_cxt/y.rtc")
+WORLDS = [["these", "ConsoleIn"], ["these", "ConsoleOut", "ConfigSample"], ["manager", "Motor", "--flavour", "cpp2"]]
+ARM = [["rtmgr", "-d", "Arm", "m"], ["rtcomp", "-a", "motor:in", "m:Arm"]]
 CON = ["rtcon", "a:out", "b:in"]
 SCENARIOS = [
     Scenario("rtcon", CON, connection(True)),
@@ -113,6 +152,15 @@ SCENARIOS = [
              [["rtmgr", "-c", "Sensor?instance_name=New0", "m"]]),
     Scenario("rtconf set", ["rtconf", "p", "set", "int_param0=77", "str_param0=x"], lambda lane: {"values": configured(lane)},
              [["rtconf", "p", "set", "int_param0=1", "str_param0=y"]]),
+    Scenario("rtconf load", ["rtconf", "p", "load", "changed"],
+             lambda lane: {"values": configured(lane, "mode0") and configured(lane)}, [["rtconf", "p", "load", "dumped"]]),
+    Scenario("rtcomp new", ["rtcomp", "-a", "motor:in", "m:Arm"], lambda lane: composed(lane, {"Motor0"}), ARM[:1], ends=(2,)),
+    Scenario("rtcomp add", ["rtcomp", "-a", "b:in", "m:Arm"], lambda lane: composed(lane, {"Motor0", "ConsoleOut0"}), ARM,
+             ends=(1, 2)),
+    Scenario("rtcomp remove", ["rtcomp", "-r", "b", "m:Arm"], lambda lane: composed(lane, {"Motor0"}),
+             ARM + [["rtcomp", "-a", "b:in", "m:Arm"]], ends=(1, 2)),
+    Scenario("rtexit", ["rtexit", "a", "b"], exited, ends=(0, 1)),
+    Scenario("rtdel --recursive", ["rtdel", "-v", "--recursive", "old"], deleted, [bind_old]),
     Scenario("rtec rate", ["rtec", "a", "rate", "250"], lambda lane: {"rate": rate(lane)}, [["rtec", "a", "rate", "1000"]]),
 ]
 
@@ -125,6 +173,7 @@ def made(lane, name, wanted):
 
 def asked(lane, *words):
     """What a command says when nothing is in its way."""
+    lane.names.reset()
     for name in lane.worlds:
         try:
             around.ctl(name, "reset")
@@ -133,11 +182,21 @@ def asked(lane, *words):
     return [json.loads(line) for line in lane.command(*words).out.decode().splitlines()]
 
 
-def configured(lane):
+def configured(lane, name="mode1"):
     for each in asked(lane, "rtconf", "--json", lane.home + "/ConfigSample0.rtc", "list"):
-        if each["id"] == "mode1":
+        if each["id"] == name:
             return (each["values"]["int_param0"], each["values"]["str_param0"]) == ("77", "x")
     return None
+
+
+def composed(lane, wanted):
+    """Has the composite these members, and a port of each?"""
+    found = asked(lane, "rtcat", "-l", "--json", lane.home + "/Arm.rtc")
+    if not found:
+        gone = lane.ctl(2, "slave", "1", "components")
+        return {"members": None if gone is None else False}
+    members = {path.rpartition("/")[2].partition(".")[0] for each in found[0]["compositions"] for path in each["members"]}
+    return {"members": members == wanted and {each["name"].split(".")[0] for each in found[0]["ports"]} == wanted}
 
 
 def rate(lane):
@@ -146,11 +205,13 @@ def rate(lane):
 
 
 def setUpModule():
-    global around, server, text, lanes
+    global around, server, text, dumped, lanes
     around = running.Surroundings()
     server = around.name_server()
     around.world(server, "linked")
+    around.world(server, "config")
     text, _ = around.files(server)
+    dumped = around.dumped(server + "/test.host_cxt/ConfigSample0.rtc", {"int_param0": "77", "str_param0": "x"})
     lanes = queue.Queue()
     for lane in running.together(Lane, range(LANES)):
         lanes.put(lane)
@@ -167,26 +228,34 @@ class Case:
         self.scenario, self.world, self.operation, self.nth, self.kind = scenario, world, operation, nth, kind
 
     def __str__(self):
-        return "%s: call %d of %s to world %d: %s" % (self.scenario.name, self.nth, self.operation, self.world, self.kind)
+        return "%s: call %d of %s to world %s: %s" % (self.scenario.name, self.nth, self.operation, self.world, self.kind)
 
     def run(self):
         lane = lanes.get()
+        self.server = lane.server
         try:
             self.prepare(lane)
-            around.ctl(lane.worlds[self.world], "fail", self.operation, str(self.nth), self.kind)
+            if self.world == NAMES:
+                lane.names.fail(self.nth, self.kind)
+            else:
+                around.ctl(lane.worlds[self.world], "fail", self.operation, str(self.nth), self.kind)
             self.ran = lane.command(*meant(lane, self.scenario.words), timeout=running.TIMEOUT)
             self.truth = self.scenario.truth(lane)
         finally:
-            lane.heal(self.world if self.kind in ("DIE", "HANG", "LOST") else None)
+            lane.heal(self.scenario.ends + ((self.world,) if self.kind in ("DIE", "HANG", "LOST") else ()))
             lanes.put(lane)
         return self
 
     def prepare(self, lane):
         for words in self.scenario.before:
+            if callable(words):
+                words(lane)
+                continue
             ran = lane.command(*meant(lane, words))
             assert ran.status == 0 or words[0] == "rtmgr", ran  # which may be there, or gone, from before
         if self.scenario.name.startswith(("rtact", "rtstart")):
             lane.command("rtdeact", "-q", lane.a, lane.b)
+        lane.names.reset()
         for name in lane.worlds:
             around.ctl(name, "reset")
 
@@ -197,12 +266,13 @@ class Case:
             self.prepare(lane)
             ran = lane.command(*meant(lane, self.scenario.words))
             assert ran.status == 0, ran
-            found = [(number, line.split()[1], int(line.split()[0])) for number, name in enumerate(lane.worlds)
-                     for line in around.ctl(name, "calls")]
+            found = [(NAMES, "any", lane.names.calls)]
+            for number, name in enumerate(lane.worlds):
+                found += [(number, line.split()[1], int(line.split()[0])) for line in around.ctl(name, "calls")]
             truth = self.scenario.truth(lane)
             assert all(truth.values()), (self.scenario.name, truth)
         finally:
-            lane.heal(None)
+            lane.heal(self.scenario.ends)
             lanes.put(lane)
         return found
 
@@ -231,6 +301,12 @@ class Case:
             return set(results) <= {"done", "already", "already so"}
         if self.scenario.name in ("rtstart", "rtstop") and b"Executing" not in ran.err:
             return False  # nothing is tried where not all can be asked before
+        if ran.words[0] == "rtdel" and ("%s: deleted\n" % what).encode() in ran.err:
+            return True
+        if ("%s: %s: " % (ran.words[0], self.server)).encode() in ran.err:
+            return None  # the name server: what it would have named is not known
+        if ran.words[0] == "rtdel":
+            return False
         if what.startswith("/"):
             lines = [line for line in ran.err.splitlines() if what.encode() in line]
         else:
@@ -242,7 +318,8 @@ class Case:
 
 def meant(lane, words):
     names = {"a": lane.a, "b": lane.b, "a:out": lane.a + ":out", "b:in": lane.b + ":in", "file": lane.file,
-             "m": lane.home + "/manager.mgr", "p": lane.home + "/ConfigSample0.rtc"}
+             "m": lane.home + "/manager.mgr", "m:Arm": lane.home + "/manager.mgr:Arm", "motor:in": lane.home + "/Motor0.rtc:in",
+             "p": lane.home + "/ConfigSample0.rtc", "old": lane.server + lane.old, "dumped": dumped[0], "changed": dumped[1]}
     return [names.get(word, word) for word in words]
 
 
@@ -251,7 +328,8 @@ def cases():
     for scenario, counts in zip(SCENARIOS, running.together(lambda scenario: Case(scenario, 0, "", 0, "").counts(), SCENARIOS, LANES)):
         for world, operation, count in counts:
             for nth in range(1, count + 1):
-                found += [Case(scenario, world, operation, nth, kind) for kind in KINDS]
+                kinds = proxy.KINDS if world == NAMES else KINDS
+                found += [Case(scenario, world, operation, nth, kind) for kind in kinds]
     return found
 
 
@@ -259,9 +337,9 @@ class Nth(unittest.TestCase):
     def test_every_call_fails_once(self):
         everything = cases()
         done = running.together(Case.run, running.sample(everything, SHORT), LANES)
-        print("figures: %d of %d faults in the middle of %d commands; %d of them were survived with status 0, longest run %.2f s"
-              % (len(done), len(everything), len(SCENARIOS), sum(case.ran.status == 0 for case in done),
-                 max(case.ran.seconds for case in done)))
+        longest = max(done, key=lambda case: case.ran.seconds)
+        print("figures: %d of %d faults in the middle of %d commands; %d of them were survived with status 0, longest run %.2f s (%s)"
+              % (len(done), len(everything), len(SCENARIOS), sum(case.ran.status == 0 for case in done), longest.ran.seconds, longest))
         for case in done:
             with self.subTest(str(case)):
                 self.assertEqual(list(case.problems()), [], case.ran)

@@ -20,7 +20,6 @@ NAMING = {"hostile", "many", "loop", "bottomless"}  # these answer as a name ser
 SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"}
 SHORT = 250             # of 4,500 cases
 LIST_LIMIT = 60.0       # seconds for 20,000 names, each of which is asked for and then asked
-LIST_RESIDENT = 96 * 1024   # kB for them: a line, or a failure, of each is kept until it can be sorted
 
 # The doctor promises three times the timeout; what asks one after the other may wait as often, such as rtcheck --extra, which
 # asks the components of the file, then all bad peers at once, for their ports and then for their profiles.
@@ -72,7 +71,7 @@ class Case:
 
     def limit(self):
         """Seconds that it may take: what the command line asks for, and the timeout."""
-        if self.mode == "many" and self.role == "server" and re.search("SERVER", self.line):
+        if self.mode == "many" and self.role == "server" and re.search("SERVER|--extra", self.line):
             return LIST_LIMIT
         asked = sum(float(seconds) for seconds in re.findall(r"(?:-t|--wait|--measure)[ =]([\d.]+)", self.line))
         patience = 3 if "--extra" in self.line else PATIENCE.get(self.command, 1)
@@ -85,7 +84,7 @@ class Case:
             yield "a bug"
         if ran.seconds > self.limit():
             yield "%.2f s, not %.2f" % (ran.seconds, self.limit())
-        if ran.resident > (LIST_RESIDENT if self.limit() == LIST_LIMIT else running.RESIDENT):
+        if ran.resident > running.RESIDENT:
             yield "%d kB" % ran.resident
         if ran.status not in self.allowed():
             yield "status %d, not of %s" % (ran.status, sorted(self.allowed()))
@@ -105,8 +104,8 @@ class Case:
         return BAD | ALSO[self.role].get(self.command, set())
 
     def most_lines(self):
-        """One line, or one of each command of rtsh, of the component and of its connection."""
-        return 2 if self.command in ("rtsh", "rtteardown") else 1
+        """One line, or one of each command of rtsh, of the component and of its connection, of each way to ask a name server."""
+        return 2 if self.command in ("rtsh", "rtteardown") or "--extra" in self.line else 1
 
 
 def setUpModule():
