@@ -48,6 +48,7 @@ class Ended(BaseException):
 def command(arguments, run, doc, argv):
     """Run one command in this process, named by sys.argv[0], and return its exit status. Raises KeyboardInterrupt, Ended."""
     before = _quiet, _verbose, rpc.timeout
+    interrupts.begin()
     try:
         args = parser(arguments, doc, os.path.basename(sys.argv[0])).parse_args(argv)
         _settle(args.quiet, args.verbose, args.timeout)

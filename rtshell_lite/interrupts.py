@@ -43,6 +43,12 @@ def _raise(exception):
     raise exception
 
 
+def begin():
+    """Something new is begun, in rtsh: the next Ctrl-C is meant for that."""
+    global _raised
+    _raised = -BOUNCE
+
+
 def ctrl_c(number, frame):
     """The handler of SIGINT."""
     strike(KeyboardInterrupt())

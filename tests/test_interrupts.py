@@ -19,7 +19,7 @@ class Striking(unittest.TestCase):
 
     def setUp(self):
         self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, self.handler))
-        interrupts._raised = -interrupts.BOUNCE
+        interrupts.begin()
 
 
 class Struck(list):
@@ -91,7 +91,7 @@ class Held(Striking):
     def test_comes_at_once_where_nothing_holds_it(self):
         self.assertRaises(KeyboardInterrupt, self.strike)
         self.strike()  # the same key press
-        interrupts._raised = -interrupts.BOUNCE
+        interrupts.begin()
         self.assertRaises(KeyboardInterrupt, self.strike)
 
     def test_other_threads_hold_nothing(self):
@@ -150,7 +150,7 @@ class Connections(Striking):
         for strikes in (["open"], ["opened"], ["close"], ["open", "close"], ["opened", "close"]):
             for others in (0, 6):  # more than there are lanes
                 with self.subTest(strikes=strikes, others=others):
-                    interrupts._raised = -interrupts.BOUNCE
+                    interrupts.begin()
                     every = [Connection() for _ in range(others)] + [Connection(strikes)]
                     with self.assertRaises(KeyboardInterrupt):
                         with Opened(every):
