@@ -32,7 +32,7 @@ ALSO = {
     "server": {"rtdoctor": {1}, "rtdel": {3}},
     "component": {
         "rtcheck": {1, 5}, "rtdoctor": {1}, "rtdel": {0, 3}, "rtls": {0, 5}, "rttop": {0, 5}, "rtfind": {0, 1}, "rtcwd": {3}, "rtmgr": {3},
-        "rtteardown": {0}, "rtcryo": {0, 5}, "rtcomp": {3}, "rtsh": {0, 5}, "rtstodot": {5}, "rtresurrect": {5},
+        "rtteardown": {0, 5}, "rtcryo": {0, 5}, "rtcomp": {3}, "rtsh": {0, 5}, "rtstodot": {5}, "rtresurrect": {5},
         "rtstart": {5}, "rtstop": {5}, "rtact": {5, 6}, "rtdeact": {5, 6}, "rtreset": {5, 6}, "rtcat": {5}, "rtconf": {3},
         "rtwatch": {5}, "rtinject": {5}, "rtprint": {5}},
 }
