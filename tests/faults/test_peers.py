@@ -18,7 +18,7 @@ except ImportError:
 MODES = sorted(set(faulty.MODES) | set(faulty.UNREACHABLE))
 NAMING = {"hostile", "many", "loop", "bottomless"}  # these answer as a name server does, if strangely
 SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"}
-SHORT = 250             # of 4,500 cases
+SHORT = 150             # of 4,500 cases; these take 30 s of processor
 LIST_LIMIT = 60.0       # seconds for 20,000 names, each of which is asked for and then asked
 
 # The doctor promises three times the timeout; what asks one after the other may wait as often, such as rtcheck --extra, which
