@@ -7,6 +7,7 @@ import threading
 
 
 def arguments():
+    """The parser of what starts a world."""
     parser = argparse.ArgumentParser(
         prog="python3 -m mock_components", formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Start a world of mock components; it ends with its standard input, SIGTERM or SIGINT.",
@@ -39,6 +40,7 @@ class Options:
 
 
 def main(argv):
+    """Start a world, or talk to one; returns the exit status."""
     if argv[:1] == ["ctl"]:
         from . import asking
         if len(argv) < 3 or argv[2] == "help":
@@ -89,6 +91,7 @@ def play(args, worlds, flavour):
 
 
 def wait_for_end_of_input(finish):
+    """Set the event `finish` when standard input ends: whoever started us is gone."""
     while os.read(0, 4096):
         pass
     finish.set()

@@ -51,6 +51,7 @@ def only(port):
 
 
 def only_id(port):
+    """Its id."""
     return only(port).connector_id
 
 

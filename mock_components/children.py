@@ -20,6 +20,7 @@ def command(stage, words):
 
 
 def environment():
+    """That of this process, but for the control socket, which is its own."""
     return {key: value for key, value in os.environ.items() if key != "MOCK_CONTROL"}
 
 
@@ -37,6 +38,7 @@ def start(stage, words, port=""):
 
 
 def control(stage, number):
+    """The path of the control socket of the process so numbered."""
     return "%s.%d" % (stage.options.control, number)
 
 

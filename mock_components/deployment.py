@@ -21,6 +21,7 @@ def lead(stage):
 
 
 def port(stage):
+    """The IIOP port of this process."""
     return int(stage.process.endpoint.rpartition(":")[2])
 
 

@@ -305,6 +305,7 @@ def parse(arguments):
 
 
 def main(arguments):
+    """Play the peers that the arguments name, print their ports as JSON, and end with standard input."""
     if not arguments or {"-h", "--help"} & set(arguments):
         print(usage())
         return

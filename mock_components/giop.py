@@ -119,6 +119,7 @@ def reply(request, body, status=NO_EXCEPTION, wrong_id=0):
 
 
 def bad_operation(request):
+    """The answer to an operation that the object does not have."""
     return reply(request, cdr(b"IDL:omg.org/CORBA/BAD_OPERATION:1.0", 0, 1), SYSTEM_EXCEPTION)
 
 
@@ -130,6 +131,7 @@ def reference(port, type_id=COMPONENT, key=b"faulty"):
 
 
 def sequence(octets):
+    """A sequence<octet>, its length first."""
     return Raw(struct.pack("<I", len(octets)) + octets)
 
 

@@ -7,12 +7,14 @@ import random
 import shutil
 import signal
 import socket
+import struct
 import subprocess
 import sys
 import tempfile
 import time
 
 DEADLINE = 20.0  # seconds; omniNames starts in 0.05
+ATTEMPTS = 5  # another process may have taken a port since it was found free
 
 
 class Failed(Exception):
@@ -46,33 +48,44 @@ def free_port(above=12000):
     raise Failed("no free port")
 
 
-def start(directory, port=None):
-    """Start omniNames on 127.0.0.1 with its data in `directory`: (process, port). Raises Failed."""
+def command(port, directory, host="127.0.0.1"):
+    """The command line of an omniNames on a port, with its data in `directory`. Raises Failed."""
     program = binary()
     if program is None:
         raise Failed("omniNames is not here; it comes with omniORBpy (jeteve-omniorb, salome-omniorb, omniorb-nameserver)")
-    port = port or free_port()
-    process = subprocess.Popen([program, "-start", str(port), "-always", "-datadir", directory,
-                                "-ORBendPoint", "giop:tcp:127.0.0.1:%d" % port],
-                               stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    end = time.monotonic() + DEADLINE
-    while not _listens(port):
-        if process.poll() is not None or time.monotonic() > end:
-            process.kill()
-            raise Failed("omniNames does not start on port %d" % port)
-        time.sleep(0.01)
-    return process, port
+    return [program, "-start", str(port), "-always", "-datadir", directory, "-ORBendPoint", "giop:tcp:%s:%d" % (host, port)]
 
 
-def _listens(port):
+def start(directory):
+    """Start omniNames on 127.0.0.1 with its data in `directory`, and wait until it answers: (process, port). Raises Failed."""
+    for _ in range(ATTEMPTS):
+        port = free_port()
+        process = subprocess.Popen(command(port, directory), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        end = time.monotonic() + DEADLINE
+        while process.poll() is None and time.monotonic() < end:
+            if answers(port):
+                return process, port
+            time.sleep(0.01)
+        process.kill()
+        process.wait()
+    raise Failed("omniNames does not start")
+
+
+def answers(port):
+    """Whether the name server on a port says that its root context is there: it listens a little before it knows that."""
+    body = struct.pack("<II", 1, len(b"NameService")) + b"NameService"
     try:
-        socket.create_connection(("127.0.0.1", port), 1).close()
+        with socket.create_connection(("127.0.0.1", port), DEADLINE) as connection:
+            connection.sendall(b"GIOP\1\0\1\3" + struct.pack("<I", len(body)) + body)  # a LocateRequest
+            reply = connection.makefile("rb").read(20)
     except OSError:
         return False
-    return True
+    return reply[7:8] == b"\4" and reply[-4:] == b"\1\0\0\0"  # a LocateReply: OBJECT_HERE
 
 
 def main():
+    """Serve names until standard input ends."""
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
     with tempfile.TemporaryDirectory() as directory:
         try:

@@ -210,6 +210,7 @@ class Port(RTC__POA.PortService):
 
 
 def forward_disconnect(port, connector_id):
+    """Have the next port of a connection forget it, too; the code that it answers."""
     try:
         return port.notify_disconnect(connector_id)
     except CORBA.SystemException:

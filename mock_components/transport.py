@@ -30,6 +30,7 @@ def operation(interface, reference, kinds):
 
 
 def reference_any(reference):
+    """An any that holds a reference, as properties of connectors do."""
     return CORBA.Any(_REFERENCE, reference)
 
 

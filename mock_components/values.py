@@ -11,6 +11,7 @@ LENGTH = 10             # of the sequences that the sequence examples send
 
 
 def typecode(type_name):
+    """The CORBA type code of a type: its name without module."""
     return arm.TYPE_CODE if type_name == arm.NAME else getattr(RTC, "_tc_" + type_name)
 
 
@@ -43,10 +44,12 @@ def _one(kind, number):
 
 
 def encode(type_name, value, little):
+    """The CDR bytes of a value."""
     return omniORB.cdrMarshal(typecode(type_name), value, little)
 
 
 def decode(type_name, data, little):
+    """The value that CDR bytes hold."""
     return omniORB.cdrUnmarshal(typecode(type_name), data, little)
 
 

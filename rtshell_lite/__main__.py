@@ -28,6 +28,7 @@ def run(args):
 
 
 def unpack(directory, wheels):
+    """Lay the commands and these wheels out under a directory, and print the line that puts them on PATH."""
     from rtshell_lite.unpack import unpack
     if not directory or ":" in directory:
         raise errors.Usage("%s: cannot stand in PATH" % (directory or "''"))
@@ -35,11 +36,13 @@ def unpack(directory, wheels):
 
 
 def unknown(name):
+    """The message for what is no command."""
     near = difflib.get_close_matches(name, installation.commands(), 1)
     return "%s: no such command" % name + ("; did you mean %s?" % near[0] if near else "")
 
 
 def summaries():
+    """A line for each command: its name and the first line of its help."""
     found = installation.commands()
     width = max(map(len, found))
     return ["  %-*s  %s" % (width, name, installation.summary(installation.read(found[name]))) for name in sorted(found)]
@@ -52,6 +55,7 @@ def run_command(path, words):
 
 
 def main():
+    """Run the command that the first argument names; without one, do what this module's own options say."""
     sys.argv[0] = "rtshell_lite"
     words = sys.argv[1:]
     try:

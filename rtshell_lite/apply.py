@@ -17,7 +17,7 @@ class Outcome:
 
     def __init__(self, step, status=UNTRIED, error=None):
         self.step, self.status, self.error = step, status, error
-        self.before = self.after = None
+        self.before = self.after = None  # the answers to its step's jobs, before it was done and after
         self.flying = False  # True while it is being done
         self.likely = False  # True for one that is so now, and that an earlier step may change
 
@@ -28,9 +28,11 @@ class Outcome:
 
     @property
     def failed(self):
+        """True for a step that has not brought about what it should, or perhaps not."""
         return self.status in (FAILED, UNSURE, STUCK)
 
     def fail(self, error, status=FAILED):
+        """Note why the step has failed."""
         self.status, self.error = status, error
 
     def as_dict(self):

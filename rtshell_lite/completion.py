@@ -23,9 +23,8 @@ SECONDS = 0.7  # for everything: with the start of Python, the answer is there w
 def candidates(words, redirected=False):
     """The Candidates for the last of `words`, a command line whose other words are complete; [] in case of any failure.
 
-    `redirected`: it is the file behind a < or >.
-
-    The text of a candidate begins with what was typed. Asks at most one name server and one component, changes nothing.
+    The text of a candidate begins with what was typed. With `redirected`, the last word is the file behind a < or >. Asks at
+    most one name server and one component, changes nothing.
     """
     try:
         if redirected:

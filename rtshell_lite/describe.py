@@ -36,7 +36,12 @@ def _parents(node, participating):
 # ---- lines ----------------------------------------------------------------------------------------------------
 
 def lines(found, level, ends, paint):
-    """The lines of rtcat for a component. `ends` names the far ends of connections (see `ports.far_ends`)."""
+    """The lines of rtcat for a component.
+
+    level  how often -l was given
+    ends   names the far ends of connections (see `ports.far_ends`)
+    paint  colours words (see `text.painter`)
+    """
     profile = found.profile
     yield "%s  %s" % (found.node.name, paint(component.merged(found.states)))
     kind = ("Composite" if found.compositions else "Monolithic") + (" composite member" if found.parents else "")
@@ -51,7 +56,7 @@ def lines(found, level, ends, paint):
         yield "  Extra properties:"
         for line in _pairs(sorted(profile.properties), "    "):
             yield line
-    # rtshell indents what follows more with -ll; scripts cut by column
+    # with -ll rtshell indents what follows by a blank or two more, and there are scripts that cut by column
     tag, more = (" ", "  ") if level > 1 else ("", "")
     for line in composition_lines(found, level, tag, more, paint):
         yield line
@@ -73,7 +78,10 @@ def _owned(context):
 
 
 def composition_lines(found, level, tag, more, paint):
-    """The lines of the compositions that a component owns and of those that it belongs to."""
+    """The lines of the compositions that a component owns and of those that it belongs to.
+
+    Here and below, `tag` stands before headings, `more` is the further indentation of what is below them.
+    """
     sign = "-" if level else "+"
     for one, members in found.compositions:
         yield "%s%sComposition %s" % (tag, sign, paint(printable(found.profile.instance_name), "bold"))
@@ -118,7 +126,7 @@ def _instance(ref, found):
 
 
 def port_lines(port, instance, level, ends, paint, tag="", more=""):
-    """The lines of one port."""
+    """The lines of one port of the component called `instance`."""
     yield "%s%s%s: %s" % (tag, "-" if level else "+", port.type, paint(printable(ports.short_name(port.name, instance)), "bold"))
     if not level:
         return

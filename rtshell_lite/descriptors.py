@@ -302,6 +302,7 @@ def label(discriminator, value):
 
 
 def check_length(sort, length):
+    """Raise BadType for what cannot be the length of an ARRAY, or the bound of a SEQUENCE (0: none)."""
     if not isinstance(length, int) or not 0 <= length < 2 ** 32 or sort == ARRAY and not 0 < length <= LONGEST:
         raise errors.BadType("a %s of %r elements" % ("sequence" if sort == SEQUENCE else "array", length), "out of bounds")
 

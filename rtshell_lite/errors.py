@@ -1,6 +1,7 @@
 """Every failure a command can report: the docstring is the message, `status` the exit status.
 
-`where`, the first argument of most, is the object as the user knows it: a path spelt for the terminal.
+The first argument of most, called `where` elsewhere, is the object as the user knows it: a path spelt for the terminal. The
+last says why, in words that need no path.
 """
 
 

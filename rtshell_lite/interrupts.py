@@ -12,22 +12,25 @@ import threading
 import time
 
 BOUNCE = 0.3  # seconds in which a second Ctrl-C is the first one once more
+UNWINDING = 5.0  # seconds that a process is given to end in good order, before another signal cuts that short
 
 _held = 0  # how many `held` there are around what the main thread does
 _waiting = None  # what is raised when nothing is held any more
 _raised = -BOUNCE  # when the last one was
-_ending = False  # whether one came that ends the process
+_ending = -UNWINDING  # when one came that ends the process
 
 
 def strike(exception, ends=False):
     """For handlers of signals: raise the exception, or have it raised as soon as nothing is held.
 
-    `ends`: it ends the process. Of such only the first one counts: a second must not cut its way out short.
+    `ends`: it ends the process. Of such the first one counts, and others not before it has had time for that.
     """
     global _waiting, _ending
-    if _ending if ends else time.monotonic() - _raised < BOUNCE:
+    now = time.monotonic()
+    if now - _ending < UNWINDING if ends else now - _raised < BOUNCE:
         return
-    _ending = _ending or ends
+    if ends:
+        _ending = now
     if _held:
         _waiting = exception if ends else _waiting or exception
         return

@@ -80,7 +80,9 @@ def _spelt(s, more=""):
 
 
 def _spelt_server(server):
-    return printable(server).replace("/", "\\/") if not SCHEMES.match(server) else printable(server) + "#"
+    if SCHEMES.match(server):
+        return printable(server) + "#"
+    return printable(server).replace("/", "\\/")
 
 
 def parse(text, cwd=None):

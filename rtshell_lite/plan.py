@@ -251,6 +251,7 @@ class Schedule:
             self._failed.append(action)
 
     def is_over(self):
+        """True when every action has ended, or will not be tried."""
         return len(self.ended) == len(self.actions)
 
     def due(self, now):

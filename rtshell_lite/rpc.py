@@ -19,8 +19,9 @@ timeout = 3.0  # seconds a peer may stay silent; set once by cli from --timeout
 end = None  # time.monotonic() after which nobody is asked any more, None for no such time: set by who promises a bound
 NO_TIME = "there was no time left to ask it"
 
-Job = collections.namedtuple("Job", "endpoint where call")  # (host, port) or anything hashable; path (its text is for errors); function()
-
+# A remote call to be made: `endpoint` of the process that answers, (host, port) or anything hashable; `where`, the path of
+# the object, or a text, for errors; `call`, a function without arguments.
+Job = collections.namedtuple("Job", "endpoint where call")
 
 # When which process was found silent, and the words for it. For as long as the timeout it is not asked again: what comes
 # next in a command, or another component's question about it, must not cost one more timeout.
@@ -152,7 +153,10 @@ def start(function, *args):
 
 
 class _Results:
-    """How many values are still to come. Who waits is woken once, in the end: at each of 1,000 values, it cost as much as the calls."""
+    """How many values are still to come.
+
+    Who waits is woken once, in the end: to be woken at each of 1,000 values cost as much as the calls themselves.
+    """
 
     def __init__(self, count):
         self.lock, self.left, self.complete = threading.Lock(), count, interrupts.Bell()

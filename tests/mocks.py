@@ -40,25 +40,9 @@ class Server:
     def start(cls):
         cls.directory = tempfile.mkdtemp()
         cls.orb = CORBA.ORB_init(["test", "-ORBclientCallTimeOutPeriod", "8000", "-ORBtraceLevel", "0"], CORBA.ORB_ID)
-        for _ in range(5):      # the port may have been taken since it was found free
-            cls.port = peers.nameserver.free_port()
-            cls.process = subprocess.Popen(
-                [peers.nameserver.binary(), "-start", str(cls.port), "-always", "-datadir", cls.directory,
-                 "-ORBendPoint", "giop:tcp:127.0.0.1:%d" % cls.port], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            cls.root = cls.orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%d/NameService" % cls.port)
-            cls.root = cls.root._unchecked_narrow(CosNaming.NamingContext)
-            eventually(lambda: cls.process.poll() is not None or cls.answers(), "omniNames")
-            if cls.process.poll() is None:
-                return
-        raise AssertionError("omniNames does not start")
-
-    @classmethod
-    def answers(cls):
-        """It accepts connections a little before it serves names."""
-        try:
-            return not cls.root._non_existent()
-        except CORBA.SystemException:
-            return False
+        cls.process, cls.port = peers.nameserver.start(cls.directory)
+        cls.root = cls.orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%d/NameService" % cls.port)
+        cls.root = cls.root._unchecked_narrow(CosNaming.NamingContext)
 
     @classmethod
     def stop(cls):

@@ -4,8 +4,6 @@ They keep their files in the directory $SESSION: NAME.pid, NAME.out (what they s
 """
 import os
 import re
-import socket
-import struct
 import subprocess
 import sys
 import time
@@ -28,26 +26,14 @@ def start_name_server(name, above="12000", published=None):
     `published` is the port that its references tell, where that is another one.
     """
     publish = ["-ORBendPointPublish", "giop:tcp:127.0.0.1:%d" % published] if published else []
-    for attempt in range(5):  # another session may have taken the port since it was found free
-        port = str(nameserver.free_port(int(above)))
+    for attempt in range(nameserver.ATTEMPTS):
+        port = nameserver.free_port(int(above))
         data = session_file("%s-%d" % (name, attempt))
         os.mkdir(data)
-        server = start(name, [nameserver.binary(), "-start", port, "-logdir", data, "-ORBendPoint", "giop:tcp:127.0.0.1:" + port] + publish)
-        if wait_until(lambda: answers(int(port)), server):
-            return port
+        server = start(name, nameserver.command(port, data) + publish)
+        if wait_until(lambda: nameserver.answers(port), server):
+            return str(port)
     raise Failed("omniNames does not start: " + said(name))
-
-
-def answers(port):
-    """Does a name server say that its root context is there? It listens a little earlier than it knows that."""
-    body = struct.pack("<II", 1, len(b"NameService")) + b"NameService"
-    try:
-        with socket.create_connection(("127.0.0.1", port), START_LIMIT) as connection:
-            connection.sendall(b"GIOP\1\0\1\3" + struct.pack("<I", len(body)) + body)  # a LocateRequest
-            reply = connection.makefile("rb").read(20)
-    except OSError:
-        return False
-    return reply[7:8] == b"\4" and reply[-4:] == b"\1\0\0\0"  # a LocateReply: OBJECT_HERE
 
 
 def start_world(words, port):

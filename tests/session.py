@@ -219,6 +219,18 @@ def play_interrupt(words):
     return shell_status(process.returncode)
 
 
+def printed_on(terminal):
+    """What programs print on a terminal, as bytes come, until all of them have ended."""
+    while True:
+        try:
+            data = os.read(terminal, 65536)
+        except OSError:  # how Linux says that the other side is closed
+            return
+        if not data:
+            return
+        yield data
+
+
 def play_tty(words):
     """tty COLUMNS COMMAND...: run the command on a terminal that wide, show what it writes there."""
     import fcntl
@@ -233,13 +245,7 @@ def play_tty(words):
             os.execvp(words[1], words[1:])
         finally:
             os._exit(127)
-    while True:
-        try:
-            data = os.read(terminal, 65536)
-        except OSError:  # how Linux says that the other side is closed
-            data = b""
-        if not data:
-            break
+    for data in printed_on(terminal):
         sys.stdout.buffer.write(data.replace(b"\r\n", b"\n"))
     status = os.waitpid(child, 0)[1]
     return os.WEXITSTATUS(status) if os.WIFEXITED(status) else 128 + os.WTERMSIG(status)

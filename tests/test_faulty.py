@@ -218,24 +218,9 @@ class BindTest(WithDeadline):
             self.skipTest("omniNames is not installed")
         directory = tempfile.TemporaryDirectory()
         self.addCleanup(directory.cleanup)
-        with socket.socket() as reserved:
-            reserved.bind(("127.0.0.1", 0))
-            self.port = reserved.getsockname()[1]
-        server = subprocess.Popen(
-            [nameserver.binary(), "-start", str(self.port), "-logdir", directory.name,
-             "-ORBendPoint", "giop:tcp:127.0.0.1:{}".format(self.port)],
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        server, self.port = nameserver.start(directory.name)
         self.addCleanup(server.wait)
         self.addCleanup(server.kill)
-        self.wait_for_server()
-
-    def wait_for_server(self):
-        for _ in range(100):
-            try:
-                return socket.create_connection(("127.0.0.1", self.port), 1).close()
-            except OSError:
-                time.sleep(0.05)
-        self.fail("omniNames does not start")
 
     def test_bind(self):
         place = "127.0.0.1:{}/robot.host_cxt".format(self.port)

@@ -5,8 +5,8 @@ import threading
 import time
 import unittest
 
-from rtshell_lite import interrupts
-from rtshell_lite.dataport import Message
+from rtshell_lite import errors, interrupts
+from rtshell_lite.dataport import Message, Opened
 from rtshell_lite.inbox import Inbox
 
 LIMIT = 10.0  # seconds that anything may take
@@ -107,6 +107,71 @@ class Held(Striking):
         self.assertRaises(KeyboardInterrupt, self.strike)
         over.set()
         thread.join()
+
+
+class Connection:
+    """Stands for a dataport.Connection; signals strike while it is opened or closed."""
+
+    def __init__(self, strikes=()):
+        self.strikes, self.endpoint, self.where = strikes, ("here", 1), "/a.rtc:out"
+        self.failure = self.connector = None
+        self.begun, self.settled, self.closing, self.looking = False, threading.Event(), threading.Event(), threading.Event()
+
+    def strike(self, step):
+        if step in self.strikes:
+            os.kill(os.getpid(), signal.SIGINT)
+            time.sleep(0.1)
+
+    def open(self):
+        self.begun = True
+        self.strike("open")
+        self.connector = "made"
+        self.strike("opened")
+        self.settled.set()
+
+    def close(self):
+        self.closing.set()
+        self.strike("close")
+        self.connector = None
+
+    def look(self):
+        self.looking.set()
+        self.closing.wait(LIMIT)
+        raise errors.Unreachable(self.where, "the connection has been removed")
+
+    def due(self):
+        return False
+
+
+class Connections(Striking):
+    handler = staticmethod(interrupts.ctrl_c)
+
+    def test_none_is_left_whenever_ctrl_c_comes(self):
+        for strikes in (["open"], ["opened"], ["close"], ["open", "close"], ["opened", "close"]):
+            for others in (0, 6):  # more than there are lanes
+                with self.subTest(strikes=strikes, others=others):
+                    interrupts._raised = -interrupts.BOUNCE
+                    every = [Connection() for _ in range(others)] + [Connection(strikes)]
+                    with self.assertRaises(KeyboardInterrupt):
+                        with Opened(every):
+                            time.sleep(LIMIT if "close" not in strikes[:1] else 0)
+                    self.assertEqual([each.connector for each in every], [None] * len(every))
+
+    def test_what_we_have_removed_ourselves_is_no_failure(self):
+        connection = Connection()
+        with Opened([connection]) as opened:
+            thread = threading.Thread(target=opened._in_lanes, args=("look",))
+            thread.start()
+            connection.looking.wait(LIMIT)
+        thread.join()
+        self.assertIsNone(connection.failure)
+
+    def test_one_that_was_silent_when_it_was_to_connect_is_not_connected(self):
+        connection = Connection()
+        connection.failure = errors.Silent(connection.where, "no answer")
+        self.assertEqual(Opened([connection]).live(), [])
+        connection.connector = "made"
+        self.assertEqual(Opened([connection]).live(), [connection])
 
 
 if __name__ == "__main__":

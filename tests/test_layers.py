@@ -9,21 +9,25 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 ONCE = "it reads the source: one Python is enough"
 
-# A module imports from its own line and from those below, never from above; a new module is put where it belongs.
+# A module imports from its own layer and from those below, never from above; a new module is put where it belongs.
 LAYERS = [
-    ["bin"],
+    ["bin"],  # the commands
     ["__main__"],
-    ["restore", "linking", "apply", "steps", "mapping", "completion", "manpages", "interpreter", "prompt", "page"],
-    ["system", "compare", "plan", "starting", "graph", "drawing", "svg", "listing", "describe", "describe_manager",
-     "markup", "manual", "search", "unbind", "composing", "unpack", "printing", "injecting", "doctor", "watch", "recording",
-     "playing", "exporting", "top"],
-    ["component", "ports", "places", "manager", "organisation", "execution", "observer", "dataport", "datalog", "datatypes",
-     "configuration", "servants", "targets", "inbox", "flow", "fsm", "polling"],
-    ["tree"],
+    # changing a system in steps; running commands, completing them, describing them; the live page
+    ["apply", "completion", "interpreter", "linking", "manpages", "mapping", "page", "prompt", "restore", "steps"],
+    # what single commands do
+    ["compare", "composing", "describe", "describe_manager", "doctor", "drawing", "exporting", "graph", "injecting", "listing",
+     "manual", "markup", "plan", "playing", "printing", "recording", "search", "starting", "svg", "system", "top", "unbind",
+     "unpack", "watch"],
+    # what can be asked of components, ports and managers, and done with them; being a port or an observer; logs of data
+    ["component", "configuration", "datalog", "dataport", "datatypes", "execution", "flow", "fsm", "inbox", "manager",
+     "observer", "organisation", "places", "polling", "ports", "servants", "targets"],
+    ["tree"],  # from a path to a node
     ["node"],
-    ["orb", "cli", "commandline", "streams", "installation"],
-    ["path", "xmlprofile", "values", "constants", "construct", "cdr", "descriptors", "portable", "idl", "overview"],
-    ["rpc", "interrupts", "text", "files", "shell"],
+    ["orb", "cli", "commandline", "installation", "streams"],  # the door to omniORB; what commands share
+    # forms of things, told from text or bytes without asking anybody
+    ["cdr", "constants", "construct", "descriptors", "idl", "overview", "path", "portable", "values", "xmlprofile"],
+    ["files", "interrupts", "rpc", "shell", "text"],
     ["errors"],
     ["__init__"],
 ]

@@ -7,7 +7,7 @@ from rtshell_lite.doctor.finding import fail, reason, warn
 from rtshell_lite.places import Places
 from rtshell_lite.text import printable, shell_word
 
-# One connection as its first end, the ports.Port `port` of the Examined `each`, tells it; `connector` is a ports.Connector.
+# One connection as its first end tells it: the components.Examined `each`, its ports.Port, the ports.Connector.
 Link = collections.namedtuple("Link", "each port connector")
 
 # What an end turned out to be: `port` its ports.Port, or None and the errors.Error `error`; `name` what to call it. The Port

@@ -22,9 +22,9 @@ class Watched:
 def measured(all_of_them, seconds, large):
     """Measure for `seconds` each component that can be: {path: [Finding]}.
 
-    With `large` ports whose values may be large are measured, too, which costs: each value is fetched; and it is told which
-    components could not be measured.
-    As `execution.measured` does, several at a time; no new batch begins when the timeout is over.
+    As `execution.measured` does, several at a time; no new batch begins when the timeout is over. With `large`, ports whose
+    values may be large are measured, too, which costs, since each value is fetched; and it is told which components could not
+    be measured.
     """
     found, waiting = {}, []
     for each in all_of_them:

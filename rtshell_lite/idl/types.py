@@ -180,6 +180,7 @@ def _struct(parser, entry, name, depth):
 
 
 def members(parser, depth):
+    """Read the members of a struct up to its closing brace, which stays: [(name, descriptor)]. Raises BadIdl."""
     found, names = [], set()
     while not parser.is_mark("}"):
         descriptor = type_spec(parser, depth + 1)

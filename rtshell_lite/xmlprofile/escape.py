@@ -28,6 +28,7 @@ def marked(text):
 
 
 def is_legal(text):
+    """True for text that XML can hold as it is."""
     return not _ILLEGAL_ONE.search(text)
 
 

@@ -24,6 +24,7 @@ ATTRIBUTES, ELEMENTS = "xml::attributes", "xml::elements"
 
 
 def exact(field):
+    """The right name of a model.Field in XML, as expat gives it."""
     return NAMESPACES[field.prefix] + SEPARATOR + field.local
 
 
@@ -74,6 +75,7 @@ _TABLES = {}
 
 
 def table(cls):
+    """The Table of a class of elements, made once."""
     if cls not in _TABLES:
         _TABLES[cls] = Table(cls)
     return _TABLES[cls]

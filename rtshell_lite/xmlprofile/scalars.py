@@ -84,6 +84,7 @@ _ESCAPED = {"0": "\0", "a": "\a", "b": "\b", "t": "\t", "\t": "\t", "n": "\n", "
 
 
 def quoted(doc, pos):
+    """Read text in single or double quotes: (where it ends, the text). Raises BadProfile."""
     end = _closing(doc, pos)
     raw = doc.text[pos + 1:end - 1]
     if _has_break(raw) and _MARKER.search(doc.text, pos, end):

@@ -5,7 +5,7 @@
 sections: commands   CPU, wall, peak memory and remote calls of every command, for 1, 10, 100 and 1,000 components
           hung       how long a listing takes beside processes that hang
           profiles   loading and saving a large RtsProfile, restoring and checking a system of 200 components
-          logs       rtlog: rates, CPU, memory            ports   rtprint, rtinject: rates (where ports.py is)
+          logs       rtlog: rates, CPU, memory            ports   rtprint, rtinject: rates
 
 Both of a pair run by turns, so that another load on the machine hits both. --peers also runs the real rtshell, where pip can
 install it (into a directory of its own).

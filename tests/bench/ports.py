@@ -80,16 +80,29 @@ def bare():
     time.sleep(3600)
 
 
+def resident(process):
+    """Megabytes of memory that a process has, twice a second until it ends, as a list."""
+    found = []
+    while os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is None:
+        with open("/proc/%d/statm" % process.pid) as file:
+            found.append(int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1048576.0)
+        time.sleep(0.5)
+    return found
+
+
 def measure(what, command, source, environment, number):
     """Run a receiver until it has shown `number` values, to nobody; print how fast it was. Returns values a second."""
     process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL)
+    sizes = resident(process)
     _, process.returncode, usage = os.wait4(process.pid, 0)
     if process.returncode:
         sys.exit("%s has failed" % what)
     name, count, seconds = source.stdout.readline().split()
     rate = number / float(seconds)
-    print("%s: %d sent, %d printed, %.0f a second, %.1f MB/s, %.1f MB resident" % (
-        what, int(count), number, rate, rate * (MB if name == b"block" else 12) / 1e6, usage.ru_maxrss / 1024), flush=True)
+    print("%s: %d sent, %d printed, %.0f a second, %.1f MB/s" % (
+        what, int(count), number, rate, rate * (MB if name == b"block" else 12) / 1e6))
+    print("  MB resident: %.1f at a quarter of the time, %.1f at the end, %.1f at most" % (
+        sizes[len(sizes) // 4], sizes[-2:][0], usage.ru_maxrss / 1024.0), flush=True)
     return rate
 
 

@@ -31,3 +31,10 @@ world: two --flavour rtorb --context rtorb.host_cxt/%n.rtc
   4 3
   4 3
   4 3
+
+By data_service, where that is asked for; in both byte orders:
+
+  $ for order in little big; do rtinject -c 7 --property dataport.interface_type=data_service --property dataport.serializer.cdr.endian=$order ../cpp2.host_cxt/ConsoleOut0.rtc:in; done
+  $ ctl @two3 received ConsoleOut0:in 6; ctl @two3 calls | grep push; ctl @two3 connectors ConsoleOut0:in
+  6 7
+  2 push

@@ -78,12 +78,20 @@ Ports that offer something else only:
   rtprint: /localhost:$PORT/service.host_cxt/Source0.rtc:number: offers no corba_cdr (it has: data_service, direct)
   [6]
 
-Large values, pushed and fetched:
+Values of 10 MB, pushed and fetched, shown and recorded:
 
   $ rtprint --stats -n 3 ../big.host_cxt/Source0.rtc:block | sed 's/.*all: //; s/, .*//'
   3 values
   $ rtprint --stats --pull -n 3 ../big.host_cxt/Source0.rtc:block | sed 's/.*all: //; s/, .*//'
   3 values
+  $ rtprint -n 1 ../big.host_cxt/Source0.rtc:block | wc -c
+  30000025
+  $ rtprint --json -n 1 ../big.host_cxt/Source0.rtc:block | awk '{ print int(length($0) / 1000) }'
+  13333
+  $ rtlog -q -i -e 3 -f big.rtlog ../big.host_cxt/Source0.rtc:block; rtlog --json -f big.rtlog | awk '{ print int(length($0) / 1000) }'
+  13333
+  13333
+  13333
 
 None is left:
 

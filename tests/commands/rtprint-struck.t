@@ -2,6 +2,7 @@ Signals that strike while connections are made or removed leave none of them beh
 
 once: it is the moment that counts here
 world: two
+world: senders 500 12
 
   $ six=$(yes ConsoleIn0.rtc:out | head -n 6)
   $ called() { [ "$(calls | grep -c " $1\$")" -gt 0 ]; }
@@ -25,6 +26,14 @@ While they are removed, at the command's own end; at most four are being removed
   [143]
   $ connected 1
   [1]
+
+While the reader of the output takes nothing:
+
+  $ mkfifo pipe; sleep 30 < pipe & reader=$!; rtprint --json Source0.rtc:number > pipe & pid=$!
+  $ until [ -n "$(ctl @senders connectors Source0:number)" ]; do :; done; n=$(ctl @senders sent Source0:number)
+  $ until [ $(ctl @senders sent Source0:number) -gt $((n + 999)) ]; do :; done; kill $pid; within 0-9 tail --pid=$pid -f /dev/null; wait $pid
+  [143]
+  $ kill $reader; ctl @senders connectors Source0:number
 
 A component that is silent when it is to connect; it may have taken the connection all the same, or may yet:
 

@@ -93,17 +93,10 @@ def run_on_terminal(words, where, columns=80, **more):
         finally:
             os._exit(127)
     fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
-    begun, said = time.monotonic(), b""
+    begun = time.monotonic()
     killer = threading.Timer(LIMIT, os.kill, (child, signal.SIGKILL))
     killer.start()
-    while True:
-        try:
-            data = os.read(terminal, 65536)
-        except OSError:  # how Linux says that the other side is closed
-            data = b""
-        if not data:
-            break
-        said += data
+    said = b"".join(session.printed_on(terminal))
     os.close(terminal)
     status, usage = os.wait4(child, 0)[1:]
     killer.cancel()

@@ -70,8 +70,7 @@ def setUpModule():
 def populate(name, words):
     """A name server on a host, and components."""
     data = around.directory("names-" + name)
-    start("names-" + name, name, [running.peers.nameserver.binary(), "-start", str(PORT), "-logdir", data,
-                                  "-ORBendPoint", "giop:tcp:%s:%d" % (HOSTS[name], PORT)])
+    start("names-" + name, name, running.peers.nameserver.command(PORT, data, HOSTS[name]))
     end = time.monotonic() + running.LIMIT
     while laptop("rtls", "/" + HOSTS[name]).status:
         assert time.monotonic() < end, "omniNames on %s does not answer" % name
