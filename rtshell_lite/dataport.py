@@ -255,7 +255,7 @@ class Reader(Connection):
 
     def _buffer(self):
         """A port keeps as many values as its buffer is long, so only small ones may wait in great number."""
-        return SMALL_BUFFER if has_fixed_size(self.port) else LARGE_BUFFER
+        return SMALL_BUFFER if datatypes.has_fixed_size(self.port) else LARGE_BUFFER
 
     def _open(self):
         try:
@@ -325,12 +325,6 @@ class Reader(Connection):
         return properties.get("language", "").startswith("C") and not old
 
 
-def has_fixed_size(port):
-    """True when all values of a data port are of one, small size, as far as its standard type tells."""
-    members = datatypes.members(port.properties.get("dataport.data_type", "")) or [("", "any")]
-    return not any(words.startswith(("sequence", "string", "any")) for _, words in members)
-
-
 def fetcher(reader):
     """A function that fetches the oldest value of a pull connection as bytes, None when there is none now."""
     from rtshell_lite.idl_stubs.dataport import OpenRTM, RTC
@@ -385,6 +379,9 @@ class Writer(Connection):
         from rtshell_lite.idl_stubs.dataport import OpenRTM, RTC
         self.sink = self.remote({"corba_cdr": OpenRTM.InPortCdr, "data_service": RTC.DataPushService})
         self.operation = "put" if self.interface == "corba_cdr" else "push"
+
+    def due(self):
+        return isinstance(self.failure, errors.Silent)
 
     def put(self, data, little=True):
         """Send CDR bytes. Raises Refused (buffer full, bad data, wrong byte order), Unreachable, Silent."""

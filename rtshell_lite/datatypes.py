@@ -233,3 +233,9 @@ def members(type_id):
     if descriptor is None or descriptors.kind(descriptor) != descriptors.STRUCT:
         return None
     return [(name, descriptors.words(inner)) for name, inner in descriptors.members(descriptor)]
+
+
+def has_fixed_size(port):
+    """True when all values of a data port are of one, small size, as far as its standard type tells."""
+    known = members(port.properties.get("dataport.data_type", "")) or [("", "any")]
+    return not any(words.startswith(("sequence", "string", "any")) for _, words in known)

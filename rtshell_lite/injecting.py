@@ -104,6 +104,7 @@ class Injection:
         look() is called every TICK. Ends early when no port is left.
         """
         end, due = time.monotonic() + seconds, time.monotonic()
+        looked = due
         while self.sent != number and self.live():
             found = self._next(source, end, look)
             if found is None:
@@ -115,12 +116,17 @@ class Injection:
             for error in self._send(expressions):
                 yield error
             now = time.monotonic()
+            if now - looked >= TICK:
+                looked = now
+                look()
             due = now if rate == math.inf else due + 1 / rate
             due = max(due, now - LATE)
 
     def live(self):
-        """(Writer, its place) of those that can be sent to."""
-        return [(writer, i) for i, writer in enumerate(self.writers) if writer.failure is None]
+        """(Writer, its place) of those that can be sent to; silent ones, which hold up all, where there are no others."""
+        found = [(writer, i) for i, writer in enumerate(self.writers) if writer.failure is None]
+        return found or [(writer, i) for i, writer in enumerate(self.writers)
+                         if writer.connector and isinstance(writer.failure, errors.Silent)]
 
     def _next(self, source, end, look):
         while time.monotonic() < end:
@@ -156,8 +162,10 @@ class Injection:
         results = rpc.gather(jobs)
         for (writer, i), result in zip(live, results):
             self.taken[i] += not isinstance(result, errors.Error)
-            if isinstance(result, errors.Unreachable) and not isinstance(result, errors.Silent):
+            if isinstance(result, errors.Unreachable):
                 writer.failure = result
+            elif isinstance(writer.failure, errors.Silent):
+                writer.failure = None
         return [result for result in results if isinstance(result, errors.Error)]
 
     def useless(self):

@@ -39,10 +39,12 @@ class Playing:
             live = opened.live()
             if not live:
                 return False
-            for _, writer in [sink for sink in self.sinks if sink[0] == entry.channel and sink[1] in live]:
+            able = [writer for writer in live if writer.failure is None] or live  # who is silent holds up all
+            for _, writer in [sink for sink in self.sinks if sink[0] == entry.channel and sink[1] in able]:
                 try:
                     moment = None if absolute else int(time.time() * 1e9)
                     writer.put(self.channels.data(entry, writer.little, moment), writer.little)
+                    writer.failure = None
                 except (errors.Refused, errors.No) as e:
                     self.tally.add(e)
                 except errors.Error as e:

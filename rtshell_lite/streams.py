@@ -105,6 +105,10 @@ class Watcher:
             cli.ignore_hangup()
             raise BrokenPipeError(errno.EPIPE, "nobody reads the output")
 
+    def skip(self):
+        """What is wrong now has been told otherwise."""
+        self.told.update({each: each.failure for each in self.connections if each.failure is not None})
+
     def count(self, tally, of_no_use=()):
         """Add each connection's failure or success to a Tally; what was told before is not told again.
 

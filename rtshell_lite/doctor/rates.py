@@ -2,7 +2,7 @@
 import collections
 import time
 
-from rtshell_lite import component, dataport, errors, ports, rpc
+from rtshell_lite import component, dataport, datatypes, errors, ports, rpc
 from rtshell_lite.doctor.finding import ok, reason, warn
 from rtshell_lite.text import printable
 
@@ -64,7 +64,7 @@ def _watchable(each, large):
     found = [port for port in each.ports if port.type == "DataOutPort"]
     if not found:
         return None, "it has no out port"
-    small = [port for port in found if large or dataport.has_fixed_size(port)]
+    small = [port for port in found if large or datatypes.has_fixed_size(port)]
     if not small:
         return None, ""
     return Watched(each, active[0].rate, small[0]), ""
