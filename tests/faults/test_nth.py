@@ -20,7 +20,7 @@ except ImportError:
 KINDS = ("TRANSIENT", "COMM_FAILURE", "UNKNOWN", "HANG", "LOST", "DIE")
 NAMES = "names"        # stands for the number of a world where the name server is meant
 LANES = 4
-SHORT = 90             # cases
+SHORT = 90             # of 1,500 cases
 UNSURE = (b"not known", b"no answer", b"connection lost", b"connection refused", b"cannot be reached", b"does not activate",
           b"not connected")
 
