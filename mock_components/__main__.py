@@ -71,7 +71,8 @@ def play(args, worlds, flavour):
                       arguments={}, control=args.control, consumers=None, size=0, fate="")
     stage = staging.Stage(here, naming.Naming(here.orb, server), flavour, options)
     for number in (signal.SIGTERM, signal.SIGINT):
-        signal.signal(number, lambda *_: stage.finish.set())
+        # On a thread of its own: the handler may run while this one holds the lock of the event.
+        signal.signal(number, lambda *_: threading.Thread(target=stage.finish.set).start())
     try:
         worlds.WORLDS[args.world](stage, *args.arguments)
         here.ledger.reset()

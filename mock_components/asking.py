@@ -40,10 +40,10 @@ def request(path, words):
     with socket.socket(socket.AF_UNIX) as connection:
         try:
             connection.connect(path)
-        except OSError as error:
+            connection.sendall(("\0".join(words) + "\n").encode())
+            status, _, text = connection.makefile().read().partition("\n")
+        except OSError as error:  # it may be dying just now
             return False, "%s: %s\n" % (path, error.strerror)
-        connection.sendall(("\0".join(words) + "\n").encode())
-        status, _, text = connection.makefile().read().partition("\n")
     return status == "ok", text
 
 
