@@ -9,8 +9,8 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
   tests/run --peers               profiles against PyYAML and the real rtsprofile, from the package index
   tests/run --long test_long      the long form of what tests/faults/ and the like try in short: hours in all
   tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
-  tests/run --all                 the matrix: all on 3.11, 3.7 and 3.13, under dash, ash, and dash; what needs no omniORBpy
-                                  on 3.6, and the packaging on every Python from 3.6 to 3.13 that is found
+  tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13, transcripts on 3.7 under ash and on 3.13 under
+                                  dash, what needs no omniORBpy on 3.6, the packaging on every Python from 3.6 to 3.13
 """
 import argparse
 import glob
@@ -30,7 +30,8 @@ import transcripts
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FULL, PURE, ALL = ["3.11", "3.7", "3.13"], ["3.6"], ["3.%d" % minor for minor in range(6, 14)]
-# The matrix: one shell on each Python, as what a shell does does not depend on the Python.
+# The matrix: transcripts run on the oldest and the newest Python, each under another shell, as what a shell does does not depend
+# on the Python. Those that say that one Python is enough run on the first, and so do such test modules; the others on all three.
 MATRIX = {"3.11": ["dash"], "3.7": ["ash"], "3.13": ["dash"], "3.6": ["ash"]}
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
@@ -122,8 +123,8 @@ def peers():
     return directory
 
 
-def transcript_jobs(python, setting, patterns, shells=None, once=True, accept=False):
-    """Jobs for the transcripts under these shells (None: all); `once`: also for those that one Python is enough for."""
+def transcript_jobs(python, setting, patterns, shells=None, once=None, accept=False):
+    """Jobs for the transcripts under these shells (None: all); `once`: of those only that one Python is enough for, or is not."""
     missing = transcripts.missing_shells()
 
     def job(path, shell):
@@ -135,7 +136,7 @@ def transcript_jobs(python, setting, patterns, shells=None, once=True, accept=Fa
             return [(name,) + transcripts.run_case(path, shell, setting, accept)]
         return Job("%s %s" % (python.version, name), run, transcripts.says(path, "alone"))
     return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shells)
-            if once or not transcripts.says(path, "once")]
+            if once in (None, transcripts.says(path, "once"))]
 
 
 # ---- running them ----
@@ -249,10 +250,12 @@ def jobs_for(version, wheel, args):
     setting = transcripts.Setting(interpreter, os.path.dirname(interpreter))
     if args.accept:
         return transcript_jobs(python, setting, args.pattern, accept=True)
-    once = not args.all or version == FULL[0]
-    modules = [module for module in test_modules() if once or not says(module, "ONCE")]
+    if not args.all:
+        return module_jobs(python, setting, wheel, args.pattern, test_modules()) + transcript_jobs(python, setting, args.pattern)
+    first = version == FULL[0]
+    modules = [module for module in test_modules() if first or not says(module, "ONCE")]
     return (module_jobs(python, setting, wheel, args.pattern, modules)
-            + transcript_jobs(python, setting, args.pattern, MATRIX[version] if args.all else None, once))
+            + transcript_jobs(python, setting, args.pattern, MATRIX[version], once=first))
 
 
 def packaging_jobs(version, wheel, args):

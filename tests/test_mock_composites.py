@@ -8,6 +8,7 @@ import unittest
 import mocks
 from mocks import eventually, outcome, raised, value
 
+ONCE = "mocks are used by the transcripts on every Python"
 try:
     import omniORB
     from rtshell_lite.idl_stubs.component import RTC, SDOPackage

@@ -7,6 +7,7 @@ import unittest
 import mocks
 from mocks import eventually, outcome, raised, value
 
+ONCE = "mocks are used by the transcripts on every Python"
 try:
     from rtshell_lite.idl_stubs.component import RTC
     from rtshell_lite.idl_stubs.manager import RTM

@@ -8,6 +8,7 @@ import flavours
 import mocks
 from mocks import connector, eventually, nvlist, outcome, raised, value
 
+ONCE = "mocks are used by the transcripts on every Python"
 try:
     from omniORB import any as omniany
     from rtshell_lite.idl_stubs.component import RTC, SDOPackage

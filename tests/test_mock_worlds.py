@@ -8,6 +8,7 @@ import mocks
 import peers
 from mocks import connector, eventually, outcome, raised, value
 
+ONCE = "mocks are used by the transcripts on every Python"
 try:
     import CosNaming
     import omniORB

@@ -9,6 +9,7 @@ import flavours
 import mocks
 from mocks import eventually, outcome, raised, value
 
+ONCE = "mocks are used by the transcripts on every Python"
 try:
     from omniORB import CORBA, any as omniany
     from rtshell_lite.idl_stubs.component import OpenRTM, RTC, SDOPackage

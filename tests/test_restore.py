@@ -9,6 +9,7 @@ from mock_components import asking
 from rtshell_lite import apply, configuration, errors, execution, orb, organisation, path, ports, restore, rpc, system, tree, xmlprofile
 from rtshell_lite.xmlprofile import model
 
+ONCE = "what becomes of a system does not depend on the Python"
 WORDS = ["x", "two words", "日本", "a=b", "<&>\"'", "-5", "\\x20", "$(false)", "tab\there", "\udcff", "; rm"]
 NOTHING = restore.Options([], False, None, False)
 THOROUGH = "THOROUGH" in os.environ  # every call, not every fourth of those that change nothing

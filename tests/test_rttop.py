@@ -12,6 +12,7 @@ import mocks
 import peers
 from mocks import Server, World, eventually
 
+ONCE = "a terminal is the same for every Python"
 COMMANDS = os.path.dirname(shutil.which("rttop") or os.path.join(peers.ROOT, "bin", "rttop"))
 
 # A page whose drawing fails, as a bug of ours would make it

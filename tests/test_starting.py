@@ -10,6 +10,7 @@ from mock_components import asking  # noqa: E402
 from rtshell_lite import component, errors, plan, rpc, starting, system, tree  # noqa: E402
 from rtshell_lite.xmlprofile import model  # noqa: E402
 
+ONCE = "plans are the same for every Python"
 NAMES = ["Clusterer0", "Controller0", "Hokuyo_AIST0", "Motor0", "Sensor0"]
 ASKED = ["get_ports", "get_component_profile", "get_owned_contexts", "get_context_handle",
          "get_component_state"]
