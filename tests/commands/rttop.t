@@ -147,8 +147,8 @@ What cannot be shown is told; the rest is shown all the same:
 
 Asking is cheap: state twice a second, contexts and ports now and then, four calls at a time:
 
-  $ ctl reset; rttop -n 2 . > out; ctl calls Controller0; ctl highwater
-  2 get_component_state
+  $ ctl reset; rttop -n 2 . > out; ctl calls Controller0 | sed 's/^[12] get_component_s/1 or 2 get_component_s/'; ctl highwater
+  1 or 2 get_component_state
   1 get_owned_contexts
   1 get_participating_contexts
   2 get_port_profile
