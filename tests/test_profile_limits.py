@@ -4,6 +4,7 @@ import sys
 import unittest
 
 ALONE = True  # it measures
+ONCE = "the bounds are the same for every Python"
 MIB = 1 << 20
 SECONDS = 8.0  # of processor time for 16 MiB of the worst there is; most end within 0.1 s
 MEGABYTES = 150  # beyond what the Python itself takes
