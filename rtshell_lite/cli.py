@@ -19,7 +19,7 @@ from rtshell_lite import __version__, commandline, errors, interrupts, path, rpc
 EXIT_STATUSES = """exit status:
   0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
   4 the peer is dead, silent or garbled, 5 some succeeded and some failed, 6 the peer refused,
-  70 a bug in the tool, 130 Ctrl-C, 141 the reader of the output went away"""
+  70 a bug in the tool, 130 Ctrl-C, 141 the reader of the output went away, 129 SIGHUP, 143 SIGTERM"""
 
 LAST_WORDS = 1.0  # seconds that output may take after a signal: its reader may have stopped
 
