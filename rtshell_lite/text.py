@@ -173,6 +173,9 @@ def pairs(items, indent=""):
 
 # ---- colour ---------------------------------------------------------------------------------------------------
 
+# States of a component as people write and read them; Unknown is that of a context which does not tell.
+STATES = ("Active", "Inactive", "Error", "Created", "Unknown")
+
 COLOURS = {
     "Inactive": "01;34", "Active": "01;32", "Error": "01;37;41", "Unknown": "01;31", "?": "01;31",
     "Running": "01;32", "directory": "01;34", "zombie": "02;37", "bold": "01", "active set": "01;32",
