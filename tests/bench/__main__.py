@@ -4,6 +4,7 @@
 
 sections: commands   CPU, wall, peak memory and remote calls of every command, for 1, 10, 100 and 1,000 components
           hung       how long a listing takes beside processes that hang
+          sessions   many commands from a pipe to rtsh, beside as many processes
           profiles   loading and saving a large RtsProfile, restoring and checking a system of 200 components
           logs       rtlog: rates, CPU, memory            ports   rtprint, rtinject: rates
 
@@ -25,7 +26,7 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 sys.path[:0] = [ROOT, os.path.join(ROOT, "tests")]
 import mocks  # noqa: E402: the path first
 
-SECTIONS = ("commands", "hung", "profiles", "logs", "ports")
+SECTIONS = ("commands", "hung", "sessions", "profiles", "logs", "ports")
 ROUNDS = {1: 15, 10: 15, 100: 7, 1000: 3}
 SIZES = sorted(ROUNDS)
 
@@ -208,6 +209,17 @@ class Bench:
             self.ours(["rtdel", "-q", "-z"])
         live.close()
 
+    def sessions(self, count=100):
+        """`ls -l` so many times, and ten times as many, in one rtsh, beside a process each."""
+        world = mocks.World("two")
+        shell = dict(self.environment, PATH=mocks.COMMANDS + os.pathsep + self.environment["PATH"])
+        apart = self.meter.run(["sh", "-c", "for i in $(seq %d); do rtls -l; done" % count], shell)[0] / count
+        print("rtls -l, a process each:        %6.2f ms of CPU" % (apart * 1000), flush=True)
+        for many in (count, 10 * count):
+            once = self.meter.run(["sh", "-c", "yes 'ls -l' | head -n %d | rtsh" % many], shell)[0] / many
+            print("ls -l, %4d times in one rtsh:   %6.2f ms of CPU, 1/%.0f" % (many, once * 1000, apart / once), flush=True)
+        world.close()
+
 
 def script(name, *words):
     """Run one of the scripts beside this file."""
@@ -248,13 +260,15 @@ def main():
     wanted = args.section or SECTIONS
     with tempfile.TemporaryDirectory() as directory:
         peer = real_rtshell(directory) if args.peers else None
-        if "commands" in wanted or "hung" in wanted:
+        if {"commands", "hung", "sessions"}.intersection(wanted):
             bench = Bench(args.rounds, args.only, peer)
             try:
                 if "commands" in wanted:
                     bench.commands([int(size) for size in args.sizes.split(",")])
                 if "hung" in wanted:
                     bench.hung()
+                if "sessions" in wanted:
+                    bench.sessions()
             finally:
                 bench.close()
     for section, name in (("profiles", "restore.py"), ("logs", "rtlog.py"), ("ports", "ports.py")):
