@@ -9,7 +9,7 @@ sections: commands   CPU, wall, peak memory and remote calls of every command, f
           logs       rtlog: rates, CPU, memory            ports   rtprint, rtinject: rates
 
 Both of a pair run by turns, so that another load on the machine hits both. --peers also runs the real rtshell, where pip can
-install it (into a directory of its own).
+install it (into a directory of its own); a status in place of its figures: it does not do this, or not so.
 """
 import argparse
 import json
@@ -18,6 +18,7 @@ import signal
 import statistics
 import subprocess
 import sys
+import sysconfig
 import tempfile
 import venv
 
@@ -127,7 +128,8 @@ class Bench:
         return self.meter.run([sys.executable, os.path.join(mocks.COMMANDS, words[0])] + words[1:], self.environment)
 
     def theirs(self, words):
-        return self.meter.run([os.path.join(self.peer, words[0])] + words[1:], self.environment)
+        environment = dict(self.environment, PYTHONPATH=sysconfig.get_path("platlib"))  # our omniORBpy
+        return self.meter.run([os.path.join(self.peer, words[0])] + words[1:], environment)
 
     def floor(self, name, words):
         program = [sys.executable, os.path.join(HERE, "floors.py"), name, str(mocks.Server.port)]
@@ -157,18 +159,20 @@ class Bench:
         medians = {kind: [statistics.median(column) for column in zip(*found)] for kind, found in measured.items()}
         said = {kind: ",".join(str(status) for status in sorted({int(one[3]) for one in found})) for kind, found in measured.items()}
         own, floor = medians["ours"], medians["floor"]
-        text = "%-46s %5d  %6.0f %6.0f %5.2f  %6.0f %6.0f  %5.1f %5.1f %5.2f  %6d  %s" % (
+        text = "%-50s %5d  %6.0f %6.0f %5.2f  %6.0f %6.0f  %5.1f %5.1f %5.2f  %6d  %s" % (
             command, size, own[0] * 1000, floor[0] * 1000, own[0] / floor[0], own[1] * 1000, floor[1] * 1000, own[2], floor[2],
             own[2] / floor[2], calls, said["ours"])
-        if "peer" in medians:
-            text += "   %6.0f %6.0f %5.1f  %s" % (medians["peer"][0] * 1000, medians["peer"][1] * 1000, medians["peer"][2], said["peer"])
+        if said.get("peer") == "0":
+            text += "   %6.0f %6.0f %5.1f" % (medians["peer"][0] * 1000, medians["peer"][1] * 1000, medians["peer"][2])
+        elif "peer" in said:
+            text += "   status %s" % said["peer"]
         print(text, flush=True)
         return own[0], floor[0]
 
     def commands(self, sizes):
-        print("%-46s %5s  %6s %6s %5s  %6s %6s  %5s %5s %5s  %6s  %s" % (
+        print("%-50s %5s  %6s %6s %5s  %6s %6s  %5s %5s %5s  %6s  %s" % (
             "command", "size", "CPU", "floor", "ratio", "wall", "floor", "MiB", "floor", "ratio", "calls", "status") + (
-            "   %6s %6s %5s  %s" % ("rtshell", "wall", "MiB", "status") if self.peer else "") + "   (ms)")
+            "   %6s %6s %5s" % ("rtshell", "wall", "MiB") if self.peer else "") + "   (ms)")
         costs = {}
         for size in sizes:
             rows = GROWING + (SINGLE if size == 10 or sizes == [size] else [])
@@ -192,7 +196,7 @@ class Bench:
         for command in sorted({command for command, _ in costs}):
             if (command, least) in costs and (command, most) in costs:
                 own, floor = [(costs[command, most][i] - costs[command, least][i]) / (most - least) * 1000 for i in (0, 1)]
-                print("%-46s each component more: %.2f ms, floor %.2f ms, ratio %.2f" % (command, own, floor, own / floor))
+                print("%-50s each component more: %.2f ms, floor %.2f ms, ratio %.2f" % (command, own, floor, own / floor))
 
     def hung(self):
         live = mocks.World("two")
@@ -231,7 +235,7 @@ def script(name, *words):
 
 def real_rtshell(directory):
     """Where the commands of the real rtshell are; None when pip cannot install it."""
-    venv.create(directory, with_pip=True, system_site_packages=True)
+    venv.create(directory, with_pip=True)
     done = subprocess.run([os.path.join(directory, "bin", "python"), "-m", "pip", "install", "-q", "rtshell-aist"],
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
     if done.returncode or not os.path.exists(os.path.join(directory, "bin", "rtls")):

@@ -151,7 +151,7 @@ SCENARIOS = [
     Scenario("rtmgr -d", ["rtmgr", "-d", "New0", "m"], lambda lane: {"New0": made(lane, "New0", False)},
              [["rtmgr", "-c", "Sensor?instance_name=New0", "m"]]),
     Scenario("rtconf set", ["rtconf", "p", "set", "int_param0=77", "str_param0=x"], lambda lane: {"values": configured(lane)},
-             [["rtconf", "p", "act", "default"], ["rtconf", "p", "set", "int_param0=1", "str_param0=y"]]),
+             [["rtconf", "p", "act", "mode1"], ["rtconf", "p", "set", "int_param0=1", "str_param0=y"]]),
     Scenario("rtconf load", ["rtconf", "p", "load", "changed"],
              lambda lane: {"values": configured(lane, "mode0") and configured(lane)}, [["rtconf", "p", "load", "dumped"]]),
     Scenario("rtcomp new", ["rtcomp", "-a", "motor:in", "m:Arm"], lambda lane: composed(lane, {"Motor0"}), ARM[:1], ends=(2,)),
