@@ -38,7 +38,7 @@ def until(reached, seconds):
 def profile(node):
     """The Profile of a component. Ask its ports first (`ports.ports`): protocol rule, see `once_more`."""
     found = once_more(lambda: node.call("get_component_profile"))
-    parent = once_more(lambda: orb.ask(str(node.path), found.parent, "get_sdo_id")) if found.parent else ""
+    parent = once_more(lambda: orb.ask(node.path, found.parent, "get_sdo_id")) if found.parent else ""
     texts = [from_wire(s) for s in (found.instance_name, found.type_name, found.description, found.version, found.vendor,
                                     found.category, parent)]
     return Profile._make(texts + [orb.properties(found.properties)])
@@ -88,10 +88,9 @@ def context_ref(node, index):
 
 def context(node, ref):
     """All that one execution context tells about itself, a Context."""
-    where = str(node.path)
-    found = orb.ask(where, ref, "get_profile")
+    found = orb.ask(node.path, ref, "get_profile")
     return Context(handle=node.call("get_context_handle", ref), ref=ref, kind=_by_number(KINDS, found.kind), rate=found.rate,
-                   running=orb.ask(where, ref, "is_running"), owner=found.owner, participants=found.participants,
+                   running=orb.ask(node.path, ref, "is_running"), owner=found.owner, participants=found.participants,
                    properties=orb.properties(found.properties))
 
 
@@ -134,11 +133,11 @@ def merged(states):
 
 def state_in(node, ref):
     """The state of a component in the execution context `ref` (ExecutionContext::get_component_state)."""
-    found = _by_number(STATES, orb.ask(str(node.path), ref, "get_component_state", node.typed))
+    found = _by_number(STATES, orb.ask(node.path, ref, "get_component_state", node.typed))
     if found == "Created":
         known = canonical(node)
         if known is not None:
-            return _by_number(STATES, orb.ask(str(node.path), ref, "get_component_state", known))
+            return _by_number(STATES, orb.ask(node.path, ref, "get_component_state", known))
     return found
 
 
@@ -148,7 +147,7 @@ def canonical(node):
     A component bound under a rewritten address, or reached by its key, is a stranger to its own contexts.
     """
     owned, _ = context_refs(node)
-    owner = orb.ask(str(node.path), owned[0], "get_profile").owner if owned else None
+    owner = orb.ask(node.path, owned[0], "get_profile").owner if owned else None
     return None if owner is None or orb.same(owner, node.ref) else owner
 
 
@@ -172,12 +171,12 @@ def _members_first(node, ref, wait):
     """Deactivate the members of a composite of C++ 1.1 before it: the thread that is to do it would wait for them, in vain."""
     if not orb.address(ref).type_id.endswith("/ExtTrigExecutionContextService:1.0"):
         return
-    where, found = str(node.path), orb.ask(str(node.path), ref, "get_profile")
+    found = orb.ask(node.path, ref, "get_profile")
     if not orb.same(found.owner, node.ref) or not found.participants or not node.call("get_owned_organizations"):
         return
     for member in found.participants:
-        if _by_number(STATES, orb.ask(where, ref, "get_component_state", member)) == "Active":
-            orb.ask(where, ref, "deactivate_component", member, seconds=wait)
+        if _by_number(STATES, orb.ask(node.path, ref, "get_component_state", member)) == "Active":
+            orb.ask(node.path, ref, "deactivate_component", member, seconds=wait)
 
 
 def change(node, transition, index=0, wait=None):
@@ -230,7 +229,7 @@ def seen(ask):
 
 def _request(node, ref, transition, target, wait):
     # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz: who waits for the state waits for that, too
-    return str(orb.ask(str(node.path), ref, transition.operation, target, seconds=wait))
+    return str(orb.ask(node.path, ref, transition.operation, target, seconds=wait))
 
 
 def _reason(code, before, now, transition):
@@ -248,7 +247,7 @@ def _until(node, ref, transition, now, seconds):
     while now != transition.target:
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), "cannot %s: it went to Error" % transition.name)
-        if not orb.ask(str(node.path), ref, "is_running"):
+        if not orb.ask(node.path, ref, "is_running"):
             raise errors.Refused(str(node.path), "cannot %s: its execution context is stopped%s" % (
                 transition.name, "; it takes part in others, named with -e (see rtec)" if context_refs(node)[1] else ""))
         if time.monotonic() > limit:
@@ -276,7 +275,7 @@ def exit_all(paths, wait=None, dry_run=False):
 
 
 def _exit(node):
-    orb.is_alive(str(node.path), node.ref)  # to know afterwards that it was this call that ended it
+    orb.is_alive(node.path, node.ref)  # to know afterwards that it was this call that ended it
     try:
         code = str(node.call("exit"))
     except (errors.Silent, errors.Refused):

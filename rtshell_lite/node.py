@@ -23,11 +23,11 @@ class Node:
     error  for kind `silent` and `zombie`: the errors.Error that tells why; for others: why what is below could not be listed
     """
 
-    __slots__ = ("path", "kind", "ref", "error", "_endpoint", "__weakref__")  # there may be 20,000
+    __slots__ = ("path", "kind", "ref", "error", "_endpoint", "_is_typed", "__weakref__")  # there may be 20,000
 
     def __init__(self, path, kind, ref=None, error=None):
         self.path, self.kind, self.ref, self.error = path, kind, ref, error
-        self._endpoint = None
+        self._endpoint, self._is_typed = None, False
 
     @property
     def name(self):
@@ -52,7 +52,8 @@ class Node:
     @property
     def typed(self):
         """`ref` as a reference of the interface that its kind implies; the stubs are imported only here."""
-        self.ref = self._narrowed()  # in place of the other: each takes 800 bytes
+        if not self._is_typed:
+            self.ref, self._is_typed = self._narrowed(), True  # in place of the other: each takes 800 bytes
         return self.ref
 
     def _narrowed(self):
@@ -66,12 +67,10 @@ class Node:
 
     def call(self, operation, *args, **more):
         """Call an operation of its object; errors name its path."""
-        def call():
-            return orb.call(str(self.path), self.typed, operation, *args, **more)
         try:
-            if rpc.in_lane() and not rpc.lane_of(self.endpoint):
-                return rpc.ask(self.endpoint, str(self.path), call)
-            return call()
+            if rpc.lane_of(self.endpoint):
+                return orb.call(self.path, self.typed, operation, *args, **more)
+            return rpc.ask(self.endpoint, self.path, lambda: orb.call(self.path, self.typed, operation, *args, **more))
         except errors.ConnectionRefused as e:
             raise (errors.NoNameServer if self.kind == "server" else errors.ProcessGone)(*e.args)
         except errors.Gone as e:
@@ -90,14 +89,21 @@ def classified(path, ref):
     """The Node for a reference found under `path`, by the type its IOR tells: no remote call."""
     if ref is None:
         return Node(path, "unknown")
-    type_id, kind = orb.address(ref).type_id, path.names[-1].kind
+    address = orb.address(ref)
+    node = Node(path, _kind(address.type_id, path.names[-1]), ref)
+    node._endpoint = address[1:3]
+    return node
+
+
+def _kind(type_id, name):
+    """What an object is, by the type and the Name that it was bound with."""
     if type_id in _CONTEXTS:
-        return Node(path, "directory", ref)
+        return "directory"
     if type_id in _COMPONENTS:
-        return Node(path, "component", ref)
+        return "component"
     if type_id == _MANAGER:
-        return Node(path, "manager", ref)
-    return Node(path, "unsure" if kind in ("rtc", "mgr") or not type_id else "unknown", ref)
+        return "manager"
+    return "unsure" if name.kind in ("rtc", "mgr") or not type_id else "unknown"
 
 
 # ---- liveness -------------------------------------------------------------------------------------------------
@@ -123,19 +129,15 @@ def judged(node, answer):
 
 
 def _looked_at(node):
-    where = str(node.path)
-    if node.kind == "unsure":
-        return _sure(node, where)
-    orb.is_alive(where, node.ref)
-    return node
+    orb.is_alive(node.path, node.ref)
+    return _sure(node) if node.kind == "unsure" else node
 
 
-def _sure(node, where):
+def _sure(node):
     """Ask an object that does not say what it is; a refusal to tell makes it unknown."""
-    orb.is_alive(where, node.ref)
     try:
         for kind, type_id in (("component", _RTOBJECT), ("manager", _MANAGER), ("directory", _CONTEXTS[0])):
-            if orb.call(where, node.ref, "_is_a", type_id):
+            if orb.call(node.path, node.ref, "_is_a", type_id):
                 return Node(node.path, kind, node.ref)
     except errors.Refused:
         pass

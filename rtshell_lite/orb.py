@@ -163,23 +163,25 @@ def _address(ior):
     return Address(type_id, "", 0, b"")
 
 
+_LITTLE, _BIG = [(struct.Struct(order + "L").unpack_from, struct.Struct(order + "H").unpack_from) for order in "<>"]
+
+
 class _Cdr:
     """Reads a CDR encapsulation: a byte that tells the byte order, then aligned values."""
 
     def __init__(self, data):
-        self.data, self.at, self.order = data, 1, "<" if data[0] & 1 else ">"
-
-    def _number(self, code, size):
-        self.at += -self.at % size
-        value, = struct.unpack_from(self.order + code, self.data, self.at)
-        self.at += size
-        return value
+        self.data, self.at = data, 1
+        self._ulong, self._ushort = _LITTLE if data[0] & 1 else _BIG
 
     def ulong(self):
-        return self._number("L", 4)
+        at = self.at + 3 & ~3
+        self.at = at + 4
+        return self._ulong(self.data, at)[0]
 
     def ushort(self):
-        return self._number("H", 2)
+        at = self.at + 1 & ~1
+        self.at = at + 2
+        return self._ushort(self.data, at)[0]
 
     def octets(self):
         size = self.ulong()
@@ -228,23 +230,24 @@ def identity(ref):
 # ---- calls ----------------------------------------------------------------------------------------------------
 
 def call(where, ref, operation, *args, seconds=None):
-    """Call `operation` of `ref` and return its result; `where` names the object in errors.
+    """Call `operation` of `ref` and return its result; `where` names the object in errors: a Path, which is spelt only then, or
+    text.
 
     `seconds` is a longer deadline for an operation that may take its time. Raises Silent, Gone, Unreachable or Refused.
     """
     if not rpc.in_lane():
         return rpc.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args, seconds=seconds))
-    import omniORB
     from omniORB import CORBA
     longer = seconds if seconds and seconds > rpc.timeout else None
     if longer:
+        import omniORB
         omniORB.setClientCallTimeout(ref, int(_milliseconds(longer)))
     try:
         with rpc.slots:
             rpc.alive(longer)
             result = _result(ref, operation, args)
     except CORBA.Exception as e:
-        raise _error(where, e, max(seconds or 0, rpc.timeout))
+        raise _error(str(where), e, max(seconds or 0, rpc.timeout))
     rpc.answered()
     return result
 
@@ -256,13 +259,15 @@ def _result(ref, operation, args):
     each tells so only when it is used. Changes are not repeated: they may have been made.
     """
     from omniORB import CORBA
-    asks = operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
-    for _ in range(CONNECTIONS if asks and rpc.has_answered() else 0):
+    lost = 0
+    while True:
         try:
             return getattr(ref, operation)(*args)
         except CORBA.COMM_FAILURE:
-            pass
-    return getattr(ref, operation)(*args)
+            asks = operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
+            if not asks or lost == CONNECTIONS or not rpc.has_answered():
+                raise
+            lost += 1
 
 
 def ask(where, ref, operation, *args, seconds=None):
@@ -277,9 +282,9 @@ def is_alive(where, ref):
     try:
         gone = call(where, ref, "_non_existent")
     except errors.ConnectionRefused:
-        raise errors.ProcessGone(where)
+        raise errors.ProcessGone(str(where))
     if gone:
-        raise errors.Gone(where)
+        raise errors.Gone(str(where))
     return True
 
 
@@ -325,7 +330,7 @@ def properties(nvlist):
 def _value(value, CORBA):
     typecode, value = value.typecode(), value.value()
     kind = typecode.kind()
-    if kind == CORBA.tk_string:
+    if kind is CORBA.tk_string:  # all but few: there are thousands of them, and == takes its time
         return from_wire(value)
     if kind in (CORBA.tk_struct, CORBA.tk_union, CORBA.tk_except):  # the data_value of 1.1, a TimedLong of zeros
         return "<%s>" % from_wire(typecode.id())

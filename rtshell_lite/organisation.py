@@ -28,7 +28,7 @@ def owned_refs(node):
 
 def belonging_ids(node):
     """Ids of the organisations that a component is a member of."""
-    return [from_wire(orb.ask(str(node.path), ref, "get_organization_id"))
+    return [from_wire(orb.ask(node.path, ref, "get_organization_id"))
             for ref in _refs(node, "get_organizations")]
 
 
@@ -42,11 +42,10 @@ def _refs(node, operation):
 
 
 def _organisation(node, ref):
-    where = str(node.path)
-    members = [member for member in orb.ask(where, ref, "get_members") if member is not None]
-    names = rpc.gather([rpc.Job(orb.endpoint(member), where, lambda member=member: from_wire(
-        orb.call(where, member, "get_sdo_id"))) for member in members])
-    return Organisation(from_wire(orb.ask(where, ref, "get_organization_id")), ref, list(zip(names, members)))
+    members = [member for member in orb.ask(node.path, ref, "get_members") if member is not None]
+    names = rpc.gather([rpc.Job(orb.endpoint(member), node.path, lambda member=member: from_wire(
+        orb.call(node.path, member, "get_sdo_id"))) for member in members])
+    return Organisation(from_wire(orb.ask(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
 
 
 def member_paths(node, found):
@@ -75,7 +74,7 @@ def composites(node, contexts):
         try:
             name = from_wire(above.call("get_sdo_id"))
             for ref in owned_refs(above):
-                one = from_wire(orb.ask(str(node.path), ref, "get_organization_id"))
+                one = from_wire(orb.ask(node.path, ref, "get_organization_id"))
                 found[one] = (name, _path_text(places, name, owner))
         except errors.Unreachable:
             continue  # dead or silent: unknown
@@ -153,7 +152,7 @@ def add(node, one, members):
     there = [name for name, _ in one.members]
     new = [m for m in members if m.instance not in there]
     if new:  # an empty list is refused
-        if not orb.ask(str(node.path), one.ref, "add_members", [m.node.typed for m in new]):
+        if not orb.ask(node.path, one.ref, "add_members", [m.node.typed for m in new]):
             raise errors.Refused(str(node.path), "does not take members")
         lines += ["added component %s" % str(m.node.path) for m in new]
     return lines + ["component %s is a member already" % str(m.node.path) for m in members if m not in new]
@@ -165,7 +164,7 @@ def remove(node, one, members):
     hidden = ["%s.%s" % (m.instance, port) for m in members for port in m.ports]
     lines = _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
     for m in going:
-        if not orb.ask(str(node.path), one.ref, "remove_member", to_wire(m.instance)):
+        if not orb.ask(node.path, one.ref, "remove_member", to_wire(m.instance)):
             raise errors.Refused(str(node.path), "does not remove member %s" % printable(m.instance))
         lines.append("removed component %s" % printable(m.instance))
     return lines

@@ -98,9 +98,10 @@ def alive(limit=None):
 
 def answered():
     """Say that the peer of this lane has answered a call."""
-    alive()
-    if in_lane():
-        _answered[_lane.peer.endpoint] = time.monotonic()
+    peer = getattr(_lane, "peer", None)
+    if peer:
+        peer.heard = _answered[peer.endpoint] = time.monotonic()
+        peer.limit = timeout
 
 
 def has_answered():

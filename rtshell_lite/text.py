@@ -9,13 +9,16 @@ from rtshell_lite import errors
 
 # ---- the wire -------------------------------------------------------------------------------------------------
 
+_is_ascii = getattr(str, "isascii", lambda s: all(c < "\x80" for c in s))  # Python 3.6 has none
+
+
 def from_wire(s):
     """Turn a string that a peer sent into text.
 
     Almost every ORB calls its bytes Latin-1 while they are UTF-8. Bytes that are not UTF-8 are kept as surrogate
     escapes, so that `to_wire` gives back exactly what came. Text beyond Latin-1 was decoded by the ORB already.
     """
-    if s.isascii() if hasattr(s, "isascii") else all(c < "\x80" for c in s):
+    if _is_ascii(s):
         return s
     try:
         return s.encode("latin-1").decode("utf-8", "surrogateescape")
@@ -124,7 +127,7 @@ def cells(s):
     """How many columns of a terminal `s` fills: East Asian wide characters take two, combining ones none."""
     if "\x1b" in s:  # our own colour: text from elsewhere is escaped before
         s = re.sub("\x1b\\[[0-9;]*m", "", s)
-    if all(c < "\u0300" for c in s):
+    if not s or max(s) < "\u0300":
         return len(s)
     import unicodedata
     return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in s)

@@ -210,7 +210,7 @@ def children(node):
 
 def _child(context, path):
     """The Node that the last name of `path` is bound to in a naming context."""
-    return classified(path, orb.call(str(path), context, "resolve", orb.naming_name(path.names[-1:])))
+    return classified(path, orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])))
 
 
 def _sorted(nodes):
