@@ -1,5 +1,6 @@
 """What rtcheck does: a list of checks made from an RtsProfile, and the differences that they find in the running system."""
 import collections
+import functools
 
 from rtshell_lite import component, errors, orb, ports, system, tree
 from rtshell_lite.system import shown_path as _path
@@ -25,7 +26,7 @@ class Result:
 
 def compare(profile, state, tell=lambda line: None, extra=False):
     """Do all checks, in order, and return the Result; `tell` gets a line for each. `extra`: what there is beyond the profile."""
-    running = {id(each): found for each, found in zip(profile.components, system.look(profile))}
+    running = {id(each): found for each, found in zip(profile.components, system.look(profile, functools.partial(system.ask, brief=True)))}
     result = Result()
     for each in profile.components:
         found = running[id(each)]

@@ -35,13 +35,15 @@ def until(reached, seconds):
 
 # ---- profile --------------------------------------------------------------------------------------------------
 
-def profile(node):
-    """The Profile of a component. Ask its ports first (`ports.ports`): protocol rule, see `once_more`."""
+def profile(node, brief=False):
+    """The Profile of a component, `brief` without properties. Ask its ports first (`ports.ports`): protocol rule, see
+    `once_more`.
+    """
     found = once_more(lambda: node.call("get_component_profile"))
     parent = once_more(lambda: orb.ask(node.path, found.parent, "get_sdo_id")) if found.parent else ""
     texts = [from_wire(s) for s in (found.instance_name, found.type_name, found.description, found.version, found.vendor,
                                     found.category, parent)]
-    return Profile._make(texts + [orb.properties(found.properties)])
+    return Profile._make(texts + [[] if brief else orb.properties(found.properties)])
 
 
 def once_more(call, failures=None):
@@ -64,7 +66,17 @@ def once_more(call, failures=None):
 
 def context_refs(node):
     """References of the execution contexts that a component owns, and of those that it takes part in: two lists."""
-    return _refs(node, "get_owned_contexts"), _refs(node, "get_participating_contexts")
+    return owned_context_refs(node), participating_context_refs(node)
+
+
+def owned_context_refs(node):
+    """References of the execution contexts that a component owns."""
+    return _refs(node, "get_owned_contexts")
+
+
+def participating_context_refs(node):
+    """References of the execution contexts, of other components, that a component takes part in."""
+    return _refs(node, "get_participating_contexts")
 
 
 def _refs(node, operation):
@@ -77,10 +89,10 @@ def context_ref(node, index):
 
     One call where it is an owned one, which it mostly is.
     """
-    owned = _refs(node, "get_owned_contexts")
+    owned = owned_context_refs(node)
     if -len(owned) <= index < len(owned):
         return owned[index]
-    every = owned + _refs(node, "get_participating_contexts")
+    every = owned + participating_context_refs(node)
     if not 0 <= index < len(every):
         raise errors.NoSuch(str(node.path), "execution context", "%d (it has %d)" % (index, len(every)))
     return every[index]

@@ -77,15 +77,15 @@ def figures(node):
     owned, participating = component.context_refs(node)  # tells whether the component itself is there
     try:
         state = component.merged(component.states(node, owned + participating))
-        found = ports.outlines(node)
+        found = ports.ports(node, brief=True)
     except (errors.Gone, errors.ConnectionRefused) as e:
         # a port or context passed on that something behind it is gone; the component has answered
         why = "one of them is gone" if isinstance(e, errors.Gone) else "connection refused"
         raise errors.Unreachable(str(node.path), "does not tell its ports or states (%s)" % why)
     counts = []
     for _, kind in COUNTED:
-        of_kind = [connected for each, connected in found if kind in (None, each)]
-        counts.append((len(of_kind), sum(of_kind)))
+        of_kind = [each for each in found if kind in (None, each.type)]
+        counts.append((len(of_kind), sum(bool(each.connectors) for each in of_kind)))
     return Figures(state, counts)
 
 

@@ -324,14 +324,14 @@ def _label(e):
 def properties(nvlist):
     """An SDOPackage::NVList as a list of (name, value) texts in its order; what is not text is written as text."""
     from omniORB import CORBA
-    return [(from_wire(nv.name), _value(nv.value, CORBA)) for nv in nvlist]
+    string = CORBA.tk_string  # almost all are; `is`, as == of these takes as long as all the rest
+    return [(sys.intern(from_wire(nv.name)), from_wire(nv.value.value()) if nv.value.typecode().kind() is string
+             else _as_text(nv.value, CORBA)) for nv in nvlist]
 
 
-def _value(value, CORBA):
+def _as_text(value, CORBA):
     typecode, value = value.typecode(), value.value()
     kind = typecode.kind()
-    if kind is CORBA.tk_string:  # all but few: there are thousands of them, and == takes its time
-        return from_wire(value)
     if kind in (CORBA.tk_struct, CORBA.tk_union, CORBA.tk_except):  # the data_value of 1.1, a TimedLong of zeros
         return "<%s>" % from_wire(typecode.id())
     if kind == CORBA.tk_objref:

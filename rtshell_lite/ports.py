@@ -21,9 +21,9 @@ ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
-def ports(node):
-    """The Ports of a component in its own order: one call for the list and one a port."""
-    return [port(node, ref) for ref in refs(node)]
+def ports(node, brief=False):
+    """The Ports of a component in its own order: one call for the list and one a port; for `brief` see `port`."""
+    return [port(node, ref, brief=brief) for ref in refs(node)]
 
 
 def refs(node):
@@ -32,35 +32,23 @@ def refs(node):
     return [orb.narrow(ref, RTC.PortService) for ref in node.call("get_ports") if ref is not None]
 
 
-def port(node, ref, failures=None):
-    """The Port behind a reference; for `failures` see `component.once_more`."""
-    found = _profile(node, ref, failures)
-    properties = dict(orb.properties(found.properties))
-    return Port(node, from_wire(found.name), _type(properties), properties,
-                [_interface(i) for i in found.interfaces], [_connector(c) for c in found.connector_profiles], ref, found.owner)
+def port(node, ref, failures=None, brief=False):
+    """The Port behind a reference (PortService::get_port_profile); for `failures` see `component.once_more`.
 
-
-def outlines(node):
-    """(type, whether it is connected) of each port of a component; nothing else is read: it is asked of 1,000 components."""
-    told = [_profile(node, ref) for ref in refs(node)]
-    return [(_type(dict(orb.properties(nv for nv in found.properties if nv.name == "port.port_type"))),
-             bool(found.connector_profiles)) for found in told]
-
-
-def _profile(node, ref, failures=None):
-    """What a port tells (PortService::get_port_profile)."""
+    `brief`: without interfaces, and with no property but its type. Most of a port are these, and 1,000 ports are many.
+    """
     try:
-        return component.once_more(lambda: orb.ask(node.path, ref, "get_port_profile"), failures)
+        found = component.once_more(lambda: orb.ask(node.path, ref, "get_port_profile"), failures)
     except (errors.Gone, errors.ConnectionRefused):
         if orb.endpoint(ref) == node.endpoint:
             raise
         why = "the process of one of its ports is gone; if that is a member's, rtcomp -r removes it"
         raise errors.Unreachable(str(node.path), why)
-
-
-def _type(properties):
-    told = properties.get("port.port_type")
-    return told if told in DATA + ("CorbaPort",) else "Port"
+    properties = dict(orb.properties(nv for nv in found.properties if not brief or nv.name == "port.port_type"))
+    kind = properties.get("port.port_type")
+    return Port(node, from_wire(found.name), kind if kind in DATA + ("CorbaPort",) else "Port", properties,
+                [] if brief else [_interface(i) for i in found.interfaces],
+                [_connector(c) for c in found.connector_profiles], ref, found.owner)
 
 
 def _interface(found):

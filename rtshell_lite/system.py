@@ -1,5 +1,6 @@
 """A system as a value: components, connections and configuration, asked of what is running, in the shape of an RtsProfile."""
 import collections
+import functools
 import re
 
 from rtshell_lite import component, configuration, errors, orb, organisation, path, ports, rpc, tree, xmlprofile
@@ -10,7 +11,7 @@ PATH_ID = "COMPONENT_PATH_ID"  # the property by which rtshell and RTSystemEdito
 # Fields of a model.DataPortConnector that stand for properties `dataport.…` of the connection.
 DATA_FIELDS = ("data_type", "interface_type", "dataflow_type", "subscription_type")
 
-# All that is asked of one component. `owned` are Contexts, `states` {handle: state} over all of its contexts,
+# What is asked of one component. `owned` are Contexts, `states` {handle: state} over all of its contexts, None if not asked,
 # `sets` configuration.Sets, hidden ones too, `members` (name, reference) of those that it is composed of.
 Found = collections.namedtuple("Found", "node ports owned states sets active members profile")
 
@@ -23,17 +24,26 @@ _REFERENCE = re.compile(r"dataport\.corba_cdr\.(?:in|out)port_(?:ior|ref)\Z")
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
-def ask(node):
-    """The Found of a component. Its ports come before its profile (protocol rule: see `component.once_more`)."""
-    found = ports.ports(node)
-    owned, participating = component.context_refs(node)
-    contexts = [component.context(node, ref) for ref in owned]
-    states = {context.handle: component.state_in(node, context.ref) for context in contexts}
-    for ref in participating:
-        states[node.call("get_context_handle", ref)] = component.state_in(node, ref)
+def ask(node, brief=False, states=True):
+    """The Found of a component. Its ports come before its profile (protocol rule: see `component.once_more`).
+
+    `brief`: of properties and references only those that go into a file or are compared with one, a quarter of the memory.
+    """
+    found = ports.ports(node, brief)
+    contexts = [component.context(node, ref) for ref in component.owned_context_refs(node)]
+    if brief:
+        contexts = [context._replace(owner=None, participants=[], properties=[]) for context in contexts]
+    in_contexts = _states(node, contexts) if states else None
     sets, active = _configuration(node)
     owned_members = [member for one in organisation.owned(node) for member in one.members]
-    return Found(node, found, contexts, states, sets, active, owned_members, component.profile(node))
+    return Found(node, found, contexts, in_contexts, sets, active, owned_members, component.profile(node, brief))
+
+
+def _states(node, owned):
+    states = {context.handle: component.state_in(node, context.ref) for context in owned}
+    for ref in component.participating_context_refs(node):
+        states[node.call("get_context_handle", ref)] = component.state_in(node, ref)
+    return states
 
 
 def _configuration(node):
@@ -61,11 +71,11 @@ def is_reference(name, value):
 
 # ---- capturing ------------------------------------------------------------------------------------------------
 
-def capture(tops=(), all_components=False):
+def capture(tops=(), all_components=False, with_states=False):
     """The System below the Paths `tops` (none: all name servers), sorted; only what is connected, or a composite of it."""
     nodes, failures, notes = components(tops)
     found, silent = [], set()
-    for node, answer in zip(nodes, tree.on_nodes(nodes, ask)):
+    for node, answer in zip(nodes, tree.on_nodes(nodes, functools.partial(ask, brief=True, states=with_states))):
         if not isinstance(answer, errors.Error):
             found.append(answer)
         elif _is_zombie(node, answer):
