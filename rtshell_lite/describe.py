@@ -15,7 +15,7 @@ def collect(node, level=0):
 
     `level` is how often -l was given: from 1 on, members and composites are asked for their names.
     """
-    found = ports.ports(node)
+    found = ports.ports(node, brief=not level)
     owned, participating = component.context_refs(node)
     contexts = [each for each in component.contexts(node, owned + participating) if each is not None]
     states = component.states(node, [context.ref for context in contexts])

@@ -146,6 +146,11 @@ def _sure(node):
 
 def on_nodes(nodes, function):
     """Call function(node) for each Node, in parallel by the process that answers; an errors.Error stays in its place."""
-    values = iter(rpc.gather(rpc.Job(node.endpoint, node.path, functools.partial(function, node)) for node in nodes
-                             if isinstance(node, Node)))
-    return [next(values) if isinstance(node, Node) else node for node in nodes]
+    return list(on_nodes_in_turn(nodes, function))
+
+
+def on_nodes_in_turn(nodes, function):
+    """`on_nodes`, but yields the values as rpc.in_turn does."""
+    values = rpc.in_turn(rpc.Job(node.endpoint, node.path, functools.partial(function, node)) for node in nodes
+                         if isinstance(node, Node))
+    return (next(values) if isinstance(node, Node) else node for node in nodes)

@@ -48,7 +48,7 @@ def port(node, ref, failures=None, brief=False):
     kind = properties.get("port.port_type")
     return Port(node, from_wire(found.name), kind if kind in DATA + ("CorbaPort",) else "Port", properties,
                 [] if brief else [_interface(i) for i in found.interfaces],
-                [_connector(c) for c in found.connector_profiles], ref, found.owner)
+                [_connector(c) for c in found.connector_profiles], ref, orb.one_of(found.owner, node.ref))
 
 
 def _interface(found):

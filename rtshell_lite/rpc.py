@@ -124,33 +124,47 @@ def ask(endpoint, where, call):
 
 def gather(jobs):
     """Run all `jobs` (iterable of Job) and return their values in order; a failed job's value is its errors.Error."""
+    return list(in_turn(jobs))
+
+
+def in_turn(jobs):
+    """`gather`, but yields the values while others are still to come, and keeps none: a great many take much memory.
+
+    All jobs run meanwhile, so who takes the values must not make remote calls before the last one.
+    """
     values, peers = [], {}
     for i, job in enumerate(jobs):
         peer = peers.get(job.endpoint) or peers.setdefault(job.endpoint, _Peer(job.endpoint))
         peer.todo.append(i)
         peer.open[i] = job
-        values.append(None)
-    results = _Results(len(values))
+        values.append(_TO_COME)
+    results, taken = _Results(len(values)), 0
     try:
         for peer in peers.values():
             for _ in range(min(LANES, len(peer.todo))):
                 start(_work, peer, values, results)
-        while not results.complete.wait(TICK):
-            alive()  # for a gather inside a lane
-            _give_up(peers.values(), values, results)
+        while taken < len(values):
+            if not results.complete.wait(TICK):
+                alive()  # for a gather inside a lane
+                _give_up(peers.values(), values, results)
+            while taken < len(values) and values[taken] is not _TO_COME:
+                value, values[taken] = values[taken], None
+                taken += 1
+                if isinstance(value, Exception) and not isinstance(value, errors.Error):
+                    raise value  # a bug of ours, not a failure of the peer
+                yield value
     finally:
         for peer in peers.values():  # when Ctrl-C interrupts it, nothing more is begun
             peer.todo.clear()
-    for value in values:
-        if isinstance(value, Exception) and not isinstance(value, errors.Error):
-            raise value  # a bug of ours, not a failure of the peer
-    return values
 
 
 def start(function, *args):
     """Run function(*args) on a thread of its own."""
     with interrupts.held():
         threading.Thread(target=function, args=args, daemon=True).start()
+
+
+_TO_COME = object()  # in the place of a value
 
 
 class _Results:

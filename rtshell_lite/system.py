@@ -31,9 +31,9 @@ def ask(node, brief=False, states=True):
     """
     found = ports.ports(node, brief)
     contexts = [component.context(node, ref) for ref in component.owned_context_refs(node)]
-    if brief:
-        contexts = [context._replace(owner=None, participants=[], properties=[]) for context in contexts]
     in_contexts = _states(node, contexts) if states else None
+    if brief:
+        contexts = [context._replace(ref=None, owner=None, participants=[], properties=[]) for context in contexts]
     sets, active = _configuration(node)
     owned_members = [member for one in organisation.owned(node) for member in one.members]
     return Found(node, found, contexts, in_contexts, sets, active, owned_members, component.profile(node, brief))

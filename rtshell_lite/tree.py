@@ -13,7 +13,7 @@ import re
 
 from rtshell_lite import errors, orb, rpc
 # other modules use these as tree.look, tree.Node …
-from rtshell_lite.node import DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes
+from rtshell_lite.node import DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes, on_nodes_in_turn
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_address
 from rtshell_lite.text import from_wire, printable
 
@@ -173,12 +173,17 @@ def on_components(paths, function, or_managers=False):
 
     With `or_managers`, managers are taken as well.
     """
+    return list(on_components_in_turn(paths, function, or_managers))
+
+
+def on_components_in_turn(paths, function, or_managers=False):
+    """`on_components`, but yields the values as rpc.in_turn does."""
     orb.start()  # its failures are not the failure of a path
 
     def resolved(path):
         return rpc.Job(lane(path), str(path), lambda: component(path, or_managers))
     nodes = rpc.gather([resolved(path) for path in paths])
-    return on_nodes(nodes, function)
+    return on_nodes_in_turn(nodes, function)
 
 
 # ---- listing --------------------------------------------------------------------------------------------------
