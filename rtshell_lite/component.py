@@ -36,14 +36,15 @@ def until(reached, seconds):
 # ---- profile --------------------------------------------------------------------------------------------------
 
 def profile(node, brief=False):
-    """The Profile of a component, `brief` without properties. Ask its ports first (`ports.ports`): protocol rule, see
-    `once_more`.
+    """The Profile of a component. Ask its ports first (`ports.ports`): protocol rule, see `once_more`.
+
+    `brief`: with the first of its properties, which tells that there are any.
     """
     found = once_more(lambda: node.call("get_component_profile"))
     parent = once_more(lambda: orb.ask(node.path, found.parent, "get_sdo_id")) if found.parent else ""
     texts = [from_wire(s) for s in (found.instance_name, found.type_name, found.description, found.version, found.vendor,
                                     found.category, parent)]
-    return Profile._make(texts + [[] if brief else orb.properties(found.properties)])
+    return Profile._make(texts + [orb.properties(found.properties[:1] if brief else found.properties)])
 
 
 def once_more(call, failures=None):
@@ -114,6 +115,11 @@ def elsewhere(node, ref, ask, otherwise):
         if orb.endpoint(ref) == node.endpoint:
             raise
         return otherwise
+
+
+def known_by_handle(node, refs):
+    """A Context behind each reference that has nothing but its handle: one call."""
+    return [Context(node.call("get_context_handle", ref), ref, None, None, None, None, [], []) for ref in refs]
 
 
 def contexts(node, refs):

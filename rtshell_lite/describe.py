@@ -17,14 +17,15 @@ def collect(node, level=0):
     """
     found = ports.ports(node, brief=not level)
     owned, participating = component.context_refs(node)
-    contexts = [each for each in component.contexts(node, owned + participating) if each is not None]
+    contexts = component.contexts(node, owned) if level else component.known_by_handle(node, owned)
+    contexts = [each for each in contexts + component.contexts(node, participating) if each is not None]
     states = component.states(node, [context.ref for context in contexts])
     if level:
         compositions = [(one.id, organisation.member_paths(node, one)) for one in organisation.owned(node)]
     else:
         compositions = [("", [])] * len(organisation.owned_refs(node))
     parents = _parents(node, contexts[len(owned):])
-    return Found(node, component.profile(node), states, contexts, found, compositions, parents)
+    return Found(node, component.profile(node, brief=not level), states, contexts, found, compositions, parents)
 
 
 def _parents(node, participating):

@@ -250,29 +250,30 @@ def call(where, ref, operation, *args, seconds=None):
     try:
         with rpc.slots:
             rpc.alive(longer)
-            result = _result(ref, operation, args)
+            try:
+                result = getattr(ref, operation)(*args)
+            except CORBA.COMM_FAILURE as e:
+                result = _asked_again(e, ref, operation, args)
     except CORBA.Exception as e:
         raise _error(str(where), e, max(seconds or 0, rpc.timeout))
     rpc.answered()
     return result
 
 
-def _result(ref, operation, args):
-    """The result of a call. A question whose answer was lost is asked again, once for each connection that may be an old one.
+def _asked_again(failure, ref, operation, args):
+    """The result of a question whose answer was lost: it is asked again, once for each connection that may be an old one.
 
     rtsh keeps connections: where a process has ended since, or was started anew at the same port, all of them are lost, and
     each tells so only when it is used. Changes are not repeated: they may have been made.
     """
     from omniORB import CORBA
-    lost = 0
-    while True:
+    asks = operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
+    for _ in range(CONNECTIONS if asks and rpc.has_answered() else 0):
         try:
             return getattr(ref, operation)(*args)
-        except CORBA.COMM_FAILURE:
-            asks = operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
-            if not asks or lost == CONNECTIONS or not rpc.has_answered():
-                raise
-            lost += 1
+        except CORBA.COMM_FAILURE as e:
+            failure = e
+    raise failure
 
 
 def ask(where, ref, operation, *args, seconds=None):

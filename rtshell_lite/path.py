@@ -73,6 +73,8 @@ ROOT = Path(None, (), None, False)
 
 def _spelt(s, more=""):
     """`s` with everything escaped that the parser would take for something else."""
+    if s.isalnum():  # most are
+        return s
     s = printable(s)
     for c in "/:" + more:
         s = s.replace(c, "\\" + c)

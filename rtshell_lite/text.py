@@ -28,6 +28,8 @@ def from_wire(s):
 
 def to_wire(s):
     """Turn text into the string that a peer expects: the reverse of `from_wire`. Raises Usage for a lone surrogate."""
+    if _is_ascii(s):
+        return s
     try:
         return s.encode("utf-8", "surrogateescape").decode("latin-1")
     except UnicodeEncodeError:

@@ -36,10 +36,10 @@ SIZES = sorted(ROUNDS)
 GROWING = [
     ("rtls {dir}", "listed", "", ""),
     ("rtls -l {dir}", "figures", "", ""),
-    ("rtcat {all}", "profiles", "{all}", ""),
+    ("rtcat {all}", "shown", "{all}", ""),
     ("rtact {all}", "activate", "{all}", "rtdeact {all}"),
     ("rtcryo --all -o {file} {dir}", "system", "{all}", ""),
-    ("rtcheck -s inactive {file}", "system", "{all}", ""),
+    ("rtcheck -s inactive {file}", "compared", "{file} {all}", ""),
     ("rtfind {dir} -t c", "listed", "", ""),
 ]
 SINGLE = [

@@ -30,22 +30,49 @@ def nothing(port, names):
 
 
 def listed(port, names):
-    """Which objects there are, and whether they live."""
+    """Which objects there are, sorted, and whether they live."""
     directory = start(port)
     bindings, _ = directory.list(10000)
+    lines = []
     for binding in bindings:
         ref = directory.resolve(binding.binding_name)
-        print(("*" if ref._non_existent() else "") + binding.binding_name[0].id)
+        lines.append((binding.binding_name[0].id, "*" if ref._non_existent() else ""))
+    for name, mark in sorted(lines):
+        print(mark + name)
 
 
 def figures(port, names):
-    """The state and the ports of each."""
+    """The state and the ports of each, sorted."""
     directory = start(port)
     bindings, _ = directory.list(10000)
-    for each in components(directory, [binding.binding_name[0].id for binding in bindings]):
+    names = sorted(binding.binding_name[0].id for binding in bindings)
+    for each, name in zip(components(directory, names), names):
         contexts = each.get_owned_contexts() + each.get_participating_contexts()
         states = [context.get_component_state(each) for context in contexts]
-        print(states, [(profile.name, len(profile.connector_profiles)) for profile in (p.get_port_profile() for p in each.get_ports())])
+        print(states, [(_kind(profile), len(profile.connector_profiles)) for profile in _port_profiles(each)], name)
+
+
+def _port_profiles(component):
+    return [found.get_port_profile() for found in component.get_ports()]
+
+
+def _kind(profile):
+    return next(found.value.value() for found in profile.properties if found.name == "port.port_type")
+
+
+def shown(port, names):
+    """What rtcat shows of each without options."""
+    for each in components(start(port), names):
+        ports = [(_kind(profile), profile.name) for profile in _port_profiles(each)]
+        contexts = each.get_owned_contexts() + each.get_participating_contexts()
+        handles = [(each.get_context_handle(context), context.get_component_state(each)) for context in contexts]
+        composed = len(each.get_owned_organizations()), len(each.get_organizations())
+        print(*_texts(each.get_component_profile()), handles, composed, *ports, sep="\n")
+
+
+def _texts(profile):
+    return (profile.instance_name, profile.category, profile.description, profile.type_name, profile.vendor, profile.version,
+            len(profile.properties))
 
 
 def profiles(port, names):
@@ -119,13 +146,39 @@ def manager(port, names):
 
 
 def system(port, names):
-    """What a profile of the whole system holds."""
-    for each in components(start(port), names):
-        ports = [found.get_port_profile() for found in each.get_ports()]
-        found = each.get_configuration()
-        contexts = [(context.get_profile(), context.get_component_state(each)) for context in each.get_owned_contexts()]
-        print(each.get_component_profile(), each.get_owned_organizations(), found.get_active_configuration_set(),
-              found.get_configuration_sets(), contexts, ports)
+    """What a profile of the whole system holds; a file of it is written whole or not at all, so all is kept until then."""
+    print("\n".join([str(_running(each, each.get_owned_contexts())) for each in components(start(port), names)]))
+
+
+def _running(each, contexts):
+    """What a profile says of one component; the ports are asked first, as asking for the profile may be the end of it."""
+    ports = [(_kind(found), found.name, [[(one.name, one.value.value()) for one in connector.properties]
+                                         for connector in found.connector_profiles]) for found in _port_profiles(each)]
+    kept = each.get_configuration()
+    active, sets = kept.get_active_configuration_set().id, [
+        (found.id, [(one.name, one.value.value()) for one in found.configuration_data]) for found in kept.get_configuration_sets()]
+    known = [(each.get_context_handle(context), profile.kind, profile.rate)
+             for context, profile in [(context, context.get_profile()) for context in contexts]]
+    return _texts(each.get_component_profile()), len(each.get_owned_organizations()), active, sets, known, ports
+
+
+def compared(port, words):
+    """What differs from a file, the first of `words`, and what is not Inactive."""
+    file, *names = words
+    from xml.etree import ElementTree
+    rts = "{http://www.openrtp.org/namespaces/rts}"
+    wanted = {found.get(rts + "instanceName"): found for found in ElementTree.parse(file).iter(rts + "Components")}
+    for each, name in zip(components(start(port), names), names):
+        contexts = each.get_owned_contexts()
+        texts, _, active, sets, known, _ = _running(each, contexts)
+        told = wanted[texts[0]]
+        kept = [(found.get(rts + "id"), [(one.get(rts + "name"), one.get(rts + "data")) for one in found])
+                for found in told.iter(rts + "ConfigurationSets")]
+        if told.get(rts + "activeConfigurationSet") != active or kept != sets:
+            print(name, "differs")
+        for context in contexts + each.get_participating_contexts():
+            if context.get_component_state(each) != RTC.INACTIVE_STATE:
+                print(name, "is not Inactive")
 
 
 if __name__ == "__main__":

@@ -233,13 +233,11 @@ What it costs: nothing is asked twice, and the profile comes last.
   $ ctl @these reset; rtcryo > b.xml; calls @these ConsoleOut1
   1 get_active_configuration_set
   1 get_component_profile
-  1 get_component_state
   1 get_configuration
   1 get_configuration_sets
   1 get_context_handle
   1 get_owned_contexts
   1 get_owned_organizations
-  1 get_participating_contexts
   1 get_port_profile
   1 get_ports
   1 get_profile
