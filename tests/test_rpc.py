@@ -27,6 +27,29 @@ class Gather(unittest.TestCase):
     def test_no_jobs(self):
         self.assertEqual(rpc.gather([]), [])
 
+    def test_in_turn_values_come_before_the_last_one_is_there(self):
+        def late():
+            self.release.wait()
+            return "late"
+        values = rpc.in_turn([self.job("a", lambda: "early"), self.job("b", late), self.job("a", lambda: "behind")])
+        self.assertEqual(next(values), "early")
+        self.assertFalse(self.release.is_set())
+        self.release.set()
+        self.assertEqual(list(values), ["late", "behind"])
+
+    def test_in_turn_nothing_more_is_begun_for_who_takes_no_more(self):
+        asked = []
+
+        def slow():
+            asked.append(1)
+            self.release.wait(0.05)
+        values = rpc.in_turn([self.job("p", lambda: "first")] + [self.job("p", slow) for _ in range(200)])
+        self.assertEqual(next(values), "first")
+        values.close()
+        begun = len(asked)
+        self.release.wait(0.2)
+        self.assertLessEqual(len(asked), begun + rpc.LANES)
+
     def test_live_peers_answer_beside_hung_and_dead_ones(self):
         def dead():
             raise errors.ConnectionRefused("x")
