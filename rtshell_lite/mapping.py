@@ -31,8 +31,8 @@ def _move(profile, maps):
     renamed = {}  # id of a component: the names of its instance, before and now
     targets = [(each, locate(each)) for each in _elements(profile) if isinstance(each, TARGETS)]
     for each in profile.components:
-        before, now = path_in(each.path_uri), path_in(_moved(each.path_uri, maps))
-        each.path_uri = _moved(each.path_uri, maps)
+        before, each.path_uri = path_in(each.path_uri), _moved(each.path_uri, maps)
+        now = path_in(each.path_uri)
         if before.names and now.names and now.names[-1] != before.names[-1] and before.names[-1].id == each.instance_name:
             renamed[id(each)] = (each.instance_name, now.names[-1].id)
             _rename([each] + each.data_ports + each.service_ports, *renamed[id(each)])

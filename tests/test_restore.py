@@ -11,7 +11,7 @@ from rtshell_lite.xmlprofile import model
 
 ONCE = "what becomes of a system does not depend on the Python"
 WORDS = ["x", "two words", "日本", "a=b", "<&>\"'", "-5", "\\x20", "$(false)", "tab\there", "\udcff", "; rm"]
-NOTHING = restore.Options([], False, None, False)
+NOTHING = restore.Options(False, None, False)
 THOROUGH = "THOROUGH" in os.environ  # every call, not every fourth of those that change nothing
 SECONDS = 1.0  # how long a mock may stay silent
 
