@@ -26,7 +26,8 @@ class Result:
 
 def compare(profile, state, tell=lambda line: None, extra=False):
     """Do all checks, in order, and return the Result; `tell` gets a line for each. `extra`: what there is beyond the profile."""
-    running = {id(each): found for each, found in zip(profile.components, system.look(profile, functools.partial(system.ask, brief=True)))}
+    answers = system.look(profile, functools.partial(system.ask, brief=True))
+    running = {id(each): found for each, found in zip(profile.components, answers)}
     result = Result()
     for each in profile.components:
         found = running[id(each)]
