@@ -223,8 +223,6 @@ Organization::get_owner is never called: C++ tells it once in its life. How ofte
   1 get_participating_contexts
   1 get_port_profile
   1 get_ports
-  1 get_profile
-  1 is_running
   $ ctl reset; rtcat Sensor0.rtc >/dev/null; calls
   1 get_component_profile
   2 get_component_state
@@ -236,6 +234,6 @@ Organization::get_owner is never called: C++ tells it once in its life. How ofte
   1 get_participating_contexts
   2 get_port_profile
   1 get_ports
-  2 get_profile
+  1 get_profile
   1 get_sdo_id
-  2 is_running
+  1 is_running

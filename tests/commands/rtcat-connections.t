@@ -75,8 +75,6 @@ those calls are not ours.)
   1 get_participating_contexts
   2 get_port_profile
   1 get_ports
-  1 get_profile
-  1 is_running
   $ rtcat -ll ../many.host_cxt/Mock0.rtc >/dev/null; asked
   1 get_component_profile
   1 get_component_state

@@ -160,7 +160,7 @@ A component that fails to tell something. What says that it is passing is asked 
   [4]
   $ ctl fail get_owned_organizations 1 NO_IMPLEMENT; rtcat ConsoleIn0.rtc | tail -n 1
   +DataOutPort: out
-  $ ctl fail is_running 1 UNKNOWN; rtcat ConsoleIn0.rtc
+  $ ctl fail is_running 1 UNKNOWN; rtcat -l ConsoleIn0.rtc
   rtcat: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: CORBA.UNKNOWN
   [6]
 
