@@ -17,6 +17,8 @@ _MARKUP = re.compile("[&<>\"\t\n\r%s]" % _INVISIBLE)
 
 def quoted(text):
     """`text` as it stands in an attribute between double quotes, or as the content of an element."""
+    if text.isalnum():  # most are
+        return text
     if _TO_SPELL.search(text):
         text = _TO_SPELL.sub(lambda found: "_x%04X_" % ord(found.group()), text)
     return marked(text)

@@ -243,6 +243,9 @@ def write(profile):
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + "\n".join(writer.lines) + "\n"
 
 
+_NOTHING = model.Foreign()
+
+
 class _Writer:
     def __init__(self):
         self.lines = []
@@ -262,7 +265,7 @@ class _Writer:
                 children += [(field, value)] if value is not None else []
             elif value is not None and (field.always or value != field.default):
                 head.append(' %s="%s"' % (field.tag, escape.quoted(values.to_text(field, value))))
-        foreign = element.foreign or model.Foreign()
+        foreign = element.foreign or _NOTHING
         head += [self.attribute(*pair) for pair in sorted(foreign.attributes.items())]
         if not (children or foreign.elements or foreign.keys):
             self.lines.append("".join(head) + "/>")
