@@ -146,7 +146,8 @@ def complain(what):
     """Print the one line of a failure on stderr; returns its exit status."""
     status = getattr(what, "status", 1)
     if isinstance(what, OSError):
-        what = "%s: %s" % (text.printable(str(what.filename)), what.strerror) if what.filename else what.strerror
+        why = what.strerror or str(what)  # a timeout has words only
+        what = "%s: %s" % (text.printable(str(what.filename)), why) if what.filename else why
     _say(str(what))
     return status
 

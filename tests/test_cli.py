@@ -1,9 +1,13 @@
 """What every command shares, tried on a command of our own: options anywhere, one line a failure, exit statuses."""
+import io
 import os
 import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
+
+from rtshell_lite import cli
 
 COMMAND = '''\
 """Do something for a test.
@@ -107,6 +111,12 @@ class Command(unittest.TestCase):
 
     def test_a_local_failure_is_1(self):
         self.assertEqual(self.foo("io")[0::2], (1, "rtfoo: /does/not/exist: No such file or directory\n"))
+
+    def test_a_failure_that_only_has_words(self):
+        said = io.StringIO()
+        with mock.patch("sys.stderr", said):
+            cli.complain(OSError("timed out"))
+        self.assertTrue(said.getvalue().endswith(": timed out\n"), said.getvalue())
 
     def test_help_and_version(self):
         status, out, err = self.foo("--help")

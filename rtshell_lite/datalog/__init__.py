@@ -35,6 +35,11 @@ Channel = collections.namedtuple("Channel", "name type_id typecode sources")
 Entry = collections.namedtuple("Entry", "number received channel little data value")
 
 
+def is_moment(value):
+    """True for what can be a time: nanoseconds since the epoch, in 64 bits as records have it."""
+    return type(value) is int and -1 << 63 <= value < 1 << 63
+
+
 def is_text(start):
     """True for the first bytes of a log of text."""
     return start.split(b".")[0].isdigit()

@@ -64,7 +64,7 @@ class Recorder:
         self._thread.start()
 
     def close(self):
-        """Wait until all that has come is written and on the disk. Raises OSError: why writing failed."""
+        """Wait until all that has come is written and on the disk. Raises OSError: why writing failed; a bug's RuntimeError."""
         self._stopped.set()
         if self._thread:
             self._thread.join()
@@ -72,15 +72,21 @@ class Recorder:
             raise self.failure
 
     def _run(self, writer):
+        self.failure = RuntimeError("the thread that writes has ended")  # until it is known better: a bug is no success
         try:
-            self._write(writer)
-        except OSError as e:
-            self.failure = e
-        try:
-            writer.close()
-        except OSError as e:
-            self.failure = self.failure or e
-        self.done.set()
+            self.failure = self._written(writer)
+        finally:
+            self.done.set()
+
+    def _written(self, writer):
+        """Write until the end, and close; the OSError that prevented it, or None."""
+        failure = None
+        for step in (lambda: self._write(writer), writer.close):
+            try:
+                step()
+            except OSError as e:
+                failure = failure or e
+        return failure
 
     def _fits(self, channel, message):
         if len(message.data) <= blocks.LARGEST:

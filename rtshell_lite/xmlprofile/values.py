@@ -1,7 +1,7 @@
 """The values of fields as text, and back. Raises ValueError with a message for people."""
 import re
 
-from rtshell_lite.xmlprofile import model
+from rtshell_lite.xmlprofile import model, scalars
 
 _WHOLE = re.compile(r"[-+]?[0-9]{1,18}\Z")
 _LONGEST_NUMBER = 100  # characters: long ones take quadratic time
@@ -54,7 +54,7 @@ def from_number(field, value):
     if isinstance(value, bool):
         raise ValueError("%s: not a number" % str(value).lower())
     if field.kind == model.NUMBER:
-        return float(value)
+        return scalars.as_float(value)
     if value != value or abs(value) >= 10 ** 18 or value != int(value):
         raise ValueError("%s: not a whole number" % value)
     return int(value)
