@@ -11,7 +11,7 @@ import unittest
 
 import random_profiles
 from rtshell_lite import errors
-from rtshell_lite.xmlprofile import model, scalars, yaml, yamlwriter
+from rtshell_lite.xmlprofile import fields, scalars, yaml, yamlwriter
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "data")
 
@@ -91,7 +91,7 @@ class Writing(unittest.TestCase):
     def check(self, data):
         text = yamlwriter.write(data)
         text.encode("ascii")
-        self.assertTrue(model.same(read(text), data), (data, text))
+        self.assertTrue(fields.same(read(text), data), (data, text))
 
     def test_everything_comes_back(self):
         maker = random_profiles.Maker(3)
@@ -151,7 +151,7 @@ class Mutations(unittest.TestCase):
                 data = read(text)
             except (errors.BadProfile, ValueError):
                 continue
-            self.assertTrue(model.same(read(yamlwriter.write(data)), data), text)
+            self.assertTrue(fields.same(read(yamlwriter.write(data)), data), text)
 
 
 if __name__ == "__main__":

@@ -87,7 +87,7 @@ def _named(parser):
     if entry.sort in ("struct", "type"):
         return entry.what
     if entry.sort == "interface":
-        return (OBJECT, entry.scope, entry.name)
+        return (OBJECT, entry.type_id, entry.name)
     if entry.sort == "unknown":
         return (OBJECT, parser.new_id(entry.name), entry.name)
     raise parser.fault("not a type: %s" % entry.name, token)
@@ -181,7 +181,7 @@ def _struct(parser, entry, name, depth):
     found = members(parser, depth)
     if not found:
         raise parser.fault("a struct without members: %s" % name, entry.token)
-    return parser.weighed(descriptors.struct(entry.scope, name, found), [inner for _, inner in found], entry.token)
+    return parser.weighed(descriptors.struct(entry.type_id, name, found), [inner for _, inner in found])
 
 
 def members(parser, depth):
@@ -234,8 +234,8 @@ def _union(parser, entry, name, depth):
         raise parser.fault("a union without members: %s" % name, entry.token)
     if default >= 0:
         cases[default] = (_unused(parser, switch, labels, entry.token),) + cases[default][1:]
-    return parser.weighed(descriptors.union(entry.scope, name, switch, cases, default),
-                          [switch] + [case[2] for case in cases], entry.token)
+    return parser.weighed(descriptors.union(entry.type_id, name, switch, cases, default),
+                          [switch] + [case[2] for case in cases])
 
 
 def _labels(parser, switch, labels):
