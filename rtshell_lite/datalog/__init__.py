@@ -19,6 +19,9 @@ its way, milliseconds), and to the disk every few seconds (what a power failure 
 it is told, and left out. The index is a convenience: it comes with the regular end, it is believed only where the file
 agrees, and whoever finds none reads through the file. To append to a file means to cut off its index, or its torn end,
 and to go on with one more header. A typecode is what datatypes.Type.to_bytes gives: a log can be read without any IDL.
+
+Modules: blocks.py is the frame, writer.py and reader.py are the two ends of it; recorder.py feeds a writer, textlog.py is
+another one; simpkl.py reads rtshell's logs with pickles.py; meaning.py tells what entries mean, play.py when each is due.
 """
 import collections
 import os
