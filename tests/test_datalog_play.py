@@ -1,4 +1,5 @@
 """Recording and playing without any port: which entries, when, with which times, and what a slow disk costs."""
+import json
 import struct
 import sys
 import time
@@ -7,7 +8,7 @@ import unittest
 import simpkl_files
 from test_datalog import CHANNELS, START, Case, messages
 from rtshell_lite import datalog, datatypes, errors, exporting
-from rtshell_lite.datalog import meaning, play, recorder, writer
+from rtshell_lite.datalog import meaning, play, recorder, textlog, writer
 try:
     import omniORB
 except ImportError:
@@ -127,6 +128,32 @@ class Exporting(Case):
             lines = list(exporting.csv_lines(channels, log.entries(), log.entries()))
         self.assertEqual(lines, ["number,received,port,tm.sec,tm.nsec,data,a\\u009b",
                                  "0,1795247464.750000000,n\\x07,1,2,\\x1b[2J\\u202e\\x0d\\x0a\\\\x,1"])
+
+
+class Deep(Case):
+    """Values nested so deep that they can be read and not be told in words: what comes behind them is not lost."""
+
+    def setUp(self):
+        Case.setUp(self)
+        words = ["struct", "IDL:Own/Node:1.0", "Node", [["inner", ["sequence", ["see", "IDL:Own/Node:1.0"], 0]]]]
+        self.type = datatypes.from_bytes(json.dumps(words).encode())
+        self.channel = datalog.Channel("deep", self.type.id, self.type.to_bytes(), ())
+        self.messages = [(0, START + depth, True, b"\1\0\0\0" * depth + bytes(4)) for depth in list(range(100, 300, 5)) + [0]]
+
+    def test_shown(self):
+        self.write(self.messages, channels=[self.channel])
+        with datalog.load(self.name) as log:
+            channels = meaning.Channels(log, datatypes.Types())
+            for lines in (exporting.lines(channels, log.entries()), exporting.json_lines(channels, log.entries()),
+                          exporting.csv_lines(channels, log.entries(), log.entries())):
+                self.assertGreaterEqual(len(list(lines)), len(self.messages))
+
+    def test_recorded_as_text(self):
+        out = textlog.Writer(self.name, [self.channel], [self.type])
+        out.write(self.messages)
+        out.close()
+        with open(self.name) as file:
+            self.assertEqual(len(file.readlines()), len(self.messages))
 
 
 class Recording(Case):
