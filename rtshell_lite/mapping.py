@@ -1,8 +1,85 @@
 """--map OLD=NEW: where the components of a profile are now, when they are elsewhere than they were."""
 import re
 
-from rtshell_lite import errors, path
+from rtshell_lite import errors, path, system
 from rtshell_lite.text import printable
+from rtshell_lite.xmlprofile import model
+
+MANAGER = "MANAGER"  # an extended property of a component: path of the manager that can create it
+PATHS = (system.PATH_ID, MANAGER)  # extended properties that hold a path
+TARGETS = (model.TargetComponent, model.TargetPort, model.TargetExecutionContext)
+
+
+def read(name, form=None, words=()):
+    """The profile in a file (`-`: stdin), its components where the `words` OLD=NEW have them.
+
+    Raises Usage for what is no such word, or fits nothing in the file, OSError, BadPath, BadProfile.
+    """
+    maps = [Map(word) for word in words]
+    profile = system.read(name, form)
+    if maps:
+        _move(profile, maps)
+    for each in maps:
+        if not each.used:
+            raise errors.Usage("--map %s: nothing in the file is there" % printable(each.word))
+    return profile
+
+
+def _move(profile, maps):
+    """Change paths, and the names of instances that are bound under another name now, wherever the profile has them."""
+    locate = system.locator(profile)
+    renamed = {}  # id of a component: the names of its instance, before and now
+    targets = [(each, locate(each)) for each in _elements(profile) if isinstance(each, TARGETS)]
+    for each in profile.components:
+        before, each.path_uri = path_in(each.path_uri), _moved(each.path_uri, maps)
+        now = path_in(each.path_uri)
+        if before.names and now.names and now.names[-1] != before.names[-1] and before.names[-1].id == each.instance_name:
+            renamed[id(each)] = (each.instance_name, now.names[-1].id)
+            _rename([each] + each.data_ports + each.service_ports, *renamed[id(each)])
+    for target, component in targets:
+        if id(component) in renamed:
+            _rename([target], *renamed[id(component)])
+    for each in _elements(profile):
+        if isinstance(each, model.Property) and each.name in PATHS and each.value:
+            each.value = _moved(each.value, maps)
+
+
+def _elements(element):
+    """An element of a profile and all below it."""
+    yield element
+    for field in element.FIELDS:
+        value = getattr(element, field.name)
+        for each in value if isinstance(value, list) else [value]:
+            if isinstance(each, model.Element):
+                yield from _elements(each)
+
+
+def _rename(elements, old, new):
+    """Elements that have the name of an instance, or ports that begin with it."""
+    for each in elements:
+        if getattr(each, "instance_name", None) == old:
+            each.instance_name = new
+        for field in ("name", "port_name"):
+            port = getattr(each, field, None)
+            if port is not None and port.startswith(old + "."):
+                setattr(each, field, new + port[len(old):])
+
+
+def _moved(text, maps):
+    """A path of a profile, without the first slash as they are there, as the Maps have it; what is no path stays."""
+    where = path_in(text)
+    if where.server is None or text.startswith("corbaloc:"):
+        return text
+    now = mapped(where, maps)
+    return text if now == where else str(now)[1:]
+
+
+def path_in(text):
+    """The Path that a text of a profile stands for, which has no slash in front there; the root where it is none."""
+    try:
+        return path.parse("/" + text.lstrip("/"))
+    except errors.BadPath:
+        return path.ROOT
 
 
 class Map:

@@ -1,39 +1,27 @@
 """From an RtsProfile to the steps that bring a running system to it (rtresurrect), or that take its connections away (rtteardown)."""
 import collections
 
-from rtshell_lite import apply, errors, linking, manager, mapping, orb, path, ports, rpc, steps, system, tree
+from rtshell_lite import apply, errors, linking, manager, mapping, orb, ports, rpc, steps, system, tree
 from rtshell_lite.text import printable
 
-MANAGER = "MANAGER"  # an extended property of a component: path of the manager that can create it
-
-# How a profile is to be read. `maps` are mapping.Maps, `create` whether missing components are to be
-# created, `manager` the path of the manager for those that the profile names none for, `strict` is --strict-path.
-Options = collections.namedtuple("Options", "maps create manager strict")
+# How a profile is to be restored. `create` whether missing components are to be created, `manager` the path of the manager for
+# those that the profile names none for, `strict` is --strict-path.
+Options = collections.namedtuple("Options", "create manager strict")
 
 
 # ---- where components are ---------------------------------------------------------------------------------------
 
-def _sites(profile, maps):
-    """{id of a Component: its Site}. Raises No for two components at one place, Usage for a Map that fits nothing."""
+def _sites(profile):
+    """{id of a Component: its Site}. Raises No for two components at one place."""
     sites, taken = collections.OrderedDict(), {}
     for each in profile.components:
-        try:
-            before = system.path_of(each)
-            where, instance = mapping.mapped(before, maps), each.instance_name
-            if before.names and where.names and where.names[-1] != before.names[-1] and before.names[-1].id == instance:
-                instance = where.names[-1].id
-        except errors.BadPath:
-            where, instance = path.ROOT, each.instance_name
-        site = sites[id(each)] = steps.Site(each, where, instance)
+        where = mapping.path_in(each.path_uri)
+        site = sites[id(each)] = steps.Site(each, where)
         if not where.names:
-            site.where = "/" + printable(each.path_uri)
+            site.where = system.shown_path(each)
             site.error = errors.No(site.where, "not the path of a component")
         if site.error is None and taken.setdefault(where, each) is not each:
             raise errors.No(site.where, "the file has two components here")
-        _mapped_text(each.property(MANAGER) or "/", maps)
-    for each in maps:
-        if not each.used:
-            raise errors.Usage("--map %s: nothing in the file is there" % printable(each.word))
     return sites
 
 
@@ -65,7 +53,7 @@ def _visit(sites):
 
 def restoring(profile, options):
     """The apply.Outcomes of the steps that restore a profile, all looked at: what is not pending is so, or cannot be done."""
-    sites = _sites(profile, options.maps)
+    sites = _sites(profile)
     _visit(sites.values())
     locate = system.locator(profile, options.strict)
     outcomes = [_presence(site) for site in sites.values()]
@@ -136,19 +124,12 @@ def _named_managers(profile, options, locate):
     for target in targets + [one.component for each in profile.components for one in each.participants]:
         each, uri = locate(target), target.property(system.PATH_ID)
         if each is not None and uri:
-            found.setdefault(id(each), _above(_mapped_text(uri, options.maps)))
+            found.setdefault(id(each), _above(mapping.path_in(uri)))
     for each in profile.components:
-        own = each.property(MANAGER)
+        own = each.property(mapping.MANAGER)
         if own:
-            found[id(each)] = own if own.startswith("corbaloc:") else str(_mapped_text(own, options.maps))
+            found[id(each)] = own if own.startswith("corbaloc:") else "/" + own.lstrip("/")
     return found
-
-
-def _mapped_text(uri, maps):
-    try:
-        return mapping.mapped(path.parse("/" + uri.lstrip("/")), maps)
-    except errors.BadPath:
-        return path.ROOT
 
 
 def _above(where):
@@ -303,7 +284,7 @@ def tearing_down(profile, options):
 
     Where one end is gone, the others are freed. That no component is there at all is a failure.
     """
-    sites = _sites(profile, options.maps)
+    sites = _sites(profile)
     asked = [site for site in sites.values() if site.error is None]
     for site, found in zip(asked, tree.on_components([site.path for site in asked], _ports_only)):
         if isinstance(found, errors.Error):

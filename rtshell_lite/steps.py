@@ -18,8 +18,8 @@ class Site:
     error  why nothing can be done with it; None if something can
     """
 
-    def __init__(self, each, path, instance):
-        self.each, self.path, self.instance = each, path, instance
+    def __init__(self, each, path):
+        self.each, self.path, self.instance = each, path, each.instance_name
         self.where, self.required = str(path), each.is_required
         self.found = self.node = self.error = None
 

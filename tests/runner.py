@@ -13,6 +13,7 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
                                   dash, what needs no omniORBpy on 3.6, the packaging on every Python from 3.6 to 3.13
 """
 import argparse
+import concurrent.futures
 import glob
 import json
 import os
@@ -268,18 +269,21 @@ def gather_jobs(args, wheel, score):
     """The jobs of all versions asked for; a Python that is not here is told as skipped."""
     if args.peers:
         return peer_jobs(args)
-    jobs = []
     versions = FULL + PURE if args.all else args.python or [sys.executable]
     wanted = [(jobs_for, version) for version in versions]
     wanted += [(packaging_jobs, version) for version in ALL if args.all and version not in versions]
-    for make, version in wanted:
+
+    def gather(make, version):
         try:
-            jobs += make(version, wheel, args)
+            return make(version, wheel, args)
         except environments.Missing as e:
             score.add(version, [("all tests", "skip" if args.all else "fail", str(e))])
         except environments.Failed as e:
             score.add(version, [("environment", "fail", str(e))])
-    return jobs
+        return []
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:  # environments take their time to make
+        return [job for jobs in pool.map(gather, *zip(*wanted)) for job in jobs]
 
 
 def builder():

@@ -25,6 +25,7 @@ import threading
 import time
 
 import peers
+from mock_components import asking
 
 UNWINDING = 2.0  # seconds that a command may take to tidy up after Ctrl-C, on a busy machine; the timeout is 3
 MARK = "-- end of step "
@@ -160,8 +161,7 @@ def play_ctl(words):
     where = os.environ.get("MOCK_CONTROL", "")
     if words and words[0].startswith("@"):
         where, words = peers.control(words[0][1:]), words[1:]
-    command = [sys.executable, "-m", "mock_components", "ctl", where]
-    return subprocess.call(command + words, env=dict(os.environ, PYTHONPATH=peers.mocks()))
+    return asking.ask(where, words)
 
 
 def play_calls(words):

@@ -2,7 +2,6 @@
 import os
 import pty
 import re
-import resource
 import select
 import shutil
 import signal
@@ -38,17 +37,36 @@ def environment(**more):
 
 
 class Many(unittest.TestCase):
-    def test_a_command_costs_a_tenth_of_a_process(self):
-        """CPU time; a thousand need no more than a hundred for that, and no machine without anything else to do."""
-        one_process = self.cost("for i in 0 1 2 3 4 5 6 7 8 9; do rtls -l; done") / 10
-        one_command = self.cost("yes 'ls -l' | head -n 200 | rtsh") / 200
-        self.assertLess(one_command, one_process / 10)
+    def test_a_hundred_commands_are_one_process_with_few_connections(self):
+        """What each costs beside a process of its own: python3 -m tests.bench sessions."""
+        session = subprocess.Popen(["rtsh"], env=environment(), stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                   universal_newlines=True)
+        self.addCleanup(session.communicate)
+        session.stdin.write("ls -l\n" * 10 + "pwd\n")
+        session.stdin.flush()
+        self.until_pwd(session)
+        before = held(session.pid)
+        session.stdin.write("ls -l\n" * 90 + "pwd\n")
+        session.stdin.flush()
+        self.assertEqual(self.until_pwd(session), 90 * 3)
+        after = held(session.pid)
+        self.assertLessEqual(before, after)  # none was closed
+        self.assertLess(len(after), 20)      # four calls at a time to each of two processes, and Python's own
+        with open("/proc/%d/task/%d/children" % (session.pid, session.pid)) as file:
+            self.assertEqual(file.read(), "")
 
-    def cost(self, script):
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        subprocess.check_call(["sh", "-c", script], env=environment(), stdout=subprocess.DEVNULL)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    def until_pwd(self, session):
+        """How many lines rtsh prints before the directory."""
+        for count, line in enumerate(session.stdout):
+            if line.endswith("/test.host_cxt\n"):
+                return count
+        return None
+
+
+def held(pid):
+    """What the open descriptors of a process are; each socket has a number of its own."""
+    directory = "/proc/%d/fd" % pid
+    return {os.readlink(os.path.join(directory, name)) for name in os.listdir(directory)}
 
 
 class AtThePrompt(unittest.TestCase):

@@ -15,7 +15,7 @@ STEPS = 3  # times the timeout: what takes longer is told as not looked at; a st
 def examine(tops=(), compare=None, seconds=0, large=False):
     """Yield lists of Findings, step by step. Without Paths `tops`, or with the root, all name servers are examined.
 
-    compare  (RtsProfile, its file's name, the state of the components): what the system is to agree with
+    compare  (RtsProfile, its file as commands are told it, the state of the components): what the system is to agree with
     seconds  how long rates are measured, which connects to an out port of each active component and leaves it again; 0: not
     large    whether ports with large values are connected to, too
     """

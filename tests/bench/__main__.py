@@ -4,11 +4,12 @@
 
 sections: commands   CPU, wall, peak memory and remote calls of every command, for 1, 10, 100 and 1,000 components
           hung       how long a listing takes beside processes that hang
+          sessions   many commands from a pipe to rtsh, beside as many processes
           profiles   loading and saving a large RtsProfile, restoring and checking a system of 200 components
           logs       rtlog: rates, CPU, memory            ports   rtprint, rtinject: rates
 
 Both of a pair run by turns, so that another load on the machine hits both. --peers also runs the real rtshell, where pip can
-install it (into a directory of its own).
+install it (into a directory of its own); a status in place of its figures: it does not do this, or not so.
 """
 import argparse
 import json
@@ -17,6 +18,7 @@ import signal
 import statistics
 import subprocess
 import sys
+import sysconfig
 import tempfile
 import venv
 
@@ -25,7 +27,7 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 sys.path[:0] = [ROOT, os.path.join(ROOT, "tests")]
 import mocks  # noqa: E402: the path first
 
-SECTIONS = ("commands", "hung", "profiles", "logs", "ports")
+SECTIONS = ("commands", "hung", "sessions", "profiles", "logs", "ports")
 ROUNDS = {1: 15, 10: 15, 100: 7, 1000: 3}
 SIZES = sorted(ROUNDS)
 
@@ -126,7 +128,8 @@ class Bench:
         return self.meter.run([sys.executable, os.path.join(mocks.COMMANDS, words[0])] + words[1:], self.environment)
 
     def theirs(self, words):
-        return self.meter.run([os.path.join(self.peer, words[0])] + words[1:], self.environment)
+        environment = dict(self.environment, PYTHONPATH=sysconfig.get_path("platlib"))  # our omniORBpy
+        return self.meter.run([os.path.join(self.peer, words[0])] + words[1:], environment)
 
     def floor(self, name, words):
         program = [sys.executable, os.path.join(HERE, "floors.py"), name, str(mocks.Server.port)]
@@ -156,18 +159,20 @@ class Bench:
         medians = {kind: [statistics.median(column) for column in zip(*found)] for kind, found in measured.items()}
         said = {kind: ",".join(str(status) for status in sorted({int(one[3]) for one in found})) for kind, found in measured.items()}
         own, floor = medians["ours"], medians["floor"]
-        text = "%-46s %5d  %6.0f %6.0f %5.2f  %6.0f %6.0f  %5.1f %5.1f %5.2f  %6d  %s" % (
+        text = "%-50s %5d  %6.0f %6.0f %5.2f  %6.0f %6.0f  %5.1f %5.1f %5.2f  %6d  %s" % (
             command, size, own[0] * 1000, floor[0] * 1000, own[0] / floor[0], own[1] * 1000, floor[1] * 1000, own[2], floor[2],
             own[2] / floor[2], calls, said["ours"])
-        if "peer" in medians:
-            text += "   %6.0f %6.0f %5.1f  %s" % (medians["peer"][0] * 1000, medians["peer"][1] * 1000, medians["peer"][2], said["peer"])
+        if said.get("peer") == "0":
+            text += "   %6.0f %6.0f %5.1f" % (medians["peer"][0] * 1000, medians["peer"][1] * 1000, medians["peer"][2])
+        elif "peer" in said:
+            text += "   status %s" % said["peer"]
         print(text, flush=True)
         return own[0], floor[0]
 
     def commands(self, sizes):
-        print("%-46s %5s  %6s %6s %5s  %6s %6s  %5s %5s %5s  %6s  %s" % (
+        print("%-50s %5s  %6s %6s %5s  %6s %6s  %5s %5s %5s  %6s  %s" % (
             "command", "size", "CPU", "floor", "ratio", "wall", "floor", "MiB", "floor", "ratio", "calls", "status") + (
-            "   %6s %6s %5s  %s" % ("rtshell", "wall", "MiB", "status") if self.peer else "") + "   (ms)")
+            "   %6s %6s %5s" % ("rtshell", "wall", "MiB") if self.peer else "") + "   (ms)")
         costs = {}
         for size in sizes:
             rows = GROWING + (SINGLE if size == 10 or sizes == [size] else [])
@@ -191,7 +196,7 @@ class Bench:
         for command in sorted({command for command, _ in costs}):
             if (command, least) in costs and (command, most) in costs:
                 own, floor = [(costs[command, most][i] - costs[command, least][i]) / (most - least) * 1000 for i in (0, 1)]
-                print("%-46s each component more: %.2f ms, floor %.2f ms, ratio %.2f" % (command, own, floor, own / floor))
+                print("%-50s each component more: %.2f ms, floor %.2f ms, ratio %.2f" % (command, own, floor, own / floor))
 
     def hung(self):
         live = mocks.World("two")
@@ -208,6 +213,17 @@ class Bench:
             self.ours(["rtdel", "-q", "-z"])
         live.close()
 
+    def sessions(self, count=100):
+        """`ls -l` so many times, and ten times as many, in one rtsh, beside a process each."""
+        world = mocks.World("two")
+        shell = dict(self.environment, PATH=mocks.COMMANDS + os.pathsep + self.environment["PATH"])
+        apart = self.meter.run(["sh", "-c", "for i in $(seq %d); do rtls -l; done" % count], shell)[0] / count
+        print("rtls -l, a process each:        %6.2f ms of CPU" % (apart * 1000), flush=True)
+        for many in (count, 10 * count):
+            once = self.meter.run(["sh", "-c", "yes 'ls -l' | head -n %d | rtsh" % many], shell)[0] / many
+            print("ls -l, %4d times in one rtsh:   %6.2f ms of CPU, 1/%.0f" % (many, once * 1000, apart / once), flush=True)
+        world.close()
+
 
 def script(name, *words):
     """Run one of the scripts beside this file."""
@@ -219,7 +235,7 @@ def script(name, *words):
 
 def real_rtshell(directory):
     """Where the commands of the real rtshell are; None when pip cannot install it."""
-    venv.create(directory, with_pip=True, system_site_packages=True)
+    venv.create(directory, with_pip=True)
     done = subprocess.run([os.path.join(directory, "bin", "python"), "-m", "pip", "install", "-q", "rtshell-aist"],
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
     if done.returncode or not os.path.exists(os.path.join(directory, "bin", "rtls")):
@@ -248,13 +264,15 @@ def main():
     wanted = args.section or SECTIONS
     with tempfile.TemporaryDirectory() as directory:
         peer = real_rtshell(directory) if args.peers else None
-        if "commands" in wanted or "hung" in wanted:
+        if {"commands", "hung", "sessions"}.intersection(wanted):
             bench = Bench(args.rounds, args.only, peer)
             try:
                 if "commands" in wanted:
                     bench.commands([int(size) for size in args.sizes.split(",")])
                 if "hung" in wanted:
                     bench.hung()
+                if "sessions" in wanted:
+                    bench.sessions()
             finally:
                 bench.close()
     for section, name in (("profiles", "restore.py"), ("logs", "rtlog.py"), ("ports", "ports.py")):

@@ -3,6 +3,7 @@ rtlog when things go wrong: a file is always left whole, and nothing is left in 
 world: senders 200 1000
 world: these ConsoleOut ConsoleIn
 alone: kills and time
+once: it is the peers that differ here
 
 Ended by a signal, in every way but one:
 

@@ -3,6 +3,7 @@ rtlog plays logs into in ports, or to the terminal.
 world: senders 100 1000
 world: these ConsoleOut Mock
 alone: time
+once: it is the clock that counts here
 
   $ rtlog -q -i -e 10 -f a.rtlog Source0.rtc:number.numbers; rtlog -q -i -e 10 --append -f a.rtlog Source0.rtc:block.blocks
   $ rtlog --csv -f a.rtlog | grep numbers | cut -d, -f6 > numbers; last=$(tail -n 1 numbers)

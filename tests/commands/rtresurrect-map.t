@@ -55,3 +55,27 @@ What cannot be meant:
   $ rtresurrect --map $O/ConsoleIn0.rtc=$O/ConsoleIn0.rtc:out a.xml
   rtresurrect: a map knows no ports: localhost:$PORT/old.host_cxt/arm.cxt/ConsoleIn0.rtc:out (see --help)
   [2]
+
+What is elsewhere can be checked, started, stopped and examined with the same file:
+
+  $ M="-m localhost:$PORT=localhost:$PORT2 -m ConsoleIn0.rtc=Left.rtc -m ConsoleOut0.rtc=Right.rtc"; rtteardown -q $M a.xml
+  $ rtcheck -s inactive $M a.xml
+  No connection between /localhost:$PORT2/old.host_cxt/arm.cxt/Left.rtc:out and /localhost:$PORT2/old.host_cxt/arm.cxt/Right.rtc:in
+  [1]
+  $ rtdoctor --no-measure --profile a.xml -s Inactive $M localhost:$PORT2 | grep ^fail
+  fail  /localhost:$PORT2/old.host_cxt/arm.cxt/Left.rtc:out and /localhost:$PORT2/old.host_cxt/arm.cxt/Right.rtc:in: No connection between /localhost:$PORT2/old.host_cxt/arm.cxt/Left.rtc:out and /localhost:$PORT2/old.host_cxt/arm.cxt/Right.rtc:in; try: rtresurrect -m localhost:$PORT=localhost:$PORT2 -m ConsoleIn0.rtc=Left.rtc -m ConsoleOut0.rtc=Right.rtc a.xml
+  $ rtresurrect -q $M a.xml; rtstart -q $M a.xml
+  $ sed 's/portName="\([a-z]*\)"\(.*instanceName="\([A-Za-z0-9]*\)"\)/portName="\3.\1"\2/' a.xml > b.xml; grep -c 'ConsoleIn0.out\|ConsoleOut0.in' b.xml
+  2
+  $ rtcheck $M a.xml && rtcheck $M b.xml
+  $ rtstop -q $M a.xml
+  $ rtcheck -s inactive a.xml -m ConsoleIn0.rtc=Gone.rtc
+  Required component missing: /localhost:$PORT/old.host_cxt/arm.cxt/Gone.rtc
+  Source component missing: /localhost:$PORT/old.host_cxt/arm.cxt/Gone.rtc
+  [1]
+  $ rtstart --dry-run a.xml -m nowhere=b
+  rtstart: --map nowhere=b: nothing in the file is there (see --help)
+  [2]
+  $ rtdoctor -m a=b
+  rtdoctor: --map is for --profile (see --help)
+  [2]

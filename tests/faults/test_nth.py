@@ -151,7 +151,7 @@ SCENARIOS = [
     Scenario("rtmgr -d", ["rtmgr", "-d", "New0", "m"], lambda lane: {"New0": made(lane, "New0", False)},
              [["rtmgr", "-c", "Sensor?instance_name=New0", "m"]]),
     Scenario("rtconf set", ["rtconf", "p", "set", "int_param0=77", "str_param0=x"], lambda lane: {"values": configured(lane)},
-             [["rtconf", "p", "set", "int_param0=1", "str_param0=y"]]),
+             [["rtconf", "p", "act", "mode1"], ["rtconf", "p", "set", "int_param0=1", "str_param0=y"]]),
     Scenario("rtconf load", ["rtconf", "p", "load", "changed"],
              lambda lane: {"values": configured(lane, "mode0") and configured(lane)}, [["rtconf", "p", "load", "dumped"]]),
     Scenario("rtcomp new", ["rtcomp", "-a", "motor:in", "m:Arm"], lambda lane: composed(lane, {"Motor0"}), ARM[:1], ends=(2,)),
@@ -230,6 +230,15 @@ class Case:
     def __str__(self):
         return "%s: call %d of %s to world %s: %s" % (self.scenario.name, self.nth, self.operation, self.world, self.kind)
 
+    def tried(self):
+        """Itself; `failed` is why it could not be tried, or None."""
+        self.failed = None
+        try:
+            self.run()
+        except AssertionError as e:
+            self.failed = e
+        return self
+
     def run(self):
         lane = lanes.get()
         self.server = lane.server
@@ -244,7 +253,6 @@ class Case:
         finally:
             lane.heal(self.scenario.ends + ((self.world,) if self.kind in ("DIE", "HANG", "LOST") else ()))
             lanes.put(lane)
-        return self
 
     def prepare(self, lane):
         for words in self.scenario.before:
@@ -336,12 +344,14 @@ def cases():
 class Nth(unittest.TestCase):
     def test_every_call_fails_once(self):
         everything = cases()
-        done = running.together(Case.run, running.sample(everything, SHORT), LANES)
+        tried = running.together(Case.tried, running.sample(everything, SHORT), LANES)
+        done = [case for case in tried if not case.failed]
         longest = max(done, key=lambda case: case.ran.seconds)
         print("figures: %d of %d faults in the middle of %d commands; %d of them were survived with status 0, longest run %.2f s (%s)"
               % (len(done), len(everything), len(SCENARIOS), sum(case.ran.status == 0 for case in done), longest.ran.seconds, longest))
-        for case in done:
+        for case in tried:
             with self.subTest(str(case)):
+                self.assertIsNone(case.failed)
                 self.assertEqual(list(case.problems()), [], case.ran)
 
 
