@@ -141,5 +141,19 @@ class Command(unittest.TestCase):
         ran.stderr.close()
 
 
+class Files(unittest.TestCase):
+    def test_two_that_write_to_one_file(self):
+        """The file is what one of them wrote, and nothing else is left."""
+        program = ("import sys; from rtshell_lite import files\n"
+                   "for _ in range(30): files.write(sys.argv[1], sys.argv[2] * 1000000)")
+        with tempfile.TemporaryDirectory() as directory:
+            target = os.path.join(directory, "robot.rtsys")
+            writers = [subprocess.Popen([sys.executable, "-c", program, target, letter]) for letter in "ab"]
+            self.assertEqual([writer.wait() for writer in writers], [0, 0])
+            self.assertEqual(os.listdir(directory), ["robot.rtsys"])
+            with open(target) as file:
+                self.assertIn(file.read(), ("a" * 1000000, "b" * 1000000))
+
+
 if __name__ == "__main__":
     unittest.main()
