@@ -1,4 +1,7 @@
-"""What every command shares: its parser and common options, its exit status, its one line on stderr."""
+"""What every command shares: its parser and common options, its exit status, its one line on stderr.
+
+How the commands tell of many steps or actions, each with an outcome of its own, is in reports.py.
+"""
 # Before all else: until main() can catch it, Ctrl-C ends the process without a word, not with a traceback of half an import.
 import _signal  # which `signal` is made of: that one takes longer to import than all that stands before it
 if _signal.getsignal(_signal.SIGINT) == _signal.default_int_handler:
@@ -8,7 +11,6 @@ if _signal.getsignal(_signal.SIGINT) == _signal.default_int_handler:
         pass
 
 import argparse  # noqa: E402: see above
-import collections  # noqa: E402
 import errno  # noqa: E402
 import io  # noqa: E402
 import os  # noqa: E402
@@ -146,15 +148,21 @@ def complain(what):
     """Print the one line of a failure on stderr; returns its exit status."""
     status = getattr(what, "status", 1)
     if isinstance(what, OSError):
-        what = "%s: %s" % (text.printable(str(what.filename)), what.strerror) if what.filename else what.strerror
+        why = what.strerror or str(what)  # a timeout has words only
+        what = "%s: %s" % (text.printable(str(what.filename)), why) if what.filename else why
     _say(str(what))
     return status
 
 
 def note(line):
     """Tell something on stderr that is no failure; --quiet silences it."""
-    if not _quiet:
+    if not is_quiet():
         _say(line)
+
+
+def is_quiet():
+    """Whether the user wants to hear of failures only."""
+    return _quiet
 
 
 def detail(line):
@@ -164,10 +172,11 @@ def detail(line):
 
 
 def _say(line):
-    _say_as_it_is("%s: %s" % (os.path.basename(sys.argv[0]), line))
+    say("%s: %s" % (os.path.basename(sys.argv[0]), line))
 
 
-def _say_as_it_is(line):
+def say(line):
+    """Print a line on stderr without the command's name before it."""
     try:
         sys.stdout.flush()  # so that `2>&1` keeps the order
     except OSError:
@@ -217,81 +226,6 @@ def report(args, results):
         if tally.add(result) and result:
             (print if args.dry_run else detail)(result)
     return tally.status()
-
-
-def report_steps(args, outcomes, carry_out):
-    """Carry out steps (apply.Outcomes) and tell what has become of them; returns the exit status.
-
-    After --dry-run the commands that would do them by hand are printed instead. What is not required may fail without
-    spoiling the status, as in rtshell. An interruption is passed on, after the report.
-    """
-    unwind_when_ended()
-    try:
-        if not args.dry_run:
-            carry_out(outcomes, args.rollback)
-    finally:
-        status = _told(args, outcomes)
-    return status
-
-
-def _told(args, outcomes):
-    tally, counts = Tally(), collections.OrderedDict((status, 0) for status in ("done", "already so"))
-    for each in outcomes:
-        counts[each.status] = counts.get(each.status, 0) + 1
-        if args.json:
-            print(text.json_line(each.as_dict()))
-        elif args.dry_run and each.pending and not each.likely:
-            print(each.step.command)
-        if not each.failed:
-            good = each.status in ("done", "already so") or args.dry_run and each.pending
-            tally.done += good and not args.rollback
-            if each.status != "already so":
-                why = " because of " + each.error.args[0] if each.error else ""
-                detail("%s: %s%s" % (each.step.title, each.status, why))
-        elif each.step.required:
-            tally.add(each.error)
-        else:
-            note("%s (not required)" % each.error)
-    if not args.dry_run:
-        (note if tally.statuses else detail)(", ".join("%d %s" % (number, status) for status, number in counts.items() if number))
-    return tally.status()
-
-
-class Progress(Tally):
-    """Tells what becomes of the actions of a plan (see starting.py), as it happens, in the words of rtshell."""
-
-    def __init__(self, as_json, verb, state):
-        """`verb` is Activate, say, and `state` the one that it leads to."""
-        Tally.__init__(self)
-        self.as_json, self.verb, self.state = as_json, verb, state
-
-    def starting(self, action, line):
-        """An action begins; `line` is what it is."""
-        if not _quiet:
-            _say_as_it_is("Executing {%d} %s" % (action.number, line))
-
-    def ended(self, result):
-        """An action has ended, or will not be tried; failures of optional components leave the exit status as it is."""
-        action, error = result.action, result.error
-        self._as_json(result)
-        if error is None:
-            self.add(action)
-            detail("%s: %s%s" % (action.path, "already " if result.outcome == "already" else "", self.state))
-        elif action.component.is_required:
-            self.add(error)
-        else:
-            _say_as_it_is("Action failed: %s" % error)
-
-    def passed_over(self, result):
-        """An action will not be tried, for a reason that has been told."""
-        self._as_json(result)
-
-    def _as_json(self, result):
-        action, error = result.action, result.error
-        if self.as_json:
-            print(text.json_line({
-                "action": self.verb.lower(), "number": action.number, "path": action.path, "context": action.context,
-                "required": action.component.is_required, "result": result.outcome, "error": str(error) if error else None}))
 
 
 # ---- options --------------------------------------------------------------------------------------------------

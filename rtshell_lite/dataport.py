@@ -31,7 +31,7 @@ GRACE = 0.2  # seconds, besides the timeout, that an interrupted command waits f
 class Connection:
     """A connector of one port. `failure` is None, or the errors.Error that tells what is wrong with it now."""
 
-    kind = dataflow = None
+    kind = side = dataflow = None  # the port's type; the word for its object in properties; push or pull
 
     def __init__(self, port, name, properties):
         self.port, self.where, self.name = port, ports.label(port), name

@@ -5,6 +5,7 @@ import sys
 
 from rtshell_lite import text
 from rtshell_lite.datalog import meaning
+from rtshell_lite.text import printable
 
 LONG = 8  # elements of a sequence that are shown on a terminal
 
@@ -24,7 +25,7 @@ def csv_lines(channels, before, entries):
     """They as rows of a table; `before` are the same entries once more: what columns there are takes a look at all."""
     columns = {}
     for entry in before:
-        for name, _ in meaning.cells(channels, entry):
+        for name, _ in _cells(channels, entry):
             columns.setdefault(name, len(columns))
     channels.unreadable = 0
     line = io.StringIO()
@@ -32,8 +33,14 @@ def csv_lines(channels, before, entries):
     table.writeheader()
     yield _taken(line)
     for entry in entries:
-        table.writerow(dict(meaning.cells(channels, entry)))
+        table.writerow(dict(_cells(channels, entry)))
         yield _taken(line)
+
+
+def _cells(channels, entry):
+    """The cells of an entry, by column; text is spelt for the terminal, where tables are looked at, too."""
+    for column, scalar in meaning.cells(channels, entry):
+        yield printable(column), printable(scalar) if isinstance(scalar, str) else scalar
 
 
 def _taken(line):

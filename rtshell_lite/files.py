@@ -43,7 +43,8 @@ def _replace(target, data):
             pipe.write(data)
         return
     folder, base = os.path.split(target)
-    temporary, done = os.path.join(folder, ".%s.tmp" % base), False
+    # Its own: of two processes that write to one target at a time, the last one wins, and neither tears what the other writes.
+    temporary, done = os.path.join(folder, ".%s.%d.tmp" % (base, os.getpid())), False
     try:
         with open(temporary, "wb") as out:
             out.write(data)

@@ -10,6 +10,7 @@ from rtshell_lite.text import printable
 Graph = collections.namedtuple("Graph", "boxes edges tops")
 
 COLOURS = {"Inactive": "lightblue", "Active": "palegreen", "Error": "salmon", "Created": "white", "Unknown": "lightgrey"}
+INDENTED = 50  # levels: nobody reads more
 _KEYWORDS = {"node", "edge", "graph", "digraph", "subgraph", "strict"}
 _COMPASS = {"n", "ne", "e", "se", "s", "sw", "w", "nw", "c", "_"}
 
@@ -135,9 +136,8 @@ def dot(graph):
         ports.append(ids)
         if not box.members or box.left or box.right:
             yield "  %s [%s];" % (_node_id(name), ", ".join(_attributes(box, ids)))
-    for number in graph.tops:
-        for line in _cluster(graph, number, names, "  "):
-            yield line
+    for line in _clusters(graph, names):
+        yield line
     for service in (False, True):
         for one, out, other, into, is_service in graph.edges:
             if is_service == service:
@@ -156,23 +156,30 @@ def _attributes(box, ids):
     return attributes
 
 
-def _cluster(graph, number, names, indent):
-    """A composite around its members; a composite with ports of its own stands inside, too."""
-    box = graph.boxes[number]
-    if not box.members:
-        return
-    yield "%ssubgraph %s {" % (indent, _node_id("cluster_" + names[number]))
-    yield '%s  label="%s";' % (indent, _label(box.name))
-    if box.state is not None:
-        yield "%s  bgcolor=%s;" % (indent, COLOURS.get(box.state, "lightgrey"))
-    inside = [number] * bool(box.left or box.right) + box.members
-    for member in inside:
-        if member == number or not graph.boxes[member].members:
-            yield "%s  %s;" % (indent, _node_id(names[member]))
+def _clusters(graph, names):
+    """Composites around their members, however deep; one with ports of its own stands inside, too."""
+    levels = [(None, iter(graph.tops))]  # composites around this place, and what is still to come in each
+    while levels:
+        composite, rest = levels[-1]
+        number = next(rest, None)
+        if number is None:
+            levels.pop()
+            if levels:
+                yield _indent(levels) + "}"
+        elif number == composite or not graph.boxes[number].members:
+            if composite is not None:
+                yield "%s%s;" % (_indent(levels), _node_id(names[number]))
         else:
-            for line in _cluster(graph, member, names, indent + "  "):
-                yield line
-    yield indent + "}"
+            box = graph.boxes[number]
+            yield "%ssubgraph %s {" % (_indent(levels), _node_id("cluster_" + names[number]))
+            levels.append((number, iter([number] * bool(box.left or box.right) + box.members)))
+            yield '%slabel="%s";' % (_indent(levels), _label(box.name))
+            if box.state is not None:
+                yield "%sbgcolor=%s;" % (_indent(levels), COLOURS.get(box.state, "lightgrey"))
+
+
+def _indent(levels):
+    return "  " * min(len(levels), INDENTED)
 
 
 def _word(name):

@@ -93,7 +93,9 @@ class _Reading:
         return (OBJECT, _text(identifier), _text(name))
 
     def _fixed(self, depth, digits, scale):
-        return (FIXED, int(digits), int(scale))
+        if not all(isinstance(each, int) for each in (digits, scale)):
+            raise ValueError("not a number")
+        return (FIXED, digits, scale)
 
     def _alias(self, depth, identifier, name, target):
         return (ALIAS, _text(identifier), _text(name), self.take(target, depth))

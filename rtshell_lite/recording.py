@@ -45,11 +45,11 @@ class File:
             cli.note("recording to %s" % name)
         if self.form == "text":
             from rtshell_lite.datalog import textlog
-            return textlog.Writer(name, channels.described(), channels.types, self.append)
+            return textlog.Writer(name, channels.found, channels.types, self.append)
         if self.form == "simpkl":
             cli.note("simpkl files are only read; recording in rtlog's own form")
         from rtshell_lite.datalog import writer
-        return writer.Writer(name, channels.described(), begun, self.append)
+        return writer.Writer(name, channels.found, begun, self.append)
 
 
 def record(wanted, types, properties, pull, limits, file):

@@ -9,7 +9,8 @@ import random_profiles
 import random_values
 import simpkl_files
 from fuzz import DATA, HERE, Crash, Refused, Target, same, spoilt
-from rtshell_lite import constants, datalog, datatypes, descriptors, errors, idl, path, portable, text, values, xmlprofile
+from rtshell_lite import constants, datalog, datatypes, descriptors, errors, exporting, idl, path, portable, text, values, \
+    xmlprofile
 from rtshell_lite.datalog import blocks, meaning, writer
 
 IDL = os.path.join(os.path.dirname(idl.tokens.OWN), "idl")
@@ -78,7 +79,7 @@ class Yaml(Profiles):
     name = xmlprofile.YAML
     words = [b":", b": ", b"- ", b"? ", b"#", b" #", b"|\n", b">\n", b"|2-\n", b"&a ", b"*a", b"!!int ", b"!!binary ", b"{", b"}", b"[",
              b"]", b",", b"---\n", b"...\n", b"%", b"@", b"\\", b"\\u", b"~", b"null", b"1e999", b"\t", b"\n", b"\n  ", b"'", b'"',
-             b"<<: ", b".nan", b"2010-01-02", b"\xef\xbb\xbf", b"1:59:59"]
+             b"<<: ", b".nan", b"2010-01-02", b"\xef\xbb\xbf", b"1:59:59", b"\n  &b\n  !!str", b"0x" + b"f" * 298]
 
 
 # ---- log files ------------------------------------------------------------------------------------------------
@@ -139,7 +140,7 @@ class Logs(Target):
                 for entry in entries:
                     told.append(meaning.line(channels, entry, 20))
                     json.loads(text.json_line(meaning.record(channels, entry)))
-                    meaning.cells(channels, entry)
+                told += exporting.csv_lines(channels, entries, entries)
         except errors.No as e:
             raise Refused(str(e))
         for line in told:

@@ -1,7 +1,7 @@
 """Profiles at random: every section, every field, strings that are meant to break readers and writers."""
 import random
 
-from rtshell_lite.xmlprofile import model, names
+from rtshell_lite.xmlprofile import fields, model, names
 
 CHARACTERS = ("aZ0 19.:-_#'\"\\,[]{}&*!|>%@`?=~<x/+\n\t\r\x00\x07\x1b\x7f\x85\xa0\u2028\u2029\ufeff\ufffe\uffffé日\U0001f600"
               "\ud800\udc80")
@@ -35,8 +35,8 @@ class Maker:
     def value(self, field):
         if field.choices:
             return self.random.choice(sorted(set(field.choices.values())) + ["OfTheFuture"])
-        return {model.BOOLEAN: lambda: self.random.random() < 0.5, model.NUMBER: self.number, model.DATE: self.date,
-                model.INTEGER: lambda: self.random.choice([0, -1, 500, self.random.randint(-10 ** 17, 10 ** 17)])
+        return {fields.BOOLEAN: lambda: self.random.random() < 0.5, fields.NUMBER: self.number, fields.DATE: self.date,
+                fields.INTEGER: lambda: self.random.choice([0, -1, 500, self.random.randint(-10 ** 17, 10 ** 17)])
                 }.get(field.kind, self.text)()
 
     def element(self, cls, most=2):
@@ -57,13 +57,13 @@ class Maker:
         return element
 
     def child(self, field):
-        return self.text() if field.kind == model.TEXT else self.element(field.kind)
+        return self.text() if field.kind == fields.TEXT else self.element(field.kind)
 
     def profile(self):
         return self.element(model.RtsProfile, 3)
 
     def foreign(self, cls):
-        foreign = model.Foreign()
+        foreign = fields.Foreign()
         table = names.table(cls)
         for _ in range(self.random.randint(0, 2)):
             name = self.random.choice(["{urn:a}b", "{http://example.org/?a=1&b=2}c", "unknown", "{%s}lang" % names.XML,
@@ -81,7 +81,7 @@ class Maker:
         tag = self.random.choice(["{urn:a}b", "plain", "{urn:'\"<>}e", "{%s}Future" % names.NAMESPACES["rtsExt"], "日本"])
         content = [self.text() if self.random.random() < 0.5 or depth > 2 else self.foreign_element(depth + 1)
                    for _ in range(self.random.randint(0, 3))]
-        return model.ForeignElement(tag, {"{urn:a}b": self.text()} if depth else {}, model.tidy(content))
+        return fields.ForeignElement(tag, {"{urn:a}b": self.text()} if depth else {}, fields.tidy(content))
 
     def data(self, depth=0):
         """Plain data as YAML has it."""

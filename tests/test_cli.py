@@ -1,9 +1,13 @@
 """What every command shares, tried on a command of our own: options anywhere, one line a failure, exit statuses."""
+import io
 import os
 import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
+
+from rtshell_lite import cli
 
 COMMAND = '''\
 """Do something for a test.
@@ -108,6 +112,12 @@ class Command(unittest.TestCase):
     def test_a_local_failure_is_1(self):
         self.assertEqual(self.foo("io")[0::2], (1, "rtfoo: /does/not/exist: No such file or directory\n"))
 
+    def test_a_failure_that_only_has_words(self):
+        said = io.StringIO()
+        with mock.patch("sys.stderr", said):
+            cli.complain(OSError("timed out"))
+        self.assertTrue(said.getvalue().endswith(": timed out\n"), said.getvalue())
+
     def test_help_and_version(self):
         status, out, err = self.foo("--help")
         self.assertEqual((status, err), (0, ""))
@@ -129,6 +139,20 @@ class Command(unittest.TestCase):
         ran.stdout.close()
         self.assertEqual((ran.wait(20), ran.stderr.read()), (141, b""))
         ran.stderr.close()
+
+
+class Files(unittest.TestCase):
+    def test_two_that_write_to_one_file(self):
+        """The file is what one of them wrote, and nothing else is left."""
+        program = ("import sys; from rtshell_lite import files\n"
+                   "for _ in range(30): files.write(sys.argv[1], sys.argv[2] * 1000000)")
+        with tempfile.TemporaryDirectory() as directory:
+            target = os.path.join(directory, "robot.rtsys")
+            writers = [subprocess.Popen([sys.executable, "-c", program, target, letter]) for letter in "ab"]
+            self.assertEqual([writer.wait() for writer in writers], [0, 0])
+            self.assertEqual(os.listdir(directory), ["robot.rtsys"])
+            with open(target) as file:
+                self.assertIn(file.read(), ("a" * 1000000, "b" * 1000000))
 
 
 if __name__ == "__main__":

@@ -10,6 +10,8 @@ import sys
 import tempfile
 import tracemalloc
 import unittest
+import warnings
+from unittest import mock
 
 from rtshell_lite import datalog, errors
 from rtshell_lite.datalog import blocks, textlog, writer
@@ -166,6 +168,44 @@ class Files(Case):
                 writer.Writer(self.name, CHANNELS, START, append)
         first.close()
 
+    def test_two_begin_at_once(self):
+        """The second one must not spoil the header that the first has written and not yet given its name."""
+        tried = []
+
+        def second(descriptor):
+            tried.append(descriptor)
+            if len(tried) == 1:
+                with self.assertRaises(errors.No):
+                    writer.Writer(self.name, CHANNELS, START)
+        written = messages(5)
+        with mock.patch("os.fsync", second):
+            self.write(written)
+        self.assertEqual(self.read()[1], as_read(written))
+
+    def test_one_begins_and_ends_meanwhile(self):
+        """What a second one has opened under its first name is not spoilt when it is a whole log by now."""
+        written, locks = messages(5), []
+
+        def meanwhile(file, name):
+            locks.append(name)
+            if len(locks) == 1:
+                self.write(written)
+            lock(file, name)
+        lock = writer.lock
+        with mock.patch.object(writer, "lock", meanwhile), self.assertRaisesRegex(errors.No, "another rtlog"):
+            writer.Writer(self.name, CHANNELS, START)
+        self.assertEqual(self.read()[1], as_read(written))
+
+    def test_what_is_refused_is_closed(self):
+        self.put(blocks.MAGIC + b"no header")
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always", ResourceWarning)
+            with self.assertRaises(errors.No):
+                writer.Writer(self.name, CHANNELS, START, True)
+            with mock.patch.object(textlog.Writer, "_prepare", side_effect=OSError), self.assertRaises(OSError):
+                textlog.Writer(self.name, CHANNELS, [None, None])
+        self.assertEqual([str(each.message) for each in told], [])
+
     def test_a_replaced_file_keeps_its_mode(self):
         self.put(b"old")
         os.chmod(self.name, 0o600)
@@ -286,6 +326,7 @@ class Hostile(Case):
     def test_headers(self):
         nested = b"".join(blocks.frame(blocks.HEADER, b"[" * 100000))
         bad = [{"channels": 1}, {"channels": [1]}, {"channels": [{}]}, {"created": "x"}, {"created": None},
+               {"created": True}, {"created": 10 ** 400},
                {"channels": [{"name": 1, "type": LONG, "typecode": None, "sources": []}]},
                {"channels": [{"name": "a", "type": LONG, "typecode": "xy", "sources": []}]},
                {"channels": [{"name": "a", "type": LONG, "typecode": None, "sources": [["x"]]}]},
@@ -320,11 +361,14 @@ class Hostile(Case):
                 {"points": 7}, {"points": [[1] + points[0][1:]]}, {"points": [[0, 1 << 80, None]]},
                 {"points": [[0, -1, None]]}, {"points": points + points}, {"headers": []}, {"headers": [8, 9]},
                 {"headers": [8, 1 << 70]}, {"headers": "ab"},
-                {"counts": {"a": 1.5, "b": 3.5}}, {"counts": {"a": 50}}, {"counts": [5]}, {"first": "x"}]
+                {"counts": {"a": 1.5, "b": 3.5}}, {"counts": {"a": 50}}, {"counts": [5]}, {"first": "x"}, {"first": 10 ** 400},
+                {"headers": [8, 8]}]
         for lie in lies:
             index = blocks.text(blocks.INDEX, dict(true, **lie), len(body))
             self.put(body + index)
-            self.assertEqual(self.read()[1], as_read(written), lie)
+            log, found = self.read()
+            self.assertEqual(found, as_read(written), lie)
+            self.assertFalse(log.closed, lie)
         for position in (0, 8, len(body) - 1, len(body) + 1, (1 << 64) - 1):
             self.put(body + blocks.text(blocks.INDEX, true, position))
             self.assertEqual(self.read()[1], as_read(written), position)

@@ -1,11 +1,14 @@
 """Recording and playing without any port: which entries, when, with which times, and what a slow disk costs."""
+import json
 import struct
+import sys
 import time
 import unittest
 
+import simpkl_files
 from test_datalog import CHANNELS, START, Case, messages
-from rtshell_lite import datalog, datatypes, errors
-from rtshell_lite.datalog import meaning, play, recorder, writer
+from rtshell_lite import datalog, datatypes, errors, exporting
+from rtshell_lite.datalog import meaning, play, recorder, textlog, writer
 try:
     import omniORB
 except ImportError:
@@ -114,6 +117,45 @@ class Types(Case):
                 channels.data(entry, False)
 
 
+class Exporting(Case):
+    def test_no_harm_to_a_terminal(self):
+        """A table is looked at, too: nothing in a log reaches a terminal but what can be printed."""
+        value = simpkl_files.make(simpkl_files.TimedLong, tm=simpkl_files.make(simpkl_files.Time, sec=1, nsec=2),
+                                  **{"data": "\x1b[2J\u202e\r\n\\x", "a\x9b": 1})
+        self.put(simpkl_files.log([value], 2, specs=[simpkl_files.spec("n\x07", "IDL:Own/Type:1.0")]))
+        with datalog.load(self.name) as log:
+            channels = meaning.Channels(log, datatypes.Types())
+            lines = list(exporting.csv_lines(channels, log.entries(), log.entries()))
+        self.assertEqual(lines, ["number,received,port,tm.sec,tm.nsec,data,a\\u009b",
+                                 "0,1795247464.750000000,n\\x07,1,2,\\x1b[2J\\u202e\\x0d\\x0a\\\\x,1"])
+
+
+class Deep(Case):
+    """Values nested so deep that they can be read and not be told in words: what comes behind them is not lost."""
+
+    def setUp(self):
+        Case.setUp(self)
+        words = ["struct", "IDL:Own/Node:1.0", "Node", [["inner", ["sequence", ["see", "IDL:Own/Node:1.0"], 0]]]]
+        self.type = datatypes.from_bytes(json.dumps(words).encode())
+        self.channel = datalog.Channel("deep", self.type.id, self.type.to_bytes(), ())
+        self.messages = [(0, START + depth, True, b"\1\0\0\0" * depth + bytes(4)) for depth in list(range(100, 300, 5)) + [0]]
+
+    def test_shown(self):
+        self.write(self.messages, channels=[self.channel])
+        with datalog.load(self.name) as log:
+            channels = meaning.Channels(log, datatypes.Types())
+            for lines in (exporting.lines(channels, log.entries()), exporting.json_lines(channels, log.entries()),
+                          exporting.csv_lines(channels, log.entries(), log.entries())):
+                self.assertGreaterEqual(len(list(lines)), len(self.messages))
+
+    def test_recorded_as_text(self):
+        out = textlog.Writer(self.name, [self.channel], [self.type])
+        out.write(self.messages)
+        out.close()
+        with open(self.name) as file:
+            self.assertEqual(len(file.readlines()), len(self.messages))
+
+
 class Recording(Case):
     def test_a_slow_disk_costs_messages_not_time(self):
         """The sender never waits; what does not fit is counted."""
@@ -146,6 +188,18 @@ class Recording(Case):
         self.assertTrue(work.done.wait(5))
         work.close()
         self.assertEqual([entry.channel for entry in self.read()[1]], [1, 1, 1])
+
+    def test_a_bug_is_no_success(self):
+        """Whatever ends the thread that writes, the recording has ended, and not well."""
+        class Broken(writer.Writer):
+            def write(self, messages):
+                sys.exit("broken")  # the one exception that a thread ends with in silence
+
+        work = recorder.Recorder()
+        work.start(Broken(self.name, CHANNELS, START))
+        self.assertTrue(work.done.wait(5))
+        with self.assertRaises(RuntimeError):
+            work.close()
 
 
 def message_of(data):

@@ -6,7 +6,7 @@ import unittest
 
 import random_profiles
 import test_xmlprofile
-from rtshell_lite import drawing, graph, xmlprofile
+from rtshell_lite import drawing, graph, svg, xmlprofile
 from rtshell_lite.xmlprofile import model
 
 # The grammar of DOT, as far as we write it.
@@ -35,6 +35,19 @@ def data(*ends):
 
 def lines(profile, states=None):
     return list(graph.dot(graph.of(profile, states)))
+
+
+class Deep(unittest.TestCase):
+    def test_composites_in_composites(self):
+        """Deeper than Python's stack, and every picture is drawn."""
+        count = 3000
+        profile = model.RtsProfile(components=[component("C%d" % i, ["C%d" % (i + 1)] * (i + 1 < count)) for i in range(count)])
+        picture = graph.of(profile)
+        found = list(graph.dot(picture))
+        self.assertEqual(sum(line.endswith("  }") for line in found), count - 1)
+        self.assertLess(sum(map(len, found)), 1 << 20)
+        for draw in (svg.lines, drawing.lines):
+            self.assertGreater(len(list(draw(picture))), count)
 
 
 class Dot(unittest.TestCase):

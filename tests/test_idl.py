@@ -113,6 +113,12 @@ class Invalid(unittest.TestCase):
         with self.assertRaises(errors.No):
             idl.parse_file(os.path.join(DATA, "missing.idl"))
 
+    def test_types_in_log_files_that_cannot_be(self):
+        for text in ('["fixed", Infinity, 1]', '["fixed", 5, "2"]', '["string", Infinity]', '["array", "long", NaN]', '["string"]', "[]",
+                     '["union", "IDL:U:1.0", "U", "long", -1, [[1e400, "a", "long"]]]'):
+            with self.assertRaises(errors.BadType):
+                portable.descriptor(text.encode())
+
     def bounded(self, text, reason):
         start = time.monotonic()
         with self.assertRaises(errors.BadIdl) as caught:
@@ -133,6 +139,9 @@ class Invalid(unittest.TestCase):
                      "#define D E E E E E E E E E E E E E E\nA", "grows too large")
         self.bounded("#if " + "(" * 1000, "condition")
         self.bounded("#if 1\n" * 1000, "too deep")
+        for directive in ("#pragma ", "#if 0\n"):
+            self.bounded(directive + "/* " * 100000 + "\n", "a comment without its end")
+        self.bounded("union U switch (long) { " + "".join("case %d: " % i for i in range(50000)) + "long a; };", "too large")
         self.bounded("\n".join("#define A%d" % i for i in range(10)) + '\n#include "case.idl"\n', "too many files")
         self.bounded("struct S { %s };" % "".join("long a%d; " % i for i in range(100000)), "too long")
 

@@ -24,6 +24,13 @@ BOMBS = {
     "an internal subset": "b'<!DOCTYPE a [' + b'<!ENTITY a \"b\">' * MIB",
     "UTF-16": "(u'<a>' + u'\\u65e5' * 7 * MIB).encode('utf-16')",
     "nothing but spellings of characters": "b'<a b=\"' + b'_x005F' * 150000 + b'\"/>'",
+    "sections of components in version 0.1": "V01 + (V01_COMPONENT + b'<StartUp/></Component>') * 20000 + b'</RtsProfile>'",
+    "conditions and what is copied into each": "V01 + V01_COMPONENT + b'<StartUp>' + b'<Condition/>' * 100000"
+                                               " + b'<Properties name=\"\"/>' * 100000 + b'</StartUp></Component></RtsProfile>'",
+    "connections of a port in version 0.1": "V01 + V01_COMPONENT + b'<DataPorts name=\"\">' + b'<Properties name=\"\"/>' * 60000"
+                                            " + b'<DataPortConnectors/>' * 60000 + b'</DataPorts></Component></RtsProfile>'",
+    "members of a composite in version 0.1": "V01 + V01_COMPONENT + b'<Participants>' + b'<Participant/>' * 200000"
+                                             " + b'</Participants></Component></RtsProfile>'",
     "brackets": "b'[' * 15 * MIB",
     "braces": "b'{a: ' * 3 * MIB",
     "dashes": "b'- ' * 7 * MIB",
@@ -60,6 +67,8 @@ import resource, sys, time
 from rtshell_lite import errors, xmlprofile
 from rtshell_lite.xmlprofile import xml, yamlform
 MIB, ROOT = 1 << 20, b"rtsProfile: "
+V01 = b'<RtsProfile xmlns="http://www.openrtp.org/namespaces/rts" id="" version="0.1">'
+V01_COMPONENT = b'<Component id="" pathUri="" instanceName="">'
 def peak():
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / (1024.0 * 1024 if sys.platform == "darwin" else 1024)
 before = peak()

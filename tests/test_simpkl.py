@@ -210,6 +210,22 @@ class Hostile(Case):
             tracemalloc.stop()
             self.assertEqual((found, list(log.notes())[0].rpartition(": ")[2]), ([], "a value that never ends"))
 
+    def test_long_text_many_times(self):
+        """A text costs its length wherever it is mentioned."""
+        for text, protocol in (("\xe9" * 100000, 2), (b"\xe9" * 100000, 4)):
+            log, found = self.read(files.log([[text] * 300], protocol))
+            self.assertEqual((found, list(log.notes())[0].rpartition(": ")[2]), ([], "a value that never ends"))
+        self.assertEqual(len(self.read(files.log([["\xe9" * 1000 + str(i) for i in range(300)]]))[1]), 1)
+
+    def test_times_that_cannot_be(self):
+        """Every time fits into 64 bits of nanoseconds, as in logs of our own form: all that is told of it can be told."""
+        for seconds in (1 << 2040, "9" * 4000, 1e300, -1e300, float("nan"), None):
+            stamp = files.make(files.EntryTS, _sec=seconds, _nsec=0)
+            with files.importable():
+                entry = pickle.dumps((0, stamp, ("numbers", files.values(1)[0]), 0, 0), 2)
+            log, found = self.read(files.log([]) + entry)
+            self.assertEqual((found, log.torn), ([], len(entry)), seconds)
+
     def test_header_of_strange_values(self):
         for header in (1, (1,), (1.0, 2), (1.0, [2]), ("x", []), (float("nan"), []), (1e300, []), (1.0, [None]), (1.0, {})):
             try:

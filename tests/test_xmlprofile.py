@@ -12,7 +12,7 @@ import unittest
 
 import random_profiles
 from rtshell_lite import errors, xmlprofile
-from rtshell_lite.xmlprofile import escape, model, names
+from rtshell_lite.xmlprofile import escape, fields, model, names
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.path.join(HERE, "data")
@@ -110,7 +110,7 @@ class Random(unittest.TestCase):
 
     def test_every_field_matters_to_equality(self):
         maker = random_profiles.Maker(1)
-        for cls in [value for value in vars(model).values() if isinstance(value, type) and issubclass(value, model.Element)]:
+        for cls in [value for value in vars(model).values() if isinstance(value, type) and issubclass(value, fields.Element)]:
             for field in cls.FIELDS:
                 one = maker.element(cls)
                 other = copy.deepcopy(one)

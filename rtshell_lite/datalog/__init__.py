@@ -19,6 +19,9 @@ its way, milliseconds), and to the disk every few seconds (what a power failure 
 it is told, and left out. The index is a convenience: it comes with the regular end, it is believed only where the file
 agrees, and whoever finds none reads through the file. To append to a file means to cut off its index, or its torn end,
 and to go on with one more header. A typecode is what datatypes.Type.to_bytes gives: a log can be read without any IDL.
+
+Modules: blocks.py is the frame, writer.py and reader.py are the two ends of it; recorder.py feeds a writer, textlog.py is
+another one; simpkl.py reads rtshell's logs with pickles.py; meaning.py tells what entries mean, play.py when each is due.
 """
 import collections
 import os
@@ -33,6 +36,11 @@ Channel = collections.namedtuple("Channel", "name type_id typecode sources")
 # One message: its number, when it arrived (ns since the epoch), its channel's number, and either its CDR and whether that
 # is little-endian, or (simpkl) its `value` of dicts, lists, text and numbers.
 Entry = collections.namedtuple("Entry", "number received channel little data value")
+
+
+def is_moment(value):
+    """True for what can be a time: nanoseconds since the epoch, in 64 bits as records have it."""
+    return type(value) is int and -1 << 63 <= value < 1 << 63
 
 
 def is_text(start):

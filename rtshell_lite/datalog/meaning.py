@@ -3,7 +3,7 @@ import struct
 import time
 
 from rtshell_lite import construct, datatypes, descriptors, errors, values
-from rtshell_lite.text import printable
+from rtshell_lite.text import printable, safe
 
 FIRST, INSIDE = "first", "inside"  # where a type's timestamp stands
 
@@ -11,7 +11,7 @@ FIRST, INSIDE = "first", "inside"  # where a type's timestamp stands
 class Channels:
     """The channels of a log and their types: those in the file, else those that `types` (datatypes.Types) knows.
 
-    `unreadable` counts the entries that were shown as bytes because they are not what their type says.
+    `unreadable` counts the entries that were shown as bytes because they are not what their type says, or nested too deep.
     """
 
     def __init__(self, log, types):
@@ -162,31 +162,32 @@ def _size(size):
 
 def line(channels, entry, limit=None):
     """An entry as a line for people, `[SEC.NSEC] DATA`, behind its channel's name where there are several."""
-    name, value = "", _shown(channels, entry)
+    name, shown = "", _shown(channels, entry, lambda value: values.text(value, limit))
     if len(channels.log.channels) > 1:
         name = printable(channels.log.channels[entry.channel].name) + ": "
-    if value is not None:
-        return name + values.text(value, limit)
+    if shown is not None:
+        return name + shown
     if entry.data is None:
-        return name + printable(repr(entry.value))
+        return name + safe(repr(entry.value))
     return name + "%d bytes: %s" % (len(entry.data), entry.data.hex())
 
 
-def _shown(channels, entry):
-    """The value of an entry, None when its type is not known, or the entry does not fit it."""
+def _shown(channels, entry, form):
+    """form(value of an entry); None when its type is not known, or the entry does not fit it or nests deeper than Python."""
     try:
-        return channels.value(entry)
-    except errors.No:
+        value = channels.value(entry)
+        return None if value is None else form(value)
+    except (errors.No, errors.BadValue):
         channels.unreadable += 1
         return None
 
 
 def record(channels, entry):
     """An entry as fields for JSON."""
-    channel, value = channels.log.channels[entry.channel], _shown(channels, entry)
+    channel, value = channels.log.channels[entry.channel], _shown(channels, entry, values.json)
     fields = {"number": entry.number, "received": entry.received / 1e9, "port": channel.name, "type": channel.type_id}
     if value is not None:
-        fields["value"] = values.json(value)
+        fields["value"] = value
     elif entry.data is None:
         fields["value"] = _tame(entry.value)
     else:
@@ -205,10 +206,10 @@ def _tame(value):
 
 def cells(channels, entry):
     """An entry as [(column, scalar)] for a table."""
-    channel, value = channels.log.channels[entry.channel], _shown(channels, entry)
+    channel, shown = channels.log.channels[entry.channel], _shown(channels, entry, values.flat)
     found = [("number", entry.number), ("received", "%d.%09d" % divmod(entry.received, 10 ** 9)), ("port", channel.name)]
-    if value is not None:
-        return found + values.flat(value)
+    if shown is not None:
+        return found + shown
     if entry.data is None:
         return found + _flat(entry.value, "")
     return found + [("hex", entry.data.hex())]

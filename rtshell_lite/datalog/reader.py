@@ -2,7 +2,7 @@
 import bisect
 
 from rtshell_lite import errors
-from rtshell_lite.datalog import Channel, Entry, blocks, writer
+from rtshell_lite.datalog import Channel, Entry, blocks, is_moment, writer
 
 MOST = 1000  # channels, and sources of one: more come from nobody who means well
 
@@ -22,6 +22,7 @@ class Log:
         self.where, self.size, self.channels = where, size, []
         self.torn, self.closed, self._damaged = 0, False, set()
         self._file, self._maps = file, {}  # offset of a header: our numbers of its channels
+        self._numbers = {}  # our number of a channel, by its name and type
         file.seek(len(blocks.MAGIC))
         try:
             kind, body = blocks.read(file, size - len(blocks.MAGIC))
@@ -93,22 +94,23 @@ class Log:
             created = header["created"]
         except (KeyError, TypeError, ValueError):
             raise blocks.Damaged("no header")
-        if not isinstance(created, int):
+        if not is_moment(created):
             raise blocks.Damaged("no header")
         self._maps[offset] = ours
         return created
 
     def _channel(self, channel):
         """The number of a channel; one that was appended to under its name and type is the same."""
-        for number, known in enumerate(self.channels):
-            if known[:2] == channel[:2]:
-                more = tuple(each for each in channel.sources if each not in known.sources)
-                self.channels[number] = known._replace(sources=(known.sources + more)[:MOST])
-                return number
+        number = self._numbers.setdefault(channel[:2], len(self.channels))
+        if number < len(self.channels):
+            known = self.channels[number]
+            more = tuple(each for each in channel.sources if each not in known.sources)
+            self.channels[number] = known._replace(sources=(known.sources + more)[:MOST])
+            return number
         if len(self.channels) >= MOST or len(channel.sources) >= MOST:
             raise blocks.Damaged("a header that cannot be")
         self.channels.append(channel)
-        return len(self.channels) - 1
+        return number
 
     def _records(self, offset, end):
         """The whole records between two offsets: (offset, Entry). In the end, self._whole is behind the last whole block."""
@@ -171,7 +173,7 @@ class Log:
         index.next, index.first, index.last = told["next"], told["first"], told["last"]
         index.counts, index.headers, index.points = told["counts"], told["headers"], told["points"]
         _demand(all(isinstance(each, int) for each in [index.next] + index.headers + list(index.counts.values())))
-        _demand(index.headers[0] == len(blocks.MAGIC))
+        _demand(index.headers[0] == len(blocks.MAGIC) and index.headers == sorted(set(index.headers)))
         _demand(bool(index.points) == bool(index.count) and index.count <= index.next)
         numbers = [point[0] for point in index.points]
         offsets = [point[1] for point in index.points]
@@ -196,12 +198,12 @@ class Log:
         last = None
         for _, last in self._records(offsets[-1], position):
             pass
-        _demand(last is not None and last.number == index.next - 1 and last.received == index.last and isinstance(index.first, int))
+        _demand(last is not None and last.number == index.next - 1 and last.received == index.last and is_moment(index.first))
 
     def _scanned(self):
         """An index made by reading all, and where the whole blocks end."""
         index, start = writer.Index(), len(blocks.MAGIC)
-        self.channels, self._maps = [], {}
+        self.channels, self._maps, self._numbers = [], {}, {}
         for offset, entry in self._records(start, self.size):
             index.add(offset, entry.number, entry.received, self.channels[entry.channel].name)
         self.torn = self.size - self._whole

@@ -12,16 +12,19 @@ SYNC = 5.0  # seconds between two fsyncs: what a power failure costs
 
 
 class Channels:
-    """The channels of a log to be: ports of one NAME share one. `types`: their datatypes.Type or None; `notes` say why."""
+    """The channels of a log to be: ports of one NAME share one.
+
+    `found` are the datalog.Channels, `types` their datatypes.Type or None; `notes` say why None.
+    """
 
     def __init__(self, known):
         """`known` are datatypes.Types."""
-        self._known, self._found, self.types, self.notes = known, [], [], []
+        self._known, self.found, self.types, self.notes = known, [], [], []
 
     def add(self, port, name):
         """The number of a Port's channel. Raises errors.No when its NAME is taken by one of another type."""
         where, type_id = ports.label(port), port.properties.get("dataport.data_type", "")
-        for number, channel in enumerate(self._found):
+        for number, channel in enumerate(self.found):
             if channel.name == name:
                 if not ports.same_type(channel.type_id, type_id):
                     raise errors.No(where, "%s has another data type (%s, %s)" % (
@@ -37,12 +40,8 @@ class Channels:
             type = None
             self.notes.append("%s: recorded as bytes: %s" % (where, e))
         self.types.append(type)
-        self._found.append(Channel(name, type.id if type else type_id, type.to_bytes() if type else b"", [where]))
-        return len(self._found) - 1
-
-    def described(self):
-        """They as a Writer takes them."""
-        return self._found
+        self.found.append(Channel(name, type.id if type else type_id, type.to_bytes() if type else b"", [where]))
+        return len(self.found) - 1
 
 
 class Recorder:
@@ -64,7 +63,7 @@ class Recorder:
         self._thread.start()
 
     def close(self):
-        """Wait until all that has come is written and on the disk. Raises OSError: why writing failed."""
+        """Wait until all that has come is written and on the disk. Raises OSError: why writing failed; a bug's RuntimeError."""
         self._stopped.set()
         if self._thread:
             self._thread.join()
@@ -72,15 +71,21 @@ class Recorder:
             raise self.failure
 
     def _run(self, writer):
+        self.failure = RuntimeError("the thread that writes has ended")  # until it is known better: a bug is no success
         try:
-            self._write(writer)
-        except OSError as e:
-            self.failure = e
-        try:
-            writer.close()
-        except OSError as e:
-            self.failure = self.failure or e
-        self.done.set()
+            self.failure = self._written(writer)
+        finally:
+            self.done.set()
+
+    def _written(self, writer):
+        """Write until the end, and close; the OSError that prevented it, or None."""
+        failure = None
+        for step in (lambda: self._write(writer), writer.close):
+            try:
+                step()
+            except OSError as e:
+                failure = failure or e
+        return failure
 
     def _fits(self, channel, message):
         if len(message.data) <= blocks.LARGEST:

@@ -4,7 +4,7 @@ Such a file is a row of pickles: (when recording began, list of PortSpec); 256 o
 recording ends; then the entries, each (number, EntryTS, (port's name, data), own offset, offset of the one before).
 """
 from rtshell_lite import errors, text
-from rtshell_lite.datalog import Channel, Entry, pickles
+from rtshell_lite.datalog import Channel, Entry, is_moment, pickles
 
 CLOSING = 256  # octets kept free for the CurPos
 DEEP = 100  # levels of a value
@@ -29,9 +29,7 @@ class Log:
         machine = self._machine(0)
         try:
             started, specs = machine.load()
-            self.started = int(started) * 10 ** 9 + int(started % 1 * 1e9)
-            if not -1 << 63 <= self.started < 1 << 63:
-                raise ValueError("no time")
+            self.started = _moment(started, started % 1 * 1e9)
             self.channels = [_channel(spec.fields) for spec in specs]
         except pickles.Refused as e:
             raise errors.No(where, "its header cannot be read: %s" % e)
@@ -111,7 +109,7 @@ class Log:
         name, fields = _text(name), stamp.fields
         if name not in self._numbers:
             raise ValueError("of no port in the header")
-        received = int(fields["_sec"]) * 10 ** 9 + int(fields["_nsec"])
+        received = _moment(fields["_sec"], fields["_nsec"])
         # A value may mention its parts many times, and these theirs: what it would come to is bounded by what was read.
         return Entry(number, received, self._numbers[name], None, None, _Plain(1000 + 16 * length).value(data, DEEP))
 
@@ -121,6 +119,16 @@ def _channel(fields):
     return Channel(_text(fields["_name"]), _text(fields["_type_name"]), b"", tuple(sources))
 
 
+def _moment(seconds, nanoseconds):
+    """A time in ns since the epoch. Raises ValueError, OverflowError, TypeError for what is none."""
+    if isinstance(seconds, str) or isinstance(nanoseconds, str):  # int() would read them, however long
+        raise TypeError("no number")
+    moment = int(seconds) * 10 ** 9 + int(nanoseconds)
+    if not is_moment(moment):
+        raise ValueError("no time")
+    return moment
+
+
 def _text(value):
     if not isinstance(value, str):
         raise ValueError("no text")
@@ -128,7 +136,7 @@ def _text(value):
 
 
 class _Plain:
-    """Turns records into dicts, of at most so many values."""
+    """Turns records into dicts, of at most so many values and characters."""
 
     def __init__(self, most):
         self.left = most
@@ -146,14 +154,16 @@ class _Plain:
         if isinstance(it, (list, tuple)):
             self.left -= len(it)
             if not any(isinstance(part, (pickles.Record, dict, list, tuple)) for part in it[:1]):
-                return list(map(_leaf, it))
+                return list(map(self._leaf, it))
             return [self.value(part, deep - 1) for part in it]
-        return _leaf(it)
+        return self._leaf(it)
 
-
-def _leaf(it):
-    if isinstance(it, str):
-        return text.from_wire(it)
-    if it is None or isinstance(it, (bool, int, float, bytes)):
-        return it
-    raise pickles.Refused("a value that no message has")
+    def _leaf(self, it):
+        if isinstance(it, (str, bytes)):
+            self.left -= len(it)
+            if self.left < 0:
+                raise pickles.Refused("a value that never ends")
+            return text.from_wire(it) if isinstance(it, str) else it
+        if it is None or isinstance(it, (bool, int, float)):
+            return it
+        raise pickles.Refused("a value that no message has")

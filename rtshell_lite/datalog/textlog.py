@@ -20,7 +20,7 @@ class Writer:
             writer.lock(self._file, name)
             if stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
                 self._prepare(append)
-        except errors.No:
+        except (errors.No, OSError):
             self._file.close()
             raise
 
@@ -49,7 +49,7 @@ class Writer:
         if self._types[channel]:
             try:
                 return values.constructor(self._types[channel].decode(data, little))
-            except (errors.BadData, errors.BadType):
+            except (errors.BadData, errors.BadType, errors.BadValue):
                 pass  # what it is can only be told by its bytes
         return repr(data)
 

@@ -80,7 +80,10 @@ class Writer:
                 lock(old, self.name)
             self._file = _opened(temporary, self.name)
             lock(self._file, self.name)
+            if not _is_still(self._file, temporary):  # its recorder has given it its name meanwhile
+                raise errors.No(text.printable(self.name), "another rtlog is recording to it")
             ours = True
+            self._file.truncate(0)  # what a killed one has left
             self._start(header)
             os.fsync(self._file.fileno())
             if old:
@@ -105,7 +108,8 @@ class Writer:
         if self._file.read(len(blocks.MAGIC)) != blocks.MAGIC:
             raise errors.No(text.printable(self.name), "not a log that can be gone on with")
         size = os.fstat(self._file.fileno()).st_size
-        with reader.Log(open(self.name, "rb"), text.printable(self.name), size) as old:
+        with open(self.name, "rb") as file:
+            old = reader.Log(file, text.printable(self.name), size)
             self._check(old.channels)
             self.end = old.scan(self.index)
             if not self._is_torn(old.torn):
@@ -199,11 +203,17 @@ def _pieces(parts):
 
 
 def _opened(name, target):
+    """A new file, or one that is there with all that is in it: until it is locked, it may be another recorder's."""
     try:
-        return open(name, "wb", 0)
+        return open(name, "ab", 0)
     except OSError as e:
         e.filename = target
         raise
+
+
+def _is_still(file, name):
+    """True when an open file is the one of that name."""
+    return os.path.exists(name) and os.path.samestat(os.fstat(file.fileno()), os.stat(name))
 
 
 def lock(file, name):

@@ -1,6 +1,7 @@
 """Constant expressions of IDL (CORBA 3.0, 3.10.2): numbers, texts and items of enums worked out with nothing evaluated."""
 from rtshell_lite import descriptors
 from rtshell_lite.descriptors import BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, RANGES, STRING, WCHAR, WSTRING, kind
+from rtshell_lite.idl import tokens
 from rtshell_lite.text import literal
 
 DEEPEST = 50  # brackets within brackets
@@ -20,8 +21,8 @@ def expression(parser, depth=0, level=0):
 
 
 def _worked_out(parser, token, one, other):
-    whole = _is_whole(one) and _is_whole(other)
-    if not whole and not (all(_is_whole(n) or isinstance(n, float) for n in (one, other)) and token.word in "+-*/"):
+    whole = is_whole(one) and is_whole(other)
+    if not whole and not (all(is_whole(n) or isinstance(n, float) for n in (one, other)) and token.word in "+-*/"):
         raise parser.fault("%s does not go with these" % token.word, token)
     try:
         found = {"|": _or, "^": _xor, "&": _and, "<<": _left, ">>": _right, "+": _sum, "-": _difference, "*": _product,
@@ -33,7 +34,8 @@ def _worked_out(parser, token, one, other):
     return found
 
 
-def _is_whole(value):
+def is_whole(value):
+    """True for a whole number; TRUE and FALSE are none."""
     return isinstance(value, int) and not isinstance(value, bool)
 
 
@@ -90,7 +92,7 @@ def _unary(parser, depth):
     if parser.is_mark("-", "+", "~"):
         token = parser.advance()
         found = _unary(parser, depth + 1)
-        if not (_is_whole(found) or isinstance(found, float) and token.word != "~"):
+        if not (is_whole(found) or isinstance(found, float) and token.word != "~"):
             raise parser.fault("%s does not go with this" % token.word, token)
         return -found if token.word == "-" else ~found if token.word == "~" else found
     if parser.is_mark("("):
@@ -130,14 +132,10 @@ def _literal(parser):
 
 def _number(parser, token):
     word = token.word
-    if len(word) > 100:
+    if len(word) > tokens.LONGEST_NUMBER:
         raise parser.fault("too long a number", token)
     try:
-        if word[:2] in ("0x", "0X"):
-            return int(word, 16)
-        if word.isdigit():
-            return int(word, 8 if word[0] == "0" else 10)
-        return float(word.rstrip("dD"))
+        return tokens.whole(word) if tokens.is_whole(word) else float(word.rstrip("dD"))
     except ValueError:
         raise parser.fault("not a number: %s" % word, token)
 
@@ -155,14 +153,14 @@ def check(parser, descriptor, value, token):
     """The value of a constant of this type. Raises BadIdl when it does not fit."""
     switch = descriptors.target(descriptor)
     sort = kind(switch)
-    if sort in RANGES and _is_whole(value):
+    if sort in RANGES and is_whole(value):
         low, high = RANGES[sort]
         if value < low and value + 2 * (high + 1) > high and low == 0:  # ~0 for an unsigned one
             value += high + 1
         if low <= value <= high:
             return value
         raise parser.fault("out of range for %s: %d" % (descriptors.words(descriptor), value), token)
-    if sort in (FLOAT, DOUBLE) and (isinstance(value, float) or _is_whole(value)):
+    if sort in (FLOAT, DOUBLE) and (isinstance(value, float) or is_whole(value)):
         return float(value)
     if sort == BOOLEAN and isinstance(value, bool):
         return value

@@ -18,9 +18,10 @@ class Parser:
     def __init__(self, tokens):
         self.tokens, self.at = tokens, 0
         self.file_scope = self.scope = Scope("", None)
-        self.made, self.announced, self.prefixes = {}, [], []
-        self.weights = {}  # descriptor's identity → (types in it, depth); the made ones are kept, so identities stay
-        self.kept = []
+        self.made = {}  # identity of an Entry → (repository id, descriptor)
+        self.announced, self.prefixes = [], []  # Entries of structs and unions; prefixes of the files around this place
+        self.weights = {}  # identity of a descriptor → (types in it, depth)
+        self.kept = []  # what these identities are of: it must stay as long as they do
         self._go()
 
     def types(self):
@@ -55,6 +56,7 @@ class Parser:
         return token
 
     def fault(self, why, token=None):
+        """The BadIdl that tells what is wrong with a token, or with the one that stands here."""
         token = token or self.token
         return errors.BadIdl(printable(token.file), token.line, token.column, why)
 
@@ -71,7 +73,7 @@ class Parser:
         return self.advance()
 
     def _file(self, word):
-        """A prefix ends with the file that sets it (CORBA 3.0, 10.7.5.1)."""
+        """A prefix ends with the file that sets it (CORBA 3.0, 10.7.5)."""
         if word == "begin":
             self.prefixes.append(self.scope.prefix)
             if self.scope is self.file_scope:
@@ -99,8 +101,8 @@ class Parser:
             raise self.fault("#pragma %s: not declared: %s" % (name, printable(word)), token)
         if name == "ID":
             self._rename(entry, quoted.group(1))
-        elif entry.scope:
-            self._rename(entry, entry.scope.rpartition(":")[0] + ":" + value.strip())
+        elif entry.type_id:
+            self._rename(entry, entry.type_id.rpartition(":")[0] + ":" + value.strip())
 
     def _of_pragma(self, name):
         parts = [part for part in name.split("::") if part]
@@ -111,7 +113,7 @@ class Parser:
 
     def _rename(self, entry, type_id):
         """Give a declared type another repository id."""
-        entry.scope = type_id
+        entry.type_id = type_id
         if entry.sort == "type" and id(entry) in self.made:
             old = entry.what
             sort = descriptors.kind(old)
@@ -153,13 +155,11 @@ class Parser:
     def look_up(self):
         """The Entry of the scoped name that comes next. Raises BadIdl."""
         start = self.token
-        scope = self.scope
         if self.is_mark("::"):
             self.advance()
-            scope, found = self.file_scope, None
-            found = scope.own(self.plain())
+            found = self.file_scope.own(self.plain())
         else:
-            found = scope.seen(self.plain())
+            found = self.scope.seen(self.plain())
         written = self._last
         self._same_case(found, written, start)
         while self.is_mark("::"):
@@ -172,6 +172,7 @@ class Parser:
         return found
 
     def plain(self):
+        """Go past a name without scopes: the name. Raises BadIdl for anything else, keywords included."""
         token = self.token
         if token.kind != "name":
             raise self.fault("expected a name, not %s" % printable(token.word))
@@ -188,6 +189,7 @@ class Parser:
             raise self.fault("%s is declared as %s" % (written, found.name), token)
 
     def new_id(self, name):
+        """The repository id of what is declared here under a name (CORBA 3.0, 10.7.1)."""
         return "IDL:%s:1.0" % "/".join(filter(None, [self.scope.prefix, name]))
 
     # ---- definitions ------------------------------------------------------------------------------------------
@@ -203,7 +205,7 @@ class Parser:
         if word in ("module", "interface", "local", "abstract"):
             self._opening(word, depth)
         elif word in ("typedef", "const", "native", "exception"):
-            getattr(self, "_" + word)(depth)
+            {"typedef": self._typedef, "const": self._const, "native": self._native, "exception": self._exception}[word](depth)
         elif word in ("struct", "union", "enum"):
             types.constructed(self, depth)
         elif word in ("valuetype", "custom", "component", "home", "eventtype"):
@@ -304,7 +306,7 @@ class Parser:
         self.advance()
         token = self.token
         name = self.name("an exception")
-        entry = self.declare(Entry(name, "unknown", scope=self.new_id(name)), token)
+        entry = self.declare(Entry(name, "unknown", type_id=self.new_id(name)), token)
         self.take("{")
         types.within(self, entry, lambda: types.members(self, depth + 1))
         self.take("}")
@@ -335,15 +337,18 @@ class Parser:
     # ---- bounds -----------------------------------------------------------------------------------------------
 
     def weight(self, descriptor):
+        """(types in it, depth) of a descriptor."""
         return self.weights.get(id(descriptor), (1, 1)) if isinstance(descriptor, tuple) else (1, 1)
 
     def weigh(self, descriptor, weight, depth):
+        """The descriptor, its weight noted: that and the depth are of what stands in it. Raises BadIdl."""
         if weight > descriptors.LARGEST or depth > descriptors.DEEPEST:
             raise self.fault("a type too large or nested too deep")
         self.weights[id(descriptor)] = (weight + 1, depth + 1)
         self.kept.append(descriptor)
         return descriptor
 
-    def weighed(self, descriptor, inner, token):
+    def weighed(self, descriptor, inner):
+        """The same for a descriptor of several parts."""
         weights = [self.weight(each) for each in inner]
         return self.weigh(descriptor, sum(weight for weight, _ in weights), max(depth for _, depth in weights))

@@ -10,6 +10,7 @@ from rtshell_lite.text import printable
 Token = collections.namedtuple("Token", "kind word file line column")
 
 LARGEST = 1 << 22  # bytes of a file
+LONGEST_NUMBER = 100  # characters: long ones take quadratic time
 MOST_TOKENS = 200000
 MOST_FILES = 1000
 DEEPEST = 40  # files within files, conditions within conditions
@@ -20,14 +21,14 @@ OF_ORBS = ("orb.idl", "omg.idl", "corba.idl")  # what every ORB has built in
 _TOKEN = re.compile(r"""
     (?P<space>[ \t\r\f\v\n\x1a]+|\\\r?\n)
   | (?P<comment>//[^\n]*|/\*.*?\*/)
-  | (?P<directive>\#(?:\\\r?\n|/\*.*?\*/|(?!//)[^\n])*)
+  | (?P<directive>\#(?:\\\r?\n|/\*.*?\*/|(?!/[/*])[^\n])*)
   | (?P<string>L?"(?:[^"\\\n]|\\.)*")
   | (?P<char>L?'(?:[^'\\\n]|\\[^\n])[^'\n]{0,8}')
   | (?P<number>(?:0[xX][0-9a-fA-F]+|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[dD]?)(?![A-Za-z0-9_.]))
   | (?P<name>[A-Za-z_][A-Za-z0-9_]*)
   | (?P<mark>::|<<|>>|/(?!\*)|[][(){}<>,;:=+\-*%|&^~])""", re.VERBOSE | re.DOTALL)
-_SKIPPED = re.compile(r"(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<directive>\#(?:\\\r?\n|/\*.*?\*/|(?!//)[^\n])*)|"
-                      r"(?P<string>\"(?:[^\"\\\n]|\\.)*\")|(?P<other>\s+|\S)", re.DOTALL)
+_SKIPPED = re.compile(r"(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<directive>\#(?:\\\r?\n|/\*.*?\*/|(?!/[/*])[^\n])*)|"
+                      r"(?P<string>\"(?:[^\"\\\n]|\\.)*\")|(?P<other>\s+|(?!/\*)\S)", re.DOTALL)
 _COMMENT = re.compile(r"/\*.*?\*/|\\\r?\n", re.DOTALL)
 _DIRECTIVE = re.compile(r"#\s*([A-Za-z]*)\s*(.*)", re.DOTALL)
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
@@ -142,7 +143,7 @@ class _File:
         rest = rest.strip()
         if name in ("if", "ifdef", "ifndef", "elif", "else", "endif"):
             self._condition(name, rest, active)
-        elif active and hasattr(self, "_" + name) and name in ("include", "define", "undef", "pragma", "error"):
+        elif active and name in ("include", "define", "undef", "pragma", "error"):
             getattr(self, "_" + name)(rest)
         elif active and name not in ("", "line", "ident", "warning"):
             raise self.fault("not known: #%s" % name)
@@ -207,10 +208,9 @@ class _File:
             return
         if path is None:
             raise self.fault("no such file to include: %s (-I DIR names where to look)" % printable(name))
-        for word, step in (("begin", 1), ("end", 0)):
-            self.source.found.append(Token("file", word, self.path, self.line, 1))
-            if step:
-                self.source.file(path, self.depth + 1)
+        self.source.found.append(Token("file", "begin", self.path, self.line, 1))
+        self.source.file(path, self.depth + 1)
+        self.source.found.append(Token("file", "end", self.path, self.line, 1))
 
     def _included(self, name, beside):
         """The path of a file to include: beside this one, in the directories given, among those that come along."""
@@ -231,12 +231,21 @@ class _Condition:
             match = _CONDITION.match(text, at)
             if match is None or len(self.words) > 200:
                 raise file.fault("a condition that cannot be read: #if %s" % printable(text[:60]))
-            _, bracketed, bare, name, number, mark = match.groups()
-            macros = file.source.macros
-            self.words.append(mark if mark else int(number, 0) if number and not number.isdigit() else int(number) if number
-                              else int((bracketed or bare) in macros) if bracketed or bare else _number(macros.get(name)))
+            self.words.append(self._meant(*match.groups()))
             at = match.end()
         self.words.reverse()
+
+    def _meant(self, _, bracketed, bare, name, number, mark):
+        """What a word of the condition stands for: itself for a mark, else a number."""
+        macros = self.file.source.macros
+        if mark:
+            return mark
+        if bracketed or bare:
+            return int((bracketed or bare) in macros)
+        try:
+            return whole(number) if number else _of_macro(macros.get(name))
+        except ValueError as e:
+            raise self.file.fault("a condition that cannot be read: %s" % e)
 
     def value(self):
         found = self._either(0)
@@ -287,7 +296,21 @@ class _Condition:
         return word
 
 
-def _number(body):
-    """The number that a macro stands for in a condition; 0, as in C, when it is none or not defined."""
+def _of_macro(body):
+    """The number that a macro stands for in a condition; 0, as in C, when it is none or not defined. Raises ValueError."""
     word = body[0][1] if isinstance(body, list) and len(body) == 1 and body[0][0] == "number" else "0"
-    return int(word, 0) if word[:2] in ("0x", "0X") else int(word) if word.isdigit() else 0
+    return whole(word) if is_whole(word) else 0
+
+
+def is_whole(word):
+    """True for the spelling of a whole number."""
+    return word[:2] in ("0x", "0X") or word.isdigit()
+
+
+def whole(word):
+    """The whole number that a word spells as in C: 10, 0x0a, 012. Raises ValueError."""
+    if len(word) > LONGEST_NUMBER:
+        raise ValueError("too long a number")
+    if word[:2] in ("0x", "0X"):
+        return int(word, 16)
+    return int(word, 8 if word[0] == "0" else 10)

@@ -6,6 +6,7 @@ from rtshell_lite.idl.scopes import DEEPEST, Entry, Scope
 from rtshell_lite.text import printable
 
 BASIC = {words: kind for kind, words in descriptors.NAMES.items() if kind > 1 and kind != descriptors.PRINCIPAL}
+MOST_DIGITS = 31  # of a number of type fixed
 WORDS = ("unsigned", "short", "long", "float", "double", "char", "wchar", "boolean", "octet", "any")
 
 
@@ -28,10 +29,15 @@ def declarator(parser, descriptor, what):
 
 
 def _positive(parser):
+    return _within(parser, 1, 2 ** 32 - 1, "above 0")
+
+
+def _within(parser, least, most, words):
+    """The whole number that comes next. Raises BadIdl for one out of range, of which `words` tell."""
     token = parser.token
     value = constants.expression(parser)
-    if isinstance(value, bool) or not isinstance(value, int) or not 0 < value < 2 ** 32:
-        raise parser.fault("expected a number above 0", token)
+    if not constants.is_whole(value) or not least <= value <= most:
+        raise parser.fault("expected a number " + words, token)
     return value
 
 
@@ -78,12 +84,10 @@ def _named(parser):
     if token.kind == "name" and token.word == "CORBA" and parser.scope.seen("CORBA") is None:
         return _of_corba(parser)
     entry = parser.look_up()
-    if entry.sort == "struct":
-        return entry.what
-    if entry.sort == "type":
+    if entry.sort in ("struct", "type"):
         return entry.what
     if entry.sort == "interface":
-        return (OBJECT, entry.scope, entry.name)
+        return (OBJECT, entry.type_id, entry.name)
     if entry.sort == "unknown":
         return (OBJECT, parser.new_id(entry.name), entry.name)
     raise parser.fault("not a type: %s" % entry.name, token)
@@ -117,11 +121,12 @@ def _sequence(parser, depth):
 
 
 def _fixed(parser):
+    """fixed<digits, scale>; omniidl knows the same limits."""
     parser.advance()
     parser.take("<")
-    digits = _positive(parser)
+    digits = _within(parser, 1, MOST_DIGITS, "from 1 to %d" % MOST_DIGITS)
     parser.take(",")
-    scale = constants.expression(parser)
+    scale = _within(parser, 0, digits, "from 0 to %d" % digits)
     parser.take(">")
     return (FIXED, digits, scale)
 
@@ -176,7 +181,7 @@ def _struct(parser, entry, name, depth):
     found = members(parser, depth)
     if not found:
         raise parser.fault("a struct without members: %s" % name, entry.token)
-    return parser.weighed(descriptors.struct(entry.scope, name, found), [inner for _, inner in found], entry.token)
+    return parser.weighed(descriptors.struct(entry.type_id, name, found), [inner for _, inner in found])
 
 
 def members(parser, depth):
@@ -214,7 +219,7 @@ def _union(parser, entry, name, depth):
         raise parser.fault("a union cannot be switched by %s" % descriptors.words(switch), token)
     parser.take(")")
     parser.take("{")
-    cases, default, labels, names = [], -1, [], set()
+    cases, default, labels, names = [], -1, set(), set()
     while not parser.is_mark("}"):
         found = _labels(parser, switch, labels)
         descriptor = type_spec(parser, depth + 1)
@@ -229,12 +234,12 @@ def _union(parser, entry, name, depth):
         raise parser.fault("a union without members: %s" % name, entry.token)
     if default >= 0:
         cases[default] = (_unused(parser, switch, labels, entry.token),) + cases[default][1:]
-    return parser.weighed(descriptors.union(entry.scope, name, switch, cases, default),
-                          [switch] + [case[2] for case in cases], entry.token)
+    return parser.weighed(descriptors.union(entry.type_id, name, switch, cases, default),
+                          [switch] + [case[2] for case in cases])
 
 
 def _labels(parser, switch, labels):
-    """The labels before one member of a union; None for default."""
+    """The labels before one member of a union, None for default; they join the set `labels` of those that stood before."""
     found = []
     while parser.is_word("case", "default"):
         token = parser.advance()
@@ -245,7 +250,7 @@ def _labels(parser, switch, labels):
         if label in labels:
             raise parser.fault("the same case twice", token)
         found.append(label)
-        labels.append(label)
+        labels.add(label)
         parser.take(":")
     if not found:
         raise parser.fault("expected case or default, not %s" % printable(parser.token.word))

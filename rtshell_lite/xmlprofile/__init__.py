@@ -4,7 +4,9 @@
     for component in profile.components: ...
     files.write(name, xmlprofile.dump(profile, "yaml"))
 
-Both forms hold the same: model.py says what. Needs no CORBA.
+Both forms hold the same: model.py says what, fields.py what that is made of. Files spell names as names.py has it, values as
+values.py. XML: xml.py, with characters that it cannot hold (escape.py) and files of version 0.1 (version01.py). YAML: yaml.py
+(yamldocument.py, scalars.py) reads text to nodes, yamlform.py nodes to the model; yamlwriter.py writes. Needs no CORBA.
 """
 import gc
 

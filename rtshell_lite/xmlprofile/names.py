@@ -24,7 +24,7 @@ ATTRIBUTES, ELEMENTS = "xml::attributes", "xml::elements"
 
 
 def exact(field):
-    """The right name of a model.Field in XML, as expat gives it."""
+    """The right name of a fields.Field in XML, as expat gives it."""
     return NAMESPACES[field.prefix] + SEPARATOR + field.local
 
 

@@ -279,8 +279,16 @@ def _sexagesimal(digits, kind):
     return total
 
 
+def as_float(number):
+    """A float for an int that may be beyond all floats. Raises ValueError."""
+    try:
+        return float(number)
+    except OverflowError:
+        raise ValueError("too large a number")
+
+
 def _number(text):
-    return float(_integer(text)) if len(text) <= LONGEST_NUMBER and _INTEGER.match(text) else _float(text)
+    return as_float(_integer(text)) if len(text) <= LONGEST_NUMBER and _INTEGER.match(text) else _float(text)
 
 
 def _bytes(text):

@@ -1,7 +1,7 @@
 """The values of fields as text, and back. Raises ValueError with a message for people."""
 import re
 
-from rtshell_lite.xmlprofile import model
+from rtshell_lite.xmlprofile import fields, scalars
 
 _WHOLE = re.compile(r"[-+]?[0-9]{1,18}\Z")
 _LONGEST_NUMBER = 100  # characters: long ones take quadratic time
@@ -9,16 +9,16 @@ _LONGEST_NUMBER = 100  # characters: long ones take quadratic time
 
 def from_text(field, text):
     """What a field holds, from its text in a file."""
-    if field.kind == model.TEXT:
+    if field.kind == fields.TEXT:
         return _choice(field, text) if field.choices else text
-    if field.kind == model.DATE:
+    if field.kind == fields.DATE:
         return text
     word = text.strip()
     if not word:
         return field.default
-    if field.kind == model.BOOLEAN:
+    if field.kind == fields.BOOLEAN:
         return _boolean(word)
-    if field.kind == model.INTEGER:
+    if field.kind == fields.INTEGER:
         if not _WHOLE.match(word):
             raise ValueError("%s: not a whole number" % shown(text))
         return int(word)
@@ -49,12 +49,12 @@ def _number(word):
 
 def from_number(field, value):
     """What a field holds, from a bool, int or float that YAML gave."""
-    if field.kind == model.BOOLEAN:
+    if field.kind == fields.BOOLEAN:
         return _boolean(str(value))
     if isinstance(value, bool):
         raise ValueError("%s: not a number" % str(value).lower())
-    if field.kind == model.NUMBER:
-        return float(value)
+    if field.kind == fields.NUMBER:
+        return scalars.as_float(value)
     if value != value or abs(value) >= 10 ** 18 or value != int(value):
         raise ValueError("%s: not a whole number" % value)
     return int(value)
@@ -62,9 +62,9 @@ def from_number(field, value):
 
 def to_text(field, value):
     """The text of a value as XML spells it."""
-    if field.kind == model.BOOLEAN:
+    if field.kind == fields.BOOLEAN:
         return "true" if value else "false"
-    if field.kind == model.NUMBER:
+    if field.kind == fields.NUMBER:
         return _SPECIAL.get(repr(float(value)), repr(float(value)))
     return str(value)
 

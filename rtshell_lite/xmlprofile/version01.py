@@ -10,16 +10,18 @@ from rtshell_lite.xmlprofile import model, names
 RTS = names.NAMESPACES["rts"] + names.SEPARATOR
 _SECTIONS = {field.local for field in model.SECTIONS}
 _CONNECTORS = {"DataPortConnectors": "sourceDataPort", "ServicePortConnectors": "sourceServicePort"}
+MOST_COPIES = 250000  # what stands beside the conditions of a section goes into each of them
 _DURATION = re.compile(r"P(?:(\d{1,6})D)?(?:T(?:(\d{1,6})H)?(?:(\d{1,6})M)?(?:(\d{1,9}(?:\.\d{1,9})?)S)?)?\Z", re.ASCII)
 
 
 def upgrade(root, fail):
     """Change the nodes below `root` in place. fail(node, reason) raises."""
+    hoist = _Hoist(root, fail)
     for node in root.children():
         if node.local in ("Component", "Components"):
             _split_participants(node)
             _hoist_connectors(root, node)
-            _hoist_conditions(root, node, fail)
+            hoist.conditions(node)
     if root.attributes.get(RTS + "version", "").strip() == "0.1":
         root.attributes[RTS + "version"] = "0.2"
 
@@ -33,12 +35,11 @@ def _split_participants(component):
     """0.1 puts all members of a composite component into one element, 0.2 each into its own."""
     content = []
     for node in component.content:
-        members = [] if isinstance(node, str) or node.local != "Participants" else \
-            [child for child in node.children() if child.local == "Participant"]
-        for member in members[1:]:
-            node.content.remove(member)
         content.append(node)
-        content += [_node(node, "Participants", content=[member]) for member in members[1:]]
+        if not isinstance(node, str) and node.local == "Participants":
+            members = [child for child in node.children() if child.local == "Participant"]
+            _remove(node, members[1:])
+            content += [_node(node, "Participants", content=[member]) for member in members[1:]]
     component.content = content
 
 
@@ -47,6 +48,13 @@ def _node(like, local, attributes=None, content=()):
     node = type(like)(RTS + local, attributes or {}, like.line, like.column)
     node.content = list(content)
     return node
+
+
+def _remove(node, children):
+    """Take children out of a node, all at once: there may be 100,000 of them."""
+    gone = set(children)
+    if gone:
+        node.content = [each for each in node.content if each not in gone]
 
 
 def _owner(component):
@@ -58,28 +66,45 @@ def _hoist_connectors(root, component):
     for port in component.children():
         if port.local not in ("DataPorts", "ServicePorts"):
             continue
-        for connector in [node for node in port.children() if node.local in _CONNECTORS]:
-            port.content.remove(connector)
+        connectors = [node for node in port.children() if node.local in _CONNECTORS]
+        _remove(port, connectors)
+        for connector in connectors:
             source = dict(_owner(component), **{RTS + "portName": _value(port, "name")})
             connector.content.insert(0, _node(port, _CONNECTORS[connector.local], source))
             root.content.append(connector)
 
 
-def _hoist_conditions(root, component, fail):
-    for section in [node for node in component.children() if node.local in _SECTIONS]:
-        component.content.remove(section)
-        target = dict(_owner(component), **{RTS + "id": ""})
-        conditions = [node for node in section.children() if node.local == "Condition"]
-        others = [node for node in section.children() if node.local != "Condition"]
-        place = [node for node in root.children() if node.local == section.local] or [_node(section, section.local)]
-        if place[0] not in root.content:
-            root.content.append(place[0])
-        for condition in conditions or [_node(section, "Condition")]:
-            for node in condition.children():
-                if node.local == "WaitTime":
-                    _milliseconds(node, fail)
-            place[0].content.append(_node(section, "targets", dict(section.attributes), condition.children() + others + [
-                _node(section, "TargetComponent", target)]))
+class _Hoist:
+    """Puts the conditions of components into the sections of the whole system."""
+
+    def __init__(self, root, fail):
+        self.root, self.fail = root, fail
+        self.sections = {node.local: node for node in reversed(root.children()) if node.local in _SECTIONS}
+        self.copies = 0
+
+    def conditions(self, component):
+        sections = [node for node in component.children() if node.local in _SECTIONS]
+        _remove(component, sections)
+        for section in sections:
+            conditions = [node for node in section.children() if node.local == "Condition"] or [_node(section, "Condition")]
+            others = [node for node in section.children() if node.local != "Condition"]
+            self.copies += len(conditions) * (len(others) + len(section.attributes))
+            if self.copies > MOST_COPIES:
+                self.fail(section, "more than %d values for conditions" % MOST_COPIES)
+            target = _node(section, "TargetComponent", dict(_owner(component), **{RTS + "id": ""}))
+            for condition in conditions:
+                for node in condition.children():
+                    if node.local == "WaitTime":
+                        _milliseconds(node, self.fail)
+                self._place(section).content.append(
+                    _node(section, "targets", dict(section.attributes), condition.children() + others + [target]))
+
+    def _place(self, section):
+        """The section of the whole system that has the name of a component's."""
+        if section.local not in self.sections:
+            self.sections[section.local] = _node(section, section.local)
+            self.root.content.append(self.sections[section.local])
+        return self.sections[section.local]
 
 
 def _milliseconds(wait, fail):

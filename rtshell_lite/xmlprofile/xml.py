@@ -8,7 +8,7 @@ import re
 from xml.parsers import expat
 
 from rtshell_lite import errors
-from rtshell_lite.xmlprofile import escape, model, names, scalars, values, version01, yaml, yamlwriter
+from rtshell_lite.xmlprofile import escape, fields, model, names, scalars, values, version01, yaml, yamlwriter
 
 MOST_BYTES = 16 << 20
 MOST_ELEMENTS = 250000  # 16 MiB of <a/> would take 1 GB; a system of 1,000 components has about 50,000 elements
@@ -84,7 +84,7 @@ class _Reader:
 
     def end(self, _):
         node = self.open.pop()
-        node.content = model.tidy(node.content)
+        node.content = fields.tidy(node.content)
 
     def data(self, text):
         if self.open:
@@ -159,10 +159,10 @@ def _element(node, cls, fail):
     found = _attributes(node, table, fail)
     for child in node.children():
         field = table.children.get(child.tag)
-        if field is None or field.kind == model.TEXT and not _is_plain_text(child):
+        if field is None or field.kind == fields.TEXT and not _is_plain_text(child):
             _keep_element(found, cls, child)
         elif field.many:
-            item = child.text() if field.kind == model.TEXT else _element(child, field.kind, fail)
+            item = child.text() if field.kind == fields.TEXT else _element(child, field.kind, fail)
             found.setdefault(field.name, []).append(item)
         elif field.name in found:
             fail(child, "more than one %s in %s" % (child.local, node.local))
@@ -203,7 +203,7 @@ def _value(node, field, text, fail):
 
 def _foreign(found):
     if "foreign" not in found:
-        found["foreign"] = model.Foreign()
+        found["foreign"] = fields.Foreign()
     return found["foreign"]
 
 
@@ -226,7 +226,7 @@ def _keep_element(found, cls, node):
 
 def _foreign_element(node):
     attributes = {names.clark(name): escape.unspelt(text) for name, text in node.attributes.items()}
-    return model.ForeignElement(names.clark(node.tag), attributes, [
+    return fields.ForeignElement(names.clark(node.tag), attributes, [
         escape.unspelt(item) if isinstance(item, str) else _foreign_element(item) for item in node.content])
 
 
@@ -243,7 +243,7 @@ def write(profile):
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + "\n".join(writer.lines) + "\n"
 
 
-_NOTHING = model.Foreign()
+_NOTHING = fields.Foreign()
 
 
 class _Writer:
@@ -276,12 +276,12 @@ class _Writer:
         for item in foreign.elements:
             self.lines.append(indent + "    " + self.foreign(item))
         for key, data in sorted(foreign.keys.items()):
-            item = model.ForeignElement(names.clark(names.YAML_KEY), {"name": key}, [yamlwriter.write(data)])
+            item = fields.ForeignElement(names.clark(names.YAML_KEY), {"name": key}, [yamlwriter.write(data)])
             self.lines.append(indent + "    " + self.foreign(item))
         self.lines.append("%s</%s>" % (indent, tag))
 
     def child(self, field, value, indent):
-        if field.kind == model.TEXT:
+        if field.kind == fields.TEXT:
             self.lines.append("%s<%s>%s</%s>" % (indent, field.tag, escape.quoted(value), field.tag))
         else:
             self.element(field.tag, value, indent)

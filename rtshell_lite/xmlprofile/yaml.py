@@ -98,13 +98,22 @@ def _value(doc, pos, indent, depth, compact, dashes=False):
             return _block(doc, _BLANKS.match(doc.text, start).end(), indent, depth)
         return _anchored(doc, anchor, doc.nodes, _inline(doc, pos, indent, depth, tag))
     pos, column = doc.next_token(pos)
-    if (anchor or tag) and column > indent and not _is_key(doc, pos):  # below may stand the one that is missing here
-        _, second_anchor, second_tag = _properties(doc, pos)
-        if anchor and second_anchor or tag and second_tag:
-            doc.fail(pos, "a second anchor or tag")
+    _check_below(doc, pos, column, indent, anchor, tag)
     count = doc.nodes
     pos, node = _below(doc, pos, column, indent, depth, dashes)
     return _anchored(doc, anchor, count, (pos, _tagged(doc, start, node, tag)))
+
+
+def _check_below(doc, pos, column, indent, anchor, tag):
+    """Refuse a second anchor or tag of a node whose first ones end their line: the one that is missing may stand below."""
+    while (anchor or tag) and column > indent and not _is_key(doc, pos):
+        end, second_anchor, second_tag = _properties(doc, pos)
+        if anchor and second_anchor or tag and second_tag:
+            doc.fail(pos, "a second anchor or tag")
+        if not (second_anchor or second_tag) or not _END_OF_LINE.match(doc.text, end):
+            return
+        anchor, tag = anchor or second_anchor, tag or second_tag
+        pos, column = doc.next_token(end)
 
 
 def _below(doc, pos, column, indent, depth, dashes=True):

@@ -7,7 +7,7 @@ A file is one mapping with the key rtsProfile. What only XML knows stands under 
 """
 import re
 
-from rtshell_lite.xmlprofile import model, names, scalars, values, yaml, yamldocument, yamlwriter
+from rtshell_lite.xmlprofile import fields, model, names, scalars, values, yaml, yamldocument, yamlwriter
 
 ROOT = "rtsProfile"
 DEEPEST_XML = 64  # elements below elements: a profile that is read here can be written as XML and read again
@@ -93,12 +93,12 @@ def _set(doc, found, field, node, depth):
             return
         if not isinstance(node.value, list):
             doc.fail(node.pos, "a list is needed here")
-        found[field.name] = [_text(doc, item) if field.kind == model.TEXT else _element(doc, item, field.kind, depth + 1)
+        found[field.name] = [_text(doc, item) if field.kind == fields.TEXT else _element(doc, item, field.kind, depth + 1)
                              for item in node.value]
     elif field.child:
         if not _is_null(node) or field.kind is model.MessageSending:
             found[field.name] = _element(doc, node, field.kind, depth + 1)
-    elif field.kind == model.DATE and isinstance(node.value, dict):
+    elif field.kind == fields.DATE and isinstance(node.value, dict):
         found[field.name] = _date(doc, node)
     elif not _is_null(node):
         found[field.name] = _value(doc, field, node)
@@ -108,7 +108,7 @@ def _value(doc, field, node):
     """What a field that holds a single value has; text as it is spelt: `id: 010` and `name: no` are text here."""
     text = _text(doc, node)
     try:
-        if field.kind in (model.BOOLEAN, model.INTEGER, model.NUMBER):
+        if field.kind in (fields.BOOLEAN, fields.INTEGER, fields.NUMBER):
             value = scalars.plain(node)
             if isinstance(value, (bool, int, float)):
                 return values.from_number(field, value)
@@ -151,7 +151,7 @@ def _date(doc, node):
 
 def _foreign(found):
     if "foreign" not in found:
-        found["foreign"] = model.Foreign()
+        found["foreign"] = fields.Foreign()
     return found["foreign"]
 
 
@@ -168,7 +168,7 @@ def _elements(doc, node, table, depth):
     """Elements that the schema does not know; `table`, that of the element around them, says what it knows."""
     if not isinstance(node.value, list):
         doc.fail(node.pos, "a list is needed here")
-    return model.tidy([_foreign_element(doc, item, table, depth) for item in node.value])
+    return fields.tidy([_foreign_element(doc, item, table, depth) for item in node.value])
 
 
 def _foreign_element(doc, node, table, depth):
@@ -180,11 +180,11 @@ def _foreign_element(doc, node, table, depth):
     if not names.is_clark(tag) or parts or depth > DEEPEST_XML or content and not isinstance(content.value, list):
         doc.fail(at.pos, "an element is needed here: its name, attributes and content")
     known = table and table.children.get(names.raw(tag))
-    if known and known.kind != model.TEXT:
+    if known and known.kind != fields.TEXT:
         doc.fail(at.pos, "%s is no foreign element" % values.shown(tag))
     items = [_foreign_element(doc, item, None, depth + 1) if isinstance(item.value, dict) else _text(doc, item)
              for item in (content.value if content else [])]
-    return model.ForeignElement(tag, attributes, model.tidy(items))
+    return fields.ForeignElement(tag, attributes, fields.tidy(items))
 
 
 # ---- writing ----------------------------------------------------------------------------------------------------
@@ -196,13 +196,13 @@ def _data(element):
         target = data if field.within is None else data.setdefault(field.within, {})
         if field.many:
             if value:
-                target[field.key] = [item if field.kind == model.TEXT else _data(item) for item in value]
+                target[field.key] = [item if field.kind == fields.TEXT else _data(item) for item in value]
         elif field.child:
             if value is not None:
                 target[field.key] = _data(value)
         elif value is not None and (field.always or value != field.default):
-            target[field.key] = _date_data(value) if field.kind == model.DATE else \
-                float(value) if field.kind == model.NUMBER else value
+            target[field.key] = _date_data(value) if field.kind == fields.DATE else \
+                float(value) if field.kind == fields.NUMBER else value
     if element.foreign:
         data.update(element.foreign.keys)
         if element.foreign.attributes:

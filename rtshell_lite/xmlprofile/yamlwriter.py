@@ -62,7 +62,10 @@ def scalar(value):
         return _text(value)
     if isinstance(value, bytes):
         return '!!binary "%s"' % binascii.b2a_base64(value).decode("ascii").strip()
-    return str(value) if isinstance(value, int) else "{}" if isinstance(value, dict) else "[]"
+    if isinstance(value, int):
+        digits = str(value)
+        return digits if len(digits) <= scalars.LONGEST_NUMBER else hex(value)  # which is how it was read
+    return "{}" if isinstance(value, dict) else "[]"
 
 
 def _float(value):

@@ -173,13 +173,20 @@ class Surroundings:
     def files(self, server):
         """What a profile and a log look like: the text of one that connects ConsoleIn0 to ConsoleOut0 of the world `linked` at
         `server`, and the path of a log with one value of it."""
-        text = run(["rtcryo", "-y", server], self.top).out.decode()
+        text = self.done(["rtcryo", "-y", server])
         log = os.path.join(self.top, "recorded.rtlog")
         recorder = start(["rtlog", "-f", log, "-i", "-e", "1", server + "/test.host_cxt/ConsoleIn0.rtc:out"], self.top, {})
         while recorder.poll() is None:
             self.ctl("linked", "write", "ConsoleIn0:out", "42")
             time.sleep(0.02)
+        assert recorder.returncode == 0, "rtlog: status %d" % recorder.returncode
         return text, log
+
+    def done(self, words):
+        """What a command prints that has to succeed."""
+        ran = run(words, self.top)
+        assert ran.status == 0, ran
+        return ran.out.decode()
 
     def profile(self, text, name, server, a, b):
         """Write such a profile for other components, given by their paths; returns the file."""
@@ -191,7 +198,7 @@ class Surroundings:
 
     def dumped(self, component, changes):
         """Two files for `rtconf load`: what a component's configuration is, and that with {parameter: value} in every set."""
-        text = run(["rtconf", component, "dump"], self.top).out.decode()
+        text = self.done(["rtconf", component, "dump"])
         paths = [os.path.join(self.top, name) for name in ("dumped", "changed")]
         for path in paths:
             with open(path, "w") as file:

@@ -25,6 +25,7 @@ except ImportError:
 KEYS = list(wicked.STRINGS)
 FATAL = {"rtexit", "rtdel", "rtcomp", "rtmgr"}  # after these the world is another
 USAGE = {"rtinject": {70}}   # the value is none for the type of these ports
+READING = ("-d -f LOG", "-p -f LOG", "--csv -f LOG", "--json -f LOG")  # rtlog without asking anybody
 EACH = 2                # strings that each command line meets
 OWN = re.compile("\x1b\\[(?:(?:%s)m|2K|\\d*A)" % "|".join(sorted(set(text.COLOURS.values()) | {"00"})))
 HARMFUL = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff]")
@@ -38,8 +39,8 @@ def setUpModule():
     around.world(server, "wicked")
     home = path.parse(server + "/test.host_cxt")
     profile, log = os.path.join(around.top, "wicked.yaml"), os.path.join(around.top, "wicked.rtlog")
-    running.run(["rtcryo", "-q", "-y", "-o", profile, server], around.top)
-    running.run(["rtlog", "-q", "-f", log, "-e", "2"] + [port("lines", "out"), port("c1", "out")], around.top)
+    around.done(["rtcryo", "-q", "-y", "-o", profile, server])
+    around.done(["rtlog", "-q", "-f", log, "-i", "-e", "4", port("lines", "out"), port("c1", "out")])
 
 
 def tearDownModule():
@@ -107,6 +108,7 @@ class Case:
 def cases():
     found = [(command, line) for command, lines in sorted(invocations.ASKING.items())
              if command in invocations.all_commands() for line in lines]
+    found += [("rtlog", line) for line in READING]
     chosen = [(command, line, key) for number, (command, line) in enumerate(found)
               for key in running.sample(KEYS, EACH, number)]
     return [Case(number, *each) for number, each in enumerate(chosen)]

@@ -36,6 +36,7 @@ SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 LANES = 4
 TIMES = 30 if running.THOROUGH else 3   # how often each command is interrupted
 PORTS = ("ConsoleIn0:out", "ConsoleOut0:in", "Motor0:in", "Motor0:out", "Mock0:in", "Mock0:out")
+COMPONENTS = ("ConsoleIn0", "ConsoleOut0", "Microwave0", "Motor0", "Mock0")  # that may have observers
 FATAL = {"rtexit", "rtdel", "rtcomp"}   # these may end what the others need
 
 
@@ -59,7 +60,7 @@ class Lane:
 
     def left_behind(self):
         """What is there that must not be: services of tools, connections that only one end knows, of more than two ends."""
-        for component in ("ConsoleIn0", "ConsoleOut0", "Microwave0", "Motor0", "Mock0"):
+        for component in COMPONENTS:
             if around.ctl(self.world, "observers", component):
                 yield "observers of " + component
         found = self.connections()
@@ -130,7 +131,7 @@ class Case:
             self.files = list(wrong_files(where, self.command))
         begun = time.monotonic()
         self.left = list(lane.left_behind()) if self.command not in FATAL else []
-        self.answer = (time.monotonic() - begun) / 11   # how long a mock takes to say something while all this goes on
+        self.answer = (time.monotonic() - begun) / len(COMPONENTS + PORTS)   # how long a mock takes to say something while all this goes on
         lane.renew() if self.command in FATAL else lane.tidy()
 
     def problems(self):
@@ -156,9 +157,9 @@ def wrong_files(where, command):
                 with open(path, "rb") as file:
                     xmlprofile.load(file.read().decode(), name)
             elif command == "rtlog":
-                found = datalog.load(path)
-                if found.torn:
-                    yield "torn: " + name
+                with datalog.load(path) as found:
+                    if found.torn:
+                        yield "torn: " + name
         except errors.Error as e:
             yield str(e)
 

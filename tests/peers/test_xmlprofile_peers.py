@@ -20,7 +20,7 @@ except ImportError:
 
 import random_profiles  # noqa: E402
 from rtshell_lite import errors, xmlprofile  # noqa: E402
-from rtshell_lite.xmlprofile import model, scalars, yaml, yamlwriter  # noqa: E402
+from rtshell_lite.xmlprofile import fields, model, scalars, yaml, yamlwriter  # noqa: E402
 
 COUNT = int(os.environ.get("RTSHELL_FUZZ", 1500))
 
@@ -66,20 +66,20 @@ class PyYAML(unittest.TestCase):
                 data = {"x": data, "y": shared, "z": shared[0], "w": [shared[1], shared[1]]}
             style = styles(rng)
             text = pyyaml.safe_dump(data, **style)
-            self.assertTrue(model.same(ours(text), theirs(text)), (style, text))
+            self.assertTrue(fields.same(ours(text), theirs(text)), (style, text))
 
     def test_what_is_written_it_reads(self):
         maker = random_profiles.Maker(2)
         for _ in range(COUNT):
             data = maker.data()
             text = yamlwriter.write(data)
-            self.assertTrue(model.same(theirs(text), data), text)
+            self.assertTrue(fields.same(theirs(text), data), text)
 
     def test_files_mean_the_same_to_it(self):
         for path in glob.glob(os.path.join(glob.escape(os.path.dirname(HERE)), "data", "valid", "*.yaml")):
             with open(path, "rb") as file:
                 data = file.read()
-            self.assertTrue(model.same(ours(data), theirs(data)), path)
+            self.assertTrue(fields.same(ours(data), theirs(data)), path)
 
     def test_what_it_refuses_is_refused_in_blocks(self):
         """In flow style a few things are read that PyYAML stumbles over, such as a question mark inside a word."""
@@ -93,7 +93,7 @@ class PyYAML(unittest.TestCase):
             with self.subTest(text):
                 wanted = theirs(text)
                 if "? " not in text and "\n: " not in text:  # keys stay text here
-                    self.assertTrue(model.same(data, keyed_by_text(wanted)), (data, wanted))
+                    self.assertTrue(fields.same(data, keyed_by_text(wanted)), (data, wanted))
 
 
 def keyed_by_text(data):
@@ -125,7 +125,7 @@ class Modest(random_profiles.Maker):
         element = random_profiles.Maker.element(self, cls, most)
         for field in cls.FIELDS:
             value = getattr(element, field.name)
-            if value == "" and (field.always or field.kind == model.DATE):
+            if value == "" and (field.always or field.kind == fields.DATE):
                 setattr(element, field.name, self.value(field))
             if field.name in ("groups", "participants", "version_up_logs", "systems", "further_ends"):
                 setattr(element, field.name, [])

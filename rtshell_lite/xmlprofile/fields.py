@@ -1,0 +1,139 @@
+"""What the classes of an RtsProfile (model.py) are made of: fields that know their names in files, elements, foreign parts."""
+import itertools
+
+TEXT, BOOLEAN, INTEGER, NUMBER, DATE = "text", "true or false", "whole number", "number", "date"
+
+
+class Field:
+    """A part of an element: its name here, its name in a file, what it holds, when it is written."""
+
+    child = many = False
+
+    def __init__(self, name, tag, kind=TEXT, default="", required=False, always=False, choices=None, also=(), key=None):
+        """A value, an attribute in XML. `always`: written even if it has its default. `also`: misspellings to accept."""
+        self.name = name
+        self.tag = tag
+        self.prefix, self.local = tag.split(":")
+        self.kind = kind
+        self.default = default
+        self.required = required
+        self.always = always
+        self.choices = choices
+        self.also = also
+        self.key = key or (self.prefix + "::" if self.prefix != "rts" else "") + self.local[0].lower() + self.local[1:]
+        self.within = None  # a mapping of its own that YAML puts around it
+
+
+class Child(Field):
+    """An element inside an element, or None."""
+
+    child = True
+
+    def __init__(self, name, tag, kind, required=False, within=None, also=()):
+        Field.__init__(self, name, tag, kind, None, required, also=also)
+        self.within = within
+
+
+class Children(Child):
+    """Any number of elements inside an element, a list; those of kind TEXT are str."""
+
+    many = True
+
+
+class Foreign:
+    """What the schema does not know, kept so that it can be written again.
+
+    attributes  XML attributes, {"{namespace}name": text}
+    elements    ForeignElement
+    keys        YAML keys with plain data
+    """
+
+    def __init__(self):
+        self.attributes = {}
+        self.elements = []
+        self.keys = {}
+
+    def __bool__(self):
+        return bool(self.attributes or self.elements or self.keys)
+
+    def __eq__(self, other):
+        return isinstance(other, Foreign) and self.attributes == other.attributes \
+            and self.elements == other.elements and same(self.keys, other.keys)
+
+    __hash__ = None
+
+
+class ForeignElement:
+    """An XML element that the schema does not know; `content` is a list of str and ForeignElement."""
+
+    def __init__(self, tag, attributes=None, content=None):
+        self.tag = tag
+        self.attributes = attributes or {}
+        self.content = content or []
+
+    def __eq__(self, other):
+        return isinstance(other, ForeignElement) and self.__dict__ == other.__dict__
+
+    __hash__ = None
+
+
+def tidy(content):
+    """The content of an XML element with neighbouring texts joined, and without blanks that only indent its children."""
+    if len(content) == 1 and content[0] != "":
+        return content
+    joined = []
+    for is_text, items in itertools.groupby(content, lambda item: isinstance(item, str)):
+        joined += ["".join(items)] if is_text else items
+    return [item for item in joined if not isinstance(item, str) or (item if len(joined) == 1 else item.strip(" \t\r\n"))]
+
+
+class Element:
+    """What the classes below share: fields by name, equality."""
+
+    FIELDS = ()
+    XSI_TYPE = None  # how XML names the extended type; rtsprofile writes it on some elements only, and so do we
+
+    def __init__(self, **values):
+        own = self.__dict__
+        for field in self.FIELDS:
+            own[field.name] = [] if field.many else field.default
+        own["foreign"] = None
+        known = len(own)
+        own.update(values)
+        if len(own) > known:
+            raise TypeError("%s has no %s" % (type(self).__name__, ", ".join(list(own)[known:])))
+
+    def __eq__(self, other):
+        if type(self) is not type(other) or (self.foreign or None) != (other.foreign or None):
+            return False
+        return all(same(getattr(self, field.name), getattr(other, field.name)) for field in self.FIELDS)
+
+    __hash__ = None
+
+    def __repr__(self):
+        values = [(field.name, getattr(self, field.name), field.default) for field in self.FIELDS]
+        return "%s(%s)" % (type(self).__name__, ", ".join(
+            "%s=%r" % (name, value) for name, value, default in values if value != default and value != []))
+
+    def fault(self, given):
+        """What is wrong with this element, as a reader found it with the fields `given`; None if nothing is."""
+        for field in self.FIELDS:
+            if field.required and field.name not in given:
+                return "%s is missing" % field.local
+        return None
+
+    def property(self, name, default=None):
+        """The value of the extended property `name` (the first one: files repeat names); None if it has no value."""
+        for item in getattr(self, "properties", ()):
+            if item.name == name:
+                return item.value
+        return default
+
+
+def same(a, b):
+    """Equal, where a number that is none (NaN) equals itself."""
+    if isinstance(a, dict) and isinstance(b, dict):
+        return a.keys() == b.keys() and all(same(a[key], b[key]) for key in a)
+    if isinstance(a, list) and isinstance(b, list):
+        return len(a) == len(b) and all(same(x, y) for x, y in zip(a, b))
+    return a == b or (a != a and b != b)
