@@ -36,6 +36,7 @@ def main(arguments, run, doc, argv=None):
     try:
         if _signal.getsignal(_signal.SIGINT) == _signal.SIG_DFL:
             _signal.signal(_signal.SIGINT, interrupts.ctrl_c)
+        sys.unraisablehook = interrupts.lost  # from Python 3.8 on
         _leave(command(arguments, run, doc, sys.argv[1:] if argv is None else argv))
     except KeyboardInterrupt:
         _leave_soon(130)

@@ -7,15 +7,19 @@ threading.Event, Condition and queue.Queue are not for a main thread that others
 handler may leave Condition.wait without its lock, which is then released once too often (RuntimeError; CPython 3.6 to 3.14).
 A bare lock is taken, or not, in one step.
 """
+import _signal  # which `signal` is made of: that one takes long to import
 import collections
+import sys
 import threading
 import time
 
+SOON = 0.001  # seconds
 BOUNCE = 0.3  # seconds in which a second Ctrl-C is the first one once more
 UNWINDING = 5.0  # seconds that a process is given to end in good order, before another signal cuts that short
 
 _held = 0  # how many `held` there are around what the main thread does
 _waiting = None  # what is raised when nothing is held any more
+_struck = None  # what was raised last
 _raised = -BOUNCE  # when the last one was
 _ending = -UNWINDING  # when one came that ends the process
 
@@ -38,9 +42,26 @@ def strike(exception, ends=False):
 
 
 def _raise(exception):
-    global _waiting, _raised
-    _waiting, _raised = None, time.monotonic()
+    global _waiting, _raised, _struck
+    _waiting, _raised, _struck = None, time.monotonic(), exception
     raise exception
+
+
+def lost(unraisable):
+    """A sys.unraisablehook: what struck within a __del__ or a callback, where Python can raise nothing, strikes soon again."""
+    if unraisable.exc_value is None or unraisable.exc_value is not _struck:
+        sys.__unraisablehook__(unraisable)
+        return
+    _signal.signal(_signal.SIGALRM, _again)
+    _signal.setitimer(_signal.ITIMER_REAL, SOON)
+
+
+def _again(number, frame):
+    global _waiting
+    if _held:
+        _waiting = _waiting or _struck
+    else:
+        _raise(_struck)
 
 
 def begin():

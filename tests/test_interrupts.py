@@ -1,6 +1,7 @@
 """Signals at the worst of moments: if one of these fails, Ctrl-C brings an internal error, or leaves a connection in a robot."""
 import os
 import signal
+import sys
 import threading
 import time
 import unittest
@@ -107,6 +108,29 @@ class Held(Striking):
         self.assertRaises(KeyboardInterrupt, self.strike)
         over.set()
         thread.join()
+
+
+class Dying:
+    """Something that Ctrl-C strikes while it is taken away, where Python ignores what is raised."""
+
+    def __del__(self):
+        os.kill(os.getpid(), signal.SIGINT)
+        time.sleep(0.01)
+
+
+@unittest.skipIf(sys.version_info < (3, 8), "this Python tells nobody of what it ignores")
+class Lost(Striking):
+    handler = staticmethod(interrupts.ctrl_c)
+
+    def setUp(self):
+        Striking.setUp(self)
+        sys.unraisablehook = interrupts.lost
+        self.addCleanup(setattr, sys, "unraisablehook", sys.__unraisablehook__)
+
+    def test_comes_again(self):
+        with self.assertRaises(KeyboardInterrupt):
+            Dying()
+            time.sleep(LIMIT)
 
 
 class Connection:
