@@ -41,9 +41,9 @@ class _Peer:
         since, why = silent.get(endpoint, (0, None))
         self.silence = why if time.monotonic() - since < timeout else None  # why the rest of its calls fail
 
-    def fall_silent(self, why):
-        """Fail the rest of its calls, unless it has answered others meanwhile: one object may hang while its process does not."""
-        if time.monotonic() - _answered.get(self.endpoint, 0) < self.limit:
+    def fall_silent(self, why, since):
+        """Fail the rest of its calls, unless it has answered others `since`: one object may hang while its process does not."""
+        if _answered.get(self.endpoint, 0) > since:
             return
         self.silence = why
         silent[self.endpoint] = time.monotonic(), why
@@ -92,7 +92,7 @@ def alive(limit=None):
     """Start the clock of the peer of this lane: its next answer may take `limit` seconds (default: the timeout)."""
     peer = getattr(_lane, "peer", None)
     if peer:
-        peer.heard = time.monotonic()
+        peer.heard = _lane.since = time.monotonic()
         peer.limit = limit or timeout
 
 
@@ -207,7 +207,7 @@ def _value(peer, job):
     try:
         return job.call()
     except errors.Silent as e:
-        peer.fall_silent(e.args[1])
+        peer.fall_silent(e.args[1], _lane.since)
         return _alone(e)
     except Exception as e:
         return _alone(e)
@@ -228,7 +228,7 @@ def _give_up(peers, values, results):
         if peer.open and (silent_too_long or is_over()):
             why = peer.silence or (no_answer(peer.limit) if silent_too_long else NO_TIME)
             if silent_too_long:
-                peer.fall_silent(why)
+                peer.fall_silent(why, peer.heard)
             peer.todo.clear()
             with results.lock:
                 for i, job in peer.open.items():
