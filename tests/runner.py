@@ -10,7 +10,8 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
   tests/run --long test_long      the long form of what tests/faults/ and the like try in short: hours in all
   tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
   tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13, transcripts on 3.7 under ash and on 3.13 under
-                                  dash, what needs no omniORBpy on 3.6, the packaging on every Python from 3.6 to 3.13
+                                  dash (NAME-topic.t on one of the two, by turns), what needs no omniORBpy on 3.6, the packaging
+                                  on every Python from 3.6 to 3.13
 """
 import argparse
 import concurrent.futures
@@ -25,6 +26,7 @@ import tempfile
 import threading
 import time
 import uuid
+import zlib
 
 import environments
 import transcripts
@@ -33,7 +35,9 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 FULL, PURE, ALL = ["3.11", "3.7", "3.13"], ["3.6"], ["3.%d" % minor for minor in range(6, 14)]
 # The matrix: transcripts run on the oldest and the newest Python, each under another shell, as what a shell does does not depend
 # on the Python. Those that say that one Python is enough run on the first, and so do such test modules; the others on all three.
+# The transcripts beside the main one of a command, NAME-topic.t, take turns.
 MATRIX = {"3.11": ["dash"], "3.7": ["ash"], "3.13": ["dash"], "3.6": ["ash"]}
+TURNS = ["3.7", "3.13"]
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 PACKAGING = "test_packaging"
@@ -125,7 +129,10 @@ def peers():
 
 
 def transcript_jobs(python, setting, patterns, shells=None, once=None, accept=False):
-    """Jobs for the transcripts under these shells (None: all); `once`: of those only that one Python is enough for, or is not."""
+    """Jobs for the transcripts under these shells (None: all); `once`: of those only that one Python is enough for, or is not.
+
+    With `once` False, it is a part of the matrix: another Python of TURNS may have the turn.
+    """
     missing = transcripts.missing_shells()
 
     def job(path, shell):
@@ -137,7 +144,13 @@ def transcript_jobs(python, setting, patterns, shells=None, once=None, accept=Fa
             return [(name,) + transcripts.run_case(path, shell, setting, accept)]
         return Job("%s %s" % (python.version, name), run, transcripts.says(path, "alone"))
     return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shells)
-            if once in (None, transcripts.says(path, "once"))]
+            if once in (None, transcripts.says(path, "once")) and (once is not False or has_turn(python.version, path))]
+
+
+def has_turn(version, path):
+    """Does a transcript run on this Python of the matrix?"""
+    name = os.path.basename(path)
+    return "-" not in name or version not in TURNS or version == TURNS[zlib.crc32(name.encode()) % len(TURNS)]
 
 
 # ---- running them ----
