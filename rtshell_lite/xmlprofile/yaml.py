@@ -14,6 +14,7 @@ from rtshell_lite.xmlprofile.scalars import BREAK
 from rtshell_lite.xmlprofile.yamldocument import Document, Node
 
 MOST_CHARACTERS = 16 << 20
+MOST_LINES = 1000000  # two for each of the values that there may be
 
 _BLANKS = re.compile(" *")
 _END_OF_LINE = re.compile(" *(?:#|[%s\0])" % BREAK)
@@ -37,6 +38,8 @@ def parse(text, name):
         text = _decoded(doc, text)
     text = text[1:] if text.startswith("\ufeff") else text
     doc.text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\x85", "\n")
+    if doc.text.count("\n") > MOST_LINES:
+        doc.fail(0, "more than %d lines" % MOST_LINES)
     bad = _FORBIDDEN.search(doc.text)
     if bad:
         doc.fail(bad.start(), "a character that YAML does not allow (U+%04X)" % ord(bad.group()))
