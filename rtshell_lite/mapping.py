@@ -1,12 +1,13 @@
 """--map OLD=NEW: where the components of a profile are now, when they are elsewhere than they were."""
 import re
 
-from rtshell_lite import errors, path, system
+from rtshell_lite import errors, organisation, path, system
 from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model
 
 MANAGER = "MANAGER"  # an extended property of a component: path of the manager that can create it
 PATHS = (system.PATH_ID, MANAGER)  # extended properties that hold a path
+LISTS = ("members", organisation.EXPORTED)  # parameters of composites that list names of instances and of their ports
 TARGETS = (model.TargetComponent, model.TargetPort, model.TargetExecutionContext)
 
 
@@ -28,17 +29,24 @@ def read(name, form=None, words=()):
 def _move(profile, maps):
     """Change paths, and the names of instances that are bound under another name now, wherever the profile has them."""
     locate = system.locator(profile)
-    renamed = {}  # id of a component: the names of its instance, before and now
     targets = [(each, locate(each)) for each in _elements(profile) if isinstance(each, TARGETS)]
+    members = {id(each): [locate(one.component) for one in each.participants] for each in profile.components}
+    names, taken = {}, {}  # id of a component: the names of its instance, before and now; Path: where it was
     for each in profile.components:
         before, each.path_uri = path_in(each.path_uri), _moved(each.path_uri, maps)
         now = path_in(each.path_uri)
-        if before.names and now.names and now.names[-1] != before.names[-1] and before.names[-1].id == each.instance_name:
-            renamed[id(each)] = (each.instance_name, now.names[-1].id)
-            _rename([each] + each.data_ports + each.service_ports, *renamed[id(each)])
+        if now.names and taken.setdefault(now, before) != before:
+            raise errors.No(str(now), "the file has two components here")
+        is_bound_so = before.names and now.names and before.names[-1].id == each.instance_name
+        names[id(each)] = each.instance_name, now.names[-1].id if is_bound_so else each.instance_name
+    within = {key: dict(names[id(one)] for one in some if one is not None) for key, some in members.items()}
+    for each in profile.components:
+        _rename([each] + each.data_ports + each.service_ports, names[id(each)], within[id(each)])
+        if within[id(each)]:
+            _rename_lists(each, within[id(each)])
     for target, component in targets:
-        if id(component) in renamed:
-            _rename([target], *renamed[id(component)])
+        if component is not None:
+            _rename([target], names[id(component)], within[id(component)])
     for each in _elements(profile):
         if isinstance(each, model.Property) and each.name in PATHS and each.value:
             each.value = _moved(each.value, maps)
@@ -54,15 +62,37 @@ def _elements(element):
                 yield from _elements(each)
 
 
-def _rename(elements, old, new):
-    """Elements that have the name of an instance, or ports that begin with it."""
+def _rename(elements, own, within):
+    """Elements that have the name of an instance, or ports that begin with it: `own` is that name, before and now.
+
+    `within` {before: now} are the names of a composite's members, with which the ports begin that it exports.
+    """
+    old, new = own
     for each in elements:
         if getattr(each, "instance_name", None) == old:
             each.instance_name = new
         for field in ("name", "port_name"):
             port = getattr(each, field, None)
-            if port is not None and port.startswith(old + "."):
-                setattr(each, field, new + port[len(old):])
+            if port is not None:
+                is_own = port.startswith(old + ".")
+                rest = _renamed(port[len(old) + 1:] if is_own else port, within)
+                setattr(each, field, new + "." + rest if is_own else rest)
+
+
+def _rename_lists(composite, within):
+    """What the configuration of a composite says of its members: it would lose its ports with their former names."""
+    for each in composite.configuration_sets:
+        for item in each.configuration_data:
+            if item.name in LISTS and item.data:
+                item.data = re.sub(r"[^,\s](?:[^,]*[^,\s])?", lambda found: _renamed(found.group(), within), item.data)
+
+
+def _renamed(word, names):
+    """The name of an instance, or of its port INSTANCE.port, with the name that `names` {before: now} have for it."""
+    for name, dot, rest in ((word, "", ""), word.partition("."), word.rpartition(".")):  # names and ports may have dots
+        if name and name in names:
+            return names[name] + dot + rest
+    return word
 
 
 def _moved(text, maps):
