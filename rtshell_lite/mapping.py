@@ -133,6 +133,8 @@ class Map:
         """(server, names) for the start of a path, and names, or None where it cannot stand elsewhere."""
         word = word.strip("/")
         top = path.parse("/" + word)
+        if top.server is None:
+            raise errors.Usage("a map knows no . or ..: %s" % printable(word))
         if top.port is not None:
             raise errors.Usage("a map knows no ports: %s" % printable(word))
         try:

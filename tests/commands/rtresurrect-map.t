@@ -56,6 +56,13 @@ What cannot be meant:
   rtresurrect: a map knows no ports: localhost:$PORT/old.host_cxt/arm.cxt/ConsoleIn0.rtc:out (see --help)
   [2]
 
+  $ rtcheck --map ..=other a.xml
+  rtcheck: a map knows no . or ..: .. (see --help)
+  [2]
+  $ rtcheck --map old.host_cxt=x/.. a.xml
+  rtcheck: a map knows no . or ..: x/.. (see --help)
+  [2]
+
 What is elsewhere can be checked, started, stopped and examined with the same file:
 
   $ M="-m localhost:$PORT=localhost:$PORT2 -m ConsoleIn0.rtc=Left.rtc -m ConsoleOut0.rtc=Right.rtc"; rtteardown -q $M a.xml
