@@ -325,7 +325,8 @@ def null(parser):
 def profile_file(parser):
     """The RtsProfile that a command works with: args.file, - for stdin, args.form as `profile_form` has it, args.map."""
     parser.add_argument("file", nargs="?", default="-", metavar="FILE", help="an RtsProfile in XML or YAML (default: stdin)")
-    parser.add_argument("-m", "--map", action="append", default=[], metavar="OLD=NEW", help="where things are now; may be repeated")
+    parser.add_argument("-m", "--map", action="append", default=[], metavar="OLD=NEW",
+                        help="where things are now (see rtresurrect); may be repeated")
     profile_form(parser, "the file is")
 
 

@@ -44,7 +44,8 @@ def _replace(target, data):
         return
     folder, base = os.path.split(target)
     # Its own: of two processes that write to one target at a time, the last one wins, and neither tears what the other writes.
-    temporary, done = os.path.join(folder, ".%s.%d.tmp" % (base, os.getpid())), False
+    # It begins like the target, whose name may be as long as names can be: 255 octets.
+    temporary, done = os.path.join(folder, ".%s.%d.tmp" % (base[:50], os.getpid())), False
     try:
         with open(temporary, "wb") as out:
             out.write(data)

@@ -154,6 +154,14 @@ class Files(unittest.TestCase):
             with open(target) as file:
                 self.assertIn(file.read(), ("a" * 1000000, "b" * 1000000))
 
+    def test_the_longest_names(self):
+        """Names that the file system takes are taken: 255 octets."""
+        names = ["a" * 255, "b" * 250, "\u00e9" * 127, "\u3042" * 85]
+        program = "import sys; from rtshell_lite import files\nfor name in sys.argv[1:]: files.write(name, name)"
+        with tempfile.TemporaryDirectory() as directory:
+            subprocess.check_call([sys.executable, "-c", program] + [os.path.join(directory, name) for name in names])
+            self.assertEqual(set(os.listdir(directory)), set(names))
+
 
 if __name__ == "__main__":
     unittest.main()
