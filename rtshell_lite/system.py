@@ -268,8 +268,11 @@ def path_of(each):
 
 
 def shown_path(each):
-    """Where the file says that a component is bound, spelt for the terminal: a path, even where it is none."""
-    return "/" + printable(each.path_uri.lstrip("/"))
+    """Where the file says that a component is bound, as commands take it, or, where that is no path, spelt for the terminal."""
+    try:
+        return str(path_of(each))
+    except errors.BadPath:
+        return "/" + printable(each.path_uri.lstrip("/"))
 
 
 def read(name, form=None):

@@ -243,3 +243,8 @@ What the components have beyond the file is told with --extra:
   $ rtcheck --extra --json -s Inactive less.xml 2> said | tail -2
   {"actual": "less", "check": "connection", "expected": null, "message": "Connection not in the file: less between /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Motor0.rtc:in", "path": "/localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Motor0.rtc:in", "required": true}
   {"actual": "0", "check": "configuration", "expected": null, "message": "Configuration parameter not in the file: motor_id in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "required": true}
+
+Paths are told as commands take them:
+
+  $ sed 's,/ConsoleIn0.rtc",/Con\\/sole\\.In.rtc",' a.xml | rtcheck --dry-run | head -1
+  Check for required component "RTC:Shinji Kurihara:example:ConsoleIn:1.0", "ConsoleIn0" at path /localhost:$PORT/test.host_cxt/Con\/sole.In.rtc (Required)
