@@ -31,31 +31,44 @@ def _move(profile, maps):
     locate = system.locator(profile)
     targets = [(each, locate(each)) for each in _elements(profile) if isinstance(each, TARGETS)]
     members = {id(each): [locate(one.component) for one in each.participants] for each in profile.components}
-    names, taken = {}, {}  # id of a component: the names of its instance, before and now; Path: where it was
-    called = {}  # (id, name of the instance) of components, which may be several's: their names now
-    for each in profile.components:
-        before, each.path_uri = path_in(each.path_uri), _moved(each.path_uri, maps)
-        now = path_in(each.path_uri)
-        if now.names and taken.setdefault(now, before) != before:
-            raise errors.No(str(now), "the file has two components here")
-        is_bound_so = before.names and now.names and before.names[-1].id == each.instance_name
-        names[id(each)] = each.instance_name, now.names[-1].id if is_bound_so else each.instance_name
-        called.setdefault((each.id, each.instance_name), set()).add(names[id(each)][1])
+    names = _move_components(profile.components, maps)
+    _refuse_unclear(targets, profile.components, names)
     within = {key: dict(names[id(one)] for one in some if one is not None) for key, some in members.items()}
     for each in profile.components:
         _rename([each] + each.data_ports + each.service_ports, names[id(each)], within[id(each)])
         if within[id(each)]:
             _rename_lists(each, within[id(each)])
     for target, component in targets:
-        key = target.component_id, target.instance_name
-        if not target.property(system.PATH_ID) and len(called.get(key, ())) > 1:
-            raise errors.No("%s (%s)" % (printable(key[1]), printable(key[0])),
-                            "there are several, of which --map renames some (the property %s tells which is meant)" % system.PATH_ID)
         if component is not None:
             _rename([target], names[id(component)], within[id(component)])
     for each in _elements(profile):
         if isinstance(each, model.Property) and each.name in PATHS and each.value:
             each.value = _moved(each.value, maps)
+
+
+def _move_components(components, maps):
+    """Change their paths; returns {id of a component: the names of its instance, before and now}. Raises No: two at one place."""
+    names, taken = {}, {}
+    for each in components:
+        before, each.path_uri = path_in(each.path_uri), _moved(each.path_uri, maps)
+        now = path_in(each.path_uri)
+        if now.names and taken.setdefault(now, before) != before:
+            raise errors.No(str(now), "the file has two components here")
+        is_bound_so = before.names and now.names and before.names[-1].id == each.instance_name
+        names[id(each)] = each.instance_name, now.names[-1].id if is_bound_so else each.instance_name
+    return names
+
+
+def _refuse_unclear(targets, components, names):
+    """Raise No for a target that may mean several components, of which only some have another name now."""
+    called = {}  # what a target says of a component: the names that those have now
+    for each in components:
+        called.setdefault((each.id, each.instance_name), set()).add(names[id(each)][1])
+    for target, _ in targets:
+        key = target.component_id, target.instance_name
+        if not target.property(system.PATH_ID) and len(called.get(key, ())) > 1:
+            raise errors.No("%s (%s)" % (printable(key[1]), printable(key[0])),
+                            "there are several, of which --map renames some (the property %s tells which is meant)" % system.PATH_ID)
 
 
 def _elements(element):
