@@ -55,9 +55,13 @@ class Watched:
             self.process.stdin.flush()
 
     def halves(self):
-        """The greatest (memory, threads, files) of the second quarter of the time, and of the last."""
+        """(most memory, least threads, least files) in the second quarter of the time, and in the last.
+
+        Threads and connections of the ORB come and go; what leaks stays.
+        """
         quarter = len(self.seen) // 4
-        return [tuple(map(max, zip(*part))) for part in (self.seen[quarter:2 * quarter], self.seen[3 * quarter:])]
+        parts = [list(zip(*part)) for part in (self.seen[quarter:2 * quarter], self.seen[3 * quarter:])]
+        return [(max(memory), min(threads), min(files)) for memory, threads, files in parts]
 
     def end(self):
         self.process.terminate()
