@@ -14,6 +14,7 @@ from rtshell_lite.text import from_wire, printable, to_wire
 
 Address = collections.namedtuple("Address", "type_id host port key")  # what an IOR says: text, text, int, bytes
 
+PROBING = 4  # the part of the timeout, a quarter, in which a host has to refuse a connection
 CONNECTIONS = 5  # that omniORB holds to one process at most (its maxGIOPConnectionPerServer)
 
 _started = None  # the ORB, once there is one
@@ -255,7 +256,7 @@ def call(where, ref, operation, *args, seconds=None):
             except CORBA.COMM_FAILURE as e:
                 result = _asked_again(e, ref, operation, args)
     except CORBA.Exception as e:
-        raise _error(str(where), e, max(seconds or 0, rpc.timeout))
+        raise _error(str(where), e, max(seconds or 0, rpc.timeout), ref)
     rpc.answered()
     return result
 
@@ -294,8 +295,8 @@ def is_alive(where, ref):
     return True
 
 
-def _error(where, e, seconds):
-    """The errors.Error for a CORBA exception."""
+def _error(where, e, seconds, ref):
+    """The errors.Error for a CORBA exception that a call to `ref` has raised."""
     from omniORB import CORBA
     label = _label(e)
     if isinstance(e, CORBA.TIMEOUT):
@@ -303,7 +304,7 @@ def _error(where, e, seconds):
     if isinstance(e, CORBA.OBJECT_NOT_EXIST):
         return errors.Gone(where)
     if isinstance(e, CORBA.TRANSIENT) and label.endswith("ConnectFailed"):
-        return errors.ConnectionRefused(where)
+        return _not_connected(where, endpoint(ref))
     if isinstance(e, CORBA.TRANSIENT):
         reason = "host name not known" if label.endswith("NoUsableProfile") else "cannot be reached now (%s)" % label
         return errors.Unreachable(where, reason)
@@ -313,6 +314,22 @@ def _error(where, e, seconds):
         return errors.Unreachable(where, "garbled answer (%s)" % label)
     detail = getattr(e, "description", "")
     return errors.Refused(where, label + (": " + printable(from_wire(detail)) if detail else ""), name=type(e).__name__)
+
+
+def _not_connected(where, endpoint):
+    """The errors.Error for a connection that could not be made: omniORB does not tell why, but the kernel does.
+
+    Only a refusal is a sign that the process has gone. Where there is no way to its host, it may well live.
+    """
+    import socket
+    try:
+        socket.create_connection(endpoint, rpc.timeout / PROBING).close()
+    except ConnectionRefusedError:
+        pass
+    except (OSError, ValueError) as e:  # the latter: no name of a host
+        why = getattr(e, "strerror", None)
+        return errors.Unreachable(where, "cannot be reached" + (" (%s)" % why if why else ""))
+    return errors.ConnectionRefused(where)
 
 
 def _label(e):

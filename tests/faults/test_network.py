@@ -22,6 +22,7 @@ except ImportError:
 
 HOSTS = {"laptop": "10.77.0.1", "robot1": "10.77.0.2", "robot2": "10.77.0.3"}
 NOWHERE = "10.77.0.99"  # nobody has it: questions who does are not answered
+ELSEWHERE = "203.0.113.9"  # in a network to which there is no route (RFC 5737)
 MARK = "rt%d" % os.getpid()
 PORT = 2809
 
@@ -172,6 +173,15 @@ class Network(unittest.TestCase):
             with self.subTest(" ".join(words)):
                 self.ends(laptop(*words), (0, 3, 4, 5))
         self.assertIn(b"Lost0.rtc", laptop("rtls", "/%s/test.host_cxt" % HOSTS["robot1"]).out)
+        world("far", "robot1", ["these", "Mock:Far0"], "--publish", ELSEWHERE, "--port", "2998")
+        far = "/%s/test.host_cxt/Far0.rtc" % HOSTS["robot1"]
+        for words in (["rtact", far], ["rtdel", "-z", far]):  # at once: there is no way to that network
+            with self.subTest(" ".join(words)):
+                ran = laptop(*words)
+                self.ends(ran, (4,))
+                self.assertIn(("%s: %s: cannot be reached" % (words[0], far)).encode(), ran.err)
+        self.ends(laptop("rtdel", "-z"), (0,))
+        self.assertIn(b"?Far0.rtc", laptop("rtls", "/%s/test.host_cxt" % HOSTS["robot1"]).out)
         self.assertIn(NOWHERE.encode(), laptop("rtdoctor", lost).out)
 
 
