@@ -54,7 +54,7 @@ A log has the description of its types, if there was one:
   $ recorded custom -f bytes.rtlog Arm0.rtc:status.arm; rtlog -p -f bytes.rtlog; rtlog -q -p --idl arm.idl -f bytes.rtlog
   rtlog: /localhost:$PORT/test.host_cxt/Arm0.rtc:status: recorded as bytes: IDL:Arm/Status:1.0 is not known; name its IDL file (--idl FILE) or compiled stubs (-m MODULE -p DIR)
   rtlog: Recording 1 entries.
-  64 bytes: 000000000000000001000000020000000900000073686f756c64657200000000000000000000084006000000656c626f7700000000000000000000000000f83f
+  64 bytes: 000000000000000001000000020000000900000073686f756c64657200??????000000000000084006000000656c626f7700????????????000000000000f83f (glob)
   [0.000000000] doing=MOVING joints=[(name='shoulder', angle=3.0), (name='elbow', angle=1.5)]
   $ for log in known idl bytes; do rtlog -p -q -f $log.rtlog Arm0.rtc:command.arm; done; ctl received Arm0:command 5
   5 ('MOVING', [('shoulder', 3.0), ('elbow', 1.5)])
