@@ -88,7 +88,7 @@ def tidy(content):
 
 
 class Element:
-    """What the classes below share: fields by name, equality."""
+    """What the classes of model.py share: fields by name, equality."""
 
     FIELDS = ()
     XSI_TYPE = None  # how XML names the extended type; rtsprofile writes it on some elements only, and so do we
