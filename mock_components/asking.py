@@ -6,8 +6,10 @@ HELP = """\
 calls [COMPONENT]          one `count operation` line per operation received from outside
 highwater                  most calls from outside that were in flight at a time
 reset                      forget calls, high-water mark, faults, delays and hangs
-received COMPONENT:PORT [N]  how many values an InPort has got and the last one; waits up to 10 s for N
-times COMPONENT:PORT       how many different times the values had that an InPort has got
+received COMPONENT:PORT [N]  how many values a component has read from an InPort and the last one; waits up to 10 s for N
+waiting COMPONENT:PORT     how many values lie in the buffer of an InPort that nobody has read
+buffer COMPONENT:PORT      the length of that buffer, and what it does when it is full
+times COMPONENT:PORT       how many different times the values had that were read from an InPort
 sent COMPONENT:PORT        how many values an OutPort has written
 write COMPONENT:PORT NUMBER  let an OutPort send a value made of that number
 answer COMPONENT:PORT STATUS  an InPort refuses values: BUFFER_FULL, PORT_ERROR …; PORT_OK: takes them again

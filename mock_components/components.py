@@ -52,8 +52,7 @@ class Sender(Component):
         for port in self.ports:
             if port.port_type == "DataOutPort":
                 port.write(values.make(port.type_name, self.number, self.spec.stamps))
-            elif port.port_type == "DataInPort":
-                port.read()
+        self.read_ports(handle)
         return RTC.RTC_OK
 
 
@@ -63,8 +62,7 @@ class Reader(Component):
     busy = True
 
     def on_execute(self, handle):
-        for port in self.ports:
-            port.read()
+        self.read_ports(handle)
         return RTC.RTC_OK
 
 

@@ -115,6 +115,10 @@ class Behaviour:
         self.owner = reference
         self.members.append(Member(reference, servant, handle))
 
+    def cycles(self):
+        """How many of its periods one execution stands for."""
+        return max(1, round(self.rate * QUICKEST))
+
     def close(self):
         """The component has ended."""
         self.dead = True

@@ -32,6 +32,13 @@ class Commands:
                 raise ValueError("only %d values received" % port.received)
         return ["%d %s" % (port.received, shown(port.last))]
 
+    def waiting(self, port):
+        return [str(len(self.stage.port(port).buffer.values))]
+
+    def buffer(self, port):
+        found = self.stage.port(port).buffer
+        return ["%d %s" % (found.length, found.policy)]
+
     def times(self, port):
         return [str(len(self.stage.port(port).times))]
 

@@ -2,7 +2,7 @@
 from omniORB import CORBA
 from rtshell_lite.idl_stubs.component import RTC
 
-from . import transport, values
+from . import buffer, transport, values
 from .port import Port
 from .properties import get, is_text, put, text
 
@@ -54,7 +54,10 @@ class DataPort(Port):
         if len(self.profiles) >= int(get(profile.properties, "dataport." + self.fan, str(FAN_LIMIT))):
             return RTC.PRECONDITION_NOT_MET
         flow, interface = agreed(profile)
-        if flow == "duplex" or flow not in self.flavour.dataflow.split(","):
+        if flow not in self.flavour.dataflow.split(","):
+            return RTC.BAD_PARAMETER
+        if flow == "duplex":
+            self.haunted = True
             return RTC.BAD_PARAMETER
         if interface not in self.flavour.interfaces.split(","):
             return RTC.BAD_PARAMETER
@@ -168,41 +171,61 @@ class OutPort(DataPort):
 
 
 class InPort(DataPort):
-    """Receives, or fetches when its component reads."""
+    """Keeps what it is given until its component reads it, in a cycle of its own, and only while there is a connector.
+
+    InPort::isNew of C++ and Python is false without one: what lies in the buffer then is read at somebody else's connection.
+    """
 
     side, other_side, port_type = "inport", "outport", "DataInPort"
     served, fan, interface = "push", "fan_in", "InPortCdr"
 
     def __init__(self, component, name, type_name):
         DataPort.__init__(self, component, name, type_name)
-        self.received = 0
+        self.buffer = buffer.RingBuffer()
+        self.received = 0               # values that the component has read
         self.last = None
-        self.times = set()              # of the values
+        self.times = set()              # of these values
         self.status = "PORT_OK"         # what it answers to values
 
     def modes(self):
         return [("dataport.subscription_type", "Any")]
 
     def carrier(self, profile, interface):
+        self.buffer.configure(profile.properties, self.side)
         return transport.Receiver(self, profile, interface)
 
     def use(self, profile, interface, reference):
         self.transports[profile.connector_id] = transport.Fetcher(self, profile, interface, reference)
         return RTC.RTC_OK
 
-    def take(self, data, little):
-        """A payload has come in."""
-        self.last = values.decode(self.type_name, data, little)
-        self.times.add((self.last.tm.sec, self.last.tm.nsec))
+    def decode(self, data, little):
+        """The value that a payload holds."""
+        return values.decode(self.type_name, data, little)
+
+    def put(self, data, little):
+        """A payload has come in; the name of the status that the sender gets."""
+        status = self.buffer.write(self.decode(data, little))
+        self.moved("RECEIVE:InPort:")
+        return status
+
+    def read(self):
+        """What components do in each cycle: read one value of those pushed, and fetch from those that are to be fetched from."""
+        connections = list(self.transports.values())
+        if not connections:
+            return
+        value = self.buffer.read()
+        if value is not None:
+            self.take(value)
+        for carrier in connections:
+            carrier.fetch()
+
+    def take(self, value):
+        """The component has read a value."""
+        self.last = value
+        self.times.add((value.tm.sec, value.tm.nsec))
         with self.process.arrived:
             self.received += 1
             self.process.arrived.notify_all()
-        self.moved("RECEIVE:InPort:")
-
-    def read(self):
-        """Fetch from all connections that are to be fetched from."""
-        for carrier in list(self.transports.values()):
-            carrier.fetch()
 
 
 class EventInPort(InPort):

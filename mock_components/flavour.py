@@ -49,6 +49,8 @@ TABLE = {
     "leaves_half":       (False,         False,         False,         True,          False,         False),
     # a port that is connected to itself never answers again
     "self_deadlock":     (False,         False,         True,          False,         False,         False),
+    # what becomes of a process when a connector is removed under a get() that is still being served
+    "busy_get":          ("die",         "die",         "die",         "survive",     "survive",     "survive"),
     # first profile query after a peer has died: clean up silently, raise TRANSIENT once, or end the process
     "dead_peer":         ("clean",       "clean",       "die",         "transient",   "clean",       "clean"),
     # data

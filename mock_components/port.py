@@ -25,6 +25,7 @@ class Port(RTC__POA.PortService):
         self.lock = threading.Lock()
         self.profiles = {}              # connector id -> connector profile, in order of connecting
         self.transports = {}            # connector id -> what carries its data
+        self.haunted = False            # by a connector that no profile shows: the next disconnection never ends
 
     # to be given by the kinds of port
 
@@ -128,8 +129,7 @@ class Port(RTC__POA.PortService):
             return RTC.BAD_PARAMETER, profile
         if len(mine) > 1:
             if self.flavour.self_deadlock:
-                self.process.ledger.hang(self.component.instance_name, FOR_EVER)
-                time.sleep(FOR_EVER)
+                self._hang()
             return RTC.BAD_PARAMETER, profile
         code = self._refuse_double(profile) or self.publish(profile)
         following = profile.ports[mine[0] + 1:]
@@ -156,6 +156,11 @@ class Port(RTC__POA.PortService):
 
     def rewrite(self, profile):
         """What becomes of a connector on its way to the next port."""
+
+    def _hang(self):
+        """The component answers no more."""
+        self.process.ledger.hang(self.component.instance_name, FOR_EVER)
+        time.sleep(FOR_EVER)
 
     def _others(self, ports):
         return [port for port in ports if not self.reference._is_equivalent(port)]
@@ -200,6 +205,8 @@ class Port(RTC__POA.PortService):
             profile = self.profiles.pop(connector_id, None)
         if profile is None:
             return RTC.BAD_PARAMETER
+        if self.haunted:
+            self._hang()
         index = next(i for i, port in enumerate(profile.ports) if self.reference._is_equivalent(port))
         code = RTC.RTC_OK
         if profile.ports[index + 1:]:

@@ -155,6 +155,14 @@ class Component(OpenRTM__POA.DataFlowComponent):
         self.report("EC_STATUS", "DETACHED:%d" % handle)
         return RTC.RTC_OK
 
+    def read_ports(self, handle):
+        """Read all InPorts, once for each cycle that this execution in one of its contexts stands for."""
+        context = self.process.local_servant(self._context(handle))
+        for _ in range(context.cycles() if context else 1):
+            for port in self.ports:
+                if port.port_type == "DataInPort":
+                    port.read()
+
     # life cycle
 
     def initialize(self):

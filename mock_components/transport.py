@@ -75,7 +75,7 @@ class Receiver(Transport):
         if self.port.status != "PORT_OK":
             return self.port.status
         try:
-            self.port.take(data, self.little)
+            return self.port.put(data, self.little)
         except CORBA.MARSHAL:
             if self.port.flavour.short_put == "MARSHAL":
                 raise
@@ -150,8 +150,15 @@ class Sender(Transport):
             time.sleep(pause)
 
 
+ANSWERING = 0.02  # seconds after its answer for which a get() counts as still being served
+
+
 class Provider(Transport):
-    """An OutPort's end of pull: an object with get(), and a ring buffer."""
+    """An OutPort's end of pull: an object with get(), and a ring buffer.
+
+    C++ deletes the object with the connector, whoever is being served by it; omniORB then ends the process. The InPort of a
+    component has been told before, and fetches no more; only a tool, alone at its connector, can do that.
+    """
 
     def __init__(self, port, profile, interface):
         Transport.__init__(self, port, profile, interface)
@@ -160,6 +167,8 @@ class Provider(Transport):
         self.limit = float(get(profile.properties, "dataport.buffer.read.timeout", "1.0"))
         self.news = threading.Condition()
         self.last = None
+        self.serving, self.answered = 0, -ANSWERING
+        self.fragile = port.flavour.busy_get == "die" and len(profile.ports) == 1
         self.serve({"corba_cdr": OutPortCdr, "data_service": DataPullService})
 
     def write(self, data):
@@ -170,6 +179,19 @@ class Provider(Transport):
 
     def get(self):
         """(status name, data)"""
+        self.serving += 1
+        try:
+            return self._get()
+        finally:
+            self.serving -= 1
+            self.answered = time.monotonic()
+
+    def close(self):
+        if self.fragile and (self.serving or time.monotonic() < self.answered + ANSWERING):
+            self.process.die()
+        Transport.close(self)
+
+    def _get(self):
         with self.news:
             if not self.buffer and self.policy == "block" and self.port.flavour.empty_get != "BAD_PARAM":
                 if not self.news.wait_for(lambda: self.buffer, self.limit):
@@ -217,4 +239,4 @@ class Fetcher(Transport):
         except CORBA.SystemException:
             return
         if str(status) == "PORT_OK":
-            self.port.take(data, self.little)
+            self.port.take(self.port.decode(data, self.little))

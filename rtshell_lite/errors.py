@@ -130,6 +130,12 @@ class Uncertain(Unreachable):
     """{}: {}; whether it has been done is not known"""
 
 
+class Unread(Error):
+    """{}: {}"""
+
+    status = 5
+
+
 class NotTried(Error):
     """{}: not tried: {}"""
 

@@ -6,7 +6,7 @@ import sys
 import threading
 import time
 
-from rtshell_lite import errors, interrupts, rpc, values
+from rtshell_lite import delivery, errors, interrupts, rpc, values
 
 TICK = 0.2  # seconds between two looks at what is not a value
 LATE = 1.0  # seconds that may be caught up; what is later than that stays late
@@ -97,6 +97,14 @@ class Injection:
         if where is None:
             self._ready[text] = found
         return found
+
+    def expect(self, number, rate, seconds):
+        """Have the Writers ask for buffers that hold what is to be sent: `number` values (-1: any), `rate` Hz, for `seconds`."""
+        coming = min(seconds, delivery.BURST) * (rate if rate < math.inf else 1 / TICK)
+        for i, writer in enumerate(self.writers):
+            known = [found[i] for found in self._ready.values()]
+            sizes = [len(each.type.encode(each.value(0), writer.little)) for each in known]
+            writer.expect(int(min(coming, number) if number >= 0 else coming), max(sizes, default=delivery.TYPICAL_SIZE))
 
     def run(self, source, number, rate, seconds, look):
         """Send what `source` gives, `number` values (-1: all), `rate` Hz, for `seconds`; yields each put's error.

@@ -1,35 +1,42 @@
 """Playing a log to ports: which port gets which channel, and what becomes of each entry."""
 import time
 
-from rtshell_lite import cli, dataport, errors, streams, targets
+from rtshell_lite import cli, connection, delivery, errors, streams, targets
 from rtshell_lite.datalog import play
 
 
 class Playing:
     """A log that is played to ports; those that cannot be played to are counted in `tally`, and told."""
 
-    def __init__(self, wanted, properties, channels):
-        """`wanted` are targets.Targets, `properties` go into the connections, `channels` are the log's meaning.Channels."""
-        self.channels, self.tally = channels, cli.Tally()
-        self.sinks = list(self._sinks(wanted, properties))
+    def __init__(self, wanted, properties, channels, anyway):
+        """`wanted` are targets.Targets, `properties` go into the connections, `channels` are the log's meaning.Channels.
 
-    def _sinks(self, wanted, properties):
+        `anyway`: to components that are not going to read the values, too.
+        """
+        self.channels, self.tally = channels, cli.Tally()
+        self.sinks = list(self._sinks(wanted, properties, anyway))
+
+    def _sinks(self, wanted, properties, anyway):
         for place, each in enumerate(targets.find(wanted)):
             try:
                 if isinstance(each, errors.Error):
                     raise each
-                yield play.channel(self.channels.log, each.port, each.name, place), dataport.Writer(each.port, properties, "rtlog")
+                number = play.channel(self.channels.log, each.port, each.name, place)
+                writer = delivery.Writer(each.port, properties, "rtlog", anyway)
+                writer.expect(delivery.ROOM, delivery.TYPICAL_SIZE)
+                yield number, writer
             except errors.Error as e:
                 self.tally.add(e)
 
-    def play(self, entries, absolute):
+    def play(self, entries, absolute, linger):
         """Send the entries as they come; with `absolute` the times within them stay, else they are moved to now.
 
-        Returns True when all were sent, False when no port was left before. Disconnects however it ends.
+        Then wait until they can have been read, for `linger` seconds at most (None: as long as it takes). Returns True when all were sent, False when no port was left before. Disconnects however it ends.
         """
         watcher = streams.Watcher([writer for _, writer in self.sinks])
-        with dataport.Opened(watcher.connections) as opened:
+        with connection.Opened(watcher.connections) as opened:
             complete = self._send(entries, absolute, opened, watcher)
+            delivery.linger(opened.live(), linger, watcher.look)
         watcher.count(self.tally)
         return complete
 

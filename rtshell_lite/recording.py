@@ -2,7 +2,7 @@
 import math
 import time
 
-from rtshell_lite import cli, dataport, errors, streams, targets
+from rtshell_lite import cli, connection, dataport, errors, streams, targets
 from rtshell_lite.datalog import meaning, recorder
 
 TICK = 0.1  # seconds between two looks at what is not a message: the end, dead ports, drops
@@ -63,7 +63,7 @@ def record(wanted, types, properties, pull, limits, file):
         cli.note(note)
     watcher, begun = streams.Watcher(readers), int(time.time() * 1e9)
     try:
-        with dataport.Opened(readers) as opened:
+        with connection.Opened(readers) as opened:
             if opened.live():
                 work.start(file.writer(channels, begun))
                 if limits.words():

@@ -71,6 +71,17 @@ def properties(parser):
                         help="a property of the connection, as with rtcon -p; may be repeated")
 
 
+def delivery(parser):
+    """--linger and --anyway: args.linger, seconds or None, and args.anyway."""
+    parser.add_argument("--linger", type=_linger, metavar="SECONDS",
+                        help="stay connected at most so long after the last value (default: until the component can have read all)")
+    parser.add_argument("--anyway", action="store_true", help="send to a component that is not going to read the values now, too")
+
+
+def _linger(value):
+    return 0.0 if value == "0" else cli.seconds(value)
+
+
 def pairs(words):
     """KEY=VALUE words as a dict. Raises Usage."""
     for word in words:
@@ -95,6 +106,9 @@ class Watcher:
     def look(self):
         """To be called a few times a second. Raises BrokenPipeError."""
         for each in self.connections:
+            if each.remark:
+                cli.note("%s: %s" % (each.where, each.remark))
+                each.remark = None
             before = self.told.get(each)
             if each.failure is not None and str(each.failure) != str(before):
                 cli.complain(each.failure)

@@ -7,7 +7,8 @@ import time
 import unittest
 
 from rtshell_lite import errors, interrupts
-from rtshell_lite.dataport import Message, Opened
+from rtshell_lite.connection import Opened
+from rtshell_lite.dataport import Message
 from rtshell_lite.inbox import Inbox
 
 LIMIT = 10.0  # seconds that anything may take

@@ -20,7 +20,7 @@ LAYERS = [
      "manual", "markup", "plan", "playing", "printing", "recording", "search", "starting", "svg", "system", "top", "unbind",
      "unpack", "watch"],
     # what can be asked of components, ports and managers, and done with them; being a port or an observer; logs of data
-    ["component", "configuration", "datalog", "dataport", "datatypes", "execution", "flow", "fsm", "inbox", "manager",
+    ["component", "configuration", "connection", "datalog", "dataport", "datatypes", "delivery", "execution", "flow", "fsm", "inbox", "manager",
      "observer", "organisation", "places", "polling", "ports", "servants", "targets"],
     ["tree"],  # from a path to a node
     ["node"],
@@ -31,7 +31,7 @@ LAYERS = [
     ["errors"],
     ["__init__"],
 ]
-OMNIORB_HOMES = {"orb", "dataport", "servants", "observer"}  # all but the first serve CORBA objects themselves
+OMNIORB_HOMES = {"orb", "servants", "observer"}  # all but the first serve CORBA objects themselves
 # Stubs are imported here, inside functions; a command must not pay for those that it does not use.
 STUB_LAYERS = next(names for names in LAYERS if "component" in names) + ["node", "orb"]
 CATCH_ALL_HOMES = {"cli", "rpc"}

@@ -1,6 +1,7 @@
 """Ports of mock components: connecting, disconnecting, data, services and dead peers, as real ones of each
 implementation do it.
 """
+import time
 import unittest
 import uuid
 
@@ -8,8 +9,10 @@ import flavours
 import mocks
 from mocks import connector, eventually, nvlist, outcome, raised, value
 
+OVER = 0.1  # seconds after which a get() of a moment ago is certainly over
 ONCE = "mocks are used by the transcripts on every Python"
 try:
+    import omniORB
     from omniORB import any as omniany
     from rtshell_lite.idl_stubs.component import RTC, SDOPackage
     from rtshell_lite.idl_stubs.dataport import OpenRTM as Cdr
@@ -63,7 +66,6 @@ class Ports(flavours.Flavoured):
                 ("two interfaces", (), {"interface_type": "corba_cdr,data_service"}, "BAD_PARAMETER"),
                 ("no interface", (), {"interface_type": None}, "BAD_PARAMETER"),
                 ("unknown data flow", (), {"dataflow_type": "bogus"}, "BAD_PARAMETER"),
-                ("duplex", (), {"dataflow_type": "duplex"}, "BAD_PARAMETER"),
                 ("no data flow", (), {"dataflow_type": None}, "BAD_PARAMETER"),
                 ("capital", (), {"dataflow_type": "Push"}, "RTC_OK"),
                 ("capital subscription", (), {"subscription_type": "New"}, "RTC_OK"),
@@ -118,7 +120,9 @@ class Ports(flavours.Flavoured):
         sink = sink._narrow(Cdr.InPortCdr)
         data = bytes.fromhex("0100000002000000") + (12345).to_bytes(4, "little")
         self.assertEqual(sink.put(data), Cdr.PORT_OK)
-        self.assertEqual(self.world.ctl("received", "ConsoleOut0:in", "1")[1].split()[-1], "12345")
+        self.activate("ConsoleOut0")
+        self.assertEqual(self.received(1), "12345")
+        self.deactivate("ConsoleOut0")
         self.assertEqual(outcome(sink.put, b"\1"), self.short_put)
         self.inp.disconnect(profile.connector_id)
         self.assertEqual(outcome(sink.put, data), "OBJECT_NOT_EXIST")
@@ -135,15 +139,99 @@ class Ports(flavours.Flavoured):
             status, data = source.get()
             self.assertEqual((status, data[8:]), (Cdr.PORT_OK, b"\7\0\0\0"))
             self.assertEqual(outcome(source.get), after)
+            time.sleep(OVER)
             self.out.disconnect(profile.connector_id)
 
     def test_big_endian(self):
         """C++ from 1.2 on sends little endian even where big was agreed."""
         code, profile = self.out.connect(connector([self.out, self.inp], serializer__cdr__endian="big"))
-        before = int(self.world.ctl("received", "ConsoleOut0:in")[1].split()[0])
+        self.activate("ConsoleOut0")
         self.world.ctl("write", "ConsoleIn0:out", "7")
-        said = self.world.ctl("received", "ConsoleOut0:in", str(before + 1))[1].split()
-        self.assertEqual(int(said[1]), 7 if self.obeys_big else 7 << 24)
+        self.assertEqual(int(self.received(1)), 7 if self.obeys_big else 7 << 24)
+        self.deactivate("ConsoleOut0")
+
+    def test_when_an_in_port_is_read(self):
+        """In a cycle of the component's, while it is active and connected; what is not read waits for the next connection."""
+        self.activate("ConsoleOut0")
+        self.put(7)
+        self.assertEqual(self.received(1), "7")
+        self.deactivate("ConsoleOut0")
+        self.put(8)
+        self.assertEqual(self.waiting(), "1")
+        self.activate("ConsoleOut0")
+        self.put()
+        self.assertEqual(self.received(1), "8")
+        self.deactivate("ConsoleOut0")
+
+    def test_the_buffer_of_an_in_port(self):
+        """There is one; the length and the policy stay after the connector that asked for them, whose length empties it."""
+        self.put(*range(10))
+        self.assertEqual(self.waiting(), "8")
+        self.put()
+        self.assertEqual(self.waiting(), "8")
+        self.assertEqual(self.put(1, 2, 3, buffer__length="2", buffer__write__full_policy="do_nothing"),
+                         [Cdr.PORT_OK, Cdr.PORT_OK, Cdr.BUFFER_FULL])
+        self.assertEqual(self.put(4), [Cdr.BUFFER_FULL])
+        self.assertEqual(self.put(4, buffer__write__full_policy="block", buffer__write__timeout="0.1"), [Cdr.BUFFER_TIMEOUT])
+        self.assertEqual(self.put(4, inport__buffer__length="8", buffer__write__full_policy="overwrite"), [Cdr.PORT_OK])
+        self.assertEqual(self.waiting(), "1")
+        self.put(buffer__length="8")
+        self.assertEqual((self.waiting(), self.world.ctl("buffer", "ConsoleOut0:in")[1]), ("0", "8 overwrite\n"))
+
+    def put(self, *numbers, **changes):
+        """Connect to the InPort, put numbers, wait until an active component has read them, disconnect; the statuses."""
+        code, profile = self.inp.connect(connector([self.inp], **changes))
+        self.assertEqual(str(code), "RTC_OK")
+        ior = value(profile.properties, "dataport.corba_cdr.inport_ior")
+        sink = mocks.Server.orb.string_to_object(ior)._narrow(Cdr.InPortCdr)
+        statuses = [sink.put(bytes(8) + number.to_bytes(4, "little")) for number in numbers]
+        if self.state() == RTC.ACTIVE_STATE:
+            eventually(lambda: self.waiting() == "0", "reading")
+        self.inp.disconnect(profile.connector_id)
+        return statuses
+
+    def waiting(self):
+        return self.world.ctl("waiting", "ConsoleOut0:in")[1].strip()
+
+    def received(self, count):
+        """The data of the last value that the component has read, of `count` more than at the last `activate`."""
+        return self.world.ctl("received", "ConsoleOut0:in", str(self.before + count))[1].split()[1]
+
+    def state(self):
+        return self.world.context("ConsoleOut0").get_component_state(self.world.component("ConsoleOut0"))
+
+    def activate(self, name):
+        self.before = int(self.world.ctl("received", "ConsoleOut0:in")[1].split()[0])
+        self.world.context(name).activate_component(self.world.component(name))
+        eventually(lambda: self.state() == RTC.ACTIVE_STATE, "active")
+
+    def deactivate(self, name):
+        self.world.context(name).deactivate_component(self.world.component(name))
+        eventually(lambda: self.state() == RTC.INACTIVE_STATE, "inactive")
+
+    def test_a_connector_removed_under_a_fetch(self):
+        """C++ deletes what is being used, and its process ends."""
+        world = mocks.World("these", "ConsoleIn:Lone0", "--flavour", self.flavour)
+        self.addCleanup(world.close)
+        out = world.port("Lone0", "out")
+        for pause in (OVER, 0):
+            code, profile = out.connect(connector([out], dataflow_type="pull", buffer__read__empty_policy="do_nothing"))
+            ior = value(profile.properties, "dataport.corba_cdr.outport_ior")
+            outcome(mocks.Server.orb.string_to_object(ior)._narrow(Cdr.OutPortCdr).get)
+            time.sleep(pause)
+            dies = not pause and self.language[0] == "C++"
+            self.assertEqual(raised(out.disconnect, profile.connector_id), "COMM_FAILURE" if dies else None)
+
+    def test_duplex(self):
+        """Where a port lists it, it refuses it and keeps a ghost: the next disconnection never ends."""
+        world = mocks.World("these", "ConsoleIn:Lone0", "--flavour", self.flavour)
+        self.addCleanup(world.close)
+        out = world.port("Lone0", "out")
+        self.assertEqual(str(out.connect(connector([out], dataflow_type="duplex"))[0]), "BAD_PARAMETER")
+        code, profile = out.connect(connector([out], dataflow_type="pull"))
+        omniORB.setClientCallTimeout(out, 500)
+        haunted = "duplex" in value(out.get_port_profile().properties, "dataport.dataflow_type")
+        self.assertEqual(raised(out.disconnect, profile.connector_id), "TIMEOUT" if haunted else None)
 
     def test_data_flows(self):
         """From a counting component to a reading one, by push of each kind and by pull, in both byte orders."""

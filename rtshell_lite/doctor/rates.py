@@ -2,7 +2,7 @@
 import collections
 import time
 
-from rtshell_lite import component, dataport, datatypes, errors, ports, rpc
+from rtshell_lite import component, connection, dataport, datatypes, errors, ports, rpc
 from rtshell_lite.doctor.finding import ok, reason, warn
 from rtshell_lite.text import printable
 
@@ -86,7 +86,7 @@ def _watch(batch, seconds):
                 "dataport.buffer.length": str(dataport.QUEUE)})
         except errors.Error as e:
             one.failure = e
-    with dataport.Opened([one.reader for one in batch if one.reader]) as opened:
+    with connection.Opened([one.reader for one in batch if one.reader]) as opened:
         time.sleep(2 * dataport.POLL)  # values from before may be there
         before = {reader: reader.count for reader in opened.connections}
         begun = time.monotonic()

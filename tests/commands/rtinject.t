@@ -5,6 +5,7 @@ world: these ConsoleOut:Far0 SequenceInComponent
 
 One value, as its constructor or as JSON:
 
+  $ rtact ConsoleOut0.rtc Far0.rtc SequenceInComponent0.rtc
   $ rtinject -c 'RTC.TimedLong({time}, 42)' ConsoleOut0.rtc:in; ctl received ConsoleOut0:in 1
   1 42
   $ rtinject -c 1 -n 0 ConsoleOut0.rtc:in; rtinject -c '{"data": -5}' ConsoleOut0.rtc:in; ctl received ConsoleOut0:in 2

@@ -1,0 +1,255 @@
+"""Values to in ports, until the component has read them.
+
+    with connection.Opened([Writer(port), …]) as opened:
+        writer.put(data, writer.little)
+        linger(opened.live(), seconds, look)
+
+What a port has taken waits in its buffer. The component reads it in a cycle of its own, while it is Active and while the port
+has a connector; what is left when the last connector goes is read at the next connection of anybody. The port has one buffer
+for all its connectors, and keeps the length and the policy that the last one asked for; to ask for a length empties it.
+(Seen with C++ 2.1 and Python 2.1: InPort::isNew, RingBuffer::length.)
+"""
+import collections
+import math
+import time
+
+from rtshell_lite import cli, component, errors, orb, ports, rpc
+from rtshell_lite.connection import Connection
+from rtshell_lite.text import shell_word
+
+LENGTH = 8  # values that a port's buffer holds unless a connector has asked for more
+ROOM, ROOM_BYTES = 5000, 16 << 20  # the longest buffer that is asked for, in values and bytes
+BURST = 5.0  # seconds: what comes within them may have to wait
+TYPICAL_SIZE = 4096  # bytes of a value whose size is not known before
+SLACK = 0.25  # the part by which components execute less often than they claim: 0.11 was seen (a 1 kHz context of C++)
+SETTLE = 0.1  # seconds more than a cycle may take
+UNKNOWN = 1.0  # seconds that a component may need whose contexts have no rate: they wait for triggers
+LONGEST = 60.0  # seconds to linger, unless the user says otherwise
+WORTH_A_WORD = 2.0  # seconds: who waits longer is told why
+TICK = 0.1  # seconds between two looks while lingering
+
+REFUSALS = {"BUFFER_FULL": "its buffer is full", "BUFFER_TIMEOUT": "its buffer stayed full",
+            "PORT_ERROR": "it reports an error of the port", "UNKNOWN_ERROR": "it reports an unknown error"}
+
+# One execution context of a component: `index` as -e counts, its reference, the component's state in it, whether it runs.
+Cycle = collections.namedtuple("Cycle", "index ref state running")
+
+
+# ---- who reads ------------------------------------------------------------------------------------------------
+
+class Audience:
+    """The component of a port, as far as it reads: `rate` (Hz) is how often, None where its contexts do not say."""
+
+    def __init__(self, node, where):
+        self.node, self.where = node, where
+        self.rate = self._cycle = None
+
+    def look(self):
+        """See whether the component reads what the port is given; returns why it does not, with what helps, or None.
+
+        Raises errors.Error where it cannot be asked.
+        """
+        cycles = self._cycles()
+        reading = [cycle for cycle in cycles if cycle.state == "Active" and cycle.running]
+        if not reading:
+            return _why_not(self.node, cycles)
+        rates = [self._rate(cycle.ref) for cycle in reading]
+        self.rate = max((rate for rate in rates if rate), default=None)
+        return None
+
+    def _cycles(self):
+        owned, participating = component.context_refs(self.node)
+        refs = owned + participating
+        running = [component.elsewhere(self.node, ref, lambda ref=ref: orb.ask(self.node.path, ref, "is_running"), False)
+                   for ref in refs]
+        return [Cycle(*fields) for fields in zip(range(len(refs)), refs, component.states(self.node, refs), running)]
+
+    def _rate(self, ref):
+        rate = component.elsewhere(self.node, ref, lambda: orb.ask(self.node.path, ref, "get_rate"), 0)
+        return rate if 0 < rate < math.inf else None
+
+
+def _why_not(node, cycles):
+    """Why a component with these Cycles reads nothing, and the commands that change it."""
+    path = shell_word(str(node.path))
+    state = component.merged([cycle.state for cycle in cycles])
+    able = next((cycle for cycle in cycles if cycle.running), None)
+    if state == "Active" or able is None:
+        index = next((cycle.index for cycle in cycles if cycle.state == "Active"), 0)
+        return "its execution context is stopped", "rtec%s %s start" % (_option(index), path)
+    remedy = "rtact%s %s" % (_option(able.index), path)
+    return "it is " + state, "rtreset%s %s, then %s" % (_option(able.index), path, remedy) if state == "Error" else remedy
+
+
+def _option(index):
+    return " -e %d" % index if index else ""
+
+
+class Backlog:
+    """How many values wait in a buffer, by what is known: `rate` (Hz) at which they are read, and its `length`."""
+
+    def __init__(self, rate, length):
+        self.rate, self.length = rate, length
+        self.waiting = self.lost = self._at = 0.0
+
+    def add(self, now):
+        """A value was taken at `now` (seconds); a full buffer has lost its oldest for it."""
+        self.drain(now)
+        self.waiting += 1
+        excess = max(0.0, self.waiting - self.length)
+        self.waiting -= excess
+        self.lost += excess
+
+    def drain(self, now):
+        """What has been read by `now` waits no more."""
+        if self.rate:
+            self.waiting = max(0.0, self.waiting - (now - self._at) * self.rate)
+        self._at = now
+
+    def seconds(self, taken):
+        """How long it takes until all of `taken` values are read: rates, which must be known, are not kept to the letter."""
+        return (self.waiting + min(self.length, SLACK * taken) + 1) / self.rate + SETTLE
+
+
+# ---- sending --------------------------------------------------------------------------------------------------
+
+class Writer(Connection):
+    """A connector to a DataInPort; `put` gives it values. `little` is the byte order that it expects.
+
+    `anyway`: whether or not the component is going to read the values.
+    """
+
+    kind, side, dataflow, flows = "DataInPort", "inport", "push", ("push",)
+
+    def __init__(self, port, properties=None, name="rtshell_lite", anyway=False):
+        Connection.__init__(self, port, name, properties)
+        self.audience = None if anyway else Audience(port.node, self.where)
+        self.taken = self.refused = 0
+        self.backlog = Backlog(None, LENGTH)
+        self.alone = not port.connectors
+        self.room = None  # the length of buffer that the port is asked for
+        self.hurried = False
+
+    def expect(self, values, size):
+        """So many values, of `size` bytes each, may come before the component has read the first.
+
+        Where nobody else is connected, the port is asked for a buffer that holds them and that refuses what does not fit; it has
+        its usual one, empty, when the Writer is closed.
+        """
+        room = min(values, ROOM, ROOM_BYTES // max(1, size))
+        chosen = any(key.startswith(("dataport.buffer.", "dataport.inport.buffer.")) for key in self.given)
+        if room > LENGTH and self.alone and not chosen:
+            self.room = room
+
+    def wishes(self):
+        found = {"dataport.subscription_type": "flush"}
+        if self.room:
+            found.update({"dataport.buffer.length": str(self.room), "dataport.buffer.write.full_policy": "do_nothing"})
+        return found
+
+    def _open(self):
+        if self.audience:
+            why = self.audience.look()
+            if why:
+                raise errors.No(self.where, "%s and would read the values at some later connection; %s first, or --anyway" % why)
+            self.backlog = Backlog(self.audience.rate, self.room or LENGTH)
+        Connection._open(self)
+        from rtshell_lite.idl_stubs.dataport import OpenRTM, RTC
+        self.sink = self.remote({"corba_cdr": OpenRTM.InPortCdr, "data_service": RTC.DataPushService})
+        self.operation = "put" if self.interface == "corba_cdr" else "push"
+
+    def put(self, data, little=True):
+        """Send CDR bytes. Raises Refused (buffer full, bad data, wrong byte order), Unreachable, Silent."""
+        if little != self.little:
+            raise errors.Refused(self.where, "wants %s-endian data" % ("little" if self.little else "big"))
+        try:
+            status = str(orb.ask(self.where, self.sink, self.operation, data))
+        except errors.Gone:
+            raise errors.Unreachable(self.where, self.lost())
+        except errors.Refused:
+            self.refused += 1
+            raise
+        self._compare_rates()
+        if status != "PORT_OK":
+            self.refused += 1
+            raise errors.Refused(self.where, "%s (%s)" % (REFUSALS.get(status, "it did not take the value"), status), name=status)
+        self.taken += 1
+        self.backlog.add(time.monotonic())
+
+    def _compare_rates(self):
+        """Remark once that values come faster than they are read."""
+        self.backlog.drain(time.monotonic())
+        if self.backlog.lost >= 1 and not self.hurried:
+            self.hurried = True
+            self.remark = "values come faster than it executes (%g Hz)" % self.backlog.rate
+
+    def due(self):
+        return isinstance(self.failure, errors.Silent) or self.audience is not None
+
+    def look(self):
+        if isinstance(self.failure, errors.Silent):
+            Connection.look(self)
+        why = self.audience and self.connector and self.audience.look()
+        if why:
+            raise errors.Unread(self.where, "%s now; %s" % (why[0], self.unread_words()))
+        if self.audience:
+            self.backlog.rate = self.audience.rate
+
+    def unread(self):
+        """errors.Unread where the component cannot have read all that its port took, by its rate; else None."""
+        if self.audience is None or self.audience.rate is None:
+            return None
+        self.backlog.drain(time.monotonic())
+        if self.backlog.waiting < 1 and self.backlog.lost < 1:
+            return None
+        return errors.Unread(self.where, "it executes at %g Hz; %s" % (self.audience.rate, self.unread_words()))
+
+    def unread_words(self):
+        """What became of the values, as far as it is known."""
+        self.backlog.drain(time.monotonic())
+        read = max(0, round(self.taken - self.backlog.lost - self.backlog.waiting))
+        rest = "dropped" if self.alone else "in its buffer, or overwritten"
+        return "it has read about %d of %d values; the rest is %s" % (read, self.taken, rest)
+
+    def release(self):
+        """Give the port its usual buffer again, emptied of what nobody has read: it would be read at some later connection."""
+        unread = self.alone and self.audience is not None and self.backlog.waiting >= 1
+        if not self.begun or not self.room and not unread:
+            return
+        self.room, self.backlog.waiting = None, 0.0
+        usual = dict(self.asked(), **{"dataport.buffer.length": str(LENGTH), "dataport.buffer.write.full_policy": "overwrite"})
+        try:
+            ports.disconnect(self.port, ports.connect_alone(self.port, self.name, usual))
+        except (errors.Silent, errors.Refused) as e:
+            self.failure = self.failure or e
+        except errors.Unreachable:
+            pass  # and its buffer with it
+
+
+def linger(writers, seconds, look):
+    """Wait until the components can have read what these Writers have put, or for `seconds` (None: as long as it takes).
+
+    Who cannot have read it all, or reads no more, has errors.Unread as its failure. look() is called every TICK.
+    """
+    writers = [writer for writer in writers if writer.taken]
+    needed = [_needed(writer, seconds) for writer in writers]
+    if not writers:
+        return
+    if max(needed) > WORTH_A_WORD:
+        slowest = writers[needed.index(max(needed))]
+        cli.note("%s: waiting %.1f s until it has read the values (--linger limits it)" % (slowest.where, max(needed)))
+    end = time.monotonic() + max(needed)
+    while time.monotonic() < end:
+        look()
+        time.sleep(max(0, min(TICK, end - time.monotonic())))
+    results = rpc.gather([rpc.Job(writer.endpoint, writer.where, writer.look) for writer in writers])
+    for writer, result in zip(writers, results):
+        writer.failure = writer.failure or (result if isinstance(result, errors.Error) else writer.unread())
+
+
+def _needed(writer, seconds):
+    """How long (seconds) to linger for a Writer."""
+    if writer.audience is None or writer.audience.rate is None:
+        return seconds if seconds is not None else UNKNOWN if writer.audience else 0
+    writer.backlog.drain(time.monotonic())
+    return min(writer.backlog.seconds(writer.taken), LONGEST if seconds is None else seconds)

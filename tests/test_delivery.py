@@ -1,0 +1,49 @@
+"""How many values wait unread in a port, by what is known: if this fails, rtinject leaves too early, or says what is not so."""
+import unittest
+
+from rtshell_lite.delivery import SETTLE, Backlog
+
+
+class Filling(unittest.TestCase):
+    def sent(self, rate, length, count, every):
+        """A Backlog that `count` values have come to, one `every` so many seconds."""
+        backlog = Backlog(rate, length)
+        for number in range(count):
+            backlog.add(number * every)
+        return backlog
+
+    def test_one_value_is_read_a_period_later(self):
+        backlog = self.sent(10.0, 8, 1, 0)
+        self.assertEqual(backlog.waiting, 1)
+        backlog.drain(0.05)
+        self.assertAlmostEqual(backlog.waiting, 0.5)
+        backlog.drain(0.2)
+        self.assertEqual(backlog.waiting, 0)
+
+    def test_at_the_rate_of_the_reader_none_is_lost(self):
+        backlog = self.sent(100.0, 8, 10000, 0.01)
+        self.assertLess(backlog.waiting, 1.01)
+        self.assertEqual(backlog.lost, 0)
+
+    def test_faster_than_the_reader(self):
+        """A second at 1 kHz into 100 Hz: a buffer of 8 has lost all but 8 and the 100 that were read, one of 1,000 none."""
+        backlog = self.sent(100.0, 8, 1000, 0.001)
+        self.assertAlmostEqual(backlog.lost, 892, delta=1)
+        self.assertEqual(backlog.waiting, 8)
+        backlog = self.sent(100.0, 1000, 1000, 0.001)
+        self.assertEqual(backlog.lost, 0)
+        self.assertAlmostEqual(backlog.waiting, 900, delta=1)
+
+    def test_who_never_reads(self):
+        backlog = self.sent(None, 8, 10, 1.0)
+        self.assertEqual((backlog.waiting, backlog.lost), (8, 2))
+
+    def test_how_long_reading_takes(self):
+        """What waits, what a slower clock may have left, and a cycle."""
+        self.assertAlmostEqual(self.sent(2.0, 8, 1, 0).seconds(1), (1 + 0.25 + 1) / 2 + SETTLE)
+        self.assertAlmostEqual(self.sent(1000.0, 5000, 1000, 0).seconds(1000), (1000 + 250 + 1) / 1000 + SETTLE)
+        self.assertAlmostEqual(self.sent(100.0, 8, 1000, 0.01).seconds(1000), (1 + 8 + 1) / 100 + SETTLE, delta=0.001)
+
+
+if __name__ == "__main__":
+    unittest.main()
