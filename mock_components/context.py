@@ -163,6 +163,7 @@ class Behaviour:
             return RTC.PRECONDITION_NOT_MET
         if self.flavour.transition == "at once":
             self._transit(member, wanted)
+            self._wake()
             return RTC.RTC_OK
         member.wanted = wanted
         self._wake()

@@ -115,10 +115,14 @@ class Connection:
             found = component.once_more(lambda: orb.ask(
                 self.where, self.port.ref, "get_connector_profile", to_wire(connector.id)))
         except (errors.Gone, errors.ConnectionRefused) as e:
-            raise errors.Unreachable(self.where, "the component %s" % (
-                "has ended" if isinstance(e, errors.Gone) else "is gone, and its process too"))
+            raise self.component_ended(e)
         if not found.connector_id and not self.closing.is_set():
             raise errors.Unreachable(self.where, self.lost())
+
+    def component_ended(self, e):
+        """The error for a component that is found to be Gone, or ConnectionRefused."""
+        return errors.Unreachable(self.where, "the component %s" % (
+            "has ended" if isinstance(e, errors.Gone) else "is gone, and its process too"))
 
     def lost(self):
         """The words for a connector that someone else has removed."""

@@ -189,7 +189,10 @@ class Writer(Connection):
     def look(self):
         if isinstance(self.failure, errors.Silent):
             Connection.look(self)
-        why = self.audience and self.connector and self.audience.look()
+        try:
+            why = self.audience and self.connector and self.audience.look()
+        except (errors.Gone, errors.ConnectionRefused) as e:
+            raise self.component_ended(e)
         if why:
             raise errors.Unread(self.where, "%s now; %s" % (why[0], self.unread_words()))
         if self.audience:
@@ -200,20 +203,20 @@ class Writer(Connection):
         if self.audience is None or self.audience.rate is None:
             return None
         self.backlog.drain(time.monotonic())
-        if self.backlog.waiting < 1 and self.backlog.lost < 1:
+        if not self.backlog.waiting and self.backlog.lost < 1:
             return None
         return errors.Unread(self.where, "it executes at %g Hz; %s" % (self.audience.rate, self.unread_words()))
 
     def unread_words(self):
         """What became of the values, as far as it is known."""
         self.backlog.drain(time.monotonic())
-        read = max(0, round(self.taken - self.backlog.lost - self.backlog.waiting))
+        read = max(0, round(self.taken - self.backlog.lost) - math.ceil(self.backlog.waiting))
         rest = "dropped" if self.alone else "in its buffer, or overwritten"
         return "it has read about %d of %d values; the rest is %s" % (read, self.taken, rest)
 
     def release(self):
         """Give the port its usual buffer again, emptied of what nobody has read: it would be read at some later connection."""
-        unread = self.alone and self.audience is not None and self.backlog.waiting >= 1
+        unread = self.alone and self.audience is not None and self.backlog.waiting > 0
         if not self.begun or not self.room and not unread:
             return
         self.room, self.backlog.waiting = None, 0.0
@@ -231,6 +234,9 @@ def linger(writers, seconds, look):
 
     Who cannot have read it all, or reads no more, has errors.Unread as its failure. look() is called every TICK.
     """
+    for writer in writers:
+        if writer.refused and writer.refused + writer.taken > 1:
+            cli.complain("%s: it refused %d of %d values" % (writer.where, writer.refused, writer.refused + writer.taken))
     writers = [writer for writer in writers if writer.taken]
     needed = [_needed(writer, seconds) for writer in writers]
     if not writers:

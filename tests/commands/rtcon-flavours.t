@@ -20,6 +20,7 @@ All of them connect, and carry data:
   py2
   java
   rtorb
+  $ for at in cpp11 cpp12 cpp2 py2 java rtorb; do rtact --wait $here/$at.host_cxt/ConsoleOut0.rtc; done
   $ for n in '' 2 3 4 5 6; do ctl @two$n write ConsoleIn0:out 7; ctl @two$n received ConsoleOut0:in 1; done
   1 7
   1 7

@@ -18,6 +18,7 @@ world: these Mock:Mock0 ConsoleIn:ConsoleIn1 Motor
 
 Data arrives:
 
+  $ rtact ConsoleOut0.rtc
   $ ctl write ConsoleIn0:out 42; ctl received ConsoleOut0:in 1
   1 42
 

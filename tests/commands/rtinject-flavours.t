@@ -8,6 +8,7 @@ world: two --flavour py2 --context py2.host_cxt/%n.rtc
 world: two --flavour java --context java.host_cxt/%n.rtc
 world: two --flavour rtorb --context rtorb.host_cxt/%n.rtc
 
+  $ for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtact --wait ../$v.host_cxt/ConsoleOut0.rtc; done
   $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtinject "$@" ../$v.host_cxt/ConsoleOut0.rtc:in; done
   >   for w in two two2 two3 two4 two5 two6; do ctl @$w received ConsoleOut0:in 1; ctl @$w connectors ConsoleOut0:in; done; }
   $ each -c '{"data": 1}'

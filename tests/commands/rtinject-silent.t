@@ -5,6 +5,7 @@ world: these ConsoleOut:Far0
 
   $ export RTSHELL_TIMEOUT=1
   $ got() { ctl "$@" | cut -d' ' -f1; }
+  $ rtact ConsoleOut0.rtc Far0.rtc
   $ rtinject -n -1 -r 50 -c 1 ConsoleOut0.rtc:in Far0.rtc:in 2>said & pid=$!; got received ConsoleOut0:in 20
   20
   $ hang these; until grep -q answer said; do :; done; n=$(got received ConsoleOut0:in)

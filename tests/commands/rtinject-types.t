@@ -4,6 +4,7 @@ once: it is the types that differ here
 world: custom
 world: custom --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 
+  $ rtact --wait Arm0.rtc ../cpp11.host_cxt/Arm0.rtc
   $ cat >arm.idl <<END
   > #include <BasicDataType.idl>
   > module Arm {
@@ -42,6 +43,7 @@ world: custom --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 
 A log has the description of its types, if there was one:
 
+  $ rtdeact --wait Arm0.rtc ../cpp11.host_cxt/Arm0.rtc
   $ recorded() { w=$1; shift; rtlog -i -e 1 "$@" & pid=$!; until ctl @$w connectors Arm0:status | grep -q . || ! kill -0 $pid 2>&-; do :; done
   >   ctl @$w write Arm0:status 3; wait $pid; }
   $ recorded custom2 -f known.rtlog ../cpp11.host_cxt/Arm0.rtc:status.arm; rtlog -p -f known.rtlog
@@ -56,5 +58,6 @@ A log has the description of its types, if there was one:
   rtlog: Recording 1 entries.
   64 bytes: 000000000000000001000000020000000900000073686f756c64657200??????000000000000084006000000656c626f7700????????????000000000000f83f (glob)
   [0.000000000] doing=MOVING joints=[(name='shoulder', angle=3.0), (name='elbow', angle=1.5)]
+  $ rtact Arm0.rtc
   $ for log in known idl bytes; do rtlog -p -q -f $log.rtlog Arm0.rtc:command.arm; done; ctl received Arm0:command 5
   5 ('MOVING', [('shoulder', 3.0), ('elbow', 1.5)])

@@ -149,6 +149,7 @@ Refused, dead, silent:
 
   $ ctl answer ConsoleOut0:in BUFFER_FULL; rtinject -n 3 -r 50 -c '{"data": 1}' ConsoleOut0.rtc:in Far0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: its buffer is full (BUFFER_FULL)
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it refused 3 of 3 values
   [5]
   $ ctl answer ConsoleOut0:in PORT_ERROR; rtinject -c '{"data": 1}' ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it reports an error of the port (PORT_ERROR)

@@ -1,10 +1,11 @@
 rtlog plays logs into in ports, or to the terminal.
 
 world: senders 100 1000
-world: these ConsoleOut Mock
+world: these ConsoleOut ConsoleOut:ConsoleOut1
 alone: time
 once: it is the clock that counts here
 
+  $ rtact ConsoleOut0.rtc ConsoleOut1.rtc
   $ rtlog -q -i -e 10 -f a.rtlog Source0.rtc:number.numbers; rtlog -q -i -e 10 --append -f a.rtlog Source0.rtc:block.blocks
   $ rtlog --csv -f a.rtlog | grep numbers | cut -d, -f6 > numbers; last=$(tail -n 1 numbers)
 
@@ -13,9 +14,9 @@ By NAME, or by place; as long as recording took; nothing is left behind:
   $ within 0.05-10 rtlog -v -p -i -e 10 -f a.rtlog ConsoleOut0.rtc:in.numbers
   rtlog: Playing 10 entries.
   $ [ "$(ctl @these received ConsoleOut0:in 10)" = "10 $last" ]
-  $ within 0.05-10 rtlog -p -i -e 10 -f a.rtlog ConsoleOut0.rtc:in Mock0.rtc:in.numbers
+  $ within 0.05-10 rtlog -p -i -e 10 -f a.rtlog ConsoleOut0.rtc:in ConsoleOut1.rtc:in.numbers
   rtlog: Playing 10 entries.
-  $ ctl @these received ConsoleOut0:in 20 | cut -d' ' -f1; ctl @these received Mock0:in 10 | cut -d' ' -f1
+  $ ctl @these received ConsoleOut0:in 20 | cut -d' ' -f1; ctl @these received ConsoleOut1:in 10 | cut -d' ' -f1
   20
   10
   $ ctl @these connectors ConsoleOut0:in
@@ -104,8 +105,8 @@ Wrong ports:
   $ rtlog -p -f a.rtlog ConsoleOut0.rtc:in.blocks
   rtlog: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: data types differ: IDL:RTC/TimedOctetSeq:1.0 in the log, IDL:RTC/TimedLong:1.0 here
   [1]
-  $ rtlog -p -f b.rtlog Mock0.rtc:out.n
-  rtlog: /localhost:$PORT/test.host_cxt/Mock0.rtc:out: not a DataInPort (it is a DataOutPort)
+  $ rtlog -p -f b.rtlog Source0.rtc:number.n
+  rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: not a DataInPort (it is a DataOutPort)
   [3]
   $ rtlog -p -f b.rtlog ConsoleOut0.rtc
   rtlog: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no port specified (see --help)
@@ -129,5 +130,5 @@ Ctrl-C, and a component that dies or hangs meanwhile:
   143
   129
   $ rtlog -p -f c.rtlog -r 0.3 ConsoleOut0.rtc:in.n & until [ -n "$(ctl @these connectors ConsoleOut0:in)" ]; do :; done; kill-mock these; wait $!
-  rtlog: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: connection lost
+  rtlog: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: the component is gone, and its process too
   [4]

@@ -14,7 +14,7 @@ While they are made, which takes its time here:
   $ ctl delay connect 1; rtprint $six & pid=$!; until called connect; do :; done; kill $pid; wait $pid
   [143]
   $ all_removed
-  $ ctl reset; ctl delay connect 1; rtinject -c 1 -n -1 ConsoleOut0.rtc:in & pid=$!; until called connect; do :; done; kill -HUP $pid; wait $pid
+  $ rtact ConsoleOut0.rtc; ctl reset; ctl delay connect 1; rtinject -c 1 -n -1 ConsoleOut0.rtc:in & pid=$!; until called connect; do :; done; kill -HUP $pid; wait $pid
   [129]
   $ all_removed; ctl reset
 
