@@ -7,7 +7,7 @@ The connector is removed however the `with` statement ends. Commands call cli.un
 import threading
 import time
 
-from rtshell_lite import component, errors, interrupts, orb, ports, rpc
+from rtshell_lite import cli, component, errors, interrupts, orb, ports, rpc
 from rtshell_lite.text import printable, shell_word, to_wire
 
 INTERFACES = ("corba_cdr", "data_service")  # what can be used, the first preferred
@@ -25,7 +25,7 @@ class Connection:
         self.port, self.where, self.name = port, ports.label(port), name
         self.endpoint = orb.endpoint(port.ref)
         self.given = dict(properties or {})
-        self.connector = self.failure = None
+        self.connector = self.failure = self.left = None  # left: a connector that could not be removed
         self.remark = None  # what the user is to know, once, though nothing fails
         self.little = True  # the byte order agreed upon
         self.begun = False
@@ -89,8 +89,7 @@ class Connection:
             connector, self.connector = self.connector, None
         try:
             if connector and not self.is_at_rest():
-                self.failure = errors.Unreachable(self.where, "connection %s stays, as a fetch is still unanswered: to remove it now "
-                                                  "could end the component; once it answers: %s" % self._remedy(connector))
+                self.left = connector
             elif connector:
                 ports.disconnect(self.port, connector)
         except (errors.Silent, errors.Refused) as e:
@@ -99,8 +98,12 @@ class Connection:
             pass  # and its connectors with it
         self.release()
 
-    def _remedy(self, connector):
-        return printable(connector.id), "rtdis -i %s %s" % (shell_word(connector.id), shell_word(self.where))
+    def report_left(self):
+        """Print that the connector is still there, if it is, and what removes it."""
+        if self.left:
+            cli.complain("%s: connection %s stays, because a fetch is unanswered and to remove it now could end the component; "
+                         "when it answers again: rtdis -i %s %s" % (
+                             self.where, printable(self.left.id), shell_word(self.left.id), shell_word(self.where)))
 
     def is_at_rest(self):
         """Whether the connector can be removed without harm; may wait until it can."""
@@ -210,6 +213,8 @@ class Opened:
             self.ended.set()
             self._in_lanes("close")
             self.closed = True
+            for each in self.connections:
+                each.report_left()
 
     def live(self):
         """The connections that may still bring or take something."""
@@ -236,6 +241,8 @@ class Opened:
         for each in [each for each in self.connections if each.begun]:
             each.settled.wait(max(0, end - time.monotonic()))
         self._in_lanes("close", [each for each in self.connections if each.connector])
+        for each in self.connections:
+            each.report_left()
 
     def _watch(self):
         while not self.ended.wait(LOOK):

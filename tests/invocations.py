@@ -25,8 +25,8 @@ ASKING = {
     "rtexit": ["A", "--wait 0.5 A"],
     "rtfind": ["SERVER", "SERVER --state error", "--json SERVER -t z", "SERVER -n none --wait 0.5"],
     "rtfsm": ["A getstate", "A getstructure", "A seteventprofiles a:TimedLong"],
-    "rtinject": ["-c {\"data\":1} A:in", "-c {\"data\":1} -n 3 -r 100 B:in A:in"],
-    "rtlog": ["-f OUT -t 0.5 A:out", "-p -f LOG A:in"],
+    "rtinject": ["--anyway -c {\"data\":1} A:in", "-c {\"data\":1} -n 3 -r 100 B:in A:in", "--anyway -c 1 -n 3 -r 100 B:in A:in"],
+    "rtlog": ["-f OUT -t 0.5 A:out", "-p -f LOG A:in", "-p --anyway -f LOG A:in"],
     "rtls": ["-lR SERVER", "-l SERVER", "SERVER", "--json -l SERVER", "A"],
     "rtmgr": ["-r MGR", "-c Mock MGR", "-l Mock.so:MockInit -m --loaded --factories MGR", "-d Mock0 MGR"],
     "rtprint": ["-t 0.5 A:out", "-n 1 -t 0.5 --raw A:out B:out", "--pull -t 0.5 A:out", "--stats -t 0.5 A:out"],
@@ -52,7 +52,7 @@ LOCAL = {"rtpwd"}  # these contact nobody
 
 # Words with which a command goes on until it is ended; it must have someone to ask.
 LASTING = {"rtprint": "A:out", "rtlog": "-f OUT A:out", "rtwatch": "A", "rtvlog": "A", "rttop": "A",
-           "rtinject": "-n -1 -r 50 -c {\"data\":1} B:in", "rtfind": "SERVER -n none --wait 60", "rtact": "--wait 60 A",
+           "rtinject": "--anyway -n -1 -r 50 -c {\"data\":1} B:in", "rtfind": "SERVER -n none --wait 60", "rtact": "--wait 60 A",
            "rtsh": ""}
 
 

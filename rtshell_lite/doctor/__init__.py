@@ -12,28 +12,27 @@ from rtshell_lite.doctor.finding import warn
 STEPS = 3  # times the timeout: what takes longer is told as not looked at; a step waits for silence only once
 
 
-def examine(tops=(), compare=None, seconds=0, large=False):
+def examine(tops=(), compare=None, seconds=0):
     """Yield lists of Findings, step by step. Without Paths `tops`, or with the root, all name servers are examined.
 
     compare  (RtsProfile, its file as commands are told it, the state of the components): what the system is to agree with
     seconds  how long rates are measured, which connects to an out port of each active component and leaves it again; 0: not
-    large    whether ports with large values are connected to, too
     """
     rpc.end = time.monotonic() + STEPS * rpc.timeout
     try:
-        for findings in _steps(tops, compare, seconds, large):
+        for findings in _steps(tops, compare, seconds):
             yield findings
     finally:
         rpc.end = None  # other commands may follow in this process
 
 
-def _steps(tops, compare, seconds, large):
+def _steps(tops, compare, seconds):
     found = here.findings()
     yield found
     if any(each.check in ("omniORBpy", "ORB") and each.level == "fail" for each in found):
         return
     everything = not tops or path.ROOT in tops
-    for findings in _robot(_name_servers() if everything else tops, seconds, large):
+    for findings in _robot(_name_servers() if everything else tops, seconds):
         yield findings
     if compare:
         from rtshell_lite.doctor import profile
@@ -46,7 +45,7 @@ def _name_servers():
     return [path.parse("/" + address) for address in tree.servers() if not here.fault(address)]
 
 
-def _robot(tops, seconds, large):
+def _robot(tops, seconds):
     from rtshell_lite.doctor import components, connections, managers, references, servers
     visits = servers.visits(tops)
     yield [each for visit in visits for each in visit.findings] + _same_server(visits)
@@ -55,16 +54,16 @@ def _robot(tops, seconds, large):
     examined = components.examined(nodes)
     links, managed = connections.findings(examined), managers.findings(nodes)
     hung = sorted(str(node.path) for node in nodes if node.kind == "silent")
-    yield components.findings(examined, _rates(examined, seconds, large) if seconds else {}, hung)
+    yield components.findings(examined, _rates(examined, seconds) if seconds else {}, hung)
     yield links
     yield managed
 
 
-def _rates(examined, seconds, large):
+def _rates(examined, seconds):
     from rtshell_lite.doctor import rates
     end, rpc.end = rpc.end, None  # what is connected must be disconnected again, whatever the time
     try:
-        return rates.measured(examined, seconds, large)
+        return rates.measured(examined, seconds)
     finally:
         rpc.end = end
 

@@ -19,19 +19,17 @@ class Watched:
         self.count = 0  # values seen
 
 
-def measured(all_of_them, seconds, large):
+def measured(all_of_them, seconds):
     """Measure for `seconds` each component that can be: {path: [Finding]}.
 
-    As `execution.measured` does, several at a time; no new batch begins when the timeout is over. With `large`, ports whose
-    values may be large are measured, too, which costs, since each value is fetched; and it is told which components could not
-    be measured.
+    As `execution.measured` does, several at a time; no new batch begins when the timeout is over.
     """
     found, waiting = {}, []
     for each in all_of_them:
-        watched, why_not = _watchable(each, large)
+        watched, why_not = _watchable(each)
         if watched:
             waiting.append(watched)
-        elif why_not and large:
+        elif why_not:
             found[each.where] = [ok("rate", each.where, "rate not measured: " + why_not)]
     begun = time.monotonic()
     while waiting:
@@ -52,7 +50,7 @@ def _batch(waiting):
     return batch, rest
 
 
-def _watchable(each, large):
+def _watchable(each):
     """(Watched, '') for a component whose rate can be seen from outside, else (None, why not, '' where that is told)."""
     running = [(context, state) for context, state in zip(each.contexts, each.states)
                if context is not None and context.running and context.kind == "Periodic" and context.rate > 0]
@@ -64,10 +62,12 @@ def _watchable(each, large):
     found = [port for port in each.ports if port.type == "DataOutPort"]
     if not found:
         return None, "it has no out port"
-    small = [port for port in found if large or datatypes.has_fixed_size(port)]
-    if not small:
-        return None, ""
-    return Watched(each, active[0].rate, small[0]), ""
+    return Watched(each, active[0].rate, _smallest(found)), ""
+
+
+def _smallest(found):
+    """Of out ports, the one whose values cost least to fetch, as far as the types tell."""
+    return next((port for port in found if datatypes.has_fixed_size(port)), found[0])
 
 
 def _unmeasured(each, e):
@@ -106,4 +106,4 @@ def _finding(one, spent):
     if one.count + 1 >= ENOUGH * one.rate * spent:  # one more may have been on its way
         return ok("rate", where, "keeps %.1f of %g Hz (writes to %s)" % (kept, one.rate, name))
     return warn("rate", where, "keeps %.1f of %g Hz, or does not write to %s in each cycle" % (kept, one.rate, name),
-                "rtec %s rate %d, or look for what takes its time: top" % (one.each.word, max(1, kept)))
+                "look for what takes the time of its host, or of the component itself: top")

@@ -10,7 +10,7 @@ world: linked --flavour cpp2 --context new.host_cxt/%n.rtc
 world: linked --flavour rtorb --context small.host_cxt/%n.rtc
 world: services --context service.host_cxt/%n.rtc
 
-  $ doctor() { rtdoctor --no-measure "$@" > out; code=$?; grep -v -e "here: " -e " failed, " -e "^[a-z]* *[^ ]*$PORT: [as][nl]" out; return $code; }
+  $ doctor() { rtdoctor "$@" > out; code=$?; grep -v -e "here: " -e " failed, " -e "^[a-z]* *[^ ]*$PORT: [as][nl]" out; return $code; }
   $ rtact ../far.host_cxt/Far0.rtc
 
 One-sided; told differently at both ends; of different types; left by a tool that has been killed:
@@ -61,12 +61,12 @@ A far end that is not below the path is asked all the same, and may be gone when
   $ ctl @these2 fail get_port_profile 1 NO_PERMISSION; doctor -q ../near.host_cxt
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection, at 127.0.0.1:*, cannot be asked (CORBA.NO_PERMISSION); try: restart the process of the far end, or: rtdis -i $UUID /localhost:$PORT/near.host_cxt/Near0.rtc:out (glob)
   [1]
-  $ ctl @these2 delay get_port_profile 30; within 0.4-2 rtdoctor -q --no-measure --timeout 0.5 ../near.host_cxt | grep Near; ctl @these2 delay get_port_profile 0
+  $ ctl @these2 delay get_port_profile 30; within 0.4-2 rtdoctor -q --timeout 0.5 ../near.host_cxt | grep Near; ctl @these2 delay get_port_profile 0
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection, at 127.0.0.1:*, cannot be asked (no answer within 0.5s); try: restart the process of the far end, or: rtdis -i $UUID /localhost:$PORT/near.host_cxt/Near0.rtc:out (glob)
 
 A far end whose process hangs makes the near one hang, too, for it looks whether its far ends are there:
 
-  $ hang these2; within 0.5-2 rtdoctor -q --no-measure --timeout 0.5 ../near.host_cxt ../far.host_cxt | grep rtc; resume these2
+  $ hang these2; within 0.5-2 rtdoctor -q --timeout 0.5 ../near.host_cxt ../far.host_cxt | grep rtc; resume these2
   fail  /localhost:$PORT/far.host_cxt/Far0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc: hangs when asked for the profile of its port 1, maybe waiting for a hung far end; try: mend /localhost:$PORT/far.host_cxt/Far0.rtc first
 

@@ -27,7 +27,7 @@ rtdoctor looks first at what is here: programs, settings of omniORB, names of th
   > socket.create_connection = connect
   > END
   $ mkdir bare; echo 'raise ImportError("none here")' > bare/omniORB.py
-  $ doctor() { PYTHONPATH=$TMP/fake${PYTHONPATH:+:$PYTHONPATH} rtdoctor --no-measure "$@"; }
+  $ doctor() { PYTHONPATH=$TMP/fake${PYTHONPATH:+:$PYTHONPATH} rtdoctor "$@"; }
   $ touch none.cfg; export HOSTS="robot1=198.51.100.1 localhost=127.0.0.1" OMNIORB_CONFIG=$TMP/none.cfg
 
 All is well:

@@ -6,7 +6,7 @@ world: these Mock:Hung0 Mock:Hung1 --context hung.host_cxt/%n.rtc
 world: these Mock:Dead0 --context dead.host_cxt/%n.rtc
 faulty: refused dead-host silent drip reset close garbage late-silent late-reset hostile loop
 
-  $ doctor() { rtdoctor --no-measure "$@" > out; code=$?; grep -v -e "this host's name" -e ": slow (" out; return $code; }
+  $ doctor() { rtdoctor "$@" > out; code=$?; grep -v -e "this host's name" -e ": slow (" out; return $code; }
 
   $ doctor -q localhost:$REFUSED
   fail  /localhost:$REFUSED: connection refused: localhost runs, but nothing listens on port $REFUSED; try: start the name server there: rtm-naming $REFUSED

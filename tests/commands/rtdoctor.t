@@ -5,7 +5,7 @@ world: managers --rate 20 --context mgr.host_cxt/%n.rtc
 server: another
 world: linked --nameserver localhost:$PORT2
 
-  $ doctor() { rtdoctor --no-measure "$@" > out; code=$?; grep -v -e "this host's name" -e ": slow (" out; return $code; }
+  $ doctor() { rtdoctor "$@" > out; code=$?; grep -v -e "this host's name" -e ": slow (" out; return $code; }
   $ rtact --wait Sensor0.rtc Controller0.rtc Motor0.rtc Hokuyo_AIST0.rtc Clusterer0.rtc
 
 A robot that works: a line for each object, a summary, status 0. With -q, nothing is left to say (a busy machine may not keep
@@ -18,24 +18,21 @@ a rate for a moment):
   ok    /localhost:$PORT/mgr.host_cxt/ConsoleIn0.rtc: Inactive, claims 20 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/mgr.host_cxt/ConsoleOut0.rtc: Inactive, claims 20 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/test.host_cxt/Clusterer0.rtc: Active, claims 10 Hz, 2 ports, 1 connection, at 127.0.0.1:* (glob)
-  ok    /localhost:$PORT/test.host_cxt/Controller0.rtc: keeps * of 10 Hz (writes to out) (glob)
   ok    /localhost:$PORT/test.host_cxt/Controller0.rtc: Active, claims 10 Hz, 2 ports, 2 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc: Active, claims 10 Hz, 3 ports, 1 connection, at 127.0.0.1:* (glob)
-  ok    /localhost:$PORT/test.host_cxt/Motor0.rtc: keeps * of 10 Hz (writes to out) (glob)
   ok    /localhost:$PORT/test.host_cxt/Motor0.rtc: Active, claims 10 Hz, 2 ports, 2 connections, at 127.0.0.1:* (glob)
-  ok    /localhost:$PORT/test.host_cxt/Sensor0.rtc: keeps * of 10 Hz (writes to out) (glob)
   ok    /localhost:$PORT/test.host_cxt/Sensor0.rtc: Active, claims 10 Hz, 2 ports, 2 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/mgr.host_cxt/manager.mgr: manager of 2 components, 2 slaves, at 127.0.0.1:* (glob)
-  $ rtdoctor --no-measure | grep -c '^[0-9]* failed, [0-9]* to be looked at, [0-9]* ok$'
+  $ rtdoctor | grep -c '^[0-9]* failed, [0-9]* to be looked at, [0-9]* ok$'
   1
   $ doctor -q
   $ doctor -q; rtdoctor -q --measure > out; grep -v -e "this host's name" -e " keeps " out
   [1]
   $ rtdoctor -q localhost:$PORT localhost:$PORT2 > out; rtdoctor -q /localhost:$PORT/test.host_cxt/Motor0.rtc > out
 
-With --no-measure it only asks. What is bound twice, or by a manager, too, is asked once:
+It only asks. What is bound twice, or by a manager, too, is asked once:
 
-  $ ctl reset; ctl @managers slave 1 reset; rtdoctor -q --no-measure > out; ctl calls Motor0
+  $ ctl reset; ctl @managers slave 1 reset; rtdoctor -q > out; ctl calls Motor0
   1 _non_existent
   1 get_component_profile
   1 get_component_state
@@ -58,7 +55,7 @@ With --no-measure it only asks. What is bound twice, or by a manager, too, is as
   1 get_profile
   1 get_sdo_id
   1 is_running
-  $ ctl reset; rtdoctor -q > out; ctl calls Motor0 | grep -v get
+  $ ctl reset; rtdoctor -q --measure > out; ctl calls Motor0 | grep -v get
   1 _non_existent
   1 connect
   1 disconnect
@@ -88,7 +85,7 @@ A path, several, a name server; relative paths start at the working directory:
 A word without a dot or a slash is a name server, as is an address, or what is in RTCTREE_NAMESERVERS:
 
   $ for each in localhost 127.0.0.1 '[::1]' 127.0.0.1:2809 robot.local; do
-  > RTCTREE_NAMESERVERS=robot.local rtdoctor -q --no-measure $each | sed -n 's/^fail  \(\/[^ ]*\): .*/\1/p'; done
+  > RTCTREE_NAMESERVERS=robot.local rtdoctor -q $each | sed -n 's/^fail  \(\/[^ ]*\): .*/\1/p'; done
   /localhost
   /127.0.0.1
   /[::1]
@@ -108,7 +105,7 @@ One JSON object a line, whatever -q leaves:
   {"check": "component", "level": "ok", "message": "Active, claims 10 Hz, 2 ports, 2 connections, at 127.0.0.1:*", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "remedy": ""} (glob)
   $ rtdoctor --json -q nobody.rtc | tail -1
   {"check": "path", "level": "fail", "message": "no such path", "path": "/localhost:$PORT/test.host_cxt/nobody.rtc", "remedy": "rtls /localhost:$PORT/test.host_cxt"}
-  $ rtdoctor --no-measure --json | python3 -c 'import json, sys
+  $ rtdoctor --json | python3 -c 'import json, sys
   > for line in sys.stdin:
   >     each = json.loads(line)
   >     assert sorted(each) == ["check", "level", "message", "path", "remedy"], each
@@ -150,9 +147,6 @@ Wrong usage:
   [2]
   $ rtdoctor --measure=0
   rtdoctor: argument --measure: not a number of seconds above 0: 0 (see --help)
-  [2]
-  $ rtdoctor --measure --no-measure
-  rtdoctor: --measure and --no-measure: one of the two (see --help)
   [2]
   $ rtdoctor -s Dead
   rtdoctor: argument -s/--state: not one of Active, Inactive, Error, Created, Unknown: Dead (see --help)

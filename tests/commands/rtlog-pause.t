@@ -1,0 +1,25 @@
+What comes while rtlog is held up waits in the component, as far as its memory is not burdened by that.
+
+once: it is the clock that counts here
+alone: time
+world: senders 500 100
+world: senders 20 300000 --context big.host_cxt/%n.rtc
+
+Values of any size, 500 a second, while rtlog does nothing for 0.2 s, four times:
+
+  $ rtlog -q -f a.rtlog Source0.rtc:block.blocks & pid=$!; until [ "$(wc -c 2>/dev/null <a.rtlog || echo 0)" -gt 10000 ]; do :; done
+  $ for i in 1 2 3 4; do kill -STOP $pid; sleep 0.2; kill -CONT $pid; sleep 0.3; done; kill $pid; wait $pid
+  [143]
+  $ rtlog --json -f a.rtlog | python3 -c 'import base64, json, sys
+  > numbers = [int.from_bytes(base64.b64decode(json.loads(line)["value"]["data"])[:8], "little") for line in sys.stdin]
+  > print(len(numbers) > 800, [n for n, m in zip(numbers, numbers[1:]) if m != n + 1])'
+  True []
+
+How large values are is known when they come: then the port gets a shorter buffer:
+
+  $ rtlog -q -f b.rtlog ../big.host_cxt/Source0.rtc:block & pid=$!
+  $ until rtcat --json ../big.host_cxt/Source0.rtc:block | grep -o 'buffer.length": "55"'; do :; done
+  buffer.length": "55"
+  $ kill $pid; wait $pid
+  [143]
+  $ ctl @senders2 connectors Source0:block
