@@ -7,6 +7,8 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
   tests/run 'rtls.t (dash)'       one transcript under one shell
   tests/run --python 3.7 rtls     on another Python
   tests/run --peers               profiles against PyYAML and the real rtsprofile, from the package index
+  tests/run --real DIR [--real DIR]  every command, in loops, on real components: DIR holds built examples of OpenRTM-aist, of C++ or
+                                  Python; --rounds N of each loop (100), a word of a test's name for a part
   tests/run --long test_long      the long form of what tests/faults/ and the like try in short: hours in all
   tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
   tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13, transcripts on 3.7 under ash and on 3.13 under
@@ -284,6 +286,8 @@ def jobs_for(version, wheel, args):
     python = environments.find_python(version)
     interpreter = environments.prepare(python, wheel)
     setting = transcripts.Setting(interpreter, os.path.dirname(interpreter))
+    if args.real:
+        return module_jobs(python, setting, wheel, args.pattern, test_modules("compat"))
     if args.accept:
         return transcript_jobs(python, setting, args.pattern, accept=True)
     if not args.all:
@@ -337,6 +341,8 @@ def options():
     parser.add_argument("pattern", nargs="*", help="part of a test's name")
     parser.add_argument("--python", action="append", metavar="VERSION", help="a version or a path; may be repeated")
     parser.add_argument("--peers", action="store_true", help="compare with the real libraries")
+    parser.add_argument("--real", action="append", metavar="DIR", help="try built examples of OpenRTM-aist; may be repeated")
+    parser.add_argument("--rounds", type=int, default=100, metavar="N", help="with --real: how often each loop goes round")
     parser.add_argument("--all", action="store_true", help="the matrix")
     parser.add_argument("--long", action="store_true", help="all cases of the tests of faults, and long runs of 10 minutes")
     parser.add_argument("--accept", action="store_true", help="rewrite transcripts from what is printed")
@@ -345,8 +351,11 @@ def options():
 
 def main():
     args = options()
-    if args.long:
+    if args.long or args.real:
         os.environ["RTSHELL_FAULTS"] = "1"
+    if args.real:
+        os.environ["RTSHELL_REAL"] = os.pathsep.join(map(os.path.abspath, args.real))
+        os.environ["RTSHELL_ROUNDS"] = str(args.rounds)
     marker, score = mark(), Score()
     held = environments.lock()
     try:

@@ -1,0 +1,149 @@
+"""Built examples of OpenRTM-aist, found in directories and started on loopback. Nothing of OpenRTM is kept here.
+
+A directory with built examples of C++ holds programs such as SeqOutComp; one of Python holds OpenRTM_aist, with its stubs made.
+"""
+import glob
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+from rtshell_lite import component, errors, ports, tree
+
+START_LIMIT = 20.0  # seconds
+# The parts of a robot: the program (C++), the script (Python), and the instance name, where it is not that of the program.
+PARTS = {
+    "SeqOut": ("SeqOut", "SeqIO/SeqOut.py", "SequenceOutComponent"),
+    "SeqIn": ("SeqIn", "SeqIO/SeqIn.py", "SequenceInComponent"),
+    "ConsoleOut": ("ConsoleOut", "SimpleIO/ConsoleOut.py", "ConsoleOut"),
+    "Sensor": ("Sensor", "Composite/Sensor.py", "Sensor"),
+    "Controller": ("Controller", "Composite/Controller.py", "Controller"),
+    "Motor": ("Motor", "Composite/Motor.py", "Motor"),
+    "ConfigSample": ("ConfigSample", "ConfigSample/ConfigSample.py", "ConfigSample"),
+    "MyServiceProvider": ("MyServiceProvider", "SimpleService/MyServiceProvider.py", "MyServiceProvider"),
+    "MyServiceConsumer": ("MyServiceConsumer", "SimpleService/MyServiceConsumer.py", "MyServiceConsumer"),
+}
+CONFIGURATION = """\
+corba.nameservers: 127.0.0.1:%(port)d
+corba.endpoints: 127.0.0.1:
+naming.formats: %(context)s/%%n.rtc
+logger.enable: NO
+exec_cxt.periodic.rate: %(rate)g
+"""
+
+
+class Cplusplus:
+    """The examples of a directory with programs."""
+
+    name = "C++"
+
+    def __init__(self, directory):
+        found = glob.glob(os.path.join(glob.escape(directory), "**", "*Comp"), recursive=True)
+        self.programs = {os.path.basename(path)[:-len("Comp")]: path for path in found if os.access(path, os.X_OK)}
+        libraries = glob.glob(os.path.join(glob.escape(directory), "**", "lib*.so"), recursive=True)
+        self.environment = {"LD_LIBRARY_PATH": os.pathsep.join(sorted({os.path.dirname(path) for path in libraries}))}
+
+    def command(self, part):
+        return [self.programs[PARTS[part][0]]] if PARTS[part][0] in self.programs else None
+
+    def instance(self, part):
+        return PARTS[part][0] + "0"
+
+
+class Python:
+    """The examples of a directory with the package OpenRTM_aist."""
+
+    name = "Python"
+
+    def __init__(self, package):
+        self.examples = os.path.join(package, "examples")
+        idl = os.path.join(package, "RTM_IDL")
+        self.environment = {"PYTHONPATH": os.pathsep.join(
+            [os.path.dirname(package), package, idl, os.path.join(idl, "device_interfaces")])}
+
+    def command(self, part):
+        script = os.path.join(self.examples, PARTS[part][1])
+        return [sys.executable, script] if os.path.exists(script) else None
+
+    def instance(self, part):
+        return PARTS[part][2] + "0"
+
+
+def implementations(directories):
+    """What is found in the directories: Cplusplus and Python objects."""
+    found = []
+    for directory in directories:
+        if glob.glob(os.path.join(glob.escape(directory), "**", "SeqOutComp"), recursive=True):
+            found.append(Cplusplus(directory))
+        packages = glob.glob(os.path.join(glob.escape(directory), "**", "OpenRTM_aist", "RTM_IDL"), recursive=True)
+        found += [Python(os.path.dirname(package)) for package in packages[:1]]
+    return found
+
+
+class Robot:
+    """Components of one implementation, each in a process of its own, bound below a context of their own."""
+
+    def __init__(self, implementation, label, rate, name_server, parts=tuple(PARTS)):
+        self.implementation, self.label, self.rate = implementation, label, rate
+        self.home = "/127.0.0.1:%d/%s.host_cxt" % (name_server, label)
+        self.directory = tempfile.TemporaryDirectory(prefix="rt-real-")
+        self.processes = {part: self._start(part, name_server) for part in parts if implementation.command(part)}
+        self.nodes = {part: self._node(part) for part in self.processes}
+        self.connected = self.connectors()
+
+    def _start(self, part, name_server):
+        where = os.path.join(self.directory.name, part)
+        os.mkdir(where)
+        with open(os.path.join(where, "rtc.conf"), "w") as file:
+            file.write(CONFIGURATION % {"port": name_server, "context": self.label + ".host_cxt", "rate": self.rate})
+        with open(os.path.join(where, "out"), "wb") as out:
+            return subprocess.Popen(self.implementation.command(part) + ["-f", "rtc.conf"], cwd=where, stdin=subprocess.PIPE,
+                                    stdout=out, stderr=out, env=dict(os.environ, **self.implementation.environment))
+
+    def _node(self, part):
+        end = time.monotonic() + START_LIMIT
+        while True:
+            try:
+                return tree.component(self.path(part))
+            except errors.Error:
+                if time.monotonic() > end or self.processes[part].poll() is not None:
+                    raise AssertionError("%s did not start: %s" % (self.path(part), self.said(part)[-500:]))
+                time.sleep(0.1)
+
+    def path(self, part):
+        return "%s/%s.rtc" % (self.home, self.implementation.instance(part))
+
+    def said(self, part):
+        """What a component has printed so far."""
+        with open(os.path.join(self.directory.name, part, "out"), encoding="utf-8", errors="replace") as file:
+            return file.read()
+
+    def dead(self):
+        """Which processes have ended, and how."""
+        return ["%s %s: %s" % (self.label, part, process.returncode) for part, process in self.processes.items()
+                if process.poll() is not None]
+
+    def connectors(self):
+        """The ids of the connectors of each port."""
+        return {"%s:%s" % (part, port.name): sorted(connector.id for connector in port.connectors)
+                for part, node in self.nodes.items() for port in ports.ports(node)}
+
+    def wrong(self):
+        """What is not as it was: processes that have ended, ports whose connectors are others."""
+        dead = self.dead()
+        if dead:
+            return dead
+        now = self.connectors()
+        return ["%s %s: %s, not %s" % (self.label, name, now.get(name), before) for name, before in self.connected.items()
+                if now.get(name) != before]
+
+    def state(self, part):
+        return component.state(self.nodes[part])
+
+    def close(self):
+        for process in self.processes.values():
+            process.kill()
+            process.wait()
+            process.stdin.close()
+        self.directory.cleanup()

@@ -1,0 +1,249 @@
+"""Every command against real components of OpenRTM-aist: `tests/run --real DIR … [--rounds N]`.
+
+After each step every process lives, and every port has the connectors that it had before. Each loop prints what it counted.
+"""
+import collections
+import concurrent.futures
+import os
+import random
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+import mocks
+import peers
+from compat import real
+from rtshell_lite import component, dataport, delivery, ports
+
+DIRECTORIES = [each for each in os.environ.get("RTSHELL_REAL", "").split(os.pathsep) if each]
+ROUNDS = int(os.environ.get("RTSHELL_ROUNDS", "100"))
+LIMIT = 60.0  # seconds for one command
+SIGNALS = (None, signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+ENDED = {None: (0,), signal.SIGINT: (130, -2), signal.SIGTERM: (143, -15), signal.SIGHUP: (129, -1)}
+RATES = (100, 1000)  # Hz, of C++; Python keeps the first
+
+# What connects, injects and measures: words that end by themselves, and words that are ended by a signal.
+# OUT is an out port that something is written to, IN an in port that is read, PART a component that writes.
+LOOPS = {
+    "rtprint": ("rtprint -n 2 OUT", "rtprint OUT"),
+    "rtprint --pull": ("rtprint --pull -n 2 OUT", "rtprint --pull OUT"),
+    "rtlog": ("rtlog -q -i -e 2 -f LOG OUT", "rtlog -q -f LOG OUT"),
+    "rtlog --pull": ("rtlog -q --pull -i -e 2 -f LOG OUT", "rtlog -q --pull -f LOG OUT"),
+    "rtinject": ("rtinject -c 1 IN", "rtinject -c 1 -n -1 -r 50 IN"),
+    "rtec --measure": ("rtec --measure 0.2 PART", "rtec --measure 20 PART"),
+    "rtdoctor --measure": ("rtdoctor -q --measure 0.2 PART", "rtdoctor -q --measure 20 PART"),
+}
+# Each command once: what it is to answer with besides 0.
+ONCE = [
+    ("rtls -lR HOME", ()), ("rtls --json -l HOME", ()), ("rtcat -ll PART CONFIG", ()), ("rtcat --json PROVIDER OUT", ()),
+    ("rtfind HOME --state active", ()), ("rtfind HOME -t c -0", ()), ("rtconf CONFIG list", ()), ("rtconf CONFIG get int_param0", ()),
+    ("rtconf CONFIG set int_param0 7", ()), ("rtconf CONFIG act mode0", ()), ("rtconf CONFIG act default", ()), ("rtdoc PART", ()),
+    ("rtec PART", ()), ("rtec --json PART", ()), ("rtcryo -o FILE HOME", ()), ("rtcheck -s Active FILE", (1,)),
+    ("rtstodot --live --text FILE", ()), ("rtresurrect FILE", ()), ("rtdoctor HOME", (1,)), ("rtdoctor --measure 0.3 HOME", (1,)),
+    ("rttop -n 2 HOME", ()), ("rtwatch -t 1 PART", (6,)), ("rtvlog -t 1 PART", (6,)), ("rtcon PROVIDER:MyService CONSUMER:MyService", ()),
+    ("rtdis PROVIDER:MyService", ()), ("rtdeact PART", ()), ("rtact --wait PART", ()), ("rtstop FILE", ()), ("rtstart FILE", ()),
+    ("rtsh -c ls", ()), ("rtprint --stats -t 1 OUT", ()), ("rtinject --dry-run -c 1 IN", ()), ("rtdel -z HOME", ()),
+]
+
+robots = []
+top = None
+
+
+def setUpModule():
+    global top
+    if not DIRECTORIES:
+        raise unittest.SkipTest("needs --real DIR")
+    mocks.start_name_server()
+    top = tempfile.mkdtemp(prefix="rt-real-")
+    for implementation in real.implementations(DIRECTORIES):
+        for rate in RATES if implementation.name == "C++" else RATES[:1]:
+            robots.append(real.Robot(implementation, "%s%d" % (implementation.name[0].lower(), rate), rate, mocks.Server.port))
+    if not robots:
+        raise AssertionError("no built examples in " + ", ".join(DIRECTORIES))
+    for robot in robots:
+        prepare(robot)
+
+
+def tearDownModule():
+    for robot in robots:
+        robot.close()
+    mocks.Server.stop()
+    shutil.rmtree(top, ignore_errors=True)
+
+
+def prepare(robot):
+    """Values go round in it: from Sensor to Controller to Motor to Sensor, one for each of them."""
+    path = robot.path
+    for one, other in (("Sensor", "Controller"), ("Controller", "Motor"), ("Motor", "Sensor")):
+        done(["rtcon", path(one) + ":out", path(other) + ":in"])
+    active = ["Sensor", "Controller", "Motor", "ConsoleOut", "SeqOut", "SeqIn", "ConfigSample"]
+    done(["rtact", "--wait", "10"] + [path(part) for part in active if part in robot.nodes])
+    done(["rtinject", "-n", "3", "-r", "20", "-c", "1", path("Motor") + ":in"])
+    robot.connected = robot.connectors()
+
+
+def start(words):
+    command = [sys.executable, os.path.join(mocks.COMMANDS, words[0])] + words[1:]
+    return subprocess.Popen(command, cwd=top, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                            preexec_fn=lambda: [signal.signal(number, signal.SIG_DFL) for number in SIGNALS if number],
+                            env=dict(os.environ, RTCTREE_NAMESERVERS="127.0.0.1:%d" % mocks.Server.port,
+                                     LC_ALL="C.UTF-8", PYTHONDONTWRITEBYTECODE="1"))
+
+
+def ended(process):
+    """Its status and what it said."""
+    killer = threading.Timer(LIMIT, process.kill)
+    killer.start()
+    out, err = process.communicate()
+    killer.cancel()
+    return process.returncode, (out[-1000:] + err[-1000:]).decode("utf-8", "replace")
+
+
+def done(words, also=()):
+    status, said = ended(start(words))
+    if status != 0 and status not in also:
+        raise AssertionError("%s: status %s\n%s" % (" ".join(words), status, said))
+
+
+def words(line, robot, number=0):
+    """The words of a line of the tables, for one robot."""
+    places = {"HOME": robot.home, "PART": robot.path("Sensor"), "OUT": robot.path("Sensor") + ":out",
+              "IN": robot.path("ConsoleOut") + ":in", "CONFIG": robot.path("ConfigSample"),
+              "PROVIDER": robot.path("MyServiceProvider"), "CONSUMER": robot.path("MyServiceConsumer"),
+              "LOG": "%s-%d.rtlog" % (robot.label, number), "FILE": robot.label + ".rtsys"}
+    return re.sub(r"\b(%s)\b" % "|".join(places), lambda found: places[found.group()], line).split()
+
+
+class Real(unittest.TestCase):
+    def each_robot(self, function):
+        """Call function(robot, …) for all robots at the same time; each returns a line of figures."""
+        with concurrent.futures.ThreadPoolExecutor(len(robots)) as pool:
+            futures = [(robot, pool.submit(function, robot)) for robot in robots if not robot.dead()]
+            for robot, future in futures:
+                with self.subTest(robot.label):
+                    print("figures: %s: %s" % (robot.label, future.result()))
+
+    def unharmed(self, robot, after):
+        wrong = robot.wrong()
+        if wrong:
+            raise AssertionError("after %s: %s" % (after, "; ".join(wrong)))
+
+    def test_1_every_command(self):
+        def commands(robot):
+            for line, also in ONCE:
+                done(words(line, robot), also)
+                self.unharmed(robot, line)
+            return "%d commands" % len(ONCE)
+        self.each_robot(commands)
+
+    def test_2_one_value_is_read(self):
+        """rtinject of one value, at each rate: all are read."""
+        def inject(robot):
+            read = collections.Counter()
+            for hz in (2, 10, 100, 1000):
+                done(["rtec", robot.path("ConsoleOut"), "rate", str(hz)])
+                for number in range(50 if ROUNDS >= 50 else ROUNDS):
+                    value = "%d" % (hz * 1000 + 500000 + number)
+                    done(["rtinject", "-q", "-c", value, robot.path("ConsoleOut") + ":in"])
+                    read[hz] += value in robot.said("ConsoleOut")
+                self.unharmed(robot, "rtinject at %d Hz" % hz)
+            if set(read.values()) != {50 if ROUNDS >= 50 else ROUNDS}:
+                raise AssertionError("read: %s" % dict(read))
+            return "values read at 2, 10, 100, 1000 Hz: %s" % sorted(read.items())
+        self.each_robot(inject)
+
+    def test_3_loops(self):
+        """What connects, again and again, ended by itself or by a signal."""
+        def loop(robot):
+            counts = collections.Counter()
+            for number in range(ROUNDS):
+                for name, (short, endless) in LOOPS.items():
+                    self.round(robot, name, short, endless, number)
+                    counts[name] += 1
+            return "rounds without harm: %s" % dict(counts)
+        self.each_robot(loop)
+
+    def round(self, robot, name, short, endless, number):
+        ending = SIGNALS[number % len(SIGNALS)]
+        process = start(words(endless if ending else short, robot, number % 7))
+        if ending:
+            time.sleep(random.uniform(0.1, 0.6))
+            process.send_signal(ending)
+        status, said = ended(process)
+        if status not in ENDED[ending] + ((1,) if name.startswith("rtdoctor") else ()):
+            raise AssertionError("%s: status %s\n%s" % (name, status, said))
+        self.unharmed(robot, "%s, round %d, signal %s" % (name, number, ending))
+
+    def test_4_states(self):
+        def change(robot):
+            for number in range(ROUNDS):
+                part = robot.path("SeqIn")
+                done(["rtdeact", "--wait", "5", part])
+                done(["rtact", "--wait", "5", part])
+                done(["rtcon", robot.path("SeqOut") + ":Long", part + ":Long"])
+                done(["rtdis", robot.path("SeqOut") + ":Long", part + ":Long"])
+                self.unharmed(robot, "states, round %d" % number)
+            return "%d rounds of rtdeact, rtact, rtcon, rtdis" % ROUNDS
+        self.each_robot(change)
+
+    def test_5_bare_calls(self):
+        """The same connections by bare calls: the race within OpenRTM itself that no tool can avoid (push, while it writes)."""
+        def bare(robot):
+            port, = [each for each in ports.ports(robot.nodes["Sensor"]) if each.name.endswith("out")]
+            for number in range(ROUNDS):
+                reader = dataport.Reader(port, lambda message: None)
+                with reader:
+                    pass
+                if robot.dead():
+                    return "a process ended after %d bare connections: %s" % (number + 1, robot.dead())
+            return "%d bare push connections without harm" % ROUNDS
+        self.each_robot(bare)
+
+    def test_6_a_log_is_read(self):
+        """5,000 entries played into a reader of the same rate: all of them are taken and read; into a slower one: the truth."""
+        def play(robot):
+            reader = robot.path("ConsoleOut") + ":in"
+            target, = [each for each in ports.ports(robot.nodes["ConsoleOut"]) if each.name.endswith("in")]
+            count = min(5000, 50 * ROUNDS)
+            source = subprocess.Popen(
+                [sys.executable, "-m", "mock_components", "--nameserver", "127.0.0.1:%d" % mocks.Server.port, "--context",
+                 robot.label + "-log.host_cxt/%n.rtc", "senders", "%d" % robot.rate, "10"], stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE, env=mocks.ENVIRONMENT)
+            try:
+                source.stdout.readline()
+                done(["rtlog", "-q", "-i", "-e", str(count), "-f", robot.label + "-play.rtlog",
+                      "/127.0.0.1:%d/%s-log.host_cxt/Source0.rtc:number" % (mocks.Server.port, robot.label)])
+            finally:
+                source.kill()
+                source.wait()
+                source.stdin.close()
+                source.stdout.close()
+            done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % robot.rate])
+            before = len(re.findall("Received|Data:", robot.said("ConsoleOut")))
+            done(["rtlog", "-q", "-p", "-f", robot.label + "-play.rtlog", reader])
+            last = subprocess.run(
+                [sys.executable, os.path.join(mocks.COMMANDS, "rtlog"), "--csv", "-f", robot.label + "-play.rtlog"], cwd=top,
+                stdout=subprocess.PIPE).stdout.decode().splitlines()[-1].split(",")[-1]
+            said = robot.said("ConsoleOut")
+            numbers = [str(int(last) - i) for i in range(count)]
+            unread = [number for number in numbers if number not in said]
+            self.unharmed(robot, "rtlog -p")
+            if unread:
+                raise AssertionError("%d of %d entries were not read: %s" % (len(unread), count, unread[:5]))
+            done(["rtec", robot.path("ConsoleOut"), "rate", "10"])
+            status, words = ended(start(["rtlog", "-p", "-f", robot.label + "-play.rtlog", "--linger", "1", reader]))
+            if status != 5 or "Hz; it has read about" not in words:
+                raise AssertionError("rtlog -p into a slower reader: status %s\n%s" % (status, words))
+            return "%d entries, all read; into a slower reader: %s (%d, %s)" % (
+                count, words.strip().splitlines()[-1].rpartition(": ")[2], before, target.type)
+        self.each_robot(play)
+
+
+if __name__ == "__main__":
+    unittest.main()
