@@ -23,7 +23,7 @@ LAYERS = [
     ["component", "configuration", "datalog", "dataport", "datatypes", "execution", "flow", "fsm", "inbox", "manager",
      "observer", "organisation", "places", "polling", "ports", "servants", "targets"],
     ["tree"],  # from a path to a node
-    ["node"],
+    ["aliases", "node"],
     ["orb", "cli", "commandline", "installation", "reports", "streams"],  # the door to omniORB; what commands share
     # forms of things, told from text or bytes without asking anybody
     ["cdr", "constants", "construct", "descriptors", "idl", "overview", "path", "portable", "values", "xmlprofile"],
