@@ -26,6 +26,11 @@ def ports(node, brief=False):
     return [port(node, ref, brief=brief) for ref in refs(node)]
 
 
+def in_system(found):
+    """The Ports `found` without their connectors of one port only: these are of tools, ours or others, not of the system."""
+    return [each._replace(connectors=[one for one in each.connectors if len(one.ports) > 1]) for each in found]
+
+
 def refs(node):
     """References of the ports of a component."""
     from rtshell_lite.idl_stubs.component import RTC
