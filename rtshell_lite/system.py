@@ -3,7 +3,7 @@ import collections
 import functools
 import re
 
-from rtshell_lite import component, configuration, errors, orb, organisation, path, ports, rpc, tree, xmlprofile
+from rtshell_lite import component, configuration, errors, orb, organisation, path, places, ports, rpc, tree, xmlprofile
 from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model
 
@@ -230,7 +230,7 @@ def _outside(connectors, ends, silent):
         refs = [ref for ref in refs if orb.identity(ref) not in ends and orb.endpoint(ref) not in silent]
         if refs:
             wanted.setdefault(node, []).append(port._replace(connectors=[one._replace(ports=refs)]))
-    namers = dict(zip(wanted, tree.on_nodes(list(wanted), lambda node: ports.far_ends(node, wanted[node]))))
+    namers = dict(zip(wanted, tree.on_nodes(list(wanted), lambda node: places.far_ends(node, wanted[node]))))
 
     def name(node, ref):
         if orb.endpoint(ref) in silent:
