@@ -3,6 +3,8 @@ import socket
 
 from rtshell_lite import errors, orb, rpc
 
+ROOT_KEY = b"NameService"  # of the root of every name server
+
 
 class Known:
     """The first Path of each naming context and manager that a walk has entered."""
@@ -22,6 +24,37 @@ class Known:
         host, port, key = orb.identity(node.ref)
         if key:
             self._entered.setdefault((port, key), []).append((host, node.path))
+
+
+def within(nodes):
+    """Those of the Nodes of a walk that are not below a naming context of another name server; such a context is `foreign`."""
+    directories, away = {}, None
+    for node in nodes:
+        if away is not None and node.path.server == away.server and node.path.names[:len(away.names)] == away.names:
+            continue
+        away = None
+        if node.kind in ("server", "directory"):
+            directories[node.path] = node
+            above = directories.get(node.path.parent())
+            if above is not None and is_foreign(above, node):
+                node.foreign, away = True, node.path
+        yield node
+
+
+def is_foreign(above, node):
+    """True when the naming context `node` belongs to another name server than the one `above` in which it is bound.
+
+    One call to a name server where a server is addressed otherwise than it publishes itself. A root counts as foreign always.
+    """
+    (host, port, _), (own_host, own_port, key) = orb.identity(above.ref), orb.identity(node.ref)
+    if key == ROOT_KEY or port != own_port:
+        return True
+    if same_host(host, own_host):
+        return False
+    try:  # keys of contexts are made of times and random numbers: who knows one is who made it
+        return not orb.ask(node.path, orb.at(node.ref, host, port), "_is_a", "IDL:omg.org/CosNaming/NamingContext:1.0")
+    except errors.Error:
+        return True
 
 
 def same_host(one, other):

@@ -22,12 +22,15 @@ class Node:
     ref    its object reference; None at the root and for a nil reference
     error  for kind `silent` and `zombie`: the errors.Error that tells why; for others: why what is below could not be listed
     alias  the Path of the same directory where a walk entered it before; such a Node is not entered again; else None
+    foreign  True for a naming context of another name server than that where it is bound; see `aliases.within`
     """
 
-    __slots__ = ("path", "kind", "ref", "error", "alias", "_endpoint", "_is_typed", "__weakref__")  # there may be 20,000
+    __slots__ = ("path", "kind", "ref", "error", "alias", "foreign", "_endpoint", "_is_typed",
+                 "__weakref__")  # there may be 20,000
 
     def __init__(self, path, kind, ref=None, error=None):
-        self.path, self.kind, self.ref, self.error, self.alias = path, kind, ref, error, None
+        self.path, self.kind, self.ref, self.error = path, kind, ref, error
+        self.alias, self.foreign = None, False
         self._endpoint, self._is_typed = None, False
 
     @property

@@ -8,6 +8,7 @@ Resolution is lazy: only what a path names is asked. As a library:
 """
 import collections
 import functools
+import itertools
 import os
 import re
 
@@ -313,17 +314,17 @@ def walk(node, depth=None, managers=True):
     `error` set, a manager that does not answer as `zombie` or `silent`. Components are not asked whether they live.
     """
     depth = DEPTH if depth is None else min(depth, DEPTH)
-    return _walk_servers(node, depth, managers) if node.kind == "root" else _walk(node, depth, managers, aliases.Known())
+    if node.kind != "root":
+        return _walk(node, depth, managers, aliases.Known())
+    return itertools.chain([node], walk_servers(children(node), depth - 1, managers) if depth else [])
 
 
-def _walk_servers(root, depth, managers):
-    """Walk all name servers in parallel, as several may be silent; what two of them have is an alias in the second."""
-    yield root
-    below = children(root) if depth > 0 else []
+def walk_servers(servers, depth=DEPTH, managers=True):
+    """`walk` several name servers, Nodes, in parallel, as some may be silent; what two of them have is an alias in the second."""
     parts = rpc.gather([rpc.Job(server.endpoint, str(server.path), lambda server=server: list(
-        _walk(server, depth - 1, managers, aliases.Known(below)))) for server in below])
-    known = aliases.Known(below)
-    for server, part in zip(below, parts):
+        _walk(server, depth, managers, aliases.Known(servers)))) for server in servers])
+    known = aliases.Known(servers)
+    for server, part in zip(servers, parts):
         if isinstance(part, errors.Error):
             server.error, part = part, [server]
         hidden = None
@@ -335,7 +336,7 @@ def _walk_servers(root, depth, managers):
                 node.alias = known.path(node) or node.alias
                 if node.alias:
                     hidden = node.path.names
-                elif len(node.path.names) < depth - 1:
+                elif len(node.path.names) < depth:
                     known.enter(node)
             yield node
 
