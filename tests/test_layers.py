@@ -26,7 +26,7 @@ LAYERS = [
     ["aliases", "node"],
     ["orb", "cli", "commandline", "installation", "reports", "streams"],  # the door to omniORB; what commands share
     # forms of things, told from text or bytes without asking anybody
-    ["cdr", "constants", "construct", "descriptors", "idl", "overview", "path", "portable", "values", "xmlprofile"],
+    ["cdr", "constants", "constraints", "construct", "descriptors", "idl", "overview", "path", "portable", "values", "xmlprofile"],
     ["files", "interrupts", "rpc", "shell", "text"],
     ["errors"],
     ["__init__"],
