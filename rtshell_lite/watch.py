@@ -296,7 +296,7 @@ class Watch:
                 values = rpc.gather([rpc.Job(loan.node.endpoint, loan.where, loan.take_back) for loan in self._loans])
             finally:
                 rpc.end = None
-        lively = [each.loan for each in self.watched if hurried and each.is_heard()]
+        unheard = [each.loan for each in self.watched if not each.is_heard()]
         for loan, value in zip(self._loans, values):
-            if isinstance(value, errors.Silent) and loan not in lively:
+            if isinstance(value, errors.Silent) and (loan in unheard or not hurried):
                 self._note("%s: does not answer; it still has our observer, and drops it when it calls us in vain" % loan.where)
