@@ -2,6 +2,7 @@
 from rtshell_lite.idl_stubs.component import RTC
 from rtshell_lite.idl_stubs.dataport import OpenRTM__POA
 
+from . import naming
 from .properties import nvlist, put
 from .serviceport import MyService
 from .stage import PUSH
@@ -78,6 +79,19 @@ def astray(stage):
     stage.names.bind(home + [("dead", "cxt"), ("Gone0", "rtc")], stage.process.ghost(right._NP_RepositoryId))
 
 
+def aliased(stage, *others):
+    """[HOST:PORT …]: real.cxt with Inner0, bound again as again.cxt and inside itself as loop.cxt; top.cxt is the root of its
+    name server, far0.cxt, … those of others, bound by federation: their references have no type id"""
+    home = stage.home()
+    real = stage.names.contexts(home + [("real", "cxt")])
+    stage.add("Mock", "Inner0", names=[home + [("real", "cxt"), ("Inner0", "rtc")]])
+    for name in ([("again", "cxt")], [("real", "cxt"), ("loop", "cxt")]):
+        stage.names.bind_context(home + name, real)
+    stage.names.bind_context(home + [("top", "cxt")], stage.names.root)
+    for number, other in enumerate(others):
+        stage.names.bind_context(home + [("far%d" % number, "cxt")], naming.root(stage.process.orb, other))
+
+
 def idle(stage):
     """Stopped0 with a stopped context, Still0 with a rate of 0, Bare0 without a context: nothing executes them"""
     stage.add("Mock", "Stopped0", running=False)
@@ -85,4 +99,4 @@ def idle(stage):
     stage.add("Mock", "Bare0", contexts=0)
 
 
-WORLDS = {world.__name__: world for world in (crossed, astray, idle)}
+WORLDS = {world.__name__: world for world in (crossed, astray, aliased, idle)}

@@ -43,6 +43,12 @@ def managers(stage):
     master(stage, ["ConsoleIn"], ["ConsoleOut"])
 
 
+def twonames(stage):
+    """a master with ConsoleIn0 in its slave, bound by two names: manager.mgr and second.mgr"""
+    master(stage, ["ConsoleIn"])
+    stage.names.bind(stage.home() + [("second", "mgr")], stage.manager.reference)
+
+
 def manager11(stage):
     """a master of C++ 1.1, which creates components itself: ConsoleIn0 and ConsoleOut0"""
     stage.flavour = Flavour("cpp11")
@@ -77,4 +83,4 @@ def slave(stage, place, name="manager", *lines):
     here.join(children.manager_at(stage.process.orb, place))
 
 
-WORLDS = {world.__name__: world for world in (manager, managers, manager11, deadslave, deadchild, halfdead, slave)}
+WORLDS = {world.__name__: world for world in (manager, managers, twonames, manager11, deadslave, deadchild, halfdead, slave)}

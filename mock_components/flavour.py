@@ -23,6 +23,10 @@ TABLE = {
     "endpoint_key":      ("endpoint",    "endpoints",   "endpoints",   "endpoints",   "endpoints",   "endpoint"),
     "port_keys":         ("dataport",    "dataport",    "name",        "dataport",    "dataport",    "dataport"),
     "observer":          (False,         False,         False,         True,          False,         False),
+    # takes loggers, and tells them nothing
+    "silent_loggers":    (True,          True,          True,          False,         False,         False),
+    # answers the removal of an observer only when its heart would have beaten once more
+    "heart_stops_late":  (False,         False,         True,          False,         False,         False),
     "component_key":     (None,          "{}/{}",       "{}.{}",       "{}.{}",       None,          None),
     # ports
     "port_prefix":       (True,          True,          True,          True,          True,          False),

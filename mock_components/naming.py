@@ -7,14 +7,19 @@ def _name(pairs):
     return [CosNaming.NameComponent(*pair) for pair in pairs]
 
 
+def root(orb, address):
+    """The root context of the name server at HOST:PORT, which is not contacted; its reference has no type id."""
+    host, _, port = address.partition(":")
+    uri = "corbaloc:iiop:1.2@%s:%s/NameService" % (host, port or "2809")
+    return orb.string_to_object(uri)._unchecked_narrow(CosNaming.NamingContext)
+
+
 class Naming:
     """One name server, and the names bound in it."""
 
     def __init__(self, orb, address):
         self.address = address
-        host, _, port = address.partition(":")
-        uri = "corbaloc:iiop:1.2@%s:%s/NameService" % (host, port or "2809")
-        self.root = orb.string_to_object(uri)._narrow(CosNaming.NamingContext)
+        self.root = root(orb, address)
         self.bound = []
 
     def bind(self, name, reference):

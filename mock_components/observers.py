@@ -38,6 +38,10 @@ class Consumer:
     def interval(self, name):
         return float(get(self.properties, name, "1.0"))
 
+    def pulse(self):
+        """Seconds between two heartbeats, 0 for what has no heart."""
+        return 0
+
     def close(self):
         self.ended.set()
 
@@ -61,6 +65,10 @@ class Observer(Consumer):
         for kind, hint, prefix in self.heartbeats:
             if self.switch(prefix + ".enable"):
                 self.component.process.thread(self._beat, self.ended, kind, hint, self.interval(prefix + ".interval"))
+
+    def pulse(self):
+        return max([self.interval(prefix + ".interval") for _, _, prefix in self.heartbeats if self.switch(prefix + ".enable")],
+                   default=0)
 
     def _beat(self, ended, kind, hint, pause):
         while not ended.wait(pause) and self.send(kind, hint):
@@ -96,7 +104,7 @@ class FsmObserver(Observer):
 
 
 class Logger(Consumer):
-    """Gets log records when ctl says so: real components accept loggers and never tell them anything."""
+    """Gets log records when ctl says so, but for those of C++, which accept loggers and never tell them anything."""
 
     def __init__(self, component, profile):
         Consumer.__init__(self, component, profile, OpenRTM.Logger)
@@ -143,6 +151,8 @@ class Observers:
         consumer = self.registered.pop(service_id, None)
         if consumer:
             consumer.close()
+            if self.component.flavour.heart_stops_late:
+                time.sleep(consumer.pulse())
         return consumer is not None
 
     def forget(self, count):
@@ -153,7 +163,7 @@ class Observers:
     def drop(self, consumer):
         for service_id, one in list(self.registered.items()):
             if one is consumer:
-                self.remove(service_id)
+                self.registered.pop(service_id).close()
 
     def report(self, kind, hint):
         """Tell all observers that want to know."""
@@ -163,9 +173,9 @@ class Observers:
 
     def log(self, level, name, message):
         for consumer in list(self.registered.values()):
-            if isinstance(consumer, Logger):
+            if isinstance(consumer, Logger) and not self.component.flavour.silent_loggers:
                 consumer.publish(level, name, message)
 
     def close(self):
         for service_id in list(self.registered):
-            self.remove(service_id)
+            self.registered.pop(service_id).close()

@@ -40,7 +40,7 @@ def lines(found, level, ends, paint):
     """The lines of rtcat for a component.
 
     level  how often -l was given
-    ends   names the far ends of connections (see `ports.far_ends`)
+    ends   names the far ends of connections (see `places.far_ends`)
     paint  colours words (see `text.painter`)
     """
     profile = found.profile

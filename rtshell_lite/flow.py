@@ -3,7 +3,7 @@ import collections
 import math
 import time
 
-LONG, SHORT = 1.5, 0.5  # gaps between timestamps: so many times the usual one has missing values in it, or late ones behind it
+LONG, SHORT = 1.5, 0.5  # gaps between timestamps: in so many times the usual one cycles are absent, or the next come close after
 PAUSE, PAUSE_LEAST = 20, 10**9  # a gap of so many usual ones, and of 1 s at least, is a pause, from which all begins anew
 FIRST = 10  # gaps that tell what is usual
 
@@ -35,17 +35,19 @@ class Stretch:
     """What happened within a stretch of time."""
 
     def __init__(self):
-        self.count = self.bytes = self.missing = self.disordered = self.repeated = 0
+        self.count = self.bytes = self.absent = self.disordered = self.repeated = 0
         self.gaps, self.ages = Spread(), Spread()
 
-    def summary(self, seconds):
-        """A dict of figures: seconds, values, bytes; None for what cannot be told.
+    def summary(self, seconds, dropped):
+        """A dict of figures: seconds, values, bytes; None for what is not known. `dropped` values came, but were not counted.
 
         rate        values a second, from the gaps between them
         gap_…       seconds between two values; jitter is the standard deviation
         age_…       seconds from a value's own timestamp to its arrival (negative where clocks differ)
-        missing     values that would fill the long gaps between timestamps, less those that came close behind: a guess, for
-                    ports that send at regular intervals
+        missing     values known to be lost: those dropped here. Timestamps do not show it: a gap between two of them is
+                    the same whether the source overslept or values were lost on the way
+        absent      cycles that did not come: so many values would fill the long gaps between timestamps, less those that
+                    came close after; for ports that send at regular intervals
         disordered  values with a timestamp before that of the value before; repeated: with the same
         """
         gaps, ages = self.gaps, self.ages
@@ -54,7 +56,8 @@ class Stretch:
                 "gap_min": gaps.least, "gap_mean": gaps.mean, "gap_max": gaps.most, "jitter": gaps.deviation(),
                 "bytes_per_second": self.bytes / seconds if seconds > 0 else None,
                 "age_mean": ages.mean, "age_max": ages.most,
-                "missing": self.missing if ages.count else None, "disordered": self.disordered if ages.count else None,
+                "missing": dropped, "dropped": dropped,
+                "absent": self.absent if ages.count else None, "disordered": self.disordered if ages.count else None,
                 "repeated": self.repeated if ages.count else None}
 
 
@@ -102,9 +105,9 @@ class Flow:
             self.stamps = self.since = 0
             return
         if self.stamps >= FIRST and gap > LONG * usual:
-            self._count("missing", round(gap / usual) - 1)
+            self._count("absent", round(gap / usual) - 1)
         elif gap < SHORT * usual:
-            self._count("missing", -1)
+            self._count("absent", -1)
         self.stamps += 1
         self.since += gap
 

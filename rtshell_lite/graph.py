@@ -4,6 +4,7 @@ import re
 
 from rtshell_lite import system
 from rtshell_lite.text import printable
+from rtshell_lite.xmlprofile import model
 
 # A picture. `edges` are (from box, from port, to box, to port, True for a service) with indexes of boxes, and port names;
 # `tops` are indexes of the boxes that are no members of a composite.
@@ -51,9 +52,8 @@ def of(profile, states=None):
         return strangers[key]
 
     edges = []
-    for connector, service in [(c, False) for c in profile.data_port_connectors] + [
-            (c, True) for c in profile.service_port_connectors]:
-        edges += _edges(connector, service, boxes, box_of)
+    for connector in profile.connectors:
+        edges += _edges(connector, isinstance(connector, model.ServicePortConnector), boxes, box_of)
     tops = _compose(profile, boxes, numbers, locate)
     return Graph(boxes, list(collections.OrderedDict.fromkeys(edges)), tops)
 

@@ -19,8 +19,9 @@ def all_blocks(paths, recurse, typed):
 def blocks(path, recurse=False, shown="."):
     """What there is to list at `path`, as a list of (header, [Node, …]); the header is None for a single object.
 
-    With `recurse`, a block for every directory below, its header relative to `shown` as in ls -R. A directory that cannot
-    be listed stands in its parent's block with its `error` set. Raises what `tree.resolve` raises, and WrongKind.
+    With `recurse`, a block for every directory below, its header relative to `shown` as in ls -R; of a directory bound by
+    several names, for the first. One that cannot be listed is in its parent's block with its `error` set. Raises what
+    `tree.resolve` raises, and WrongKind.
     """
     if path.port is not None:
         raise errors.WrongKind(str(path), "directory or component", "port; rtcat shows it")
@@ -33,7 +34,7 @@ def blocks(path, recurse=False, shown="."):
         return [(shown + ":", tree.children(top))]
     found = collections.OrderedDict()
     for node in tree.walk(top):
-        if node.kind in tree.DIRECTORIES:
+        if node.kind in tree.DIRECTORIES and node.alias is None:
             below = str(node.path)[len(str(top.path)):].strip("/")
             found[node.path] = (shown.rstrip("/") + ("/" + below if below else "") + ":", [])
         if node is not top:
@@ -93,9 +94,14 @@ def short(node, paint, name=None):
     """(what is printed for a node without -l, its width): directories end in a slash, zombies and silent ones are marked."""
     name = name or node.name
     if node.kind in tree.DIRECTORIES:
-        return paint(name, "directory") + "/", name + "/"
+        return paint(name, "directory") + "/" + first_name(node), name + "/" + first_name(node)
     role = {"zombie": "zombie", "unknown": "zombie", "silent": "?"}.get(node.kind)
     return MARKS.get(node.kind, "") + paint(name, role), MARKS.get(node.kind, "") + name
+
+
+def first_name(node):
+    """` -> PATH` for a directory that a walk has entered by another name, else ''."""
+    return " -> " + str(node.alias) if node.alias else ""
 
 
 def row(node, found, paint, name=None):
@@ -104,13 +110,21 @@ def row(node, found, paint, name=None):
     if found is None:
         cells = [paint("?") if node.kind == "silent" else "-"] + ["-"] * len(COUNTED)
         role = "directory" if node.kind in tree.DIRECTORIES else "zombie" if node.kind in ("zombie", "unknown") else None
-        return cells + [MARKS.get(node.kind, "") + paint(name, role)]
+        return cells + [MARKS.get(node.kind, "") + paint(name, role) + first_name(node)]
     return [paint(found.state)] + [paint(str(count), "bold") + "/%d" % linked for count, linked in found.counts] + [name]
+
+
+def place(node):
+    """The JSON object that says where a node is; `alias` is the first path of a directory bound by several names."""
+    fields = {"path": str(node.path), "kind": node.kind}
+    if node.alias is not None:
+        fields["alias"] = str(node.alias)
+    return fields
 
 
 def as_dict(node, found):
     """The JSON object for a node."""
-    fields = {"path": str(node.path), "name": node.name, "kind": node.kind}
+    fields = dict(place(node), name=node.name)
     if node.error is not None:
         fields["error"] = str(node.error)
     if found is not None:

@@ -21,12 +21,16 @@ class Node:
            reference does not tell
     ref    its object reference; None at the root and for a nil reference
     error  for kind `silent` and `zombie`: the errors.Error that tells why; for others: why what is below could not be listed
+    alias  the Path of the same directory where a walk entered it before; such a Node is not entered again; else None
+    foreign  True for a naming context of another name server than that where it is bound; see `aliases.within`
     """
 
-    __slots__ = ("path", "kind", "ref", "error", "_endpoint", "_is_typed", "__weakref__")  # there may be 20,000
+    __slots__ = ("path", "kind", "ref", "error", "alias", "foreign", "_endpoint", "_is_typed",
+                 "__weakref__")  # there may be 20,000
 
     def __init__(self, path, kind, ref=None, error=None):
         self.path, self.kind, self.ref, self.error = path, kind, ref, error
+        self.alias, self.foreign = None, False
         self._endpoint, self._is_typed = None, False
 
     @property
@@ -72,7 +76,7 @@ class Node:
                 return orb.call(self.path, self.typed, operation, *args, **more)
             return rpc.ask(self.endpoint, self.path, lambda: orb.call(self.path, self.typed, operation, *args, **more))
         except errors.ConnectionRefused as e:
-            raise (errors.NoNameServer if self.kind == "server" else errors.ProcessGone)(*e.args)
+            raise (errors.NoNameServer if self.kind in ("server", "directory") else errors.ProcessGone)(*e.args)
         except errors.Gone as e:
             raise no_name_server(self) if self.kind == "server" else e
 
@@ -85,12 +89,16 @@ def no_name_server(node):
     return errors.WrongKind(str(node.path), "name server", "CORBA process of another kind")
 
 
-def classified(path, ref):
-    """The Node for a reference found under `path`, by the type its IOR tells: no remote call."""
+def classified(path, ref, is_context=False):
+    """The Node for a reference found under `path`, by the type its IOR tells: no remote call.
+
+    `is_context`: it is bound as a naming context. The root of another name server, bound by federation, has no type.
+    """
     if ref is None:
         return Node(path, "unknown")
     address = orb.address(ref)
-    node = Node(path, _kind(address.type_id, path.names[-1]), ref)
+    kind = "directory" if is_context and not address.type_id else _kind(address.type_id, path.names[-1])
+    node = Node(path, kind, ref)
     node._endpoint = address[1:3]
     return node
 

@@ -37,19 +37,26 @@ _PREFIXES = {"EC_EVENT": "EC_", "PORT_EVENT": "PORT_"}
 
 # ---- what is lent to a component ------------------------------------------------------------------------------
 
-def taken(node):
-    """The interface types of the SDO services that a component takes, a list; it is never offered another.
-
-    Its profile tells: to offer the wrong kind of observer has ended components of C++ 2.1. Components from before 1.1 tell
-    nothing. The ports are asked before the profile, see `ports.ports`.
-    """
+def properties(node):
+    """The properties of a component, a dict; its ports are asked before its profile, see `ports.ports`."""
     ports.ports(node)
-    told = dict(component.profile(node).properties).get("sdo.service.consumer.available_services", "")
+    return dict(component.profile(node).properties)
+
+
+def taken(properties):
+    """The interface types of the SDO services that a component with these properties takes, a list.
+
+    It is never offered another: the wrong kind of observer has ended components of C++ 2.1. Components from before 1.1 say
+    nothing.
+    """
+    told = properties.get("sdo.service.consumer.available_services", "")
     return [each.strip() for each in told.split(",") if each.strip()]
 
 
 class Loan:
     """A service of ours that a component calls, from `lend` until `take_back`; both may be called on any lane."""
+
+    remark = ""  # what the user has to know about it
 
     def __init__(self, node, interface, properties, heard):
         """`heard` is called with an Event or a Record, on a thread of the ORB."""

@@ -233,6 +233,12 @@ def identity(ref):
     return address(ref)[1:]
 
 
+def at(ref, host, port):
+    """A reference to the object with the key of `ref` in the process at another endpoint; contacts nobody."""
+    key = "".join("%%%02x" % octet for octet in address(ref).key)
+    return start().string_to_object("corbaloc:iiop:1.2@%s:%d/%s" % ("[%s]" % host if ":" in host else host, port, key))
+
+
 # ---- calls ----------------------------------------------------------------------------------------------------
 
 def call(where, ref, operation, *args, seconds=None):

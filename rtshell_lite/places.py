@@ -1,6 +1,7 @@
-"""Where in the RTC Tree a reference is bound: told by comparing references, without asking their objects."""
-from rtshell_lite import errors, orb, tree
+"""Where in the RTC Tree a reference is bound: found by comparing references, without asking their objects."""
+from rtshell_lite import errors, orb, ports, rpc, tree
 from rtshell_lite.path import ROOT, Name, Path
+from rtshell_lite.text import printable
 
 
 class Places:
@@ -27,3 +28,36 @@ class Places:
             self.everywhere = [node for top in tops for node in tree.walk(top, managers=False)
                                if node.kind == "component" and node.ref is not None]
         return next((node.path for node in self.everywhere if orb.same(node.ref, ref)), None)
+
+
+# ---- the far ends of connections ------------------------------------------------------------------------------
+
+def far_ends(node, found):
+    """Names for the other ends of all connectors of the Ports `found` of one component.
+
+    Returns a function reference → text: the path of the port there. Only the ports at those ends are asked, one call each;
+    whose they are is told by comparing their owner with what is bound in the name servers, without asking anyone else.
+    An end that does not answer or is bound nowhere is `Unknown (…)`.
+    """
+    own = {orb.identity(each.ref) for each in found}
+    ends = {}
+    for connector in (c for each in found for c in each.connectors):
+        for ref in connector.ports:
+            if ref is not None and orb.identity(ref) not in own:
+                ends.setdefault(orb.identity(ref), ref)
+    jobs = [rpc.Job(orb.endpoint(ref), "%s:%d" % orb.endpoint(ref), lambda ref=ref: ports.port(node, ref)) for ref in ends.values()]
+    places = Places(node)
+    names = dict(zip(ends, [_place(found, places) for found in rpc.gather(jobs)]))
+    return lambda ref: names.get(orb.identity(ref)) if ref is not None else "Unknown (nil)"
+
+
+def _place(found, places):
+    """The path of a Port, or what can be told where there is none."""
+    if isinstance(found, errors.Error):
+        return "Unknown (%s)" % found
+    if found.owner is None:
+        return printable(found.name)
+    path = places.path(found.name.rpartition(".")[0], found.owner)
+    if path is None:
+        return "Unknown (%s)" % printable(found.name)
+    return str(path.with_port(ports.short_name(found.name, path.names[-1].id)))

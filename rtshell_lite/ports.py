@@ -1,8 +1,7 @@
 """Ports of components and the connectors between them: what they are, why two do not match, connect, disconnect."""
 import collections
 
-from rtshell_lite import component, errors, orb, rpc, tree
-from rtshell_lite.places import Places
+from rtshell_lite import component, errors, orb, tree
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 
 # One port. `name` is the full name (ConsoleIn0.out), `type` DataInPort, DataOutPort, CorbaPort or Port, `properties` a dict,
@@ -16,6 +15,8 @@ DATA = ("DataInPort", "DataOutPort")
 DEFAULTS = (("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
             ("dataport.subscription_type", "new"))
 
+RATES = ("dataport.publisher.push_rate", "dataport.push_rate", "dataport.outport.publisher.push_rate",
+         "dataport.outport.push_rate")  # where components look for the rate of a periodic connection
 ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push
 
 
@@ -24,6 +25,11 @@ ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1
 def ports(node, brief=False):
     """The Ports of a component in its own order: one call for the list and one a port; for `brief` see `port`."""
     return [port(node, ref, brief=brief) for ref in refs(node)]
+
+
+def in_system(found):
+    """The Ports `found` without their connectors of one port only: these are of tools, ours or others, not of the system."""
+    return [each._replace(connectors=[one for one in each.connectors if len(one.ports) > 1]) for each in found]
 
 
 def refs(node):
@@ -89,39 +95,6 @@ def named(path, found):
         return (exact or same_end)[0]
     there = ", ".join(printable(short_name(each.name, instance)) for each in found) or "none"
     return errors.NoSuch(str(path.object()), "port", "%s (its ports: %s)" % (printable(path.port), there))
-
-
-# ---- the far ends of connections ------------------------------------------------------------------------------
-
-def far_ends(node, found):
-    """Names for the other ends of all connectors of the Ports `found` of one component.
-
-    Returns a function reference → text: the path of the port there. Only the ports at those ends are asked, one call each;
-    whose they are is told by comparing their owner with what is bound in the name servers, without asking anyone else.
-    An end that does not answer or is bound nowhere is `Unknown (…)`.
-    """
-    own = {orb.identity(each.ref) for each in found}
-    ends = {}
-    for connector in (c for each in found for c in each.connectors):
-        for ref in connector.ports:
-            if ref is not None and orb.identity(ref) not in own:
-                ends.setdefault(orb.identity(ref), ref)
-    jobs = [rpc.Job(orb.endpoint(ref), "%s:%d" % orb.endpoint(ref), lambda ref=ref: port(node, ref)) for ref in ends.values()]
-    places = Places(node)
-    names = dict(zip(ends, [_place(found, places) for found in rpc.gather(jobs)]))
-    return lambda ref: names.get(orb.identity(ref)) if ref is not None else "Unknown (nil)"
-
-
-def _place(found, places):
-    """The path of a Port, or what can be told where there is none."""
-    if isinstance(found, errors.Error):
-        return "Unknown (%s)" % found
-    if found.owner is None:
-        return printable(found.name)
-    path = places.path(found.name.rpartition(".")[0], found.owner)
-    if path is None:
-        return "Unknown (%s)" % printable(found.name)
-    return str(path.with_port(short_name(found.name, path.names[-1].id)))
 
 
 # ---- connecting -----------------------------------------------------------------------------------------------
@@ -252,9 +225,27 @@ def joining(found):
 
 def check(found, given):
     """Raise Refused with the reasons when the Ports `found` do not match, with these properties (a dict)."""
-    reasons = mismatches(found, given)
+    reasons = mismatches(found, given) or _without_rate(found, connection_properties(found, given))
     if reasons:
         raise errors.Refused(between(found), "; ".join(reasons))
+
+
+def _without_rate(found, properties):
+    """Why a connection with these properties lacks a rate that it needs: a list of one reason, or [].
+
+    C++ answers a bare RTC_ERROR then. The rate may be a property of the port, too.
+    """
+    subscription, flow = [properties.get("dataport." + key, "").lower() for key in ("subscription_type", "dataflow_type")]
+    if subscription != "periodic" or flow == "pull" or not any(each.type == "DataOutPort" for each in found):
+        return []
+    rates = [each[key] for each in [properties] + [port.properties for port in found] for key in RATES if key in each]
+    if not rates:
+        return ["a periodic connection needs a rate: %s=HZ" % RATES[0]]
+    try:
+        positive = 0 < float(rates[0]) < float("inf")
+    except ValueError:
+        positive = False
+    return [] if positive else ["a periodic connection needs a rate in Hz above 0, not %s" % printable(rates[0])]
 
 
 def refuse_duplicate(found, name, connector_id):
@@ -300,6 +291,8 @@ def connect_alone(port, name, properties):
     Raises Refused, Unreachable.
     """
     from rtshell_lite.idl_stubs.component import RTC
+    for reason in _without_rate([port], properties):
+        raise errors.Refused(label(port), reason)
     asked = RTC.ConnectorProfile(to_wire(name), "", [port.ref], orb.nvlist(sorted(properties.items())))
     code, made = orb.ask(label(port), port.ref, "connect", asked)
     if str(code) != "RTC_OK":

@@ -144,13 +144,13 @@ class Board:
         found = []
         for key, channel in enumerate(self.channels):
             dropped, self.dropped[key] = self.box.dropped[key] - self.dropped[key], self.box.dropped[key]
-            found.append(dict(channel.flow.look().summary(seconds), dropped=dropped))
+            found.append(channel.flow.look().summary(seconds, dropped))
         self._write(found, "")
 
     def end(self, seconds):
         """The figures since the beginning."""
-        self._write([dict(channel.flow.total.summary(seconds), dropped=self.box.dropped[key])
-                     for key, channel in enumerate(self.channels)], "all in all: ")
+        self._write([channel.flow.total.summary(seconds, self.box.dropped[key]) for key, channel in enumerate(self.channels)],
+                    "all in all: ")
 
     def _write(self, found, prefix):
         if self.json:
@@ -180,7 +180,9 @@ def figure_line(each):
         words.append(_bytes(each["bytes_per_second"]) + "/s")
     if each["age_mean"] is not None:
         words.append("age %s ms" % _ms(each["age_mean"]))
-    for what in ("missing", "disordered", "repeated", "dropped"):
+    if each["absent"]:
+        words.append("%d cycle%s did not come" % (each["absent"], "" if each["absent"] == 1 else "s"))
+    for what in ("disordered", "repeated", "dropped"):
         if each[what]:
             words.append("%s %d" % (what, each[what]))
     return ", ".join(words)

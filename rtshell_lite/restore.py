@@ -306,7 +306,7 @@ def tearing_down(profile, options):
 
 
 def _ports_only(node):
-    return system.Found(node, ports.ports(node), [], {}, [], "", [], None)
+    return system.Found(node, ports.in_system(ports.ports(node)), [], {}, [], "", [], None)
 
 
 def _removal(connector, at):

@@ -3,7 +3,7 @@ import collections
 import functools
 import re
 
-from rtshell_lite import component, configuration, errors, orb, organisation, path, ports, rpc, tree, xmlprofile
+from rtshell_lite import component, configuration, errors, orb, organisation, path, places, ports, rpc, tree, xmlprofile
 from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model
 
@@ -15,8 +15,9 @@ DATA_FIELDS = ("data_type", "interface_type", "dataflow_type", "subscription_typ
 # `sets` configuration.Sets, hidden ones too, `members` (name, reference) of those that it is composed of.
 Found = collections.namedtuple("Found", "node ports owned states sets active members profile")
 
-# `found` has the Found of each component of the RtsProfile `profile`, `failures` are errors, `notes` lines on what is left out.
-System = collections.namedtuple("System", "profile found failures notes")
+# `found` has the Found of each component of the RtsProfile `profile`, `unused` those that were left out because nothing is
+# connected to them, `failures` are errors, `notes` lines on what else is left out.
+System = collections.namedtuple("System", "profile found unused failures notes")
 
 # Object references, some of them in the names of 1.1 to 2.1: they say where a port is today, and mislead tomorrow.
 _REFERENCE = re.compile(r"dataport\.corba_cdr\.(?:in|out)port_(?:ior|ref)\Z")
@@ -29,7 +30,7 @@ def ask(node, brief=False, states=True):
 
     `brief`: of properties and references only those that go into a file or are compared with one, a quarter of the memory.
     """
-    found = ports.ports(node, brief)
+    found = ports.in_system(ports.ports(node, brief))
     contexts = [component.context(node, ref) for ref in component.owned_context_refs(node)]
     in_contexts = _states(node, contexts) if states else None
     if brief:
@@ -84,14 +85,13 @@ def capture(tops=(), all_components=False, with_states=False):
             failures.append(answer)
             silent.add(node.endpoint)
     connectors = _connectors(found, silent, notes)
-    if not all_components:
-        found = _in_use(found)
+    found, unused = (found, []) if all_components else _in_use(found)
     found.sort(key=lambda each: path_uri(each.node))
     profile = model.RtsProfile(components=[_component(each, found, notes) for each in found])
     for connector in connectors:
         data = isinstance(connector, model.DataPortConnector)
         (profile.data_port_connectors if data else profile.service_port_connectors).append(connector)
-    return System(profile, found, failures, notes)
+    return System(profile, found, unused, failures, notes)
 
 
 def components(tops=()):
@@ -131,14 +131,14 @@ def _is_zombie(node, failure):
 
 
 def _in_use(found):
-    """Those of the Found that have a connection, that are composites of such, or their members."""
+    """Those of the Found that have a connection, that are composites of such, or their members; and the others."""
     used = {id(each) for each in found if any(port.connectors for port in each.ports)}
     for each in found:
         members = [_member(ref, found) for _, ref in each.members]
         family = [each] + [member for member in members if member is not None]
         if len(family) > 1 and any(id(one) in used for one in family):
             used |= {id(one) for one in family}
-    return [each for each in found if id(each) in used]
+    return [each for each in found if id(each) in used], [each for each in found if id(each) not in used]
 
 
 def _member(ref, found):
@@ -209,7 +209,7 @@ def _connectors(found, silent, notes):
         for name in strange:
             notes.append("connection %s of %s: its end %s is not in the system, left out" % (
                 printable(one.id), ports.label(port), name))
-        if len(known) > 1 or known and not strange:
+        if len(known) > 1:
             made.append(_connector(one, known))
     return sorted(made, key=lambda one: ([_end_key(end) for end in one.ends], one.connector_id, one.name))
 
@@ -230,7 +230,7 @@ def _outside(connectors, ends, silent):
         refs = [ref for ref in refs if orb.identity(ref) not in ends and orb.endpoint(ref) not in silent]
         if refs:
             wanted.setdefault(node, []).append(port._replace(connectors=[one._replace(ports=refs)]))
-    namers = dict(zip(wanted, tree.on_nodes(list(wanted), lambda node: ports.far_ends(node, wanted[node]))))
+    namers = dict(zip(wanted, tree.on_nodes(list(wanted), lambda node: places.far_ends(node, wanted[node]))))
 
     def name(node, ref):
         if orb.endpoint(ref) in silent:

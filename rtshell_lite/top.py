@@ -7,7 +7,7 @@ import collections
 import threading
 import time
 
-from rtshell_lite import component, describe, errors, orb, path as paths, ports, rpc, tree
+from rtshell_lite import component, describe, errors, orb, path as paths, places, ports, rpc, tree
 from rtshell_lite.overview import Row
 
 IN_FLIGHT = 4  # monitors that ask more at a time have disturbed real-time threads
@@ -309,4 +309,4 @@ def _each_server(tops):
 
 def _description(node):
     found = describe.collect(node, 1)
-    return list(describe.lines(found, 1, ports.far_ends(node, found.ports), lambda word, role=None: word))
+    return list(describe.lines(found, 1, places.far_ends(node, found.ports), lambda word, role=None: word))

@@ -8,10 +8,11 @@ Resolution is lazy: only what a path names is asked. As a library:
 """
 import collections
 import functools
+import itertools
 import os
 import re
 
-from rtshell_lite import errors, orb, rpc
+from rtshell_lite import aliases, errors, orb, rpc
 # other modules use these as tree.look, tree.Node …
 from rtshell_lite.node import DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes, on_nodes_in_turn
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_address
@@ -79,13 +80,12 @@ def resolve(path):
     path = (parse(path) if isinstance(path, str) else path).object()
     if path.server is None:
         return Node(ROOT, "root")
-    server = _server(path)
-    if not path.names:
-        return server
-    return _resolved(server, path)
+    return _resolved(_server(path), path)
 
 
 def _resolved(server, path):
+    if not path.names:
+        return server
     for size, name in enumerate(path.names[:-1], 1):
         if name.kind in ("rtc", "mgr"):  # or the name server asks this object whether it is a naming context
             above = _directory(_resolved(server, path._replace(names=path.names[:size])))
@@ -97,7 +97,27 @@ def _resolved(server, path):
         if e.name in ("NotFound", "CannotProceed", "InvalidName"):
             raise _why_not_found(path)
         raise _name_server_error(server, e)
-    return classified(path, ref)
+    except errors.Unreachable as e:
+        raise e if isinstance(e, errors.Silent) else _broken_off(server, path, e)
+    node = classified(path, ref)
+    if ref is not None and not orb.address(ref).type_id:  # how it is bound tells more
+        node = classified(path, ref, (path.names[-1], True) in bound(_resolved(server, path.parent())))
+    return node
+
+
+def _broken_off(server, path, failure):
+    """The error for a path that leads through several name servers, of which one cannot be reached: which one."""
+    node = server
+    try:
+        for size, name in enumerate(path.names[:-1], 1):
+            ref = node.call("resolve", orb.naming_name([name]))
+            node = classified(path._replace(names=path.names[:size]), ref, True)
+        node.call("resolve", orb.naming_name(path.names[-1:]))
+    except errors.Unreachable as e:
+        return e
+    except errors.Refused:
+        pass
+    return failure
 
 
 def _descend(node, names):
@@ -128,7 +148,7 @@ def _why_not_found(path):
     """The error for a path that does not resolve, with a near miss where a listing of its directory offers one."""
     try:
         above = _directory(resolve(path.parent()))
-        names = _by_id(_names(above))
+        names = _by_id(name for name, _ in bound(above))
     except (errors.NotFound, errors.WrongKind) as e:
         return e
     return _near_miss(path, names)
@@ -201,11 +221,12 @@ def children(node):
     if node.kind not in ("server", "directory"):
         raise errors.WrongKind(str(node.path), "directory", node.what)
     context, server = node.typed, node.endpoint
-    names, found = _names(node), []
+    names, found = bound(node), []
     while names:
-        paths = [node.path.child(name) for name in names[-AT_ONCE:]]
+        some = [(node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]]
         del names[-AT_ONCE:]
-        for child in rpc.gather(rpc.Job(server, path, functools.partial(_child, context, path)) for path in paths):
+        for child in rpc.gather(rpc.Job(server, path, functools.partial(_child, context, path, is_context))
+                                for path, is_context in some):
             if isinstance(child, Node):
                 found.append(child)
             elif not isinstance(child, errors.Refused):  # unbound since the list was made
@@ -213,17 +234,13 @@ def children(node):
     return _sorted(found)
 
 
-def _child(context, path):
+def _child(context, path, is_context):
     """The Node that the last name of `path` is bound to in a naming context."""
-    return classified(path, orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])))
+    return classified(path, orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])), is_context)
 
 
 def _sorted(nodes):
     return sorted(nodes, key=lambda node: str(node.path))
-
-
-def _names(node):
-    return [name for name, _ in bound(node)]
 
 
 def bound(node):
@@ -291,37 +308,54 @@ def managed(node):
 def walk(node, depth=None, managers=True):
     """Yield `node` and everything below it, depth first, sorted.
 
-    Each naming context is entered once, however often it is bound, and at most `depth` levels (None: DEPTH) down; managers
-    are entered unless `managers` is False. A directory that cannot be listed is yielded with its `error` set, a manager that
-    does not answer as `zombie` or `silent`. Components are not asked whether they live.
+    A naming context or manager that is bound by several names is entered by the first of them in this order; by the others it
+    is yielded with that Path as its `alias`. At most `depth` levels (None: DEPTH) are entered, managers unless `managers` is
+    False, and the contexts of other name servers where they are bound. A directory that cannot be listed is yielded with its
+    `error` set, a manager that does not answer as `zombie` or `silent`. Components are not asked whether they live.
     """
-    return _walk(node, DEPTH if depth is None else min(depth, DEPTH), set(), managers)
+    depth = DEPTH if depth is None else min(depth, DEPTH)
+    if node.kind != "root":
+        return _walk(node, depth, managers, aliases.Known())
+    return itertools.chain([node], walk_servers(children(node), depth - 1, managers) if depth else [])
 
 
-def _walk(node, depth, seen, managers):
-    below = _below(node, seen) if depth > 0 and (managers or node.kind != "manager") else []
-    yield node
-    if node.kind == "root":  # name servers in parallel: several may be silent
-        parts = rpc.gather([rpc.Job(child.endpoint, str(child.path),
-                                    lambda child=child: list(_walk(child, depth - 1, set(), managers))) for child in below])
-    else:
-        parts = (_walk(child, depth - 1, seen, managers) for child in below)
-    for child, part in zip(below, parts):
+def walk_servers(servers, depth=DEPTH, managers=True):
+    """`walk` several name servers, Nodes, in parallel, as some may be silent; what two of them have is an alias in the second."""
+    parts = rpc.gather([rpc.Job(server.endpoint, str(server.path), lambda server=server: list(
+        _walk(server, depth, managers, aliases.Known(servers)))) for server in servers])
+    known = aliases.Known(servers)
+    for server, part in zip(servers, parts):
         if isinstance(part, errors.Error):
-            child.error, part = part, [child]
-        for found in part:
-            yield found
+            server.error, part = part, [server]
+        hidden = None
+        for node in part:
+            if hidden is not None and node.path.names[:len(hidden)] == hidden:
+                continue
+            hidden = None
+            if node.kind in ("directory", "manager"):
+                node.alias = known.path(node) or node.alias
+                if node.alias:
+                    hidden = node.path.names
+                elif len(node.path.names) < depth:
+                    known.enter(node)
+            yield node
 
 
-def _below(node, seen):
-    """The children of a node that has not been seen yet; [] for what has none to tell."""
-    if node.kind not in DIRECTORIES:
-        return []
-    if node.ref is not None:
-        identity = orb.identity(node.ref)
-        if identity in seen:
-            return []
-        seen.add(identity)
+def _walk(node, depth, managers, known):
+    if node.kind in ("directory", "manager"):
+        node.alias = known.path(node)
+    below = []
+    if node.kind in DIRECTORIES and node.alias is None and depth > 0:
+        known.enter(node)
+        if managers or node.kind != "manager":
+            below = _below(node)
+    yield node
+    for child in below:
+        yield from _walk(child, depth - 1, managers, known)
+
+
+def _below(node):
+    """The children of a directory; [] for one that cannot be listed, which has its `error` set then."""
     if node.kind == "manager":
         return _below_manager(node)
     try:

@@ -12,6 +12,7 @@ LOOK = 1.0  # seconds between questions whether a component lives, or is there a
 RATE = 1 / component.POLL  # Hz
 TICK = 0.1
 MOST = 100000  # what may wait to be printed
+HURRY = 0.1  # seconds that answers get after Ctrl-C: C++ 2.1 removes an observer at once, but answers after a heartbeat, 1 s
 
 LIFE = "LIFE_EVENT"  # the kind of Events that we find out ourselves: DIED EXITED BACK NO_HEARTBEAT NO_ANSWER ANSWERS
 KINDS = list(observer.KINDS) + [LIFE]
@@ -28,7 +29,7 @@ class Events:
         kinds = [observer.OBSERVER, observer.FSM_OBSERVER]
         if self.kinds - {LIFE, "HEARTBEAT"} == {"FSM_EVENT"}:  # else OpenRTM's own, which more components were built for
             kinds.reverse()
-        offered = observer.taken(node)
+        offered = observer.taken(observer.properties(node))
         for interface in kinds:
             if interface in offered:
                 return observer.observer(node, interface, self.kinds - {LIFE}, heard)
@@ -52,9 +53,13 @@ class Records:
 
     def loan(self, node, heard):
         """The logger to lend to a component. Raises Refused for one that takes none."""
-        if observer.LOGGER not in observer.taken(node):
-            raise errors.Refused(str(node.path), "takes no loggers (those of C++ do that have loaded LoggerConsumer)")
-        return observer.logger(node, self.level, self.names, heard)
+        properties = observer.properties(node)
+        if observer.LOGGER not in observer.taken(properties):
+            raise errors.Refused(str(node.path), "takes no loggers")
+        loan = observer.logger(node, self.level, self.names, heard)
+        if properties.get("language") == "C++":  # LoggerConsumer of 2.1 has no code that would
+            loan.remark = "takes a logger, but components of C++ (up to 2.1) write nothing to it"
+        return loan
 
 
 class Watched:
@@ -77,6 +82,8 @@ class Watched:
         self.loan = self.watch.what.loan(node, self.hear)
         if self.loan is not None and self.watch.lent(self.loan):
             self.loan.lend()
+            if self.loan.remark:
+                self.watch.note(self, self.loan.remark)
         if self.loan is None:
             self.poll = self.watch.what.poll(node)
             self.watch.note(self, "offers no observer; it is polled (%g Hz), which shows no connections" % RATE)
@@ -123,6 +130,10 @@ class Watched:
             return True
         beats = self.loan.interface != observer.LOGGER and now - max(self.heard or 0, self.since) < LATE
         return not beats and now - self.looked >= LOOK
+
+    def is_heard(self):
+        """True when it has called us a moment ago, or was lent an observer."""
+        return self.mute is None and time.monotonic() - max(self.heard or 0, self.since) < LATE
 
     def _answers(self, now):
         """It lives: so much is known. Is it heard, too?"""
@@ -266,12 +277,26 @@ class Watch:
             raise errors.No(", ".join(each.where for each in self.watched),
                             "%d of %d within %gs" % (wanted - number, wanted, seconds))
 
-    def close(self):
-        """Take back all that was lent; bounded by the timeout. Tells who did not answer."""
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, *_):
+        self.close(hurried=kind is not None and not issubclass(kind, Exception))  # a signal
+
+    def close(self, hurried=False):
+        """Take back all that was lent; bounded by the timeout. Reports who did not answer.
+
+        `hurried`: all are asked, and their answers not waited for; who was heard a moment ago will do it.
+        """
         with interrupts.held():
             with self._guard:
                 self._ended.set()
-            values = rpc.gather([rpc.Job(loan.node.endpoint, loan.where, loan.take_back) for loan in self._loans])
-        for value in values:
-            if isinstance(value, errors.Silent):
-                self._note("%s; it still has our observer, and drops it when it calls us in vain" % value)
+            rpc.end = time.monotonic() + HURRY if hurried else None
+            try:
+                values = rpc.gather([rpc.Job(loan.node.endpoint, loan.where, loan.take_back) for loan in self._loans])
+            finally:
+                rpc.end = None
+        unheard = [each.loan for each in self.watched if not each.is_heard()]
+        for loan, value in zip(self._loans, values):
+            if isinstance(value, errors.Silent) and (loan in unheard or not hurried):
+                self._note("%s: does not answer; it still has our observer, and drops it when it calls us in vain" % loan.where)

@@ -23,10 +23,10 @@ LAYERS = [
     ["component", "configuration", "connection", "datalog", "dataport", "datatypes", "delivery", "execution", "flow", "fsm", "inbox", "manager",
      "observer", "organisation", "places", "polling", "ports", "servants", "targets"],
     ["tree"],  # from a path to a node
-    ["node"],
+    ["aliases", "node"],
     ["orb", "cli", "commandline", "installation", "reports", "streams"],  # the door to omniORB; what commands share
     # forms of things, told from text or bytes without asking anybody
-    ["cdr", "constants", "construct", "descriptors", "idl", "overview", "path", "portable", "values", "xmlprofile"],
+    ["cdr", "constants", "constraints", "construct", "descriptors", "idl", "overview", "path", "portable", "values", "xmlprofile"],
     ["files", "interrupts", "rpc", "shell", "text"],
     ["errors"],
     ["__init__"],

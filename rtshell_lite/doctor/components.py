@@ -62,7 +62,7 @@ def _ask(each):
         except errors.Error as e:
             each.refusing.append((number, e))
             continue
-        each.ports.append(found)
+        each.ports += ports.in_system([found])
         each.dropped += [found] * len(failed_once)
     each.asking = "its execution contexts"
     owned, participating = component.context_refs(node)

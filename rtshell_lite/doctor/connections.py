@@ -129,8 +129,6 @@ def _troubles(link, ends):
                 _called(connector), end.name), "%s; %s" % (undo, _redo(link, others))))
         else:
             found += _differences(link, end, "%s; %s" % (undo, _redo(link, others)))
-    if not others:
-        return _left_behind(link, where, undo)
     if all(end.port is not None for end in others):
         found += _mismatches(link, where, [link.port] + [end.port for end in others], undo)
     return found
@@ -199,18 +197,3 @@ def _mismatches(link, where, found, undo):
         reasons = services.mismatches(found, dict(link.connector.properties))
     far = ", ".join(ports.label(port) for port in found[1:])
     return [fail("connection", where, "connected to %s: %s" % (far, why), undo) for why in reasons]
-
-
-def _left_behind(link, where, undo):
-    """A connection of one port alone belongs to a tool, which told where to send the data: it may have been killed."""
-    ior = dict(link.connector.properties).get("dataport.corba_cdr.inport_ior", "")
-    if link.port.type != "DataOutPort" or not ior.startswith("IOR:"):
-        return []
-    try:
-        orb.is_alive(where, orb.from_text(where, ior))
-    except (errors.Gone, errors.ConnectionRefused):
-        message = "connection %s was left behind by a tool that is gone" % _called(link.connector)
-        return [warn("connection", where, message, undo)]
-    except errors.Error:
-        pass  # it may live where we cannot reach it
-    return []

@@ -11,7 +11,9 @@ def findings(visit):
     for node in visit.nodes:
         if node.kind not in ("root", "server", "directory"):
             found += _unreachable(visit, node) or _not_what_it_says(node)
-    return sorted(found + _stale_contexts(visit.nodes), key=lambda each: each.path)
+        elif node.alias is not None or node.foreign:
+            found.append(alias(node))
+    return sorted(found + _stale_contexts(visit), key=lambda each: each.path)
 
 
 def _command(program, node):
@@ -104,26 +106,38 @@ def _not_what_it_says(node):
 
 # ---- contexts -------------------------------------------------------------------------------------------------
 
-def _stale_contexts(nodes):
-    """Naming contexts in which nothing is left, or only dead names; of those inside each other the outermost."""
-    found, told, entered, content = [], set(), set(), _content(nodes)
-    for node in nodes:
-        if node.kind not in ("server", "directory"):
-            continue
-        identity = orb.identity(node.ref)
-        again = identity in entered  # bound a second time, and not entered by that name
-        entered.add(identity)
+def alias(node):
+    """The Finding on a naming context that has another name, or belongs to another name server: nothing of it is to be deleted."""
+    if node.alias is not None:
+        return ok("context", str(node.path), "an alias: the same directory as " + str(node.alias))
+    place = "%s:%d" % node.endpoint
+    return ok("context", str(node.path), "an alias: a directory of the name server at %s, which is examined by: rtdoctor %s" % (
+        printable(place), shell_word(place)))
+
+
+def _stale_contexts(visit):
+    """Naming contexts in which nothing is left, or only dead names; of those inside each other the outermost.
+
+    One that has several names, or in which one with another name is bound, is somebody's.
+    """
+    found, told, content = [], set(), _content(visit.nodes)
+    for node in visit.nodes:
         names = node.path.names
-        below = content.get(names, ())
         inside_told = any(names[:i] in told for i in range(len(names)))
-        if again or node.kind == "server" or node.error is not None or inside_told:
+        if node.kind != "directory" or inside_told or not _is_forsaken(node, visit.shared):
             continue
-        if all(each.kind == "zombie" or each.kind == "directory" and each.error is None for each in below):
+        below = content.get(names, ())
+        if all(each.kind == "zombie" or each.kind == "directory" and _is_forsaken(each, visit.shared) for each in below):
             told.add(names)
             what = "only dead names are in it" if any(each.kind == "zombie" for each in below) else "empty"
             command = _command("rtdel --recursive" if below else "rtdel", node)
             found.append(warn("context", str(node.path), "stale: " + what, command))
     return found
+
+
+def _is_forsaken(node, shared):
+    """True for a naming context that could be listed and has one name only; `shared` is an aliases.Known of those with more."""
+    return node.error is None and not node.foreign and shared.path(node) is None
 
 
 def _content(nodes):

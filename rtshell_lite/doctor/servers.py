@@ -2,8 +2,8 @@
 import collections
 import time
 
-from rtshell_lite import errors, orb, path, rpc, tree
-from rtshell_lite.doctor import addresses
+from rtshell_lite import aliases, errors, orb, path, rpc, tree
+from rtshell_lite.doctor import addresses, references
 from rtshell_lite.doctor.finding import fail, ok, reason, restart, warn
 from rtshell_lite.text import printable, shell_word
 
@@ -12,8 +12,9 @@ SLOW = 1.0  # seconds: a step that takes longer makes every command slow
 _NAMING_CONTEXT = "IDL:omg.org/CosNaming/NamingContext:1.0"
 
 # What became of one name server: `path` its Path, `addresses` where it is ([] where that is not known), `findings`, `nodes`
-# what is bound in it (looked at), `probes` a dict: endpoint to None, or to the errors.Error why TCP does not reach it.
-Visit = collections.namedtuple("Visit", "path addresses findings nodes probes")
+# what is bound in it (looked at), `probes` a dict: endpoint to None, or to the errors.Error why TCP does not reach it; `shared`
+# an aliases.Known of the naming contexts that have several names in it.
+Visit = collections.namedtuple("Visit", "path addresses findings nodes probes shared")
 
 
 def visits(tops):
@@ -31,16 +32,17 @@ def _too_late(place, e, findings=()):
     """The Visit to a name server that there was no time for, or not for all that is bound in it."""
     where = str(place)
     late = fail("name server", where, reason(e), "rtdoctor --timeout 30 " + shell_word(where))
-    return Visit(place, [], list(findings) + [late], [], {})
+    return Visit(place, [], list(findings) + [late], [], {}, aliases.Known())
 
 
 def _visit(place, tops):
-    visit = Visit(place, [], [], [], {})
+    visit = Visit(place, [], [], [], {}, aliases.Known())
     if not _reach(visit, tree.resolve(place)):
         return visit
     for top in tops:
         known = {node.path for node in visit.nodes}
         visit.nodes.extend(node for node in _below(visit, top) if node.path not in known)
+    _share(visit, tops)
     looked, probes = rpc.gather([
         rpc.Job(("look", place), str(place), lambda: tree.look(visit.nodes)),
         rpc.Job(("probe", place), str(place), lambda: _probes(visit.nodes))])
@@ -146,7 +148,11 @@ def _is_context(where, ref):
 def _below(visit, top):
     """The Nodes at and below a Path; what cannot be listed becomes a finding."""
     try:
-        nodes = list(tree.walk(tree.resolve(top), managers=False))
+        away = _leads_away(top)
+        if away is not None:
+            visit.findings.append(references.alias(away))
+            return []
+        nodes = list(aliases.within(tree.walk(tree.resolve(top), managers=False)))
     except errors.Error as e:
         visit.findings.append(fail("path", str(top), reason(e), "rtls " + shell_word(str(top.parent()))))
         return []
@@ -155,6 +161,29 @@ def _below(visit, top):
             visit.findings.append(fail("context", str(node.path), "its names cannot be listed (%s)" % reason(node.error),
                                        "restart the name server that has it"))
     return nodes
+
+
+def _share(visit, tops):
+    """Note the naming contexts with several names; of a part of a name server, the other names may be anywhere in it."""
+    nodes = visit.nodes
+    if any(top.names for top in tops) and any(node.kind == "directory" for node in nodes):
+        nodes = tree.walk(tree.resolve(visit.path), managers=False)
+    for node in nodes:
+        if node.alias is not None:
+            visit.shared.enter(node)
+
+
+def _leads_away(top):
+    """The first naming context on the way of a Path that belongs to another name server, or None."""
+    above = tree.resolve(path.Path(top.server, (), None, False))
+    for size in range(1, len(top.names) + 1):
+        node = tree.resolve(top._replace(names=top.names[:size]))
+        if node.kind != "directory":
+            return None
+        if aliases.is_foreign(above, node):
+            return node
+        above = node
+    return None
 
 
 def _probes(nodes):

@@ -257,5 +257,5 @@ class RtsProfile(Element):
 
     @property
     def connectors(self):
-        """All connections, those of data ports first."""
-        return self.data_port_connectors + self.service_port_connectors
+        """All connections, those of data ports first; one with a single end was a tool's, and is no part of the system."""
+        return [each for each in self.data_port_connectors + self.service_port_connectors if len(each.ends) > 1]

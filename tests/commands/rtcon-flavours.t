@@ -100,14 +100,15 @@ Requests that only some refuse; nothing is left behind:
 
   $ each rtcon -p dataport.subscription_type=periodic 2>&1 | sed "s|$here||g"
   cpp11
-  rtcon: /cpp11.host_cxt/ConsoleIn0.rtc:out to /cpp11.host_cxt/ConsoleOut0.rtc:in: refused by the component (RTC_ERROR)
+  rtcon: /cpp11.host_cxt/ConsoleIn0.rtc:out to /cpp11.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate: dataport.publisher.push_rate=HZ
   cpp12
-  rtcon: /cpp12.host_cxt/ConsoleIn0.rtc:out to /cpp12.host_cxt/ConsoleOut0.rtc:in: refused by the component (RTC_ERROR)
+  rtcon: /cpp12.host_cxt/ConsoleIn0.rtc:out to /cpp12.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate: dataport.publisher.push_rate=HZ
   cpp2
-  rtcon: /cpp2.host_cxt/ConsoleIn0.rtc:out to /cpp2.host_cxt/ConsoleOut0.rtc:in: refused by the component (RTC_ERROR)
+  rtcon: /cpp2.host_cxt/ConsoleIn0.rtc:out to /cpp2.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate: dataport.publisher.push_rate=HZ
   py2
+  rtcon: /py2.host_cxt/ConsoleIn0.rtc:out to /py2.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate: dataport.publisher.push_rate=HZ
   java
-  rtcon: /java.host_cxt/ConsoleIn0.rtc:out to /java.host_cxt/ConsoleOut0.rtc:in: refused by the component (RTC_ERROR)
+  rtcon: /java.host_cxt/ConsoleIn0.rtc:out to /java.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate: dataport.publisher.push_rate=HZ
   rtorb
   rtcon: /rtorb.host_cxt/ConsoleIn0.rtc:out to /rtorb.host_cxt/ConsoleOut0.rtc:in: /rtorb.host_cxt/ConsoleIn0.rtc:out has no subscription_type periodic (it has: flush)
   $ each rtdis 2>&1 | sed "s|$here||g"
@@ -118,6 +119,7 @@ Requests that only some refuse; nothing is left behind:
   cpp2
   rtdis: /cpp2.host_cxt/ConsoleIn0.rtc:out to /cpp2.host_cxt/ConsoleOut0.rtc:in: not connected
   py2
+  rtdis: /py2.host_cxt/ConsoleIn0.rtc:out to /py2.host_cxt/ConsoleOut0.rtc:in: not connected
   java
   rtdis: /java.host_cxt/ConsoleIn0.rtc:out to /java.host_cxt/ConsoleOut0.rtc:in: not connected
   rtorb

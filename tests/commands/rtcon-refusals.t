@@ -57,6 +57,21 @@ Properties that a port does not offer, with what it does:
   $ rtcon -p dataport.marshaling_types=json ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: no port has marshaling_types json (all have: cdr)
   [6]
+  $ rtcon -p dataport.subscription_type=periodic ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate: dataport.publisher.push_rate=HZ
+  [6]
+  $ rtcon -p dataport.subscription_type=periodic -p dataport.publisher.push_rate=often ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate in Hz above 0, not often
+  [6]
+  $ rtcon -p dataport.subscription_type=periodic -p dataport.push_rate=0 ConsoleIn0.rtc:out ConsoleOut0.rtc:in --dry-run
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate in Hz above 0, not 0
+  [6]
+  $ rtprint --property dataport.subscription_type=periodic ConsoleIn0.rtc:out
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: a periodic connection needs a rate: dataport.publisher.push_rate=HZ
+  [6]
+  $ rtlog -f log --property dataport.subscription_type=periodic --property dataport.publisher.push_rate=-1 ConsoleIn0.rtc:out
+  rtlog: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: a periodic connection needs a rate in Hz above 0, not -1
+  [6]
   $ calls | grep -E ' (connect|notify_connect)$'
   [1]
 

@@ -35,7 +35,7 @@ Components whose peer has died forget the connection when they are asked for the
 
   $ rtcryo localhost:$PORT/orphan.host_cxt | grep -o -E 'pathUri="[^"]*"|connectorId="[^"]*"'
   rtcryo: /localhost:$PORT/orphan.host_cxt/Peer0.rtc: zombie, left out
-  rtcryo: no components with connections; --all saves the others, too
+  rtcryo: 2 components without connections left out; --all saves them, too
   [1]
   $ rtls ../orphan.host_cxt
   Fragile0.rtc
@@ -56,7 +56,7 @@ Hostile names and values come through both forms:
 A composite is saved with its members, as soon as one of them is connected:
 
   $ rtcryo localhost:$PORT2 | grep -c pathUri
-  rtcryo: no components with connections; --all saves the others, too
+  rtcryo: 3 components and 1 composite without connections left out; --all saves them, too
   0
   [1]
   $ rtcon /localhost:$PORT2/test.host_cxt/composite0.rtc:Motor0.out /localhost:$PORT2/test.host_cxt/Sensor0.rtc:in
@@ -93,7 +93,7 @@ A member that is gone from the name server is named:
 Nothing at all:
 
   $ rtcryo localhost:$PORT3 -o empty.xml; grep -c RtsProfile empty.xml
-  rtcryo: no components with connections; --all saves the others, too
+  rtcryo: no components
   1
   $ rtcryo --all -q localhost:$PORT3 | grep -c RtsProfile
   1

@@ -8,6 +8,7 @@ Components, their configuration sets with the hidden ones, execution contexts, a
 
   $ rtcon -i number -n n ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtcryo > a.xml; sed 's/\(Date=\)"[^"]*"/\1"…"/g' a.xml
+  rtcryo: 7 components without connections left out; --all saves them, too
   <?xml version="1.0" encoding="UTF-8"?>
   <rts:RtsProfile xmlns:rts="http://www.openrtp.org/namespaces/rts" xmlns:rtsExt="http://www.openrtp.org/namespaces/rts_ext" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" rts:id="RTSystem:Me:RTSystem:0" rts:abstract="RT System created by rtcryo." rts:creationDate="…" rts:updateDate="…" rts:version="0.2">
       <rts:Components xsi:type="rtsExt:component_ext" rts:id="RTC:Shinji Kurihara:example:ConsoleIn:1.0" rts:pathUri="localhost:$PORT/test.host_cxt/ConsoleIn0.rtc" rts:activeConfigurationSet="default" rts:instanceName="ConsoleIn0" rts:compositeType="None" rts:isRequired="true" rtsExt:visible="true">
@@ -42,6 +43,7 @@ Components, their configuration sets with the hidden ones, execution contexts, a
 In YAML:
 
   $ rtcryo -y | sed '/Date:/,/year:/d'
+  rtcryo: 7 components without connections left out; --all saves them, too
   rtsProfile:
     abstract: RT System created by rtcryo.
     components:
@@ -134,6 +136,7 @@ Everything that a system can have: service connections, one with three ends, a c
   $ rtcon -i service MyServiceConsumer0.rtc:MyService MyServiceProvider0.rtc:MyService
   $ rtcon -i self ../away.host_cxt/Mock0.rtc:out ../away.host_cxt/Mock0.rtc:in -p 'a "b"=<c>&'
   $ rtcryo > b.xml
+  rtcryo: 2 components without connections left out; --all saves them, too
   $ grep -o -E 'pathUri="[^"]*"|connectorId="[^"]*"|portName="[^"]*"|<rtsExt:FurtherEnds|"a &quot.*"' b.xml
   pathUri="localhost:$PORT/away.host_cxt/Mock0.rtc"
   pathUri="localhost:$PORT/test.host_cxt/ConsoleIn0.rtc"
@@ -169,7 +172,10 @@ References are left out: they say where a port is today, and mislead tomorrow.
 The same system gives the same file, apart from its dates, in both forms:
 
   $ rtcryo | grep -v Date= > c; grep -v Date= b.xml | cmp - c
+  rtcryo: 2 components without connections left out; --all saves them, too
   $ rtcryo -y | sed '/Date:/,/year:/d' > c.yaml; rtcryo --yaml | sed '/Date:/,/year:/d' | cmp - c.yaml
+  rtcryo: 2 components without connections left out; --all saves them, too
+  rtcryo: 2 components without connections left out; --all saves them, too
 
 --all takes components without connections, too:
 
@@ -203,25 +209,32 @@ The same system gives the same file, apart from its dates, in both forms:
 What the system is called, and where it is written; --verbose tells what was saved:
 
   $ rtcryo -n Arm -e 'Robot & Co' -v 2.1 -a 'two arms' -o arm.rtsys --verbose
+  rtcryo: 2 components without connections left out; --all saves them, too
   rtcryo: 7 components, 3 data and 1 service connections
   $ grep -o 'rts:id="RTSys[^"]*" rts:abstract="[^"]*"' arm.rtsys
   rts:id="RTSystem:Robot &amp; Co:Arm:2.1" rts:abstract="two arms"
   $ rtcryo --system-name=Arm --vendor Lab --system-version 3 --abstract= --output arm.rtsys -x
+  rtcryo: 2 components without connections left out; --all saves them, too
   $ grep -o 'rts:id="RTSys[^"]*" rts:abstract="[^"]*"' arm.rtsys
   rts:id="RTSystem:Lab:Arm:3" rts:abstract=""
   $ rtcryo -x -y | head -1; rtcryo -y --xml | head -1
+  rtcryo: 2 components without connections left out; --all saves them, too
   rtsProfile:
+  rtcryo: 2 components without connections left out; --all saves them, too
   <?xml version="1.0" encoding="UTF-8"?>
 
 Only some name servers, or a part of one; what is connected to the outside is told:
 
   $ rtcryo localhost:$PORT | grep -c pathUri
+  rtcryo: 2 components without connections left out; --all saves them, too
   7
   $ rtcryo /localhost:$PORT/away.host_cxt | grep -o 'pathUri="[^"]*"'
+  rtcryo: 1 component without connections left out; --all saves them, too
   pathUri="localhost:$PORT/away.host_cxt/Mock0.rtc"
   $ rtcon -i far ConsoleIn0.rtc:out ../away.host_cxt/SequenceInComponent0.rtc:Long
   $ rtcryo localhost:$PORT/test.host_cxt | grep -c far
   rtcryo: connection far of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: its end /localhost:$PORT/away.host_cxt/SequenceInComponent0.rtc:Long is not in the system, left out
+  rtcryo: 1 component without connections left out; --all saves them, too
   0
   [1]
   $ rtcryo -q localhost:$PORT/test.host_cxt | grep -c far
@@ -231,6 +244,7 @@ Only some name servers, or a part of one; what is connected to the outside is to
 What it costs: nothing is asked twice, and the profile comes last.
 
   $ ctl @these reset; rtcryo > b.xml; calls @these ConsoleOut1
+  rtcryo: 1 component without connections left out; --all saves them, too
   1 get_active_configuration_set
   1 get_component_profile
   1 get_configuration
@@ -250,6 +264,7 @@ A name server that is not there, a path that is none, a file that cannot be writ
   [4]
   $ rtcryo localhost:1 localhost:$PORT -o both.xml; grep -c pathUri both.xml
   rtcryo: /localhost:1: connection refused; is the name server running?
+  rtcryo: 1 component without connections left out; --all saves them, too
   8
   $ rtcryo localhost:$PORT/nothing.host_cxt
   rtcryo: /localhost:$PORT/nothing.host_cxt: no such path
@@ -258,6 +273,7 @@ A name server that is not there, a path that is none, a file that cannot be writ
   rtcryo: /localhost:x: localhost:x is not a name server (host or host:tcpport)
   [2]
   $ rtcryo -o no/such/dir.xml
+  rtcryo: 1 component without connections left out; --all saves them, too
   rtcryo: no/such/dir.xml: No such file or directory
   [1]
   $ rtcryo --json

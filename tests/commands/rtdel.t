@@ -104,12 +104,15 @@ Contexts: only empty ones, or with --recursive; the context itself is destroyed:
 A context that is bound inside itself loses that name only, also with --recursive:
 
   $ rtdel --recursive --dry-run $odd/loop.cxt
+  rtdel: /localhost:$PORT/odd.host_cxt/loop.cxt: another name of /localhost:$PORT/odd.host_cxt; only this name is deleted
   rtdel /localhost:$PORT/odd.host_cxt/loop.cxt
   $ rtdel --recursive --dry-run $odd/loop.cxt/loop.cxt
+  rtdel: /localhost:$PORT/odd.host_cxt/loop.cxt/loop.cxt: another name of /localhost:$PORT/odd.host_cxt; only this name is deleted
   rtdel /localhost:$PORT/odd.host_cxt/loop.cxt/loop.cxt
   $ rtls $odd | wc -l
   30
   $ rtdel --recursive $odd/loop.cxt
+  rtdel: /localhost:$PORT/odd.host_cxt/loop.cxt: another name of /localhost:$PORT/odd.host_cxt; only this name is deleted
   $ rtls $odd | wc -l
   29
 
@@ -194,5 +197,5 @@ Not to be deleted:
 
 A name server in which there is always one more directory below is given up:
 
-  $ rtdel --recursive /localhost:$BOTTOMLESS/x.host_cxt 2>&1 | sed 's|/deeper[^:]*|/…|'
-  rtdel: /localhost:$BOTTOMLESS/x.host_cxt/…: more than 64 directories deep
+  $ rtdel --recursive /localhost:$BOTTOMLESS/deeper.host_cxt 2>&1 | sed 's|/deeper[^:]*|/…|'
+  rtdel: /localhost:$BOTTOMLESS/…: more than 64 directories deep

@@ -101,7 +101,7 @@ Zombies, wrong objects, loops:
   /localhost:$PORT/odd.host_cxt/a.cxt/b.cxt
   /localhost:$PORT/odd.host_cxt/a.cxt/b.cxt/c.cxt
   /localhost:$PORT/odd.host_cxt/empty.cxt
-  /localhost:$PORT/odd.host_cxt/loop.cxt
+  /localhost:$PORT/odd.host_cxt/loop.cxt -> /localhost:$PORT/odd.host_cxt
   /localhost:$PORT/odd.host_cxt/many.cxt
   $ rtfind $cd -n Deep0.rtc -n Same0.rtc
   /localhost:$PORT/odd.host_cxt/Same0.rtc

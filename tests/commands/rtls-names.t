@@ -152,7 +152,6 @@ A context that is bound inside itself is entered once; below it, paths work as d
   ./a.cxt/b.cxt:
   ./a.cxt/b.cxt/c.cxt:
   ./empty.cxt:
-  ./loop.cxt:
   ./many.cxt:
   $ rtls loop.cxt/loop.cxt/loop.cxt/Deep0.rtc
   rtls: /localhost:$PORT/test.host_cxt/loop.cxt/loop.cxt/loop.cxt/Deep0.rtc: no such path

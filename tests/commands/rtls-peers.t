@@ -156,10 +156,8 @@ A context inside itself, contexts without end (shown 64 deep), references that l
   leaf.rtc
 
   ./again.host_cxt:
-  again.host_cxt/
+  again.host_cxt/ -> /localhost:$LOOP/again.host_cxt
   leaf.rtc
-
-  ./again.host_cxt/again.host_cxt:
    (esc)
   $ rtls -R localhost:$BOTTOMLESS | grep -c :
   65

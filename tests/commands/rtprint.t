@@ -103,7 +103,7 @@ Figures, each second and at the end. The sender is a Python process beside other
   all in all: silent: no values
   $ rtprint -n 30 --stats --json Source0.rtc:number | python3 -c 'import json, sys
   > for line in sys.stdin: found = json.loads(line); print(sorted(found), found["total"], found["values"], found["bytes"])'
-  ['age_max', 'age_mean', 'bytes', 'bytes_per_second', 'disordered', 'dropped', 'gap_max', 'gap_mean', 'gap_min', 'jitter', 'missing', 'path', 'rate', 'repeated', 'seconds', 'total', 'values'] True 30 360
+  ['absent', 'age_max', 'age_mean', 'bytes', 'bytes_per_second', 'disordered', 'dropped', 'gap_max', 'gap_mean', 'gap_min', 'jitter', 'missing', 'path', 'rate', 'repeated', 'seconds', 'total', 'values'] True 30 360
   $ tty 30 rtprint -t 1.3 --stats Source0.rtc:number | sed 's/[0-9.]* [vHg].*/…/'
   \x1b[2K… (esc)
   \x1b[1A\x1b[2Kall in all: … (esc)

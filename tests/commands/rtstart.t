@@ -8,6 +8,8 @@ world: these ConsoleIn ConsoleOut
 Without that section, all start at once. What is Active already counts as done:
 
   $ rtcryo -o a.xml; rtcryo -y -o a.yaml
+  rtcryo: 4 components without connections left out; --all saves them, too
+  rtcryo: 4 components without connections left out; --all saves them, too
   $ states() { rtls -l | awk '{print $1, $6}'; }
   $ rtstart a.xml 2> said; sort said
   Executing {1} Activate /localhost:$PORT/test.host_cxt/Clusterer0.rtc in execution context 0 (Required)

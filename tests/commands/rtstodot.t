@@ -9,6 +9,8 @@ world: composite --nameserver localhost:$PORT2
 From a file, in either form, or from stdin:
 
   $ rtcryo > a.xml; rtcryo -y > a.yaml
+  rtcryo: 5 components without connections left out; --all saves them, too
+  rtcryo: 5 components without connections left out; --all saves them, too
   $ rtstodot a.xml | tee a.dot
   digraph rtsprofile {
     rankdir=LR;
@@ -82,6 +84,7 @@ Composites are boxes around their members; a port that a composite exports belon
   │ in          │<┘
   └─────────────┘
   $ rtcryo | rtstodot --text
+  rtcryo: 1 component without connections left out; --all saves them, too
   ┌────────────────────┐
   │ ConsoleIn0         │
   │                out ├─┐
@@ -102,6 +105,7 @@ Composites are boxes around their members; a port that a composite exports belon
   │ MyService          │<╝
   └────────────────────┘
   $ rtcryo | rtstodot --ascii
+  rtcryo: 1 component without connections left out; --all saves them, too
   +--------------------+
   | ConsoleIn0         |
   |                out +-+

@@ -7,6 +7,8 @@ world: contexts
 
   $ states() { rtls -l $1 | awk '$1 ~ /tive/ {print $1, $6}'; }
   $ rtcryo -o a.xml; rtcryo -y -o a.yaml
+  rtcryo: 7 components and 1 composite without connections left out; --all saves them, too
+  rtcryo: 7 components and 1 composite without connections left out; --all saves them, too
   $ rtstart -q a.xml; rtstop a.xml 2> said; sort said
   Executing {1} Deactivate /localhost:$PORT/test.host_cxt/Clusterer0.rtc in execution context 0
   Executing {2} Deactivate /localhost:$PORT/test.host_cxt/Controller0.rtc in execution context 0

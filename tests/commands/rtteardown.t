@@ -8,6 +8,8 @@ world: services
   $ rtcon -i one -p x=y ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcon -i 'two ends' ConsoleIn0.rtc:out ConsoleOut1.rtc:in
   $ rtcon -i service MyServiceConsumer0.rtc:MyService MyServiceProvider0.rtc:MyService
   $ rtcryo > a.xml; rtcryo -y > a.yaml; rtcon -i more ConsoleIn0.rtc:out ConsoleOut2.rtc:in
+  rtcryo: 1 component without connections left out; --all saves them, too
+  rtcryo: 1 component without connections left out; --all saves them, too
 
 The commands that would do it:
 

@@ -3,6 +3,7 @@ rtvlog shows the log of components that take loggers, as it is written.
 world: observed
 world: these ConsoleIn:Plain0 --flavour cpp2
 world: these Motor:Other0 --flavour cpp2 --context other.host_cxt/Motor0.rtc
+world: observed --flavour cpp2 --context cpp.host_cxt/%n.rtc
 world: hung 1 --context hung.host_cxt/%n.rtc
 
   $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
@@ -45,14 +46,20 @@ Each is written at once, and what ends the command leaves nothing behind:
   141
   $ ctl observers Motor0
 
+One of C++ takes a logger, and never writes to it; who waits knows why:
+
+  $ rtvlog -t 1 ../cpp.host_cxt/Motor0.rtc & soon "ctl @observed2 observers Motor0 | grep Logger"
+  rtvlog: /localhost:$PORT/cpp.host_cxt/Motor0.rtc: takes a logger, but components of C++ (up to 2.1) write nothing to it
+  $ ctl @observed2 log Motor0 ERROR motor hot; wait
+
 A component that takes no loggers, as most do not; one beside it is not disturbed:
 
   $ rtvlog ConsoleIn0.rtc
-  rtvlog: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: takes no loggers (those of C++ do that have loaded LoggerConsumer)
+  rtvlog: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: takes no loggers
   [6]
   $ rtvlog -t 0.3 ConsoleIn0.rtc Motor0.rtc Plain0.rtc
-  rtvlog: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: takes no loggers (those of C++ do that have loaded LoggerConsumer)
-  rtvlog: /localhost:$PORT/test.host_cxt/Plain0.rtc: takes no loggers (those of C++ do that have loaded LoggerConsumer)
+  rtvlog: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: takes no loggers
+  rtvlog: /localhost:$PORT/test.host_cxt/Plain0.rtc: takes no loggers
   [5]
   $ ctl calls ConsoleIn0 | grep service
   [1]

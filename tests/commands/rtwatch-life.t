@@ -40,14 +40,15 @@ within the timeout, although nothing can be taken back:
   $ rtwatch -f RTC_STATUS --timeout 0.5 Dies0.rtc > out 2> err & watch=$!
   $ soon 'ctl @these4 observers Dies0 | grep Obs'; hang these4; soon 'grep answer err'
   $ resume these4; soon 'grep again err'; rtdeact Dies0.rtc; soon 'grep INACTIVE out'
-  $ hang these4; begun=$(date +%s); kill -TERM $watch; wait $watch
+  $ hang these4; soon '[ $(grep -c "no answer" err) = 2 ]'; begun=$(date +%s); kill -TERM $watch; wait $watch
   [143]
   $ echo $(($(date +%s) - begun < 3)); resume these4; plain out; cat err
   1
   [T] 0 INACTIVE
   rtwatch: /localhost:$PORT/test.host_cxt/Dies0.rtc: no answer within 0.5s
   rtwatch: /localhost:$PORT/test.host_cxt/Dies0.rtc: answers again
-  rtwatch: /localhost:$PORT/test.host_cxt/Dies0.rtc: no answer within 0.5s; it still has our observer, and drops it when it calls us in vain
+  rtwatch: /localhost:$PORT/test.host_cxt/Dies0.rtc: no answer within 0.5s
+  rtwatch: /localhost:$PORT/test.host_cxt/Dies0.rtc: does not answer; it still has our observer, and drops it when it calls us in vain
 
 One that answers, but has lost its observer: it is lent once more, then the component is polled.
 
@@ -67,3 +68,20 @@ One that answers, but has lost its observer: it is lent once more, then the comp
   rtwatch: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: cannot call us at HOST:PORT; it is polled from now on
   rtwatch: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no heartbeat for 3 s
   $ ctl observers ConsoleIn0; ctl observers ConsoleOut0
+
+An observer of C++ is removed at once, but the component answers only when its heart would have beaten again. Nobody waits for
+that after Ctrl-C, SIGTERM or SIGHUP; the observer is gone all the same.
+
+  $ mock observed --flavour cpp2 --context cpp.host_cxt/%n.rtc
+  $ cd=/localhost:$PORT/cpp.host_cxt
+  $ for signal in INT TERM HUP; do
+  >     python3 -c 'import signal, sys, os; signal.signal(signal.SIGINT, signal.SIG_DFL); os.execvp(sys.argv[1], sys.argv[1:])' \
+  >         rtwatch $cd/ConsoleIn0.rtc $cd/ConsoleOut0.rtc $cd/Microwave0.rtc > nul & watch=$!
+  >     for name in ConsoleIn0 ConsoleOut0 Microwave0; do soon "ctl @observed2 observers $name | grep Obs"; done
+  >     kill -$signal $watch; within 0-0.6 tail --pid=$watch -s 0.01 -f /dev/null; wait $watch; echo $?
+  >     for name in ConsoleIn0 ConsoleOut0 Microwave0; do soon "! ctl @observed2 observers $name | grep Obs"; done
+  > done
+  130
+  143
+  129
+  $ within 0.9-3 rtwatch -f LIFE_EVENT -t 0.1 $cd/ConsoleIn0.rtc

@@ -1,0 +1,79 @@
+"""Constraints of configuration parameters, as components have them in their set __constraints__ (protocol.md 11.2).
+
+    0<=x<=150   x<100   x >= 0   one side or both, strict or not
+    (red,green)                  one of these, or a list of them
+    x>0,x<10                     of an array: one for each element
+    {key0: x>0, key1: }          of a map: one for each key
+    5                            no other value; nothing: any
+
+Components do not enforce them; RTSystemEditor does.
+"""
+import operator
+import re
+
+_NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?\Z")
+_RANGE = re.compile(r"(?:([^<>=\s]+)\s*(<=?)\s*)?x(?:\s*(<=?|>=?)\s*([^<>=\s]+))?\Z")
+_COMPARE = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
+_SETS = ("__constraints__", "__constraint__")  # some files have the second
+
+
+def doubts(present, values, sets):
+    """Why some of the new `values` (a dict) may not be what the component takes: a list of (name, reason).
+
+    present  the values of the same parameters now
+    sets     all configuration sets of the component, {id: {name: value}}
+    """
+    found = []
+    for name, value in values.items():
+        constraint = next((sets[each][name] for each in _SETS if sets.get(each, {}).get(name)), "")
+        if _are_numbers(present.get(name, "")) and not _are_numbers(value):
+            found.append((name, "%s is no number, as the present value is (%s)" % (value or "''", present[name])))
+        elif not fits(constraint, value):
+            found.append((name, "%s does not fit the component's constraint %s" % (value or "''", constraint)))
+    return found
+
+
+def _are_numbers(value):
+    """True for a number, and for several with commas between them."""
+    return all(_NUMBER.match(each.strip()) for each in value.split(","))
+
+
+def fits(constraint, value):
+    """True unless a value does not fit a constraint; a constraint that is of no known form says nothing."""
+    constraint, value = constraint.strip(), value.strip()
+    if not constraint:
+        return True
+    if constraint.startswith("(") and constraint.endswith(")"):
+        choices = [each.strip() for each in constraint[1:-1].split(",")]
+        return value in choices or all(each.strip() in choices for each in value.split(","))
+    if constraint.startswith("{") and constraint.endswith("}"):
+        return _map_fits(constraint[1:-1], value)
+    parts, elements = constraint.split(","), value.split(",")
+    if len(parts) == 1:
+        parts *= len(elements)
+    return all(_fits_one(part.strip(), each.strip()) for part, each in zip(parts, elements))
+
+
+def _map_fits(constraints, value):
+    wanted = dict(_pair(each) for each in constraints.split(","))
+    return all(_fits_one(wanted.get(key, ""), each) for key, each in map(_pair, value.strip("{}").split(",")))
+
+
+def _pair(text):
+    key, _, value = text.partition(":")
+    return key.strip(), value.strip()
+
+
+def _fits_one(constraint, value):
+    """`fits` for one value and a range, or the only value allowed."""
+    if "x" not in constraint or "<" not in constraint and ">" not in constraint:
+        return not _NUMBER.match(constraint) or bool(_NUMBER.match(value)) and float(value) == float(constraint)
+    found = _RANGE.match(constraint)
+    bounds = [each for each in found.group(1, 4) if each is not None] if found else []
+    if not bounds or not all(_NUMBER.match(each) for each in bounds):
+        return True
+    if not _NUMBER.match(value):
+        return False
+    low, below, above, high = found.groups()
+    return (low is None or _COMPARE[below](float(low), float(value))) and (
+        high is None or _COMPARE[above](float(value), float(high)))

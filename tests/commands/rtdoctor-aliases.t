@@ -1,0 +1,49 @@
+rtdoctor names a directory that is bound by several names, or belongs to another name server, and calls none of them stale.
+
+server: another
+world: aliased localhost:$PORT2
+world: zombie 1 --nameserver localhost:$PORT2
+
+  $ doctor() { rtdoctor --no-measure "$@" | grep -v -e ' here: ' -e 'ok    .*answers' -e 'Inactive'; }
+  $ doctor
+  ok    /localhost:$PORT/test.host_cxt/again.cxt/loop.cxt: an alias: the same directory as /localhost:$PORT/test.host_cxt/again.cxt
+  ok    /localhost:$PORT/test.host_cxt/far0.cxt: an alias: a directory of the name server at localhost:$PORT2, which is examined by: rtdoctor localhost:$PORT2
+  ok    /localhost:$PORT/test.host_cxt/real.cxt: an alias: the same directory as /localhost:$PORT/test.host_cxt/again.cxt
+  ok    /localhost:$PORT/test.host_cxt/top.cxt: an alias: the same directory as /localhost:$PORT
+  warn  /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc: somebody else's name: this component calls itself test.host_cxt/Inner0.rtc; try: restart who should have this name; else: rtdel /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc
+  0 failed, 3 to be looked at, 8 ok
+  $ doctor --json | grep alias | head -1
+  {"check": "context", "level": "ok", "message": "an alias: the same directory as /localhost:$PORT/test.host_cxt/again.cxt", "path": "/localhost:$PORT/test.host_cxt/again.cxt/loop.cxt", "remedy": ""}
+
+What is only empty, or dead, behind several names is nobody's to delete:
+
+  $ rtdel again.cxt/Inner0.rtc
+  $ doctor -q
+  [1]
+  $ doctor -q again.cxt
+  [1]
+  $ doctor -q real.cxt
+  [1]
+  $ doctor far0.cxt
+  ok    /localhost:$PORT/test.host_cxt/far0.cxt: an alias: a directory of the name server at localhost:$PORT2, which is examined by: rtdoctor localhost:$PORT2
+  0 failed, 1 to be looked at, 4 ok
+  $ doctor far0.cxt/test.host_cxt
+  ok    /localhost:$PORT/test.host_cxt/far0.cxt: an alias: a directory of the name server at localhost:$PORT2, which is examined by: rtdoctor localhost:$PORT2
+  0 failed, 1 to be looked at, 4 ok
+  $ doctor far0.cxt/test.host_cxt/Mock0.rtc
+  ok    /localhost:$PORT/test.host_cxt/far0.cxt: an alias: a directory of the name server at localhost:$PORT2, which is examined by: rtdoctor localhost:$PORT2
+  0 failed, 1 to be looked at, 4 ok
+  $ doctor -q localhost:$PORT2
+  warn  /localhost:$PORT2/test.host_cxt: stale: only dead names are in it; try: rtdel --recursive /localhost:$PORT2/test.host_cxt
+  fail  /localhost:$PORT2/test.host_cxt/Mock0.rtc: dead (zombie): nothing listens at 127.0.0.1:*; try: rtdel -z /localhost:$PORT2/test.host_cxt/Mock0.rtc (glob)
+
+With the last but one name gone it is what it was:
+
+  $ rtdel -q real.cxt/loop.cxt; doctor -q; doctor -q again.cxt real.cxt; doctor -q real.cxt
+  [1]
+  $ rtdel -q again.cxt; doctor -q
+  warn  /localhost:$PORT/test.host_cxt/real.cxt: stale: empty; try: rtdel /localhost:$PORT/test.host_cxt/real.cxt
+  $ rtdel real.cxt; doctor
+  ok    /localhost:$PORT/test.host_cxt/far0.cxt: an alias: a directory of the name server at localhost:$PORT2, which is examined by: rtdoctor localhost:$PORT2
+  ok    /localhost:$PORT/test.host_cxt/top.cxt: an alias: the same directory as /localhost:$PORT
+  0 failed, 1 to be looked at, 5 ok
