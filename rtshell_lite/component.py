@@ -9,6 +9,7 @@ STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by nu
 KINDS = ("Periodic", "Event-driven", "Other")  # RTC::ExecutionKind by number
 ENDING = 1.0  # seconds that a process may take to end
 POLL = 0.2  # seconds between looks at a state: monitors that ask more often have disturbed real-time threads
+JITTER = 0.03  # seconds that a cycle of an execution context may come late
 
 # What a transition is called, the operation that asks for it, the state it leads to, the state it starts from.
 Transition = collections.namedtuple("Transition", "name command operation target source")
@@ -200,9 +201,10 @@ def _members_first(node, ref, wait):
 def change(node, transition, index=0, wait=None):
     """Take a component through a Transition in its execution context number `index`; returns the state reached or asked for.
 
-    `wait` (seconds) polls until the state is there. Contexts of 1.1 answer before the state has changed, later ones answer
-    RTC_ERROR when it takes longer than their own limit of 0.5 s and change it all the same: so after RTC_ERROR the state is
-    watched for the timeout. Raises Refused with the reason, Unreachable when the state was not reached in time.
+    `wait` (seconds) polls until the state is there, and Active still a period later. Contexts of 1.1 answer before the state has
+    changed, later ones answer RTC_ERROR when it takes longer than their own limit of 0.5 s and change it all the same: so after
+    RTC_ERROR the state is watched for the timeout. Raises Refused with the reason, Unreachable when the state was not reached in
+    time.
     """
     change_in(node, context_ref(node, index), transition, wait, "its execution context %d" % index)
     return transition.target
@@ -216,6 +218,8 @@ def change_in(node, ref, transition, wait=None, called="this execution context",
     """
     before = state_in(node, ref)
     if before == transition.target:
+        if wait is not None:
+            stay(node, ref, transition, wait)
         return before
     stage("asking")
     if transition is DEACTIVATE:
@@ -233,7 +237,10 @@ def change_in(node, ref, transition, wait=None, called="this execution context",
     now = seen(lambda: state_in(node, ref))
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
         raise errors.Refused(str(node.path), "cannot %s: %s" % (transition.name, _reason(code, before, now, transition)))
-    _until(node, ref, transition, now, rpc.timeout if wait is None else wait)
+    seconds, start = rpc.timeout if wait is None else wait, time.monotonic()
+    _until(node, ref, transition, now, seconds)
+    if wait is not None:
+        stay(node, ref, transition, start + seconds - time.monotonic())
     return before
 
 
@@ -257,6 +264,26 @@ def _reason(code, before, now, transition):
     if code == "PRECONDITION_NOT_MET" and now != transition.source:
         return "it is %s, not %s" % (now, transition.source)
     return "%s, it is %s" % (code, now)
+
+
+def stay(node, ref, transition, seconds):
+    """See that a component that is Active still is so a period of its execution context `ref` later, in so many seconds at most.
+
+    Where onActivated fails, a component is Active for one period before it is in Error (all of OpenRTM-aist). Other states are
+    there to stay. Raises Refused, and Unreachable where a period takes longer.
+    """
+    if transition is not ACTIVATE:
+        return
+    rate, start = orb.ask(node.path, ref, "get_rate"), time.monotonic()
+    end = start + (1 / rate if rate > 0 else 0) + JITTER
+    limit = start + max(seconds, POLL)
+    while time.monotonic() < end:
+        if time.monotonic() > limit:
+            raise errors.Unreachable(str(node.path), "Active, but not yet for a period (%gs) of its execution context" % (1 / rate))
+        time.sleep(max(0, min(POLL, end - time.monotonic())))
+        now = seen(lambda: state_in(node, ref))
+        if now != transition.target:
+            raise errors.Refused(str(node.path), "cannot %s: it went to %s" % (transition.name, now))
 
 
 def _until(node, ref, transition, now, seconds):
