@@ -196,8 +196,16 @@ class Behaviour:
         time.sleep(min(1.0 / self.rate, 0.3))
         self.members.remove(member)
         self.participants = [p for p in self.participants if not p._is_equivalent(member.reference)]
-        self._tell(member, "detach_context")
+        try:
+            member.reference.detach_context(member.handle)
+        except CORBA.SystemException:
+            self._stumble()
         self._wake()
+
+    def _stumble(self):
+        """A component was to be told that it has left, and is gone: where the thread has ever run, C++ ends its process."""
+        if self.flavour.dead_member == "process" and self.thread is not None:
+            self.process.die()
 
     # the thread
 

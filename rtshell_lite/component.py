@@ -8,6 +8,7 @@ from rtshell_lite.text import from_wire, shell_word
 STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by number
 KINDS = ("Periodic", "Event-driven", "Other")  # RTC::ExecutionKind by number
 ENDING = 1.0  # seconds that a process may take to end
+LEAVING = 2.0  # seconds that an execution context may take, at least, to let go of a component: it does so in its next cycle
 POLL = 0.2  # seconds between looks at a state: monitors that ask more often have disturbed real-time threads
 JITTER = 0.03  # seconds that a cycle of an execution context may come late
 
@@ -274,7 +275,7 @@ def stay(node, ref, transition, seconds):
     """
     if transition is not ACTIVATE:
         return
-    rate, start = orb.ask(node.path, ref, "get_rate"), time.monotonic()
+    rate, start = seen(lambda: orb.ask(node.path, ref, "get_rate")), time.monotonic()
     end = start + (1 / rate if rate > 0 else 0) + JITTER
     limit = start + max(seconds, POLL)
     while time.monotonic() < end:
@@ -312,11 +313,35 @@ def exit_all(paths, wait=None, dry_run=False):
     def one(node):
         if dry_run:
             return "rtexit " + shell_word(str(node.path))
+        leave(node)
         _exit(node)
         if wait is not None:
             _until_unbound(node, wait)
         return str(node.path) + ": exited"
     return tree.on_components(paths, one)
+
+
+def leave(node):
+    """Let a component that is to exit leave the execution contexts of others, composites say, and wait until it has.
+
+    A context tells a component in its next cycle that it has left. Where that one has exited by then, the context's process ends
+    with it (C++ 2.1). Raises Refused where a context does not let go of it.
+    """
+    asked, seconds = [], LEAVING
+    for ref in participating_context_refs(node):
+        try:
+            rate = orb.ask(node.path, ref, "get_rate")
+            orb.ask(node.path, ref, "remove_component", node.typed)
+        except errors.Error:
+            continue  # it is gone, hangs or refuses
+        asked.append(ref)
+        seconds = max(seconds, 3 / rate if rate > 0 else 0)
+
+    def has_left():
+        return not asked or not any(orb.same(one, ref) for one in participating_context_refs(node) for ref in asked)
+    if not until(has_left, seconds):
+        raise errors.Refused(str(node.path), "an execution context that it takes part in does not let go of it (see rtec); its "
+                             "process could end if this one did")
 
 
 def _exit(node):

@@ -218,6 +218,7 @@ def delete(node, instance):
                             printable(instance))
     # a master says BAD_PARAMETER to the name of a slave's component, or RTC_OK and does nothing (C++ 1.1)
     holder = next((slave for slave in _slaves(node) if _lists(slave, found[0].ref)), node)
+    component.leave(found[0])
     code = str(holder.call("delete_component", to_wire(instance), seconds=CREATE_TIME))
     if code != "RTC_OK":
         raise errors.Refused(str(node.path), "does not delete %s (%s)" % (printable(instance), code))
