@@ -82,6 +82,12 @@ class Unwilling(Component):
         return RTC.RTC_ERROR
 
 
+class Unborn(Component):
+    """Fails in its own initialisation: managers answer nil."""
+
+    initialises = False
+
+
 class Slow(Component):
     """Changes its state later than callers wait."""
 
@@ -195,6 +201,7 @@ SPECS = {spec.type_name: spec for spec in (
     Spec("Mock", "Does nothing", [("in", "in", "TimedLong"), ("out", "out", "TimedLong")], category="test"),
     Spec("Err", "Goes to Error in its first cycle", [("out", "out", "TimedLong")], play=Failing, category="test"),
     Spec("ErrStart", "Goes to Error instead of Active", play=Unwilling, category="test"),
+    Spec("Unborn", "Fails in its own initialisation", play=Unborn, category="test"),
     Spec("Slow", "Changes its state after 0.8 s", [("out", "out", "TimedLong")], play=Slow, category="test"),
     Spec("Stuck", "Never completes a change of state", play=Stuck, category="test"),
 )}

@@ -2,10 +2,11 @@
 import time
 import uuid
 
-from omniORB import CORBA
 from rtshell_lite.idl_stubs.component import OpenRTM, RTC, SDOPackage, SDOPackage__POA
 
 from .context import TRANSITION_TIMEOUT
+from .port import alive
+from .process import later
 from .rtc import Component
 
 LATE = 1.0              # seconds: C++ 1.2 waits no longer than that for all members
@@ -21,6 +22,9 @@ class Member:
         for port in reference.get_ports():
             name = port.get_port_profile().name
             self.ports.append((name if name.startswith(self.name + ".") else self.name + "." + name, port))
+
+    def is_dead(self):
+        return not alive(self.reference)
 
 
 class Organization(SDOPackage__POA.Organization):
@@ -84,9 +88,12 @@ class Organization(SDOPackage__POA.Organization):
         return True
 
     def dissolve(self):
-        """Give all members back to themselves."""
+        """Give all members back to themselves. Raises what dead ones raise."""
         for member in list(self.members):
             self._release(member)
+
+    def has_dead_members(self):
+        return any(member.is_dead() for member in self.members)
 
     def _take(self, component):
         member = Member(component)
@@ -97,14 +104,15 @@ class Organization(SDOPackage__POA.Organization):
         self.members.append(member)
 
     def _release(self, member):
+        if member.is_dead():            # it stays: its ports are hidden, then the first call to it fails
+            self.composite.export(hidden=member)
+            self.composite.stumble()
+            member.reference.get_owned_organizations()
         self.members.remove(member)
         self.composite.owned[0].remove_component(member.reference)
-        try:
-            member.reference.get_configuration().remove_organization(self.id)
-            for context in member.reference.get_owned_contexts():
-                context.start()
-        except CORBA.SystemException:
-            pass                        # it has died
+        member.reference.get_configuration().remove_organization(self.id)
+        for context in member.reference.get_owned_contexts():
+            context.start()
 
     # properties
 
@@ -141,6 +149,8 @@ class Composite(Component):
 
     def __init__(self, *arguments):
         self.exported = []              # references
+        self.awake = False              # whether it has been active: the thread of its context runs ever after
+        self.doomed = False             # whether that thread will end its process
         Component.__init__(self, *arguments)
         self.organization = Organization(self)
         self.organization.reference = self.process.serve(self.organization, self.instance_name)
@@ -161,9 +171,11 @@ class Composite(Component):
 
     # ports
 
-    def export(self):
-        """Show the ports that `exported_ports` names; a name without its component gets one."""
-        ports = [pair for member in self.organization.members for pair in member.ports]
+    def export(self, hidden=None):
+        """Show the ports that `exported_ports` names, but for those of the member `hidden`; a name without its component gets
+        one.
+        """
+        ports = [pair for member in self.organization.members if member is not hidden for pair in member.ports]
         full = {name.partition(".")[2]: name for name, _ in ports}
         parameters = self._parameters()
         wanted = words(parameters["exported_ports"])
@@ -180,6 +192,8 @@ class Composite(Component):
         return Component.get_ports(self) + self.exported
 
     def get_component_profile(self):
+        if self.flavour.dead_peer == "die" and not all(map(alive, self.exported)):
+            self.process.die()
         profile = Component.get_component_profile(self)
         profile.port_profiles += [port.get_port_profile() for port in self.exported]
         return profile
@@ -196,7 +210,22 @@ class Composite(Component):
 
     # life cycle
 
+    def stumble(self):
+        """A member that is to leave has died: the thread of the context meets an exception that nobody catches, at once where
+        it runs, else when the composite is activated.
+        """
+        self.doomed = self.flavour.dead_member == "process"
+        if self.doomed and self.awake:
+            later(1.0 / self.owned[0].rate, self.process.die)
+        if self.flavour.dead_member == "thread":
+            self.owned[0].wreck()
+
     def activated(self, handle):
+        self.awake = True
+        if self.doomed:
+            self.process.die()
+        if self.organization.has_dead_members():
+            return RTC.RTC_ERROR
         return self._move(RTC.INACTIVE_STATE, RTC.ACTIVE_STATE)
 
     def deactivated(self, handle):
@@ -221,9 +250,19 @@ class Composite(Component):
     def exit(self):
         if self.flavour.composite == "blocks":
             self.owned[0].settle(self.reference)
+        if self.organization.has_dead_members():
+            return self._exit_stumbling()
         self.organization.dissolve()
         self.process.withdraw(self.organization)
         return Component.exit(self)
+
+    def _exit_stumbling(self):
+        """Dead members cannot be given back: C++ answers and ends with its whole process, others stay as they are."""
+        if self.flavour.dead_member == "process":
+            later(0.1, self.process.die)
+            return RTC.RTC_OK
+        self.stumble()
+        return RTC.RTC_ERROR
 
 
 def words(text):

@@ -21,6 +21,7 @@ class Member:
         self.handle = handle
         self.state = RTC.INACTIVE_STATE
         self.wanted = None
+        self.falls = None               # when it goes to Error, by the clock
 
 
 class Behaviour:
@@ -64,6 +65,8 @@ class Behaviour:
 
     def get_component_state(self, comp):
         member = self._find(comp)
+        if member and member.falls:
+            self._fall(member)          # were its thread late
         return member.state if member else RTC.CREATED_STATE
 
     # what others ask for
@@ -130,6 +133,11 @@ class Behaviour:
         with self.changed:
             self.changed.wait_for(lambda: member.wanted is None)
 
+    def wreck(self):
+        """The thread has died: no state changes any more."""
+        self.dead = True
+        self._wake()
+
     def fail(self, comp):
         """Put a component into the Error state."""
         member = self._find(comp)
@@ -193,8 +201,16 @@ class Behaviour:
         time.sleep(min(1.0 / self.rate, 0.3))
         self.members.remove(member)
         self.participants = [p for p in self.participants if not p._is_equivalent(member.reference)]
-        self._tell(member, "detach_context")
+        try:
+            member.reference.detach_context(member.handle)
+        except CORBA.SystemException:
+            self._stumble()
         self._wake()
+
+    def _stumble(self):
+        """A component was to be told that it has left, and is gone: where the thread has ever run, C++ ends its process."""
+        if self.flavour.dead_member == "process" and self.thread is not None:
+            self.process.die()
 
     # the thread
 
@@ -233,7 +249,24 @@ class Behaviour:
         done = self._tell(member, name)
         if done == RTC.RTC_OK:
             self._enter(member, wanted)
+        elif wanted == RTC.ACTIVE_STATE and self.flavour.late_error:
+            self._enter(member, wanted)
+            member.falls = time.monotonic() + 1.0 / self.rate
+            self.process.thread(self._fall_in_time, member, 1.0 / self.rate)
         else:
+            self._enter(member, RTC.ERROR_STATE, "on_aborting")
+
+    def _fall_in_time(self, member, seconds):
+        time.sleep(seconds)
+        self._fall(member)
+
+    def _fall(self, member):
+        """The state machine notices in its next cycle that a component did not become active."""
+        with self.changed:
+            if member.falls is None or time.monotonic() < member.falls:
+                return
+            member.falls = None
+        if member.state == RTC.ACTIVE_STATE:
             self._enter(member, RTC.ERROR_STATE, "on_aborting")
 
     def _execute(self, member):

@@ -55,7 +55,8 @@ TABLE = {
     "self_deadlock":     (False,         False,         True,          False,         False,         False),
     # what becomes of a process when a connector is removed under a get() that is still being served
     "busy_get":          ("die",         "die",         "die",         "survive",     "survive",     "survive"),
-    # first profile query after a peer has died: clean up silently, raise TRANSIENT once, or end the process
+    # first profile query after a peer has died: clean up silently, raise TRANSIENT once, or end the process; to a composite that
+    # shows a port of a dead member, that is the end, too (all others raise)
     "dead_peer":         ("clean",       "clean",       "die",         "transient",   "clean",       "clean"),
     # data
     "obeys_big":         (True,          False,         False,         True,          True,          False),
@@ -68,6 +69,8 @@ TABLE = {
     "transition":        ("queue",       "wait",        "wait",        "wait",        "wait",        "at once"),
     # a transition in a stopped context: done all the same, or not before the start
     "stopped":           ("queued",      "done",        "queued",      "done",        "done",        "done"),
+    # a component that fails to become active is Active for one period of its context first
+    "late_error":        (True,          True,          True,          True,          True,          False),
     "nil_component":     ("BAD_PARAMETER", "BAD_PARAMETER", "BAD_PARAMETER", "BAD_PARAM", "BAD_PARAMETER", "BAD_PARAMETER"),
     "any_rate":          (False,         False,         False,         False,         False,         True),
     # configuration
@@ -81,10 +84,15 @@ TABLE = {
     "parameter_value":   ("null",        "null",        "null",        "BAD_PARAM",   "null",        "null"),
     # composites: waiting for their members, their callbacks block, or make the caller give up; or they do not wait
     "composite":         ("blocks",      "late",        "async",       "async",       "async",       "async"),
+    # what a member that has died does to a composite that is to let it go: its process ends, the thread of its context does,
+    # or only the call fails
+    "dead_member":       ("process",     "process",     "process",     "thread",      "thread",      "call"),
     # managers
     "ident_fields":      (5,             6,             6,             6,             6,             5),
     # a master makes components itself, not in its slaves
     "creates_here":      (True,          False,         False,         False,         False,         True),
+    # a master tells what modules and factories its slaves have
+    "tells_slaves":      (True,          True,          False,         True,          True,          True),
     "starts_slaves":     (False,         True,          True,          False,         True,          False),
     # finds and loads the module of a component that is to be made
     "search_auto":       (False,         True,          True,          True,          True,          False),
@@ -92,7 +100,8 @@ TABLE = {
     "delete_unknown":    ("RTC_OK",) + ("BAD_PARAMETER",) * 4 + ("RTC_OK",),
     # the instance name of one creation stays with the factory for the next
     "sticky_name":       (False,         False,         False,         True,          False,         False),
-    # creating under a name that is taken: a second one (when both end, so may the process) or the one that is there
+    # creating under a name that is taken: a second one (when both end, so may the process) or the one that is there, or, if
+    # the name was the factory's, one that nobody lists
     "twins":             ("crash",       "crash",       "survive",     "same",        "survive",     "survive"),
     "integer_pid":       (False,         False,         False,         True,          False,         False),
     # of the UNKNOWN that clients see when an implementation does not catch its own exceptions

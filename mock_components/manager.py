@@ -8,8 +8,8 @@ from rtshell_lite.idl_stubs.manager import RTM, RTM__POA
 
 from . import children, modules
 from .creation import Wanted, extract
+from .process import later
 from .properties import get, nvlist
-from .stage import later
 
 KEY = "manager"             # its object key, whatever its name
 SHUTDOWN_TIME = 0.5         # seconds from the answer to shutdown() to the end of the process
@@ -44,16 +44,21 @@ class Manager(RTM__POA.Manager):
         if path not in self.modules.loaded:
             raise CORBA.UNKNOWN(self.flavour.exception_minor, CORBA.COMPLETED_MAYBE)
         self.modules.unload(path)
+        if any(self.modules.lacks_code(component.spec) for component in list(self.stage.components.values())):
+            later(0.1, self.stage.process.die)
         return RTC.RTC_OK
 
     def get_loadable_modules(self):
         return modules.profiles(self.modules.loadable_profiles())
 
     def get_loaded_modules(self):
-        return modules.profiles(self.modules.loaded_profiles()) + self._of_slaves("get_loaded_modules")
+        return modules.profiles(self.modules.loaded_profiles()) + self._modules_of_slaves("get_loaded_modules")
 
     def get_factory_profiles(self):
-        return modules.profiles(self.modules.factory_profiles()) + self._of_slaves("get_factory_profiles")
+        return modules.profiles(self.modules.factory_profiles()) + self._modules_of_slaves("get_factory_profiles")
+
+    def _modules_of_slaves(self, operation):
+        return self._of_slaves(operation) if self.flavour.tells_slaves else []
 
     # components
 
@@ -74,9 +79,13 @@ class Manager(RTM__POA.Manager):
             return None
         if wanted.arguments.get("language", self.flavour.language) != self.flavour.language:
             return None
+        if self.modules.lacks_code(spec):
+            self.stage.process.die()
         name = self._instance_name(spec, wanted.arguments)
         if self.flavour.twins == "same" and name in self.stage.components:
-            return self.stage.components[name]
+            return self.stage.components[name] if "instance_name" in wanted.arguments else self.stage.stray(spec, name)
+        if not spec.play.initialises:
+            return None
         alike = [one for one in list(self.stage.components.values()) if one.spec is spec]
         if spec.max_instance and len(alike) >= spec.max_instance:
             return None

@@ -1,5 +1,6 @@
 """Modules: the files that a manager can load, and the component factories in them."""
 import os
+import re
 
 from omniORB import any as omniany
 
@@ -59,12 +60,17 @@ class Modules:
         self.flavour = flavour
         self.available = available(flavour)
         self.loaded = []                # paths
+        self.unloaded = []              # specs
         self.factories = {COMPOSITE: components.SPECS[COMPOSITE]} if COMPOSITE in components.SPECS else {}
         for name in PRELOADED:
             self.load(name + SUFFIXES[flavour.language], name + "Init")
 
     def find(self, path):
-        """The module that a path or, below the load path, a name leads to; None if there is none."""
+        """The module that a path or, below the load path, a name leads to; None if there is none. Python adds .py to a name."""
+        path = re.sub("/+", "/", path)
+        path = path[2:] if path.startswith("./") else path
+        if self.flavour.language == "Python" and not path.endswith(".py"):
+            path += ".py"
         return next((module for module in self.available if path in (module.path, module.name)), None)
 
     def load(self, path, function):
@@ -74,13 +80,19 @@ class Modules:
             return
         if module.path not in self.loaded:
             self.loaded.append(module.path)
+        if module.spec in self.unloaded:
+            self.unloaded.remove(module.spec)
         if function == module.function or not function and self.flavour.modern:
             self.factories[module.spec.implementation_id] = module.spec
 
     def unload(self, path):
-        """Forget a loaded file; only its exact path will do."""
+        """Forget a loaded file; only its exact path will do. Its factory stays."""
         self.loaded.remove(path)
-        self.factories.pop(self.find(path).spec.implementation_id, None)
+        self.unloaded.append(self.find(path).spec)
+
+    def lacks_code(self, spec):
+        """Whether what a factory or component would execute has been unloaded: of C++ that ends the process."""
+        return self.flavour.language == "C++" and spec in self.unloaded
 
     def factory(self, implementation_id):
         """The factory of that name, found and loaded on the way if the manager does such things; or None."""

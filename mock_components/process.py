@@ -114,3 +114,10 @@ def address(ior):
     size = struct.unpack_from(order + "I", data, profile + 4)[0]
     host = data[profile + 8:profile + 8 + size - 1].decode()
     return host, struct.unpack_from(order + "H", data, at(profile + 8 + size, 2))[0]
+
+
+def later(seconds, function, *arguments):
+    """Call a function from a thread of its own, in a while."""
+    timer = threading.Timer(seconds, function, arguments)
+    timer.daemon = True
+    timer.start()

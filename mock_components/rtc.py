@@ -13,6 +13,7 @@ class Component(OpenRTM__POA.DataFlowComponent):
     """A component that does nothing of its own; those with behaviour derive from it."""
 
     busy = False        # whether an active one has work in every cycle
+    initialises = True  # whether a manager that makes one gets it
     providers = ()      # interface types of SDO services that it offers
     FIRST_PARTICIPATING = 1000
 

@@ -4,6 +4,7 @@ import threading
 from rtshell_lite.idl_stubs.component import RTC
 
 from . import children, components, naming
+from .process import later
 from .properties import nvlist
 
 PUSH = [("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
@@ -47,6 +48,10 @@ class Stage:
         for name in component.bound:
             self.names.bind(name, component.reference)
         return component
+
+    def stray(self, spec, instance_name):
+        """A component under a name that is taken, as Python makes it: it is bound nowhere, and no manager lists it."""
+        return spec.play(self.process, spec, instance_name, self.flavour, self.options)
 
     def gone(self, component):
         """Whether a component has ended, if there ever was one."""
@@ -103,10 +108,3 @@ class Stage:
             self.twins[name] += 1
             if self.twins[name] == 2 and self.flavour.twins == "crash":
                 self.process.die()
-
-
-def later(seconds, function, *arguments):
-    """Call a function from a thread of its own, in a while."""
-    timer = threading.Timer(seconds, function, arguments)
-    timer.daemon = True
-    timer.start()

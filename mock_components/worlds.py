@@ -52,9 +52,10 @@ def robot(stage):
 
 
 def everything(stage):
-    """one component of every type"""
-    for type_name in components.SPECS:
-        stage.add(type_name)
+    """one component of every type that there can be"""
+    for type_name, spec in components.SPECS.items():
+        if spec.play.initialises:
+            stage.add(type_name)
 
 
 def these(stage, *wanted):

@@ -8,7 +8,9 @@ from rtshell_lite.text import from_wire, shell_word
 STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by number
 KINDS = ("Periodic", "Event-driven", "Other")  # RTC::ExecutionKind by number
 ENDING = 1.0  # seconds that a process may take to end
+LEAVING = 2.0  # seconds that an execution context may take, at least, to let go of a component: it does so in its next cycle
 POLL = 0.2  # seconds between looks at a state: monitors that ask more often have disturbed real-time threads
+JITTER = 0.03  # seconds that a cycle of an execution context may come late
 
 # What a transition is called, the operation that asks for it, the state it leads to, the state it starts from.
 Transition = collections.namedtuple("Transition", "name command operation target source")
@@ -200,9 +202,10 @@ def _members_first(node, ref, wait):
 def change(node, transition, index=0, wait=None):
     """Take a component through a Transition in its execution context number `index`; returns the state reached or asked for.
 
-    `wait` (seconds) polls until the state is there. Contexts of 1.1 answer before the state has changed, later ones answer
-    RTC_ERROR when it takes longer than their own limit of 0.5 s and change it all the same: so after RTC_ERROR the state is
-    watched for the timeout. Raises Refused with the reason, Unreachable when the state was not reached in time.
+    `wait` (seconds) polls until the state is there, and Active still a period later. Contexts of 1.1 answer before the state has
+    changed, later ones answer RTC_ERROR when it takes longer than their own limit of 0.5 s and change it all the same: so after
+    RTC_ERROR the state is watched for the timeout. Raises Refused with the reason, Unreachable when the state was not reached in
+    time.
     """
     change_in(node, context_ref(node, index), transition, wait, "its execution context %d" % index)
     return transition.target
@@ -216,6 +219,8 @@ def change_in(node, ref, transition, wait=None, called="this execution context",
     """
     before = state_in(node, ref)
     if before == transition.target:
+        if wait is not None:
+            stay(node, ref, transition, wait)
         return before
     stage("asking")
     if transition is DEACTIVATE:
@@ -233,7 +238,10 @@ def change_in(node, ref, transition, wait=None, called="this execution context",
     now = seen(lambda: state_in(node, ref))
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
         raise errors.Refused(str(node.path), "cannot %s: %s" % (transition.name, _reason(code, before, now, transition)))
-    _until(node, ref, transition, now, rpc.timeout if wait is None else wait)
+    seconds, start = rpc.timeout if wait is None else wait, time.monotonic()
+    _until(node, ref, transition, now, seconds)
+    if wait is not None:
+        stay(node, ref, transition, start + seconds - time.monotonic())
     return before
 
 
@@ -257,6 +265,26 @@ def _reason(code, before, now, transition):
     if code == "PRECONDITION_NOT_MET" and now != transition.source:
         return "it is %s, not %s" % (now, transition.source)
     return "%s, it is %s" % (code, now)
+
+
+def stay(node, ref, transition, seconds):
+    """See that a component that is Active still is so a period of its execution context `ref` later, in so many seconds at most.
+
+    Where onActivated fails, a component is Active for one period before it is in Error (all of OpenRTM-aist). Other states are
+    there to stay. Raises Refused, and Unreachable where a period takes longer.
+    """
+    if transition is not ACTIVATE:
+        return
+    rate, start = seen(lambda: orb.ask(node.path, ref, "get_rate")), time.monotonic()
+    end = start + (1 / rate if rate > 0 else 0) + JITTER
+    limit = start + max(seconds, POLL)
+    while time.monotonic() < end:
+        if time.monotonic() > limit:
+            raise errors.Unreachable(str(node.path), "Active, but not yet for a period (%gs) of its execution context" % (1 / rate))
+        time.sleep(max(0, min(POLL, end - time.monotonic())))
+        now = seen(lambda: state_in(node, ref))
+        if now != transition.target:
+            raise errors.Refused(str(node.path), "cannot %s: it went to %s" % (transition.name, now))
 
 
 def _until(node, ref, transition, now, seconds):
@@ -285,11 +313,35 @@ def exit_all(paths, wait=None, dry_run=False):
     def one(node):
         if dry_run:
             return "rtexit " + shell_word(str(node.path))
+        leave(node)
         _exit(node)
         if wait is not None:
             _until_unbound(node, wait)
         return str(node.path) + ": exited"
     return tree.on_components(paths, one)
+
+
+def leave(node):
+    """Let a component that is to exit leave the execution contexts of others, composites say, and wait until it has.
+
+    A context tells a component in its next cycle that it has left. Where that one has exited by then, the context's process ends
+    with it (C++ 2.1). Raises Refused where a context does not let go of it.
+    """
+    asked, seconds = [], LEAVING
+    for ref in participating_context_refs(node):
+        try:
+            rate = orb.ask(node.path, ref, "get_rate")
+            orb.ask(node.path, ref, "remove_component", node.typed)
+        except errors.Error:
+            continue  # it is gone, hangs or refuses
+        asked.append(ref)
+        seconds = max(seconds, 3 / rate if rate > 0 else 0)
+
+    def has_left():
+        return not asked or not any(orb.same(one, ref) for one in participating_context_refs(node) for ref in asked)
+    if not until(has_left, seconds):
+        raise errors.Refused(str(node.path), "an execution context that it takes part in does not let go of it (see rtec); its "
+                             "process could end if this one did")
 
 
 def _exit(node):

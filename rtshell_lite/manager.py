@@ -3,6 +3,7 @@
 A manager's word is not enough: load_module answers RTC_OK for files that do not exist, set_configuration for everything. So
 each change is followed by a look at what has really happened.
 """
+import posixpath
 import re
 
 from rtshell_lite import component, errors, orb, ports, tree
@@ -12,7 +13,8 @@ from rtshell_lite.text import from_wire, printable, to_wire
 DEFAULT_PORT = 2810  # corba.master_manager
 CREATE_TIME = 15.0  # seconds: a master may have to start a slave process first
 MODULES_TIME = 60.0  # seconds: looking for modules runs a helper process a file, 0.5 s each
-SETTLE_TIME = 3.0  # seconds: lists follow a deletion up to 1 s later, a process its shut-down 0.5 to 1 s
+SETTLE_TIME = 3.0  # seconds: lists follow a deletion up to 1 s later
+END_TIME = 5.0  # seconds: a process ends 0.5 to 1.5 s after its shut-down, those of slow execution contexts later
 
 _CORBALOC = re.compile(r"corbaloc:(?:iiop)?:(?:1\.[0-9]@)?(?P<address>\[[^\]]*\](?::\d+)?|[^/:]+(?::\d+)?)(?:/(?P<key>.+))?\Z")
 
@@ -86,15 +88,16 @@ def components(node):
     return [(each.path.names[-1].id, each) for each in tree.managed(node) if each.kind == "component"]
 
 
-def profiles(node):
+def profiles(node, wanted=lambda each: True):
     """(Node, component.Profile) of its components, each asked in the order that harms none; an errors.Error for what failed.
 
-    Those that are gone are left out, although managers may go on listing them.
+    Those that are gone are left out, although managers may go on listing them, and those that are not `wanted`.
     """
     def one(each):
         ports.ports(each)
         return each, component.profile(each)
-    found = sorted((each for each in tree.managed(node) if each.kind != "zombie"), key=lambda each: str(each.path))
+    found = sorted((each for each in tree.managed(node) if each.kind != "zombie" and wanted(each)),
+                   key=lambda each: str(each.path))
     return tree.on_nodes([each.error or each for each in found], one)
 
 
@@ -111,9 +114,13 @@ def profile(node):
 def modules(node, operation="get_loadable_modules"):
     """Profiles of modules as dicts: get_loadable_modules, get_loaded_modules or get_factory_profiles.
 
-    Sorted, and each once: a master repeats what its slaves have as well.
+    Sorted, and each once. What slaves have loaded, a master can create: some masters tell of that, those of C++ 2.1 do not.
     """
-    distinct = {tuple(sorted(each.items())): each for each in _modules(node, operation)}
+    found = _modules(node, operation)
+    if operation != "get_loadable_modules":
+        for answer in tree.on_nodes(_slaves(node), lambda slave: _modules(slave, operation)):
+            found += [] if isinstance(answer, errors.Error) else answer
+    distinct = {tuple(sorted(each.items())): each for each in found}
     return sorted(distinct.values(), key=lambda each: (component_id(each), each.get("file_path", "")))
 
 
@@ -152,9 +159,21 @@ def create(node, argument, wait=None):
     name = from_wire(component.seen(lambda: made.call("get_sdo_id")))
     if any(orb.same(ref, other.ref) for _, other in before):
         raise errors.Refused(str(node.path), "made nothing new: it gave back %s, which was there" % printable(name))
+    if name in [other for other, _ in before]:
+        raise errors.Refused(str(node.path), _same_name(node, made, printable(name)))
     if wait is not None:
         _until(wait, lambda: _is_ready(node, name, made), str(node.path), "%s is not ready" % printable(name))
     return name
+
+
+def _same_name(node, made, name):
+    """What has become of a creation that gave back a new component under a name that one had before.
+
+    A factory of Python keeps the last name that it was given, makes another component of that name, and lists it nowhere.
+    """
+    if component.seen(lambda: _lists(node, made.ref)):
+        return "made a second component called %s: only one of them is found by that name; delete one" % name
+    return "made nothing of use: it gave back the name %s, which was there; give another one: ?instance_name=…" % name
 
 
 def _spellings(argument):
@@ -180,7 +199,8 @@ def _why_not(node, argument):
     if ident != wanted and ident not in map(component_id, alike):
         return "there is " + printable(", ".join(map(component_id, alike)))
     most = alike[0].get("max_instance", "0")
-    return "a wrong argument" + (", or its max_instance of %s is reached" % printable(most) if most != "0" else "")
+    return "a wrong argument, %sor its own initialisation failed" % (
+        "its max_instance of %s is reached, " % printable(most) if most != "0" else "")
 
 
 def _is_ready(node, name, made):
@@ -198,6 +218,7 @@ def delete(node, instance):
                             printable(instance))
     # a master says BAD_PARAMETER to the name of a slave's component, or RTC_OK and does nothing (C++ 1.1)
     holder = next((slave for slave in _slaves(node) if _lists(slave, found[0].ref)), node)
+    component.leave(found[0])
     code = str(holder.call("delete_component", to_wire(instance), seconds=CREATE_TIME))
     if code != "RTC_OK":
         raise errors.Refused(str(node.path), "does not delete %s (%s)" % (printable(instance), code))
@@ -220,29 +241,74 @@ def load(node, file_path, function):
     before, known = _loaded(node), len(_modules(node, "get_factory_profiles"))
     code = str(node.call("load_module", to_wire(file_path), to_wire(function), seconds=CREATE_TIME))
     after = _loaded(node)
-    there = [path for path in after if path == file_path or path.endswith("/" + file_path.lstrip("./"))]
-    if code != "RTC_OK" or not there and len(after) <= len(before):
+    if code != "RTC_OK" or not meant(file_path, after) and len(after) <= len(before):
         raise errors.Refused(str(node.path), "did not load %s (it says %s)" % (printable(file_path), code))
     return len(_modules(node, "get_factory_profiles")) - known
 
 
-def unload(node, file_path):
-    """Unload a module: its path as listed, or an end of it that is not shared. Raises NoSuch, Refused.
+def meant(word, paths):
+    """Those of the loaded modules' paths that a word means: a path as it is listed, or what such a module is loaded by.
 
-    A master is asked to unload its own, else the slave that has it.
+    That is a path below a directory of the manager's load path, with ./ or // in it, a variable of the manager's environment
+    ($DIR/Camera.so), and for Python without its .py.
     """
-    before = _loaded(node)
-    paths = set(before)
-    meant = [path for path in paths if path == file_path] or [path for path in paths if path.endswith("/" + file_path)]
-    if len(meant) != 1:
-        raise errors.NoSuch(str(node.path), "loaded module" if not meant else "single loaded module", printable(file_path))
-    holders = [slave for slave in _slaves(node) if meant[0] in _loaded(slave)]
-    if holders and len(holders) == before.count(meant[0]):
-        unload(holders[0], meant[0])
-        return
-    code = str(node.call("unload_module", to_wire(meant[0])))
-    if code != "RTC_OK" or _loaded(node).count(meant[0]) >= before.count(meant[0]):
-        raise errors.Refused(str(node.path), "did not unload %s (it says %s)" % (printable(meant[0]), code))
+    exact = sorted({path for path in paths if path == word})
+    tail = re.sub(r"^(\.\./)*", "", _plain(re.sub(r"^.*\$[^/]*/", "", word)))
+    whole = {path: _plain(path) for path in paths}
+
+    def ends(path):
+        return path == tail or path.endswith("/" + tail.lstrip("/"))
+    return (exact or sorted(path for path, plain in whole.items() if ends(plain))
+            or sorted(path for path, plain in whole.items() if ends(posixpath.splitext(plain)[0])))
+
+
+def _plain(path):
+    """A path without ./, // and detours, with / even where it is one of Windows."""
+    return re.sub("^//", "/", posixpath.normpath(path.replace("\\", "/")))
+
+
+def unload(node, word):
+    """Unload the module that `word` means, see `meant`. Raises NoSuch, No while a component of it lives, Refused.
+
+    A master is asked to unload its own, else the slave that has it. Returns the name under which the manager still offers to
+    create what its code is gone for, '' if none: that would end its process (C++ 2.1).
+    """
+    slaves = _slaves(node)
+    loaded = [(each, _loaded(each)) for each in [node] + slaves]
+    paths = meant(word, [path for _, found in loaded for path in found])
+    if len(paths) != 1:
+        raise errors.NoSuch(str(node.path), "loaded module" if not paths else "single loaded module", printable(word))
+    path, code = paths[0], ""
+    for each, found in loaded:
+        if path not in found:
+            continue
+        _must_be_unused(each, path)
+        try:  # a master may tell of its slaves' modules, but refuses to unload them
+            code = str(each.call("unload_module", to_wire(path)))
+        except errors.Refused as e:
+            code = e.args[1]
+            continue
+        if code == "RTC_OK" and _loaded(each).count(path) < found.count(path):
+            return _still_offered(each, path)
+    raise errors.Refused(str(node.path), "did not unload %s (it says %s)" % (printable(path), code))
+
+
+def _must_be_unused(node, path):
+    """Raise No where a component of a compiled module lives: its code would vanish under it, and end its process (C++ 2.1)."""
+    for answer in profiles(node, lambda each: each.endpoint == node.endpoint):
+        if not isinstance(answer, errors.Error) and _is_of(path, dict(answer[1].properties)):
+            raise errors.No(str(node.path), "%s is in use by %s, whose process would end; delete it first" % (
+                printable(path), printable(answer[1].instance_name)))
+
+
+def _still_offered(node, path):
+    return next((each["implementation_id"] for each in _modules(node, "get_factory_profiles") if _is_of(path, each)), "")
+
+
+def _is_of(path, properties):
+    """Whether a component or factory is of a compiled module, which is called as its implementation, as a rule."""
+    name = posixpath.splitext(posixpath.basename(path.replace("\\", "/")))[0]
+    return properties.get("implementation_id") == name and properties.get("language") != "Python"
 
 
 def set_configuration(node, key, value):
@@ -254,12 +320,49 @@ def set_configuration(node, key, value):
             printable(key), code, "missing" if now is None else printable(now) or "empty"))
 
 
-def shut_down(node):
-    """End the manager's process. Slaves of a master live on. Raises Refused, Unreachable when it does not end."""
-    code = str(node.call("shutdown"))
-    if code != "RTC_OK":
-        raise errors.Refused(str(node.path), "does not shut down (%s)" % code)
-    _until(SETTLE_TIME, lambda: tree.look([node])[0].kind == "zombie", str(node.path), "is still running")
+def shut_down(node, wait=None, above=()):
+    """End the processes of a manager's slaves, then its own; lines and errors.Errors, see `cli.report`.
+
+    A master that ends leaves its slaves alone: nobody leads to them any more. So it is left, too, where one of them stays. Each
+    process may take `wait` seconds, or END_TIME; only that nobody listens there any more shows that it has ended.
+    """
+    known = [node.ref] + list(above)
+    slaves = [each for each in tree.slaves(node) if each.kind != "zombie" and not any(orb.same(each.ref, ref) for ref in known)]
+    parts = tree.on_nodes([each.error or each for each in slaves], lambda each: shut_down(each, wait, known))
+    results = [result for part in parts for result in ([part] if isinstance(part, errors.Error) else part)]
+    left = [each for each, part in zip(slaves, parts) if isinstance(part, errors.Error) or not all(_done(one) for one in part)]
+    if left:
+        return results + [errors.NotTried(str(node.path), "its slave %s still runs, and nobody else leads to it" % str(left[0].path))]
+    return results + [_ended(node, END_TIME if wait is None else wait)]
+
+
+def _done(result):
+    return not isinstance(result, errors.Error)
+
+
+def _ended(node, seconds):
+    """End the process of one manager: a line, or an errors.Error."""
+    try:
+        code = str(node.call("shutdown"))
+        if code != "RTC_OK":
+            return errors.Refused(str(node.path), "does not shut down (%s)" % code)
+    except (errors.Silent, errors.Refused) as e:
+        return e
+    except errors.Unreachable:
+        pass  # it may have ended before it answered
+    if not component.until(lambda: _is_over(node), seconds):
+        return errors.Unreachable(str(node.path), "its process has not ended within %gs" % seconds)
+    return "shut down %s" % (node.path,)
+
+
+def _is_over(node):
+    try:
+        orb.ask(node.path, node.ref, "_non_existent")
+    except errors.ConnectionRefused:
+        return True
+    except errors.Error:
+        pass
+    return False
 
 
 def _until(limit, reached, where, otherwise):

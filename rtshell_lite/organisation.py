@@ -128,7 +128,11 @@ def the_one(node):
 
 
 def check(node, one, joining, leaving):
-    """Raise No or NoSuch for Members that cannot join the Organisation `one` of a composite, or leave it."""
+    """Raise No or NoSuch for Members that cannot join the Organisation `one` of a composite, or leave it.
+
+    A dead member cannot leave: the composite calls it, and does not survive that (C++ 2.1: its process ends, at once or when it
+    is activated; Python: its execution context stands still for ever). Its ports can be hidden.
+    """
     known = {name: ref for name, ref in one.members if not isinstance(name, errors.Error)}
     for m in joining:
         if orb.same(m.node.ref, node.ref):
@@ -137,9 +141,29 @@ def check(node, one, joining, leaving):
             raise errors.No(str(node.path), "has another member called %s" % printable(m.instance))
     for m in leaving:
         there = m.instance in known if m.node is None else _is(m, known.get(m.instance))
-        dead = m.node is None and len(known) < len(one.members)
-        if not (m.ports or there or dead):
+        lost = None if m.ports else _lost(one, m.instance)
+        if lost:
+            raise _stays(node, m, lost)
+        if not (m.ports or there):
             raise errors.NoSuch(str(node.path), "member", printable(m.instance))
+
+
+def _lost(one, instance):
+    """The error of a member of an Organisation that may be the one that is meant by a name, or None.
+
+    A composite takes the first one of the name; one that is dead cannot tell its own.
+    """
+    for name, _ in one.members:
+        if isinstance(name, errors.Error) or name == instance:
+            return name if isinstance(name, errors.Error) else None
+    return None
+
+
+def _stays(node, m, error):
+    """The error for a Member that cannot be removed, because it, or one that may have its name, has failed with `error`."""
+    why = "a member that does not answer" if isinstance(error, errors.Silent) else "a dead member"
+    return errors.No(str(node.path), "cannot remove %s: letting go of %s would end this composite's process or stop its "
+                     "execution context; restart that process" % (printable(m.instance), why))
 
 
 def _is(m, ref):
@@ -159,15 +183,27 @@ def add(node, one, members):
 
 
 def remove(node, one, members):
-    """Remove Members, or hide their ports where they name some; lines that say what was done. Raises Refused."""
+    """Remove Members, or hide their ports where they name some; lines that say what was done. Raises Refused, and No for one
+    that has died since `check`.
+    """
     going = [m for m in members if not m.ports]
     hidden = ["%s.%s" % (m.instance, port) for m in members for port in m.ports]
     lines = _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
     for m in going:
+        _must_live(node, one, m)
         if not orb.ask(node.path, one.ref, "remove_member", to_wire(m.instance)):
             raise errors.Refused(str(node.path), "does not remove member %s" % printable(m.instance))
         lines.append("removed component %s" % printable(m.instance))
     return lines
+
+
+def _must_live(node, one, m):
+    for name, ref in one.members:
+        if name == m.instance:
+            try:
+                orb.is_alive(node.path, ref)
+            except errors.Unreachable as e:
+                raise _stays(node, m, e)
 
 
 def _export(node, add_ports=(), hide=(), hide_all_of=()):

@@ -48,7 +48,8 @@ def port(node, ref, failures=None, brief=False):
     except (errors.Gone, errors.ConnectionRefused):
         if orb.endpoint(ref) == node.endpoint:
             raise
-        why = "the process of one of its ports is gone; if that is a member's, rtcomp -r removes it"
+        why = "the process of one of its ports is gone; if that is a member's, restart this composite's process " \
+              "(until then, rtcomp -r MEMBER:PORT hides the port)"
         raise errors.Unreachable(str(node.path), why)
     properties = dict(orb.properties(nv for nv in found.properties if not brief or nv.name == "port.port_type"))
     kind = properties.get("port.port_type")

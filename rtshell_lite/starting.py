@@ -183,12 +183,16 @@ class Run:
     def _seen(self, action, node, contexts, failure):
         """The Result of an action whose answer did not come: the component may have changed all the same, so look."""
         def state():
-            return component.state_in(node, _context(node, contexts or _contexts(node), action))
+            ref = _context(node, contexts or _contexts(node), action)
+            found = component.seen(lambda: component.state_in(node, ref))
+            if found == self.transition.target:
+                component.stay(node, ref, self.transition, self.wait)
+            return found
         where = failure.args[0]
         why = str(failure)[len(where) + 2:]
         try:
             now = rpc.ask(node.endpoint, str(node.path), state)
-        except (errors.Gone, errors.ConnectionRefused) as e:
+        except (errors.Gone, errors.ConnectionRefused, errors.Refused) as e:
             return self._failed(action, e)
         except errors.Error:
             return Result(action, plan.UNCERTAIN, errors.Uncertain(where, why))

@@ -178,18 +178,51 @@ class Worlds(unittest.TestCase):
         self.addCleanup(world.close)
         return world
 
-    def test_dead_member(self):
-        """It is listed, its port too; the profile fails because of it; it can be removed."""
-        world = self.world("deadmember")
+    def bereaved(self, flavour):
+        world = self.world("deadmember", "--flavour", flavour)
         composite = world.component("composite0")
-        organization, = composite.get_owned_organizations()
+        return world, composite, composite.get_owned_organizations()[0], world.context("composite0")
+
+    def test_dead_member(self):
+        """It is listed, its port too; the profile fails because of it, and so does its removal: it stays."""
+        _, composite, organization, _ = self.bereaved("rtorb")
         self.assertEqual([outcome(one.get_sdo_id) for one in organization.get_members()], ["ConsoleIn0", "TRANSIENT"])
         self.assertEqual(len(composite.get_ports()), 2)
         self.assertIn(raised(composite.get_component_profile), ("TRANSIENT", "COMM_FAILURE"))
-        self.assertEqual(organization.remove_member("Peer0"), True)
+        self.assertIn(raised(organization.remove_member, "Peer0"), ("TRANSIENT", "COMM_FAILURE"))
+        self.assertEqual(len(organization.get_members()), 2)
+        self.assertEqual(port_names(composite), ["out"])
         self.assertIsNone(raised(composite.get_component_profile))
-        context = world.context("composite0")
-        eventually(lambda: len(context.get_profile().participants) == 1, "left")
+        self.assertTrue(organization.remove_member("ConsoleIn0"))
+
+    def test_dead_member_of_cpp(self):
+        """Its removal ends the process at the next activation, or now, if the composite has ever been active."""
+        world, composite, organization, context = self.bereaved("cpp2")
+        self.assertIn(raised(organization.remove_member, "Peer0"), ("TRANSIENT", "COMM_FAILURE"))
+        self.assertEqual(len(organization.get_members()), 2)
+        self.assertEqual(str(context.get_component_state(composite)), "INACTIVE_STATE")
+        raised(context.activate_component, composite)
+        self.assertNotEqual(world.process.wait(mocks.LIMIT), 0)
+        world, composite, organization, context = self.bereaved("cpp2")
+        raised(context.activate_component, composite)
+        eventually(lambda: context.get_component_state(composite) == RTC.ERROR_STATE, "in Error")
+        raised(organization.remove_member, "Peer0")
+        self.assertNotEqual(world.process.wait(mocks.LIMIT), 0)
+
+    def test_dead_members_end_cpp_otherwise(self):
+        """When the composite exits, or is asked for its profile while it shows a port of theirs."""
+        for operation in ("exit", "get_component_profile"):
+            world, composite, _, _ = self.bereaved("cpp2")
+            raised(getattr(composite, operation))
+            self.assertNotEqual(world.process.wait(mocks.LIMIT), 0)
+
+    def test_dead_member_of_python(self):
+        """Its removal ends the thread of the context: no state changes any more."""
+        world, composite, organization, context = self.bereaved("py2")
+        self.assertIn(raised(organization.remove_member, "Peer0"), ("TRANSIENT", "COMM_FAILURE"))
+        self.assertEqual(str(context.activate_component(composite)), "RTC_OK")
+        self.assertEqual(str(composite.exit()), "RTC_ERROR")
+        self.assertEqual(context.get_component_state(composite), RTC.INACTIVE_STATE)
 
     def test_made_by_a_manager(self):
         """As rtcomp asks for it, with a stray &; members in other processes come by add_members."""

@@ -49,6 +49,7 @@ class Flavoured:
 
     words, starts = (), True
     sticky, twins, unknown, pid = False, 2, "BAD_PARAMETER", str
+    copies = 2                      # of a module that master and slave have, in the master's list
     long_form, other_form = "RTC:::Controller::", "RTC:::Controller:"
     suffix, missing = ".so", []
 
@@ -163,6 +164,20 @@ class Flavoured:
         self.assertEqual(ids(self.maker.get_components()).count("eye"), 1)
         self.assertTrue(self.world.component("eye")._is_equivalent(other))
 
+    def test_a_name_that_the_factory_kept(self):
+        """Python makes another one of that name, which it does not list."""
+        self.maker.load_module("Clusterer" + self.suffix, "ClustererInit")
+        made(self.master, "Clusterer?instance_name=kept")
+        component = self.master.create_component("Clusterer")
+        self.assertEqual(component.get_sdo_id() == "kept", self.sticky)
+        listed = [one for one in self.maker.get_components() if one._is_equivalent(component)]
+        self.assertEqual(len(listed), 0 if self.sticky else 1)
+
+    def test_failing_initialisation(self):
+        """Nil, as for a wrong argument and for max_instance."""
+        self.maker.load_module("Unborn" + self.suffix, "UnbornInit")
+        self.assertIsNone(made(self.master, "Unborn"))
+
     def test_limit(self):
         """max_instance."""
         self.maker.load_module("Mock" + self.suffix, "MockInit")
@@ -206,7 +221,7 @@ class Slaves(Flavoured):
         self.assertEqual([p.instance_name for p in self.master.get_component_profiles()], ids(self.master.get_components()))
         self.assertTrue(self.maker.get_master_managers()[0]._is_equivalent(self.master))
         self.assertEqual(self.maker.get_slave_managers(), [])
-        self.assertEqual(values(self.master.get_factory_profiles(), "implementation_id").count("Motor"), 2)
+        self.assertEqual(values(self.master.get_factory_profiles(), "implementation_id").count("Motor"), self.copies)
         port = self.world.ctl("slave", "1", "port")[1].strip()
         by_key = mocks.Server.orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%s/manager" % port)
         self.assertTrue(by_key._is_equivalent(self.maker))
@@ -229,6 +244,7 @@ class Slaves(Flavoured):
 
 class Cpp2(Slaves, unittest.TestCase):
     words, missing = ("--flavour", "cpp2"), ["refstring_path"]
+    copies = 1
 
 
 class Cpp12(Slaves, unittest.TestCase):

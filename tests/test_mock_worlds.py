@@ -101,8 +101,18 @@ class Worlds(unittest.TestCase):
         component, context = world.component("Err0"), world.context("Err0")
         self.assertEqual(str(context.activate_component(component)), "RTC_OK")
         eventually(lambda: context.get_component_state(component) == RTC.ERROR_STATE, "error")
+
+    def test_active_before_error(self):
+        """A component that fails to become active is Active for a period of its context; RtORB knows at once."""
+        for flavour in ("cpp11", "cpp12", "cpp2", "py2", "java"):
+            world = self.world("error", "--flavour", flavour, "--rate", "5")
+            component, context = world.component("ErrStart0"), world.context("ErrStart0")
+            self.assertEqual(str(context.activate_component(component)), "RTC_OK")
+            eventually(lambda: context.get_component_state(component) == RTC.ACTIVE_STATE, "active")
+            eventually(lambda: context.get_component_state(component) == RTC.ERROR_STATE, "error")
+        world = self.world("error", "--flavour", "rtorb")
         component, context = world.component("ErrStart0"), world.context("ErrStart0")
-        self.assertEqual(str(context.activate_component(component)), "PRECONDITION_NOT_MET")
+        context.activate_component(component)
         self.assertEqual(context.get_component_state(component), RTC.ERROR_STATE)
 
     def test_participating(self):

@@ -180,7 +180,7 @@ def _refusing(each, number, e):
     if isinstance(e, errors.Refused):
         return fail("port", each.where, "its port %d refuses its profile (%s)" % (number, reason(e)), _restart(each))
     return fail("port", each.where, "its port %d is out of reach: a member of this composite is dead, perhaps" % number,
-                "start the member again, or: rtcomp -r MEMBER " + each.word)
+                restart(each.node.endpoint[1], "it (until then, rtcomp -r MEMBER:PORT %s hides the port)" % each.word))
 
 
 # ---- execution contexts ---------------------------------------------------------------------------------------

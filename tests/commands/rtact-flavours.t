@@ -26,7 +26,7 @@ What the other versions print as C++ 1.1 does is not repeated:
   cpp11:
   rtact: /localhost:$PORT/V.host_cxt/ConsoleIn0.rtc: Active
 
-One that fails in its activation; C++ 1.1 and RtORB have said RTC_OK, and without --wait that would be believed:
+One that fails in its activation: all have said RTC_OK, and all but RtORB's are Active first. Without --wait that is believed:
 
   $ each rtact --wait ErrStart0.rtc
   cpp11:
@@ -40,18 +40,6 @@ One that fails in its activation; C++ 1.1 and RtORB have said RTC_OK, and withou
   cpp11:
   $ each rtact ErrStart0.rtc
   cpp11:
-  cpp12:
-  rtact: /localhost:$PORT/V.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
-  status 6
-  cpp2:
-  rtact: /localhost:$PORT/V.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
-  status 6
-  py2:
-  rtact: /localhost:$PORT/V.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
-  status 6
-  java:
-  rtact: /localhost:$PORT/V.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
-  status 6
 
 A stopped context changes the state all the same in C++ 1.2, Python, Java and RtORB; not so in C++ 1.1 and 2.x:
 

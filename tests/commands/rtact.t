@@ -7,6 +7,7 @@ world: stopped --flavour cpp2 --context stopped.host_cxt/%n.rtc
 world: contexts
 world: error --flavour cpp11 --context old.host_cxt/%n.rtc
 world: stopped --flavour cpp11 --context oldstopped.host_cxt/%n.rtc
+world: these ErrStart ConsoleIn --flavour cpp2 --context lame.host_cxt/%n.rtc --rate 2
 
 It is silent, and the component has changed its state when it ends (those of OpenRTM 1.1 will change it soon):
 
@@ -56,17 +57,39 @@ What it costs a component:
   $ rtact --dry-run -e 2 Multi0.rtc
   rtact -e 2 /localhost:$PORT/test.host_cxt/Multi0.rtc
 
-Refused: the reason, and status 6. Some components fail while they are being activated:
+Refused: the reason, and status 6. Some components fail while they are being activated; they are Active for a period first, so
+that only --wait knows:
 
   $ rtact Broken0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Broken0.rtc: cannot activate: it is in Error; reset it first
   [6]
-  $ rtact ErrStart0.rtc
+  $ rtact --wait ErrStart0.rtc
   rtact: /localhost:$PORT/test.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
   [6]
   $ rtact ErrStart0.rtc
   rtact: /localhost:$PORT/test.host_cxt/ErrStart0.rtc: cannot activate: it is in Error; reset it first
   [6]
+
+A period is that of the execution context; one that is Active already may fall yet, too:
+
+  $ within 0.5-2.5 rtact --wait ../lame.host_cxt/ErrStart0.rtc
+  rtact: /localhost:$PORT/lame.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
+  [6]
+  $ rtreset --wait ../lame.host_cxt/ErrStart0.rtc
+  $ rtact ../lame.host_cxt/ErrStart0.rtc; rtact --wait ../lame.host_cxt/ErrStart0.rtc
+  rtact: /localhost:$PORT/lame.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
+  [6]
+  $ rtact ../lame.host_cxt/ConsoleIn0.rtc; ctl @these reset
+  $ within 0.5-2.5 rtact -v --wait ../lame.host_cxt/ConsoleIn0.rtc
+  rtact: /localhost:$PORT/lame.host_cxt/ConsoleIn0.rtc: Active
+  $ calls @these
+  4 get_component_state
+  1 get_owned_contexts
+  1 get_rate
+  $ rtec ../lame.host_cxt/ConsoleIn0.rtc rate 0.1
+  $ within 0.9-3 rtact --wait=1 ../lame.host_cxt/ConsoleIn0.rtc
+  rtact: /localhost:$PORT/lame.host_cxt/ConsoleIn0.rtc: Active, but not yet for a period (10s) of its execution context
+  [4]
 
 Slow components: OpenRTM waits half a second, answers RTC_ERROR, and changes the state later. That is no failure:
 

@@ -6,6 +6,7 @@ world: manager ConsoleOut --flavour cpp2 --context m.host_cxt/%n.rtc
 world: services --context other.host_cxt/%n.rtc
 world: these Motor --flavour cpp2 --context twin.host_cxt/%n.rtc
 world: zombie 1
+world: deadmember --flavour py2 --context pydead.host_cxt/%n.rtc
 
 Wrong usage:
 
@@ -134,7 +135,8 @@ Hiding what is not shown changes nothing:
   $ rtcomp -v -r Sensor0.rtc:out composite0.rtc
   rtcomp: port Sensor0.out is hidden already
 
-A dead member is removed by its path, although it cannot say its name any more; so are its ports:
+A dead member cannot be removed: that would end the composite's process (C++), or the thread of its context (Python). The hint
+does not advise it; its ports can be hidden, and then the composite tells of itself again:
 
   $ rtls ../dead.host_cxt
   ConsoleIn0.rtc
@@ -144,19 +146,20 @@ A dead member is removed by its path, although it cannot say its name any more; 
   Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
   -         -    -    -    -    *Peer0.rtc
   ?         -    -    -    -    ?composite0.rtc
-  rtls: /localhost:$PORT/dead.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, rtcomp -r removes it
+  rtls: /localhost:$PORT/dead.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, restart this composite's process (until then, rtcomp -r MEMBER:PORT hides the port)
   rtls: 1 of 3 did not answer (composite0.rtc)
   [5]
   $ rtcat -l ../dead.host_cxt/composite0.rtc | grep Member
-  rtcat: /localhost:$PORT/dead.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, rtcomp -r removes it
+  rtcat: /localhost:$PORT/dead.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, restart this composite's process (until then, rtcomp -r MEMBER:PORT hides the port)
   [1]
   $ rtcat ../dead.host_cxt/composite0.rtc
-  rtcat: /localhost:$PORT/dead.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, rtcomp -r removes it
+  rtcat: /localhost:$PORT/dead.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, restart this composite's process (until then, rtcomp -r MEMBER:PORT hides the port)
   [4]
+  $ rtcomp -v -r ../dead.host_cxt/Peer0.rtc ../dead.host_cxt/composite0.rtc
+  rtcomp: /localhost:$PORT/dead.host_cxt/composite0.rtc: cannot remove Peer0: letting go of a dead member would end this composite's process or stop its execution context; restart that process
+  [1]
   $ rtcomp -v -r ../dead.host_cxt/Peer0.rtc:in ../dead.host_cxt/composite0.rtc
   rtcomp: hid port Peer0.in
-  $ rtcomp -v -r ../dead.host_cxt/Peer0.rtc ../dead.host_cxt/composite0.rtc
-  rtcomp: removed component Peer0
   $ rtcat ../dead.host_cxt/composite0.rtc
   composite0.rtc  Inactive
     Category       composite.PeriodicECShared
@@ -173,6 +176,42 @@ A dead member is removed by its path, although it cannot say its name any more; 
   +DataOutPort: ConsoleIn0.out
   $ rtcat -l ../dead.host_cxt/composite0.rtc | grep Member
     Member  /localhost:$PORT/dead.host_cxt/ConsoleIn0.rtc
+    Member  Unknown (it is gone)
+  $ rtcomp -v -r ../dead.host_cxt/Peer0.rtc ../dead.host_cxt/composite0.rtc
+  rtcomp: /localhost:$PORT/dead.host_cxt/composite0.rtc: cannot remove Peer0: letting go of a dead member would end this composite's process or stop its execution context; restart that process
+  [1]
+  $ rtcomp -r nobody.rtc ../dead.host_cxt/composite0.rtc
+  rtcomp: /localhost:$PORT/dead.host_cxt/composite0.rtc: cannot remove nobody: letting go of a dead member would end this composite's process or stop its execution context; restart that process
+  [1]
+
+When it has been started again, it is another member of the same name; which of them would be removed is not known. What comes
+before the dead one in the composite's list can be removed:
+
+  $ rtcomp -v -a ../twin.host_cxt/Motor0.rtc ../dead.host_cxt/composite0.rtc
+  rtcomp: added component /localhost:$PORT/twin.host_cxt/Motor0.rtc
+  $ rtcomp -v -r ../twin.host_cxt/Motor0.rtc ../dead.host_cxt/composite0.rtc
+  rtcomp: /localhost:$PORT/dead.host_cxt/composite0.rtc: cannot remove Motor0: letting go of a dead member would end this composite's process or stop its execution context; restart that process
+  [1]
+  $ rtcomp -v -r ../dead.host_cxt/ConsoleIn0.rtc ../dead.host_cxt/composite0.rtc
+  rtcomp: hid port ConsoleIn0.out
+  rtcomp: removed component ConsoleIn0
+  $ rtls -l ../dead.host_cxt/composite0.rtc
+  Inactive  0/0  0/0  0/0  0/0  composite0.rtc
+
+It is the same in Python:
+
+  $ rtact --wait ../pydead.host_cxt/composite0.rtc
+  rtact: /localhost:$PORT/pydead.host_cxt/composite0.rtc: cannot activate: it went to Error
+  [6]
+  $ rtcomp -r ../pydead.host_cxt/Peer0.rtc ../pydead.host_cxt/composite0.rtc
+  rtcomp: /localhost:$PORT/pydead.host_cxt/composite0.rtc: cannot remove Peer0: letting go of a dead member would end this composite's process or stop its execution context; restart that process
+  [1]
+  $ rtls -l ../pydead.host_cxt
+  Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  -         -    -    -    -    *Peer0.rtc
+  ?         -    -    -    -    ?composite0.rtc
+  rtls: 1 of 3 did not answer (composite0.rtc)
+  [5]
 
 A composite that refuses or fails:
 

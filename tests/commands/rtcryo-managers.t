@@ -22,9 +22,9 @@ So is a component that is bound twice, which is told:
 A composite with a member whose process has been killed:
 
   $ rtcryo --all localhost:$PORT2 | grep -o -E 'pathUri="[^"]*"|Participant .*instanceName="[^"]*"'
-  rtcryo: /localhost:$PORT2/test.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, rtcomp -r removes it
+  rtcryo: /localhost:$PORT2/test.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, restart this composite's process (until then, rtcomp -r MEMBER:PORT hides the port)
   rtcryo: /localhost:$PORT2/test.host_cxt/Peer0.rtc: zombie, left out
   pathUri="localhost:$PORT2/test.host_cxt/ConsoleIn0.rtc"
   $ rtcryo --all -q localhost:$PORT2 | rtstodot | grep -c label
-  rtcryo: /localhost:$PORT2/test.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, rtcomp -r removes it
+  rtcryo: /localhost:$PORT2/test.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, restart this composite's process (until then, rtcomp -r MEMBER:PORT hides the port)
   1

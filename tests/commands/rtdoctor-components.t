@@ -43,7 +43,7 @@ A port that refuses its profile; the component's own profile is not asked for th
   fail  /localhost:$PORT/many.host_cxt/A0.rtc: its port 1 refuses its profile (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
   1 get_component_state
   $ doctor -q ../half.host_cxt/composite0.rtc
-  fail  /localhost:$PORT/half.host_cxt/composite0.rtc: its port 2 is out of reach: a member of this composite is dead, perhaps; try: start the member again, or: rtcomp -r MEMBER /localhost:$PORT/half.host_cxt/composite0.rtc
+  fail  /localhost:$PORT/half.host_cxt/composite0.rtc: its port 2 is out of reach: a member of this composite is dead, perhaps; try: restart it (until then, rtcomp -r MEMBER:PORT /localhost:$PORT/half.host_cxt/composite0.rtc hides the port); netstat -ltnp | grep :* there names its process (glob)
   [1]
 
 Other questions refused; what has none of a component's operations; a context of another component, which is gone:

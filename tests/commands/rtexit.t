@@ -41,6 +41,7 @@ What it costs:
   $ ctl @many reset; rtexit Mock3.rtc; calls @many
   1 _non_existent
   1 exit
+  1 get_participating_contexts
 
 An exited component is a zombie for as long as its name stays:
 

@@ -2,6 +2,7 @@ What rtmgr says when it cannot do what is asked, and with which exit status.
 
 world: manager --flavour cpp2
 world: two --context other.host_cxt/%n.rtc
+world: manager --flavour py2 --context py.host_cxt/%n.rtc
 world: deadslave --context deadslave.host_cxt/%n.rtc
 world: deadchild --context deadchild.host_cxt/%n.rtc
 faulty: silent reset garbage
@@ -132,7 +133,7 @@ Components: a name that is unknown or taken, a module that is unknown, an argume
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create RTC:Nobody:example:Motor:C++:2.0.0 (there is RTC:AIST:example:Motor:C++:2.0.0)
   [6]
   $ rtmgr -c 'Motor?language=Python' manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create Motor?language=Python (a wrong argument, or its max_instance of 10 is reached)
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create Motor?language=Python (a wrong argument, its max_instance of 10 is reached, or its own initialisation failed)
   [6]
   $ rtmgr -c 'Motor?instance_name=a?instance_name=b' manager.mgr
   rtmgr: not MODULE[?KEY=VALUE&KEY=VALUE…]: Motor?instance_name=a?instance_name=b (see --help)
@@ -142,10 +143,27 @@ Components: a name that is unknown or taken, a module that is unknown, an argume
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: has a component a already
   [6]
   $ rtmgr -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create Motor (a wrong argument, or its max_instance of 10 is reached)
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create Motor (a wrong argument, its max_instance of 10 is reached, or its own initialisation failed)
   [6]
   $ rtmgr -r manager.mgr | grep -c Motor:
   10
+  $ rtmgr -c Unborn manager.mgr
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create Unborn (a wrong argument, its max_instance of 10 is reached, or its own initialisation failed)
+  [6]
+
+Python gives a component under a name that is taken: the one that has it, or, where the factory kept the name, another one that
+nobody lists. The name tells:
+
+  $ rtmgr -v -c 'Motor?instance_name=kept' ../py.host_cxt/manager.mgr
+  rtmgr: created kept
+  $ rtmgr -v -c Motor ../py.host_cxt/manager.mgr
+  rtmgr: /localhost:$PORT/py.host_cxt/manager.mgr: made nothing of use: it gave back the name kept, which was there; give another one: ?instance_name=…
+  [6]
+  $ rtls ../py.host_cxt
+  ConsoleIn0.rtc
+  ConsoleOut0.rtc
+  kept.rtc
+  manager.mgr/
 
 Modules: a manager says RTC_OK for a file that is not there; what is not loaded is not unloaded:
 
@@ -161,9 +179,10 @@ Modules: a manager says RTC_OK for a file that is not there; what is not loaded 
 
 A master has the modules of its slaves unloaded, too, but its own first:
 
-  $ rtmgr -u ConsoleIn.so manager.mgr
-  $ rtmgr --loaded manager.mgr | grep ConsoleIn
-  [1]
+  $ rtmgr -u Sensor.so manager.mgr
+  rtmgr: Sensor is still offered: load it again before it is created, or the manager's process ends
+  $ rtmgr --loaded manager.mgr | grep Sensor
+  /opt/openrtm/components/c++/examples/rtc/Sensor.so
 
 A wrong initialisation function leaves a file that is loaded and of no use:
 
@@ -193,9 +212,6 @@ Managers that refuse, fail, hang:
   $ ctl slave 1 fail delete_component 1 UNKNOWN; rtmgr -d ConsoleIn0 manager.mgr
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr/manager: CORBA.UNKNOWN
   [6]
-  $ ctl fail shutdown 1 NO_PERMISSION; rtmgr --shutdown manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: CORBA.NO_PERMISSION
-  [6]
   $ ctl fail get_slave_managers 1 BAD_OPERATION; rtls manager.mgr
   ConsoleIn0.rtc
   ConsoleOut0.rtc
@@ -211,8 +227,8 @@ Managers that refuse, fail, hang:
   a.rtc
   $ ctl fail get_loadable_modules 1 BAD_OPERATION; rtcat manager.mgr | tail -3
   rtcat: loadable modules: /localhost:$PORT/test.host_cxt/manager.mgr: CORBA.BAD_OPERATION
-    Filepath: /opt/openrtm/components/c++/examples/rtc/SeqIn.so
     Filepath: /opt/openrtm/components/c++/examples/rtc/SeqOut.so
+    Filepath: /opt/openrtm/components/c++/examples/rtc/Unborn.so
   Loadable modules:
   $ ctl fail get_loaded_modules 1 HANG; within 0.5-1.5 rtmgr --timeout 0.5 --loaded manager.mgr
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: no answer within 0.5s

@@ -70,7 +70,7 @@ Python keeps the instance name of one creation for the next, and gives back what
 
   $ at py2 -v -c 'Motor?instance_name=left' -c Motor
   rtmgr: created left
-  rtmgr: /localhost:$PORT/py2.host_cxt/manager.mgr: made nothing new: it gave back left, which was there
+  rtmgr: /localhost:$PORT/py2.host_cxt/manager.mgr: made nothing of use: it gave back the name left, which was there; give another one: ?instance_name=…
   [6]
   $ at py2 -v -c 'Motor?instance_name=right' -d left -d right
   rtmgr: created right
@@ -136,7 +136,7 @@ instance names where these differ:
   rtmgr: deleted far
   $ rtls ../cpp12.host_cxt/manager.mgr/fresh
   $ at py2 -v -c 'Motor?manager_name=fresh'
-  rtmgr: /localhost:$PORT/py2.host_cxt/manager.mgr: does not create Motor?manager_name=fresh (a wrong argument, or its max_instance of 10 is reached)
+  rtmgr: /localhost:$PORT/py2.host_cxt/manager.mgr: does not create Motor?manager_name=fresh (a wrong argument, its max_instance of 10 is reached, or its own initialisation failed)
   [6]
   $ at java -v -c 'Motor?manager_name=fresh&instance_name=far' -d far
   rtmgr: created far
@@ -154,11 +154,14 @@ A slave of C++ 1.1: its master says RTC_OK when it is to delete one of its compo
   rtmgr: created far
   rtmgr: deleted far
 
-Masters that end; their slaves live on:
+Masters that end, after their slaves:
 
   $ at cpp11 -v --shutdown
+  rtmgr: shut down /localhost:$PORT/cpp11.host_cxt/manager.mgr/manager
   rtmgr: shut down /localhost:$PORT/cpp11.host_cxt/manager.mgr
   $ at cpp12 -v --shutdown
+  rtmgr: shut down /localhost:$PORT/cpp12.host_cxt/manager.mgr/manager
+  rtmgr: shut down /localhost:$PORT/cpp12.host_cxt/manager.mgr/fresh
   rtmgr: shut down /localhost:$PORT/cpp12.host_cxt/manager.mgr
   $ at py2 --shutdown; at java --shutdown; at rtorb --shutdown
   $ rtls -R ..
@@ -172,19 +175,10 @@ Masters that end; their slaves live on:
   ./cpp11.host_cxt:
 
   ./cpp12.host_cxt:
-  ConsoleIn0.rtc
-  ConsoleOut0.rtc
-  Motor0.rtc
-  Motor1.rtc
-  left.rtc
 
   ./java.host_cxt:
-  ConsoleIn0.rtc
-  ConsoleOut0.rtc
 
   ./py2.host_cxt:
-  ConsoleIn0.rtc
-  ConsoleOut0.rtc
 
   ./rtorb.host_cxt:
    (esc)
