@@ -21,6 +21,7 @@ import sys
 import threading
 import time
 
+from . import malice
 from .giop import (COMPONENT, CONTEXT, bad_operation, bindings, cdr, component_profile, harmless_answer, read_request,
                    reference, reply, stringified)
 
@@ -164,6 +165,7 @@ def mode_name(function):
 MODES = {mode_name(function): (function, function in POLITE) for function in RUDE + POLITE}
 MODES.update({"late-" + mode_name(function): (function, True) for function in RUDE})
 MODES.update({name: (elsewhere, True) for name in ELSEWHERE})
+MODES.update({name: (malice.respond, True) for name in malice.CHANGES})
 
 
 class Peer:
@@ -171,7 +173,7 @@ class Peer:
 
     def __init__(self, mode):
         self.mode = mode
-        self.listed = None
+        self.listed, self.answers = None, {}
         self.sockets = []
         self.other = Peer(mode[len("elsewhere-"):]) if mode in ELSEWHERE else None
         self.listener = self.keep(socket.socket())
@@ -280,6 +282,7 @@ def usage():
     """The help, with what each mode does."""
     modes = list(UNREACHABLE.items()) + [(mode_name(function), function.__doc__) for function in RUDE + POLITE]
     modes += [(name, elsewhere.__doc__) for name in ELSEWHERE]
+    modes += [(name, malice.respond.__doc__) for name in malice.CHANGES]
     lines = ["  {:<20}{}".format(name, text) for name, text in modes]
     return """{}
 modes:

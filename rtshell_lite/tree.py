@@ -13,7 +13,8 @@ import re
 
 from rtshell_lite import errors, orb, rpc
 # other modules use these as tree.look, tree.Node …
-from rtshell_lite.node import DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes, on_nodes_in_turn
+from rtshell_lite.node import (DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes, on_nodes_in_turn,
+                               unusable)
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_address
 from rtshell_lite.text import from_wire, printable
 
@@ -93,6 +94,8 @@ def _resolved(server, path):
                 return _descend(above, path.names[size:])
     try:
         ref = server.call("resolve", orb.naming_name(path.names))
+    except errors.Garbled as e:
+        return unusable(path, e)
     except errors.Refused as e:
         if e.name in ("NotFound", "CannotProceed", "InvalidName"):
             raise _why_not_found(path)
@@ -215,7 +218,10 @@ def children(node):
 
 def _child(context, path):
     """The Node that the last name of `path` is bound to in a naming context."""
-    return classified(path, orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])))
+    try:
+        return classified(path, orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])))
+    except errors.Garbled as e:  # it costs its own line only
+        return unusable(path, e)
 
 
 def _sorted(nodes):
