@@ -63,6 +63,10 @@ ANSWERS = {
     "get_owned_contexts": lambda peer: cdr(1, Raw(reference(peer.port, CONTEXT_SERVICE))),
     "get_participating_contexts": lambda peer: cdr(0),
     "get_context_handle": lambda peer: cdr(0),
+    "is_running": lambda peer: b"\1",
+    "get_rate": lambda peer: struct.pack("<d", 100),
+    "get_kind": lambda peer: cdr(0),
+    "get_profile": lambda peer: struct.pack("<IId", 0, 0, 100) + cdr(Raw(reference(peer.port)), 0, 0),
     "get_component_state": lambda peer: cdr(2),     # Active
     "get_sdo_id": lambda peer: cdr(b"Evil0"),
     "get_ports": _ports,

@@ -8,7 +8,6 @@ are not UTF-8, a union whose default index is 0, 100,000 levels, and fixed<65535
 0x0fffffff members takes 6 GB.
 """
 import functools
-import sys
 import threading
 
 from rtshell_lite import errors, ior
@@ -37,7 +36,8 @@ def _guarded(objref, operation):
     """How stubs describe an operation of a class of references, by the way of ior.guarded; None where nothing needs that."""
     for known in objref.__mro__:
         if operation in known.__dict__ and known.__name__.startswith("_objref_"):
-            interface = getattr(sys.modules[known.__module__], known.__name__[len("_objref_"):])
+            scope = known.__dict__[operation].__globals__["_0_" + known.__module__.rpartition(".")[2]]  # as stubs find it
+            interface = getattr(scope, known.__name__[len("_objref_"):])
             given, returned, raised = getattr(interface, "_d_" + operation)
             safe = tuple(ior.guarded(each, _taker, _holder) for each in returned or ())
             failures = {name: ior.guarded(each, _taker, _holder) for name, each in (raised or {}).items()}

@@ -50,6 +50,15 @@ def safe(s):
     return s if s.isprintable() else "".join(c if c.isprintable() else _escape(c) for c in s)
 
 
+LONGEST = 1 << 17  # characters of what a command line can hold as one word
+BEGINNING = 1000  # characters that are shown of a longer text
+
+
+def cut(s):
+    """`s`, or the beginning of one so long that nobody could read or type it, and how much more there is."""
+    return s if len(s) <= LONGEST else "%s… (%d more characters)" % (s[:BEGINNING], len(s) - BEGINNING)
+
+
 def _escape(c):
     n = ord(c)
     if c == "\\":

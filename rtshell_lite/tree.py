@@ -10,15 +10,17 @@ import collections
 import functools
 import os
 import re
+import time
 
-from rtshell_lite import errors, orb, rpc
+from rtshell_lite import cli, errors, orb, rpc
 # other modules use these as tree.look, tree.Node …
 from rtshell_lite.node import (DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes, on_nodes_in_turn,
                                unusable)
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_address
-from rtshell_lite.text import from_wire, printable
+from rtshell_lite.text import LONGEST, from_wire, printable
 
-MOST = 1000000  # names in one context: an iterator may say for ever that there is more
+MOST = 50000  # names in one context: an iterator may say for ever that there is more
+PATIENCE = 3  # times the timeout, in which all names of a context have to come
 AT_ONCE = 1000  # names whose objects are asked for at a time: what has to be noted for each takes memory
 DEPTH = 64  # contexts can be bound inside themselves by another name
 
@@ -235,7 +237,8 @@ def _names(node):
 def bound(node):
     """The bindings of a naming context, however many there are, each its Name and whether it is a naming context.
 
-    One call for all but the largest contexts; [] for other directories.
+    One call for all but the largest contexts; [] for other directories. Names above MOST, those that have not come in PATIENCE,
+    and those that no command line can hold are left out, and told.
     """
     if node.kind not in ("server", "directory"):
         return []
@@ -245,15 +248,29 @@ def bound(node):
     except errors.Refused as e:
         raise _name_server_error(node, e)
     if iterator is not None:
-        try:
-            more = True
-            while more and len(bindings) < MOST:
-                more, batch = orb.call(str(node.path), iterator, "next_n", size)
-                bindings += batch
-        finally:
-            orb.call(str(node.path), iterator, "destroy")
-    found = [(binding.binding_name[0], binding.binding_type) for binding in bindings if binding.binding_name]
-    return [(Name(from_wire(name.id), from_wire(name.kind)), kind._v == 1) for name, kind in found]  # 1: ncontext
+        bindings = _iterated(node, iterator, bindings, size)
+    names = [binding.binding_name[0] for binding in bindings if binding.binding_name]
+    kinds = [binding.binding_type._v == 1 for binding in bindings if binding.binding_name]  # 1: ncontext
+    found = [(Name(from_wire(name.id), from_wire(name.kind)), kind) for name, kind in zip(names, kinds)
+             if len(name.id) + len(name.kind) < LONGEST]
+    if len(found) < len(names):
+        cli.left_out("%s: %d of %d names are left out: they are longer than %d characters" % (
+            node.path, len(names) - len(found), len(names), LONGEST))
+    return found
+
+
+def _iterated(node, iterator, bindings, size):
+    """The bindings that came, and those of an iterator, as far as it has an end."""
+    end, more = time.monotonic() + PATIENCE * rpc.timeout, True
+    try:
+        while more and len(bindings) < MOST and time.monotonic() < end:
+            more, batch = orb.call(str(node.path), iterator, "next_n", size)
+            bindings += batch
+    finally:
+        orb.call(str(node.path), iterator, "destroy")
+    if more:
+        cli.left_out("%s: only its first %d names are taken; its list of them does not end" % (node.path, len(bindings[:MOST])))
+    return bindings[:MOST]
 
 
 # ---- below a manager ------------------------------------------------------------------------------------------
