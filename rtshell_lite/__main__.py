@@ -7,11 +7,11 @@ For a robot without pip, copy the wheel (and one of omniORBpy) there, then:
   PYTHONPATH=rtshell_lite-0.1.0-py3-none-any.whl python3 -m rtshell_lite rtls -l
   PYTHONPATH=rtshell_lite-0.1.0-py3-none-any.whl python3 -m rtshell_lite --unpack /opt/rtshell jeteve_omniorb-*.whl
 """
-import os
 import sys
 
-# `python3 -m` looks for all modules in the working directory first, even for those of Python itself. What is there may be anybody's.
-if not sys.flags.isolated and not getattr(sys.flags, "safe_path", False) and sys.path[:1] in ([""], [os.getcwd()]):
+# `python3 -m` looks for modules in the working directory first, even for those of Python itself; what is there may be anybody's.
+# What Python has imported before it comes here cannot be helped (README, "Install").
+if not sys.flags.isolated and not getattr(sys.flags, "safe_path", False) and sys.path:
     del sys.path[0]
 
 import difflib  # noqa: E402: see above

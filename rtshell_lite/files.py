@@ -38,14 +38,14 @@ def read(name, limit=LIMIT):
 def opened(name):
     """The file of that name, open for reading bytes. Raises OSError, and errors.No for what may block or never end."""
     _refuse_endless(name, os.stat(name))  # some devices do something already when they are opened
-    fd = os.open(name, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+    file = open(os.open(name, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb")
     try:
-        _refuse_endless(name, os.fstat(fd))
-        os.set_blocking(fd, True)
-        return open(fd, "rb")
-    except BaseException:
-        os.close(fd)
+        _refuse_endless(name, os.fstat(file.fileno()))
+    except errors.No:
+        file.close()
         raise
+    os.set_blocking(file.fileno(), True)
+    return file
 
 
 def _refuse_endless(name, found):
@@ -119,8 +119,8 @@ def is_special(target):
     return os.path.exists(target) and not stat.S_ISREG(os.stat(target).st_mode)
 
 
-def open_special(target):
-    """A device or a FIFO, open for writing without a buffer. Raises OSError, and errors.No for what must not be written, or
+def open_special(target, buffering=-1):
+    """A device or a FIFO, open for writing. Raises OSError, and errors.No for what must not be written, or
     where that would wait for ever."""
     if stat.S_ISBLK(os.stat(target).st_mode):
         raise errors.No(printable(target), "a disk; only files are written by name")
@@ -131,7 +131,7 @@ def open_special(target):
             raise errors.No(printable(target), "a FIFO that nobody reads")
         raise
     os.set_blocking(fd, True)
-    return open(fd, "wb", 0)
+    return open(fd, "wb", buffering)
 
 
 class Temporary:
@@ -141,18 +141,18 @@ class Temporary:
     the other writes.
     """
 
-    def __init__(self, target):
+    def __init__(self, target, buffering=-1):
         self.target = target
         folder, base = os.path.split(target)
         # it begins like the target, whose name may be as long as names can be: 255 octets
-        self._path = os.path.join(folder, ".%s.%s.tmp" % (base[:50], os.urandom(8).hex()))
-        self.file = create(self._path, 0o600)
+        self.path = os.path.join(folder, ".%s.%s.tmp" % (base[:50], os.urandom(8).hex()))
+        self.file = create(self.path, 0o600, buffering)
 
     def take_place(self):
         """Let it be the target from now on, with the mode of what it replaces, or that of any new file."""
         os.fchmod(self.file.fileno(), self._mode())
-        os.replace(self._path, self.target)
-        self._path = None
+        os.replace(self.path, self.target)
+        self.path = None
 
     def _mode(self):
         try:
@@ -169,16 +169,16 @@ class Temporary:
 
     def remove(self):
         """Remove it, unless it has taken its place."""
-        if self._path:
-            os.remove(self._path)
-            self._path = None
+        if self.path:
+            os.remove(self.path)
+            self.path = None
 
 
-def create(path, mode=0o666):
-    """A new file, open for appending without a buffer; raises FileExistsError for whatever is there, a link that leads nowhere
+def create(path, mode=0o666, buffering=-1):
+    """A new file, open for appending; raises FileExistsError for whatever is there, a link that leads nowhere
     included."""
     fd = os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC, mode)
-    return open(fd, "ab", 0)
+    return open(fd, "ab", buffering)
 
 
 def umask():

@@ -69,38 +69,48 @@ class Writer:
 
     def _create(self, header):
         if files.is_special(self._target):
-            self._file = files.open_special(self._target)
+            self._file = files.open_special(self._target, 0)
             self._start(header)
         elif os.path.exists(self._target):
             self._replace(header)
         else:
-            try:
-                self._file = files.create(self._target)
-            except FileExistsError:  # since the last look
-                raise errors.No(text.printable(self.name), "another rtlog is recording to it")
-            self._begin(header, lambda: os.remove(self._target))
+            self._create_first(header)
+
+    def _create_first(self, header):
+        try:
+            self._file = files.create(self._target, buffering=0)
+        except FileExistsError:  # since the last look
+            raise errors.No(text.printable(self.name), "another rtlog is recording to it")
+        begun = False
+        try:
+            self._begin(header, self._target)
+            begun = True
+        finally:  # Ctrl-C may have come, too
+            if not begun and _is_still(self._file, self._target):
+                os.remove(self._target)
 
     def _replace(self, header):
         with open(self._target, "rb") as old:
-            lock(old, self.name)
-            if not _is_still(old, self._target):  # its recorder has put another in its place meanwhile
-                raise errors.No(text.printable(self.name), "another rtlog is recording to it")
-            temporary = files.Temporary(self._target)
-            self._file = temporary.file
-            self._begin(header, temporary.remove)
-            temporary.take_place()
+            self._lock(old, self._target)
+            temporary = files.Temporary(self._target, 0)
+            try:
+                self._file = temporary.file
+                self._begin(header, temporary.path)
+                temporary.take_place()
+            finally:
+                temporary.remove()
 
-    def _begin(self, header, undo):
-        """Write the header of a new file; undo() removes that if it fails."""
-        begun = False
-        try:
-            lock(self._file, self.name)
-            self._start(header)
-            os.fsync(self._file.fileno())
-            begun = True
-        finally:
-            if not begun:
-                undo()
+    def _lock(self, file, path):
+        """Keep other recorders away from a file. Raises errors.No, also when one has put another in its place meanwhile."""
+        lock(file, self.name)
+        if not _is_still(file, path):
+            raise errors.No(text.printable(self.name), "another rtlog is recording to it")
+
+    def _begin(self, header, path):
+        """Write the header of a new file, and let the disk have it."""
+        self._lock(self._file, path)
+        self._start(header)
+        os.fsync(self._file.fileno())
 
     def _start(self, header):
         self._put([blocks.MAGIC])
