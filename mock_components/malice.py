@@ -20,7 +20,7 @@ DEEP = 5000             # from 100,000 levels on omniORB's own reader overflows 
 
 def _strange(port, type_id=COMPONENT.encode(), profiles=1, body=None):
     """A reference whose parts are given as octets."""
-    body = body or b"\1\1\2\0" + cdr(b"127.0.0.1") + struct.pack("<H", port) + b"\0\0" + cdr(sequence(b"evil"), 0)
+    body = body or b"\1\1\2\0" + cdr(b"127.0.0.1") + struct.pack("<H", port) + cdr(sequence(b"evil"), 0)
     return Raw(cdr(type_id, profiles, *[0, sequence(body)] * profiles))
 
 

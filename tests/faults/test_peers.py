@@ -5,7 +5,7 @@ import unittest
 
 import invocations
 from faults import running
-from mock_components import faulty
+from mock_components import faulty, malice
 
 ONCE = "how long a peer is waited for does not depend on the Python"
 ALONE = "it measures times"
@@ -17,7 +17,12 @@ except ImportError:
 
 MODES = sorted(set(faulty.MODES) | set(faulty.UNREACHABLE))
 NAMING = {"hostile", "many", "loop", "bottomless"}  # these answer as a name server does, if strangely
-SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"}
+SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"} | set(malice.CHANGES)
+# What these send is large, and some of it is wanted: values of megabytes are whole in files and JSON; as name servers, these have
+# as many names as are taken, each of which is asked for.
+HEAVY = {"many-ends": 128, "megabytes": 256, "endless": 128, "endless-nothing": 64}    # MiB
+ENDLESS = {"many", "endless", "endless-nothing"}
+MOST_SAID = 2 << 20     # octets on stdout and stderr
 SHORT = 150             # of 4,500 cases; these take 30 s of processor
 LIST_LIMIT = 60.0       # seconds for 20,000 names, each of which is asked for and then asked
 
@@ -71,7 +76,7 @@ class Case:
 
     def limit(self):
         """Seconds that it may take: what the command line asks for, and the timeout."""
-        if self.mode == "many" and self.role == "server" and re.search("SERVER|--extra", self.line):
+        if self.mode in ENDLESS and self.role == "server" and re.search("SERVER|--extra", self.line):
             return LIST_LIMIT
         asked = sum(float(seconds) for seconds in re.findall(r"(?:-t|--wait|--measure)[ =]([\d.]+)", self.line))
         patience = 3 if "--extra" in self.line else PATIENCE.get(self.command, 1)
@@ -84,8 +89,10 @@ class Case:
             yield "a bug"
         if ran.seconds > self.limit():
             yield "%.2f s, not %.2f" % (ran.seconds, self.limit())
-        if ran.resident > running.RESIDENT:
+        if ran.resident > HEAVY.get(self.mode, 64) * 1024:
             yield "%d kB" % ran.resident
+        if len(ran.out) + len(ran.err) > MOST_SAID * (1 if self.mode != "megabytes" else 64):
+            yield "%d octets said" % (len(ran.out) + len(ran.err))
         if ran.status not in self.allowed():
             yield "status %d, not of %s" % (ran.status, sorted(self.allowed()))
         told = [line for line in lines if re.match(r"rt\w+: (/|\d+ of \d+ did not answer)", line)]
