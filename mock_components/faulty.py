@@ -173,7 +173,7 @@ class Peer:
 
     def __init__(self, mode):
         self.mode = mode
-        self.listed, self.answers = None, {}
+        self.listed = None
         self.sockets = []
         self.other = Peer(mode[len("elsewhere-"):]) if mode in ELSEWHERE else None
         self.listener = self.keep(socket.socket())
@@ -185,6 +185,7 @@ class Peer:
             self.respond, self.polite = MODES[mode]
             if mode == "many":
                 self.listing(MANY)
+            self.answers = malice.answers(self) if mode in malice.CHANGES else None
             self.listener.listen(64)
             threading.Thread(target=self.accept, daemon=True).start()
 

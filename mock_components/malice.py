@@ -92,12 +92,10 @@ def _nested_sequences(levels=200):
 
 
 def _endless(names):
-    """Bindings that never end: names of each batch, and that there are more."""
-    def batch(peer):
-        peer.given = getattr(peer, "given", 0) + names
-        listed = _names(*[b"n%09d" % number for number in range(peer.given - names, peer.given)])
-        return b"\1\0\0\0" + listed[:-12]           # without the iterator of list(): a string of one octet, and no profile
-    return {"list": lambda peer: Raw(_names(b"Evil0")[:-12] + reference(peer.port, ITERATOR)), "next_n": batch,
+    """Bindings that never end: names of each batch, always the same, and that there are more."""
+    listed = _names(*[b"n%06d" % number for number in range(names)])
+    batch = b"\1\0\0\0" + listed[:-12]            # without the iterator of list(): a string of one octet, and no profile
+    return {"list": lambda peer: Raw(_names(b"Evil0")[:-12] + reference(peer.port, ITERATOR)), "next_n": lambda peer: batch,
             "destroy": lambda peer: b""}
 
 
@@ -115,7 +113,7 @@ CHANGES = {
                    "get_component_profile": lambda peer: _component(peer, more=[(b"deep", _nested_any())])},
     "deep-value": {"get_port_profile": lambda peer: _port(peer, more=[(b"deep", _nested_sequences())]),
                    "get_component_profile": lambda peer: _component(peer, more=[(b"deep", _nested_sequences())])},
-    "endless": _endless(10000),
+    "endless": _endless(1000),
     "endless-nothing": _endless(0),
     "many-ports": {"get_ports": lambda peer: _ports(peer, MANY)},
     "many-ends": {"get_port_profile": lambda peer: _port(peer, ends=MANY)},
@@ -125,17 +123,17 @@ CHANGES = {
 }
 
 
+def answers(peer):
+    """What a peer of such a mode answers, by operation: made before anybody waits for it, as some take long."""
+    return {operation: made(peer) for operation, made in dict(ANSWERS, **CHANGES[peer.mode]).items()}
+
+
 def respond(peer, connection, request):
-    """Answer as the mode of the peer says."""
-    made = dict(ANSWERS, **CHANGES[peer.mode]).get(request.operation)
-    if made is None:
+    """Answers all that it is asked, with something that harms who reads it."""
+    answer = peer.answers.get(request.operation)
+    if answer is None:
         connection.sendall(bad_operation(request))
-        return
-    key = request.operation
-    if key not in peer.answers or key == "next_n":
-        peer.answers[key] = made(peer)      # made once: large ones take longer than some clients wait
-    answer = peer.answers[key]
-    if isinstance(answer, tuple):
+    elif isinstance(answer, tuple):
         connection.sendall(reply(request, cdr(*answer), USER_EXCEPTION))
     else:
         connection.sendall(reply(request, answer))
