@@ -107,8 +107,8 @@ CHANGES = {
     "bad-exception": {"resolve": lambda peer: (CANNOT_PROCEED, _strange(peer.port, NO_TEXT), 0)},
     "bad-iterator": {"list": lambda peer: Raw(_names(b"Evil0")[:-12] + _strange(peer.port, NO_TEXT))},
     "bad-ports": {"get_ports": lambda peer: Raw(cdr(1, _strange(peer.port, NO_TEXT)))},
-    "bad-owner": {"get_port_profile": lambda peer: Raw(cdr(b"Evil0.out", 0, Raw(reference(peer.port, PORT)), 0,
-                                                            _strange(peer.port, NO_TEXT), 0))},
+    "bad-owner": {"get_port_profile": lambda peer: Raw(
+        cdr(b"Evil0.out", 0, Raw(reference(peer.port, PORT)), 0, _strange(peer.port, NO_TEXT), 0))},
     "any-in-any": {"get_port_profile": lambda peer: _port(peer, more=[(b"deep", _nested_any())]),
                    "get_component_profile": lambda peer: _component(peer, more=[(b"deep", _nested_any())])},
     "deep-value": {"get_port_profile": lambda peer: _port(peer, more=[(b"deep", _nested_sequences())]),

@@ -21,7 +21,7 @@ def invoke(where, ref, operation, args):
 
     Raises CORBA exceptions, and Garbled for what must not be used.
     """
-    guarded = _guarded(type(ref), operation)
+    guarded = _guarded(type(ref), operation)  # type: ignore  # a class is hashable
     if guarded is None:
         return getattr(ref, operation)(*args)
     _seen.fault = None

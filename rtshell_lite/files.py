@@ -104,7 +104,7 @@ def destination(name):
     for _ in range(LINKS):
         if not os.path.islink(name):
             folder, base = os.path.split(name)
-            return os.path.join(os.path.realpath(folder), base) if base else os.path.realpath(name)
+            return os.path.realpath(name) if base in ("", ".", "..") else os.path.join(os.path.realpath(folder), base)
         folder = os.path.dirname(name)
         link, above = os.lstat(name), os.stat(folder or ".")
         for_all = above.st_mode & stat.S_ISVTX and above.st_mode & stat.S_IWOTH

@@ -126,17 +126,20 @@ def octets(type_id, profiles):
 @functools.lru_cache(maxsize=64)
 def _start(type_id):
     """What a reference begins with. Raises ValueError when that is no repository id."""
-    size, text = len(type_id), type_id.rstrip(b"\0")
+    size, ends = len(type_id), type_id.find(b"\0")
     try:
-        if size > LONGEST_TYPE or size - len(text) > 1 or b"\0" in text or size and size == len(text) or text.decode("utf-8") is None:
+        if size > LONGEST_TYPE or ends != size - 1:  # of the empty one, without even a NUL, as some ORBs write it, both are -1
             raise ValueError
+        type_id.decode("utf-8")
     except ValueError:
         raise ValueError("a reference whose type is no text")
     return struct.pack("<L", size) + type_id + _PADDING[size & 3]
 
 
 def checked(said):
-    """A stringified IOR that a peer has sent as text. Raises ValueError, saying why, for one that must not reach omniORB. Other forms, corbaname: say, would let it call whom the peer likes.
+    """A stringified IOR that a peer has sent as text. Raises ValueError, saying why, for one that must not reach omniORB.
+
+    Other forms, corbaname: say, would let it call whom the peer likes.
     """
     if said[:4].upper() != "IOR:" or len(said) > 3 * LARGEST:
         raise ValueError("not a reference (no IOR, or too long)")

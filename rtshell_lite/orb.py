@@ -1,5 +1,4 @@
 """The only door to omniORB: the ORB and its settings, references, calls with a deadline, CORBA exceptions as errors."""
-import functools
 import os
 import sys
 import threading

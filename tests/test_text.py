@@ -59,8 +59,10 @@ class Terminal(unittest.TestCase):
 
     def test_ordinary_text_of_all_languages_stays_readable(self):
         import unicodedata
-        words = ["\u65e5\u672c\u8a9e", "\ud55c\uad6d\uc5b4", "\u0915\u094d\u0937\u0924\u094d\u0930\u093f\u092f", "\u0e17\u0e35\u0e48\u0e19\u0e35\u0e48",
-                 "\u0f67\u0f71\u0f74\u0f83", "\u05e9\u05c1\u05b8\u05dc\u05d5\u05b9\u05dd", "\u0639\u064e\u0631\u064e\u0628\u0650\u064a\u0651", "\u2764\ufe0f",
+        words = ["\u65e5\u672c\u8a9e", "\ud55c\uad6d\uc5b4", "\u0915\u094d\u0937\u0924\u094d\u0930\u093f\u092f",
+                 "\u0e17\u0e35\u0e48\u0e19\u0e35\u0e48",
+                 "\u0f67\u0f71\u0f74\u0f83", "\u05e9\u05c1\u05b8\u05dc\u05d5\u05b9\u05dd",
+                 "\u0639\u064e\u0631\u064e\u0628\u0650\u064a\u0651", "\u2764\ufe0f",
                  "\U0001f44d\U0001f3fd", "Ti\u1ebfng Vi\u1ec7t", "\u1100\u1161\u11a8"]
         for word in words + [unicodedata.normalize("NFD", word) for word in words]:
             with self.subTest(ascii(word)):

@@ -62,9 +62,11 @@ class Writer:
                 self._go_on(header)
             else:
                 self._create(header)
-        except (errors.No, OSError):
+        except (errors.No, OSError) as e:
             if self._file:
                 self._file.close()
+            if isinstance(e, OSError) and str(e.filename).endswith(".tmp"):
+                e.filename = name  # not a name that nobody knows
             raise
 
     def _create(self, header):
