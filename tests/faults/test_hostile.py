@@ -101,9 +101,9 @@ class Case:
         for found in list(HARMFUL.finditer(said))[:3]:
             yield "harmful: %r" % said[max(0, found.start() - 30):found.end() + 10]
         if "--json" in self.line:
-            for line in ran.out.decode("ascii").splitlines():
-                if line.startswith("{") or not self.on_terminal:  # where both streams arrive
-                    json.loads(line)
+            for line in ran.out.splitlines():
+                if line.startswith(b"{") or not self.on_terminal:  # where both streams arrive
+                    json.loads(line.decode("ascii"))
 
 
 def cases():
