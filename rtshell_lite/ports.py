@@ -16,7 +16,7 @@ DATA = ("DataInPort", "DataOutPort")
 DEFAULTS = (("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
             ("dataport.subscription_type", "new"))
 
-MOST_PORTS, MOST_PARTS, MOST_ENDS = 2000, 1000, 16  # of a component, of a port, of a connector; nobody means well with more
+MOST_PORTS, MOST_PARTS, MOST_ENDS = 1000, 1000, 16  # of a component, of a port, of a connector; nobody means well with more
 
 ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push
 

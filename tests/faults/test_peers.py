@@ -24,6 +24,8 @@ HEAVY = {"many-ends": 128, "megabytes": 256, "endless": 128, "endless-nothing": 
 ENDLESS = {"many", "endless", "endless-nothing"}
 MOST_SAID = 2 << 20     # octets on stdout and stderr
 SHORT = 150             # of 4,500 cases; these take 30 s of processor
+TALKATIVE = {"many-ports", "many-ends"}  # these answer as many questions as are asked, or at great length
+TALK_LIMIT = 10.0       # seconds for them
 LIST_LIMIT = 60.0       # seconds for 20,000 names, each of which is asked for and then asked
 
 # The doctor promises three times the timeout; what asks one after the other may wait as often, such as rtcheck --extra, which
@@ -80,6 +82,8 @@ class Case:
         """Seconds that it may take: what the command line asks for, and the timeout."""
         if self.mode in ENDLESS and self.role == "server" and re.search("SERVER|--extra", self.line):
             return LIST_LIMIT
+        if self.mode in TALKATIVE:
+            return TALK_LIMIT
         asked = sum(float(seconds) for seconds in re.findall(r"(?:-t|--wait|--measure)[ =]([\d.]+)", self.line))
         patience = 3 if "--extra" in self.line else PATIENCE.get(self.command, 1)
         return asked + running.TIMEOUT * patience + running.SLACK + start_up
