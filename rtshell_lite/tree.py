@@ -210,6 +210,7 @@ def children(node):
     while names:
         paths = [node.path.child(name) for name in names[-AT_ONCE:]]
         del names[-AT_ONCE:]
+        rpc.alive()  # where this is itself a call to the name server: that has answered all that it was asked so far
         for child in rpc.gather(rpc.Job(server, path, functools.partial(_child, context, path)) for path in paths):
             if isinstance(child, Node):
                 found.append(child)
