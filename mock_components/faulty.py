@@ -21,6 +21,7 @@ import sys
 import threading
 import time
 
+from . import malice
 from .giop import (COMPONENT, CONTEXT, bad_operation, bindings, cdr, component_profile, harmless_answer, read_request,
                    reference, reply, stringified)
 
@@ -164,6 +165,7 @@ def mode_name(function):
 MODES = {mode_name(function): (function, function in POLITE) for function in RUDE + POLITE}
 MODES.update({"late-" + mode_name(function): (function, True) for function in RUDE})
 MODES.update({name: (elsewhere, True) for name in ELSEWHERE})
+MODES.update({name: (malice.respond, True) for name in malice.CHANGES})
 
 
 class Peer:
@@ -183,6 +185,7 @@ class Peer:
             self.respond, self.polite = MODES[mode]
             if mode == "many":
                 self.listing(MANY)
+            self.answers = malice.answers(self) if mode in malice.CHANGES else None
             self.listener.listen(64)
             threading.Thread(target=self.accept, daemon=True).start()
 
@@ -280,6 +283,7 @@ def usage():
     """The help, with what each mode does."""
     modes = list(UNREACHABLE.items()) + [(mode_name(function), function.__doc__) for function in RUDE + POLITE]
     modes += [(name, elsewhere.__doc__) for name in ELSEWHERE]
+    modes += [(name, malice.respond.__doc__) for name in malice.CHANGES]
     lines = ["  {:<20}{}".format(name, text) for name, text in modes]
     return """{}
 modes:

@@ -28,6 +28,8 @@ STRINGS = {
     "lines": "line\nfeed\rreturn\ttab\x08\x7f\ntouch canary\n",
     "c1": "\x9b31m\x90\x85" + _wire("\x9b32m\x85\u2028\u2029"),
     "bidi": _wire("\u202ecba\u202c\u2066x\u2069\u200e\u200f\u061c\u200b\ufeff"),
+    "blank": _wire("\u3164\u115f\uffa0x\u2800\U000e0041\ufe0f\u034f"),
+    "marks": _wire("\u0301z" + "\u0301\u0332\u20dd" * 20),
     "long": "L" * 65536,
     "empty": "",
     "above": "..",

@@ -7,11 +7,17 @@ For a robot without pip, copy the wheel (and one of omniORBpy) there, then:
   PYTHONPATH=rtshell_lite-0.1.0-py3-none-any.whl python3 -m rtshell_lite rtls -l
   PYTHONPATH=rtshell_lite-0.1.0-py3-none-any.whl python3 -m rtshell_lite --unpack /opt/rtshell jeteve_omniorb-*.whl
 """
-import difflib
-import shlex
 import sys
 
-from rtshell_lite import cli, errors, installation
+# `python3 -m` looks for modules in the working directory first, even for those of Python itself; what is there may be anybody's.
+# What Python has imported before it comes here cannot be helped (README, "Install").
+if not sys.flags.isolated and not getattr(sys.flags, "safe_path", False) and sys.path:
+    del sys.path[0]
+
+import difflib  # noqa: E402: see above
+import shlex  # noqa: E402
+
+from rtshell_lite import cli, errors, installation  # noqa: E402
 
 
 def arguments(parser):

@@ -26,6 +26,7 @@ EXIT_STATUSES = """exit status:
 LAST_WORDS = 1.0  # seconds that output may take after a signal: its reader may have stopped
 
 _quiet = _verbose = False
+_left_out = set()  # type: set  # what this command has said to have left out
 
 
 # ---- running a command ----------------------------------------------------------------------------------------
@@ -55,7 +56,7 @@ def command(arguments, run, doc, argv):
     try:
         args = parser(arguments, doc, os.path.basename(sys.argv[0])).parse_args(argv)
         _settle(args.quiet, args.verbose, args.timeout)
-        return run(args) or 0
+        return run(args) or (errors.Partial.status if _left_out else 0)
     except errors.Error as e:
         return complain(e)
     except BrokenPipeError:  # the reader went away: not our error
@@ -95,6 +96,7 @@ def ignore_hangup():
 def _settle(quiet, verbose, timeout):
     global _quiet, _verbose
     _quiet, _verbose, rpc.timeout = quiet, verbose, timeout
+    _left_out.clear()
     rpc.silent.clear()  # in rtsh: what was silent for one command is asked again by the next
     rpc.slots = rpc.Slots()
 
@@ -155,6 +157,20 @@ def complain(what):
     return status
 
 
+def left_out(line):
+    """Tell, once, that more came from a peer than anybody wants, and how much was left out; the command has not succeeded."""
+    if line not in _left_out:
+        _left_out.add(line)
+        complain(line)
+
+
+def first(most, found, where, what):
+    """The first `most` of a list that a peer has sent; the rest is left out, and told."""
+    if len(found) > most:
+        left_out("%s: %d of %d %s are left out" % (where, len(found) - most, len(found), what))
+    return found[:most]
+
+
 def note(line):
     """Tell something on stderr that is no failure; --quiet silences it."""
     if not is_quiet():
@@ -184,7 +200,7 @@ def say(line):
         pass  # the last flush will tell
     if sys.stderr is not None:
         try:
-            sys.stderr.write(text.safe(line) + "\n")
+            sys.stderr.write(text.cut(text.safe(line)) + "\n")
         except OSError:
             pass  # nobody left to tell
 

@@ -12,7 +12,7 @@ import threading
 
 from rtshell_lite import cli, errors, installation, rpc, shell, tree
 from rtshell_lite.path import ROOT, parse
-from rtshell_lite.text import printable
+from rtshell_lite.text import is_plain, printable
 
 # `text` stands for the whole last word; a `final` word is complete, others go on (a directory, an optional port).
 Candidate = collections.namedtuple("Candidate", "text final help")
@@ -216,7 +216,7 @@ def _files(word, others):
     for name in os.listdir(os.path.expanduser(above) or "."):
         directory = os.path.isdir(os.path.join(os.path.expanduser(above), name))
         hidden = name.startswith(".") and not word[len(above):].startswith(".")
-        if name.isprintable() and not hidden:
+        if is_plain(name) and not hidden:
             found.append(Candidate(_no_option(above + name) + ("/" if directory else ""), not directory, ""))
     return found
 

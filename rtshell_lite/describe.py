@@ -71,7 +71,7 @@ def lines(found, level, ends, paint):
 
 
 def _pairs(items, indent):
-    return text.pairs([(printable(name), printable(value)) for name, value in items], indent)
+    return text.pairs([(printable(text.cut(name)), printable(text.cut(value))) for name, value in items], indent)
 
 
 def _owned(context):

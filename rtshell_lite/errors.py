@@ -86,6 +86,10 @@ class Unreachable(Error):
     status = 4
 
 
+class Garbled(Unreachable):
+    """{}: garbled answer ({})"""  # what is in it that must not be used
+
+
 class Silent(Unreachable):
     """{}: {}"""
 

@@ -1,27 +1,70 @@
-"""Local files: written whole or not at all, `-` for stdin and stdout."""
+"""Local files: written whole or not at all, `-` for stdin and stdout; and nothing that others have prepared is trusted.
+
+In a directory for all, /tmp say, somebody else may have put a link, or guess a name that we are about to write. So new files
+are created exclusively, under names that nobody can guess, readable by nobody else until they are as readable as what they
+replace; and links that are neither ours nor the directory's owner's are not followed, as Linux itself does it.
+"""
+import errno
 import os
+import re
 import stat
 import sys
 
 from rtshell_lite import errors
+from rtshell_lite.text import printable
+
+LIMIT = 16 << 20  # octets of a file that is read as a whole
+LINKS = 40  # that may lead from one to the next
+# What a shell hands over as an open descriptor, `<(command)` say: it has a writer, and may be a pipe.
+_HANDED_OVER = re.compile(r"(/dev/stdin|/dev/fd/\d+|/proc/(self|\d+)/fd/\d+)\Z")
 
 
-def read(name, limit=16 << 20):
+# ---- reading --------------------------------------------------------------------------------------------------
+
+def read(name, limit=LIMIT):
     """The text of a file (`-`: stdin), undecodable bytes kept as surrogate escapes. Raises OSError, errors.No when too big."""
     if name == "-":
         if sys.stdin is None:
             raise errors.No("-", "there is no standard input")
         data = sys.stdin.buffer.read(limit + 1)
     else:
-        with open(name, "rb") as source:
+        with opened(name) as source:
             data = source.read(limit + 1)
     if len(data) > limit:
-        raise errors.No(name, "more than %d MiB" % (limit >> 20))
+        raise errors.No(printable(name), "more than %d MiB" % (limit >> 20))
     return data.decode("utf-8-sig", "surrogateescape")
 
 
+def opened(name):
+    """The file of that name, open for reading bytes. Raises OSError, and errors.No for what may block or never end."""
+    _refuse_endless(name, os.stat(name))  # some devices do something already when they are opened
+    file = open(os.open(name, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb")
+    try:
+        _refuse_endless(name, os.fstat(file.fileno()))
+    except errors.No:
+        file.close()
+        raise
+    os.set_blocking(file.fileno(), True)
+    return file
+
+
+def _refuse_endless(name, found):
+    if stat.S_ISDIR(found.st_mode):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name)
+    if stat.S_ISREG(found.st_mode) or _HANDED_OVER.match(name) or _is_null(found):
+        return
+    what = "FIFO" if stat.S_ISFIFO(found.st_mode) else "socket" if stat.S_ISSOCK(found.st_mode) else "device"
+    raise errors.No(printable(name), "a %s; only files are read by name" % what)
+
+
+def _is_null(found):
+    return stat.S_ISCHR(found.st_mode) and found.st_rdev == os.stat(os.devnull).st_rdev
+
+
+# ---- writing --------------------------------------------------------------------------------------------------
+
 def write(name, content):
-    """Write text to a file (`-`: stdout) such that it is there whole or the old one stays. Raises OSError.
+    """Write text to a file (`-`: stdout): it is there whole, or the old one stays. Raises OSError, errors.No.
 
     A kill -9 in the middle of a plain write left 57 of 60 files torn; a temporary name, fsync and rename none.
     """
@@ -31,30 +74,115 @@ def write(name, content):
         sys.stdout.buffer.write(data)
         return
     try:
-        _replace(os.path.realpath(name), data)  # a link goes on pointing where it does
+        _replace(destination(name), data)
     except OSError as e:
         e.filename = name
         raise
 
 
 def _replace(target, data):
-    if os.path.exists(target) and not stat.S_ISREG(os.stat(target).st_mode):
-        with open(target, "wb") as pipe:  # a device or a FIFO; a directory raises
+    if is_special(target):
+        with open_special(target) as pipe:
             pipe.write(data)
         return
-    folder, base = os.path.split(target)
-    # Its own: of two processes that write to one target at a time, the last one wins, and neither tears what the other writes.
-    # It begins like the target, whose name may be as long as names can be: 255 octets.
-    temporary, done = os.path.join(folder, ".%s.%d.tmp" % (base[:50], os.getpid())), False
+    temporary = Temporary(target)
     try:
-        with open(temporary, "wb") as out:
+        with temporary.file as out:
             out.write(data)
             out.flush()
             os.fsync(out.fileno())
-        if os.path.exists(target):
-            os.chmod(temporary, stat.S_IMODE(os.stat(target).st_mode))
-        os.replace(temporary, target)
-        done = True
+            temporary.take_place()
     finally:  # Ctrl-C may have come, too
-        if not done and os.path.exists(temporary):
-            os.remove(temporary)
+        temporary.remove()
+
+
+def destination(name):
+    """Where a file is written that the user calls `name`: a link goes on pointing where it does.
+
+    Raises OSError, and errors.No for a link that somebody else has put into a directory for all.
+    """
+    for _ in range(LINKS):
+        if not os.path.islink(name):
+            folder, base = os.path.split(name)
+            return os.path.realpath(name) if base in ("", ".", "..") else os.path.join(os.path.realpath(folder), base)
+        folder = os.path.dirname(name)
+        link, above = os.lstat(name), os.stat(folder or ".")
+        for_all = above.st_mode & stat.S_ISVTX and above.st_mode & stat.S_IWOTH
+        if for_all and link.st_uid not in (os.geteuid(), above.st_uid):
+            raise errors.No(printable(name), "a link that somebody else has put there; remove it or write elsewhere")
+        name = os.path.join(folder, os.readlink(name))
+    raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), name)
+
+
+def is_special(target):
+    """True for what is there and no regular file: a device or a FIFO, or a directory."""
+    return os.path.exists(target) and not stat.S_ISREG(os.stat(target).st_mode)
+
+
+def open_special(target, buffering=-1):
+    """A device or a FIFO, open for writing. Raises OSError, and errors.No for what must not be written, or
+    where that would wait for ever."""
+    if stat.S_ISBLK(os.stat(target).st_mode):
+        raise errors.No(printable(target), "a disk; only files are written by name")
+    try:
+        fd = os.open(target, os.O_WRONLY | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC)
+    except OSError as e:
+        if e.errno == errno.ENXIO:
+            raise errors.No(printable(target), "a FIFO that nobody reads")
+        raise
+    os.set_blocking(fd, True)
+    return open(fd, "wb", buffering)
+
+
+class Temporary:
+    """A new file beside `target`, open for appending as `file`, that takes its place when it is complete. Raises OSError.
+
+    Each has a name of its own: of two processes that write to one target at a time, the last one wins, and neither tears what
+    the other writes.
+    """
+
+    def __init__(self, target, buffering=-1):
+        self.target = target
+        folder, base = os.path.split(target)
+        # it begins like the target, whose name may be as long as names can be: 255 octets
+        self.path = os.path.join(folder, ".%s.%s.tmp" % (base[:50], os.urandom(8).hex()))
+        self.file = create(self.path, 0o600, buffering)
+
+    def take_place(self):
+        """Let it be the target from now on, with the mode of what it replaces, or that of any new file."""
+        os.fchmod(self.file.fileno(), self._mode())
+        os.replace(self.path, self.target)
+        self.path = None
+
+    def _mode(self):
+        try:
+            old, new = os.stat(self.target), os.fstat(self.file.fileno())
+        except FileNotFoundError:
+            return 0o666 & ~umask()
+        mode = stat.S_IMODE(old.st_mode) & 0o777
+        if old.st_gid != new.st_gid:
+            try:
+                os.fchown(self.file.fileno(), -1, old.st_gid)
+            except PermissionError:
+                mode &= 0o707  # what its group may do is not for another group
+        return mode
+
+    def remove(self):
+        """Remove it, unless it has taken its place."""
+        if self.path:
+            os.remove(self.path)
+            self.path = None
+
+
+def create(path, mode=0o666, buffering=-1):
+    """A new file, open for appending; raises FileExistsError for whatever is there, a link that leads nowhere
+    included."""
+    fd = os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC, mode)
+    return open(fd, "ab", buffering)
+
+
+def umask():
+    """The permissions that new files of this process do not get."""
+    mask = os.umask(0o077)  # there is no way to ask that changes nothing; meanwhile others get less, not more
+    os.umask(mask)
+    return mask

@@ -16,6 +16,9 @@ _TOKEN = re.compile(r"""\s*(?: (?P<word> (?: [^\s;&|<>()'"\\\#] | \\. | '[^']*' 
                         | (?P<end> ; | \Z | \#.* ) | (?P<operator> &&? | \|\|? | <<? | >>? | [()] ) )""", re.VERBOSE | re.DOTALL)
 
 
+LONGEST = 4 << 20  # characters of a line
+
+
 class Left(Exception):
     """`exit` was said; its argument is the exit status."""
 
@@ -57,7 +60,7 @@ def lines(read):
             return
         part = line.lstrip("\ufeff").rstrip("\r\n")
         backslashes = len(part) - len(part.rstrip("\\"))
-        if line and backslashes % 2:
+        if line and backslashes % 2 and len(text) <= LONGEST:
             text += part[:-1]
             continue
         yield first, text + part

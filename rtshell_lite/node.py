@@ -103,6 +103,11 @@ def classified(path, ref, is_context=False):
     return node
 
 
+def unusable(path, error):
+    """The Node for a name that is bound to a reference which must not be used, given the Garbled that says why."""
+    return Node(path, "silent", None, errors.Garbled(str(path), error.args[1]))
+
+
 def _kind(type_id, name):
     """What an object is, by the type and the Name that it was bound with."""
     if type_id in _CONTEXTS:

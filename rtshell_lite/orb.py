@@ -1,18 +1,12 @@
 """The only door to omniORB: the ORB and its settings, references, calls with a deadline, CORBA exceptions as errors."""
-import binascii
-import collections
-import functools
 import os
-import struct
 import sys
 import threading
 import types
 
-from rtshell_lite import errors, rpc
+from rtshell_lite import answers, errors, ior, rpc
 from rtshell_lite.path import PROTOCOLS, SCHEMES, split_address
 from rtshell_lite.text import from_wire, printable, to_wire
-
-Address = collections.namedtuple("Address", "type_id host port key")  # what an IOR says: text, text, int, bytes
 
 PROBING = 4  # the part of the timeout, a quarter, in which a host has to refuse a connection
 CONNECTIONS = 5  # that omniORB holds to one process at most (its maxGIOPConnectionPerServer)
@@ -108,12 +102,14 @@ def corbaloc(where, address, key, default_port):
         raise errors.BadPath("%s: not an address (%s)" % (where, _label(e)))
 
 
-def from_text(where, ior):
-    """The reference that a stringified IOR stands for. Raises Unreachable when it is none."""
+def from_text(where, text):
+    """The reference that a stringified IOR stands for, which a peer has sent. Raises Unreachable when it is none."""
     orb = start()
     from omniORB import CORBA
     try:
-        return orb.string_to_object(ior)
+        return orb.string_to_object(ior.checked(text))
+    except ValueError as e:
+        raise errors.Unreachable(where, str(e))
     except CORBA.SystemException as e:
         raise errors.Unreachable(where, "not a reference (%s)" % _label(e))
 
@@ -148,79 +144,13 @@ def one_of(ref, known):
 
 
 def address(ref):
-    """What the IOR of `ref` says, an Address (CORBA 3.0, 13.6.2); without an IIOP profile, host is '' and port 0."""
-    return _address(start().object_to_string(ref))
-
-
-@functools.lru_cache(maxsize=1024)
-def _address(ior):
-    ior = _Cdr(binascii.unhexlify(ior[4:]))
-    try:
-        type_id = sys.intern(ior.octets()[:-1].decode("latin-1"))  # one text for all 20,000
-        for _ in range(ior.ulong()):
-            tag, profile = ior.ulong(), ior.octets()
-            if tag == 0:  # TAG_INTERNET_IOP
-                body = _Cdr(profile)
-                body.at += 2  # the version
-                host, port = body.host_and_port()
-                return Address(type_id, sys.intern(host), port, body.octets())
-    except (IndexError, struct.error):
-        return Address("", "", 0, b"")
-    return Address(type_id, "", 0, b"")
-
-
-_LITTLE, _BIG = [(struct.Struct(order + "L").unpack_from, struct.Struct(order + "H").unpack_from) for order in "<>"]
-
-
-class _Cdr:
-    """Reads a CDR encapsulation: a byte that tells the byte order, then aligned values."""
-
-    def __init__(self, data):
-        self.data, self.at = data, 1
-        self._ulong, self._ushort = _LITTLE if data[0] & 1 else _BIG
-
-    def ulong(self):
-        at = self.at + 3 & ~3
-        self.at = at + 4
-        return self._ulong(self.data, at)[0]
-
-    def ushort(self):
-        at = self.at + 1 & ~1
-        self.at = at + 2
-        return self._ushort(self.data, at)[0]
-
-    def octets(self):
-        size = self.ulong()
-        self.at += size
-        return self.data[self.at - size:self.at]
-
-    def host_and_port(self):
-        return self.octets()[:-1].decode("latin-1"), self.ushort()
+    """What the IOR of `ref` says, an ior.Address; without an IIOP profile, host is '' and port 0."""
+    return ior.address(start().object_to_string(ref))
 
 
 def addresses(ref):
-    """Every (host, port) that the IOR of `ref` offers, in its order: IIOP profiles and the alternatives named in them.
-
-    TAG_ALTERNATE_IIOP_ADDRESS is 3 (CORBA 3.0, 13.6.6.8); a reference without an IIOP profile offers none.
-    """
-    ior, found = _Cdr(binascii.unhexlify(start().object_to_string(ref)[4:])), []
-    try:
-        ior.octets()  # the type id
-        for _ in range(ior.ulong()):
-            tag, profile = ior.ulong(), ior.octets()
-            if tag != 0:
-                continue
-            body = _Cdr(profile)
-            minor, body.at = profile[2], body.at + 2
-            found.append(body.host_and_port())
-            body.octets()  # the object key
-            for _ in range(body.ulong() if minor else 0):
-                component, data = body.ulong(), body.octets()
-                if component == 3:
-                    found.append(_Cdr(data).host_and_port())
-    except (IndexError, struct.error):
-        pass  # what was told before the garbage counts
-    return list(collections.OrderedDict.fromkeys(found))
+    """Every (host, port) that the IOR of `ref` offers, in its order: IIOP profiles and the alternatives named in them."""
+    return ior.addresses(start().object_to_string(ref))
 
 
 def endpoint(ref):
@@ -258,16 +188,16 @@ def call(where, ref, operation, *args, seconds=None):
         with rpc.slots:
             rpc.alive(longer)
             try:
-                result = getattr(ref, operation)(*args)
+                result = answers.invoke(where, ref, operation, args)
             except CORBA.COMM_FAILURE as e:
-                result = _asked_again(e, ref, operation, args)
+                result = _asked_again(e, where, ref, operation, args)
     except CORBA.Exception as e:
         raise _error(str(where), e, max(seconds or 0, rpc.timeout), ref)
     rpc.answered()
     return result
 
 
-def _asked_again(failure, ref, operation, args):
+def _asked_again(failure, where, ref, operation, args):
     """The result of a question whose answer was lost: it is asked again, once for each connection that may be an old one.
 
     rtsh keeps connections: where a process has ended since, or was started anew at the same port, all of them are lost, and
@@ -277,7 +207,7 @@ def _asked_again(failure, ref, operation, args):
     asks = operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
     for _ in range(CONNECTIONS if asks and rpc.has_answered() else 0):
         try:
-            return getattr(ref, operation)(*args)
+            return answers.invoke(where, ref, operation, args)
         except CORBA.COMM_FAILURE as e:
             failure = e
     raise failure

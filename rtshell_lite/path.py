@@ -10,7 +10,7 @@ import os
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.text import printable, unescaped
+from rtshell_lite.text import is_plain, printable, unescaped
 
 DEFAULT_PORT = 2809
 SCHEMES = re.compile(r"(?:https?|wss?)://")  # name servers behind HTTP: the rest of the path follows a '#'
@@ -73,7 +73,7 @@ ROOT = Path(None, (), None, False)
 
 def _spelt(s, more=""):
     """`s` with everything escaped that the parser would take for something else."""
-    if s.isalnum():  # most are
+    if s.isalnum() and is_plain(s):  # most are
         return s
     s = printable(s)
     for c in "/:" + more:

@@ -31,7 +31,8 @@ class Playing:
     def play(self, entries, absolute, linger):
         """Send the entries as they come; with `absolute` the times within them stay, else they are moved to now.
 
-        Then wait until they can have been read, for `linger` seconds at most (None: as long as it takes). Returns True when all were sent, False when no port was left before. Disconnects however it ends.
+        Then wait until they can have been read, for `linger` seconds at most (None: as long as it takes). Returns True when all
+        were sent, False when no port was left before. Disconnects however it ends.
         """
         watcher = streams.Watcher([writer for _, writer in self.sinks])
         with connection.Opened(watcher.connections) as opened:

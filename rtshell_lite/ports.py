@@ -1,8 +1,8 @@
 """Ports of components and the connectors between them: what they are, why two do not match, connect, disconnect."""
 import collections
 
-from rtshell_lite import component, errors, orb, tree
-from rtshell_lite.text import from_wire, printable, shell_word, to_wire
+from rtshell_lite import cli, component, errors, orb, tree
+from rtshell_lite.text import cut, from_wire, printable, shell_word, to_wire
 
 # One port. `name` is the full name (ConsoleIn0.out), `type` DataInPort, DataOutPort, CorbaPort or Port, `properties` a dict,
 # `owner` the reference of its component or None, `node` the Node it was found on.
@@ -17,6 +17,8 @@ DEFAULTS = (("dataport.dataflow_type", "push"), ("dataport.interface_type", "cor
 
 RATES = ("dataport.publisher.push_rate", "dataport.push_rate", "dataport.outport.publisher.push_rate",
          "dataport.outport.push_rate")  # where components look for the rate of a periodic connection
+MOST_PORTS, MOST_PARTS, MOST_ENDS = 1000, 1000, 16  # of a component, of a port, of a connector; nobody means well with more
+
 ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push
 
 
@@ -35,7 +37,8 @@ def in_system(found):
 def refs(node):
     """References of the ports of a component."""
     from rtshell_lite.idl_stubs.component import RTC
-    return [orb.narrow(ref, RTC.PortService) for ref in node.call("get_ports") if ref is not None]
+    found = cli.first(MOST_PORTS, node.call("get_ports"), node.path, "ports")
+    return [orb.narrow(ref, RTC.PortService) for ref in found if ref is not None]
 
 
 def port(node, ref, failures=None, brief=False):
@@ -53,18 +56,21 @@ def port(node, ref, failures=None, brief=False):
         raise errors.Unreachable(str(node.path), why)
     properties = dict(orb.properties(nv for nv in found.properties if not brief or nv.name == "port.port_type"))
     kind = properties.get("port.port_type")
-    return Port(node, from_wire(found.name), kind if kind in DATA + ("CorbaPort",) else "Port", properties,
-                [] if brief else [_interface(i) for i in found.interfaces],
-                [_connector(c) for c in found.connector_profiles], ref, orb.one_of(found.owner, node.ref))
+    interfaces = [] if brief else cli.first(MOST_PARTS, found.interfaces, node.path, "interfaces of a port")
+    connectors = cli.first(MOST_PARTS, found.connector_profiles, node.path, "connectors of a port")
+    return Port(node, cut(from_wire(found.name)), kind if kind in DATA + ("CorbaPort",) else "Port", properties,
+                [_interface(i) for i in interfaces], [_connector(c, node.path) for c in connectors], ref,
+                orb.one_of(found.owner, node.ref))
 
 
 def _interface(found):
     polarity = ("Provided", "Required")[found.polarity._v]
-    return Interface(from_wire(found.instance_name), from_wire(found.type_name), polarity)
+    return Interface(cut(from_wire(found.instance_name)), cut(from_wire(found.type_name)), polarity)
 
 
-def _connector(found):
-    return Connector(from_wire(found.connector_id), from_wire(found.name), list(found.ports), orb.properties(found.properties))
+def _connector(found, where):
+    ends = cli.first(MOST_ENDS, found.ports, where, "ends of a connector")
+    return Connector(from_wire(found.connector_id), cut(from_wire(found.name)), ends, orb.properties(found.properties))
 
 
 def short_name(name, instance):
@@ -283,7 +289,7 @@ def connect(found, name="", connector_id="", given=None):
     if str(code) != "RTC_OK":
         _tidy(found)
         raise errors.Refused(between(found), _why_refused(str(code), found, connector_id), name=str(code))
-    return _connector(made)
+    return _connector(made, between(found))
 
 
 def connect_alone(port, name, properties):
@@ -298,7 +304,7 @@ def connect_alone(port, name, properties):
     code, made = orb.ask(label(port), port.ref, "connect", asked)
     if str(code) != "RTC_OK":
         raise errors.Refused(label(port), "refused by the component (%s)" % code, name=str(code))
-    return _connector(made)
+    return _connector(made, label(port))
 
 
 def _why_refused(code, found, connector_id):

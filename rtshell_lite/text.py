@@ -38,16 +38,57 @@ def to_wire(s):
 
 # ---- the terminal ---------------------------------------------------------------------------------------------
 
+MARKS = 4  # combining marks that may follow one another: Vietnamese has 2, Hebrew and Tibetan 3 or 4
+# Characters that draw nothing though Python calls them printable: fillers of Hangul, Braille, music, Khmer and Khitan, what joins
+# marks, and what selects a variant of the character before it.
+_BLANK = re.compile("[\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180f\u2800\u3164\ufe00-\ufe0f\uffa0\U00016fe4\U0001d159"
+                    "\U000e0000-\U000e0fff]")
+
+
 def printable(s):
-    """Spell `s` so that no control character reaches a terminal; `unescaped` reads the spelling back."""
-    if s.isprintable() and "\\" not in s:
+    """Spell `s` so that nothing in it harms a terminal or cannot be seen; `unescaped` reads the spelling back.
+
+    Escaped are controls, what draws nothing, marks with nothing to stand on, and more than MARKS of them on one character.
+    """
+    if is_plain(s) and "\\" not in s:
         return s
-    return "".join(c if c.isprintable() and c != "\\" else _escape(c) for c in s)
+    return "".join(c if plain and c != "\\" else _escape(c) for c, plain in judged(s))
 
 
 def safe(s):
-    """`s` with control characters escaped and nothing else: for lines that hold text spelt for the terminal already."""
-    return s if s.isprintable() else "".join(c if c.isprintable() else _escape(c) for c in s)
+    """`s` with the same characters escaped, but no backslash: for lines that hold text spelt for the terminal already."""
+    return s if is_plain(s) else "".join(c if plain else _escape(c) for c, plain in judged(s))
+
+
+def is_plain(s):
+    """True where nothing of `s` needs to be escaped but backslashes."""
+    return s.isprintable() and (_is_ascii(s) or max(s) < "\u0300" or all(plain for _, plain in judged(s)))
+
+
+def judged(s):
+    """Each character of `s`, and whether it can be printed as it is."""
+    from unicodedata import category
+    marks, base = MARKS, ""  # nothing to stand on, at first
+    for c in s:
+        kind = category(c) if c >= "\u0300" else ""
+        if c in "\ufe0e\ufe0f" and base and not marks and category(base)[0] == "S":
+            marks, plain = 1, True  # an emoji, or a symbol that is to be none
+        elif not c.isprintable() or _BLANK.match(c):
+            marks, plain, base = MARKS, False, ""
+        elif kind in ("Mn", "Me"):
+            marks, plain = marks + 1, marks < MARKS
+        else:
+            marks, plain, base = 0 if c != " " else MARKS, True, c
+        yield c, plain
+
+
+LONGEST = 1 << 17  # characters of what a command line can hold as one word
+BEGINNING = 1000  # characters that are shown of a longer text
+
+
+def cut(s):
+    """`s`, or the beginning of one so long that nobody could read or type it, and how much more there is."""
+    return s if len(s) <= LONGEST else "%s… (%d more characters)" % (s[:BEGINNING], len(s) - BEGINNING)
 
 
 def _escape(c):
@@ -98,8 +139,9 @@ def shell_word(s):
     """`s` as one word of a POSIX shell command, printable but for newlines, which the shell itself would drop at an end."""
     if re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII):
         return s
-    pieces = itertools.groupby(s, lambda c: c.isprintable() or c == "\n")
-    return "".join(_quoted("".join(piece)) if plain else _by_printf("".join(piece)) for plain, piece in pieces) or "''"
+    pieces = [(plain, "".join(c for c, _ in piece)) for plain, piece in itertools.groupby(
+        judged(s), lambda each: each[1] or each[0] == "\n")]
+    return "".join(_quoted(piece) if plain else _by_printf(piece) for plain, piece in pieces) or "''"
 
 
 def _quoted(s):
@@ -132,7 +174,7 @@ def cells(s):
     if not s or max(s) < "\u0300":
         return len(s)
     import unicodedata
-    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in s)
+    return sum(0 if unicodedata.category(c) in ("Mn", "Me") else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in s)
 
 
 def padded(s, size):

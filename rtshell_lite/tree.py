@@ -11,14 +11,17 @@ import functools
 import itertools
 import os
 import re
+import time
 
-from rtshell_lite import aliases, errors, orb, rpc
+from rtshell_lite import aliases, cli, errors, orb, rpc
 # other modules use these as tree.look, tree.Node …
-from rtshell_lite.node import DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes, on_nodes_in_turn
+from rtshell_lite.node import (DIRECTORIES, Node, classified, judged, look, no_name_server, on_nodes, on_nodes_in_turn,
+                               unusable)
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_address
-from rtshell_lite.text import from_wire, printable
+from rtshell_lite.text import LONGEST, from_wire, printable
 
-MOST = 1000000  # names in one context: an iterator may say for ever that there is more
+MOST = 50000  # names in one context: an iterator may say for ever that there is more
+PATIENCE = 3  # times the timeout, in which all names of a context have to come
 AT_ONCE = 1000  # names whose objects are asked for at a time: what has to be noted for each takes memory
 DEPTH = 64  # contexts can be bound inside themselves by another name
 
@@ -93,6 +96,8 @@ def _resolved(server, path):
                 return _descend(above, path.names[size:])
     try:
         ref = server.call("resolve", orb.naming_name(path.names))
+    except errors.Garbled as e:
+        return unusable(path, e)
     except errors.Refused as e:
         if e.name in ("NotFound", "CannotProceed", "InvalidName"):
             raise _why_not_found(path)
@@ -225,6 +230,7 @@ def children(node):
     while names:
         some = [(node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]]
         del names[-AT_ONCE:]
+        rpc.alive()  # where this is itself a call to the name server: that has answered all that it was asked so far
         for child in rpc.gather(rpc.Job(server, path, functools.partial(_child, context, path, is_context))
                                 for path, is_context in some):
             if isinstance(child, Node):
@@ -236,7 +242,10 @@ def children(node):
 
 def _child(context, path, is_context):
     """The Node that the last name of `path` is bound to in a naming context."""
-    return classified(path, orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])), is_context)
+    try:
+        return classified(path, orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])), is_context)
+    except errors.Garbled as e:  # it costs its own line only
+        return unusable(path, e)
 
 
 def _sorted(nodes):
@@ -246,7 +255,8 @@ def _sorted(nodes):
 def bound(node):
     """The bindings of a naming context, however many there are, each its Name and whether it is a naming context.
 
-    One call for all but the largest contexts; [] for other directories.
+    One call for all but the largest contexts; [] for other directories. Names above MOST, those that have not come in PATIENCE,
+    and those that no command line can hold are left out, which is reported.
     """
     if node.kind not in ("server", "directory"):
         return []
@@ -256,15 +266,28 @@ def bound(node):
     except errors.Refused as e:
         raise _name_server_error(node, e)
     if iterator is not None:
-        try:
-            more = True
-            while more and len(bindings) < MOST:
-                more, batch = orb.call(str(node.path), iterator, "next_n", size)
-                bindings += batch
-        finally:
-            orb.call(str(node.path), iterator, "destroy")
-    found = [(binding.binding_name[0], binding.binding_type) for binding in bindings if binding.binding_name]
-    return [(Name(from_wire(name.id), from_wire(name.kind)), kind._v == 1) for name, kind in found]  # 1: ncontext
+        bindings = _iterated(node, iterator, bindings, size)
+    names = [(each.binding_name[0], each.binding_type._v == 1) for each in bindings if each.binding_name]  # 1: ncontext
+    found = [(Name(from_wire(name.id), from_wire(name.kind)), is_context) for name, is_context in names
+             if len(name.id) + len(name.kind) < LONGEST]
+    if len(found) < len(names):
+        cli.left_out("%s: %d of %d names are left out: they are longer than %d characters" % (
+            node.path, len(names) - len(found), len(names), LONGEST))
+    return found
+
+
+def _iterated(node, iterator, bindings, size):
+    """The bindings that came, and those of an iterator, as far as it has an end."""
+    end, more = time.monotonic() + PATIENCE * rpc.timeout, True
+    try:
+        while more and len(bindings) < MOST and time.monotonic() < end:
+            more, batch = orb.call(str(node.path), iterator, "next_n", size)
+            bindings += batch
+    finally:
+        orb.call(str(node.path), iterator, "destroy")
+    if more:
+        cli.left_out("%s: only its first %d names are taken; its list of them does not end" % (node.path, len(bindings[:MOST])))
+    return bindings[:MOST]
 
 
 # ---- below a manager ------------------------------------------------------------------------------------------

@@ -14,6 +14,7 @@ import zipfile
 import zlib
 
 from rtshell_lite import errors, installation
+from rtshell_lite.files import create, umask
 
 # Relative to the command, so that the whole directory can be moved or copied to the robot.
 FIND_LIBRARY = """import os, sys  # these two lines were added by --unpack
@@ -94,13 +95,12 @@ class Files:
         content, program = self.contents[name]
         directory, _, last = os.path.join(self.directory, *name.split("/")).rpartition(os.sep)
         os.makedirs(directory, exist_ok=True)
-        temporary = os.path.join(directory, ".%s.tmp" % last)
-        if os.path.lexists(temporary):  # an earlier run was killed
-            os.unlink(temporary)
-        descriptor = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o777 if program else 0o666)
+        temporary = os.path.join(directory, ".%s.%s.tmp" % (last[:50], os.urandom(8).hex()))
+        file = create(temporary, 0o600)
         try:
-            with open(descriptor, "wb") as file:
+            with file:
                 file.write(content)
+                os.fchmod(file.fileno(), (0o777 if program else 0o666) & ~umask())
         except OSError:
             os.unlink(temporary)
             raise

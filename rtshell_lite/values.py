@@ -10,7 +10,7 @@ import struct
 import sys
 
 from rtshell_lite import constants, construct, errors
-from rtshell_lite.text import printable
+from rtshell_lite.text import judged, printable
 
 Expression = constants.Expression
 build = construct.build
@@ -127,7 +127,7 @@ def _constructor(value):
     if isinstance(value, float) and not math.isfinite(value):
         return "NaN" if math.isnan(value) else "Infinity" if value > 0 else "-Infinity"
     if isinstance(value, str):
-        return "'%s'" % "".join(_escaped(c) for c in value)
+        return "'%s'" % "".join(c if plain and c not in "\\'{}" else _escaped(c) for c, plain in judged(value))
     if sort == "scalar":
         return repr(value)
     if sort == "list":
@@ -141,8 +141,6 @@ def _constructor(value):
 
 
 def _escaped(c):
-    if c.isprintable() and c not in "\\'{}":
-        return c
     n = ord(c)
     return "\\x%02x" % n if n < 256 else "\\u%04x" % n if n < 65536 else "\\U%08x" % n
 

@@ -20,18 +20,19 @@ LAYERS = [
      "manual", "markup", "plan", "playing", "printing", "recording", "search", "starting", "svg", "system", "top", "unbind",
      "unpack", "watch"],
     # what can be asked of components, ports and managers, and done with them; being a port or an observer; logs of data
-    ["component", "configuration", "connection", "datalog", "dataport", "datatypes", "delivery", "execution", "flow", "fsm", "inbox", "manager",
-     "observer", "organisation", "places", "polling", "ports", "servants", "targets"],
+    ["component", "configuration", "connection", "datalog", "dataport", "datatypes", "delivery", "execution", "flow", "fsm",
+     "inbox", "manager", "observer", "organisation", "places", "polling", "ports", "servants", "targets"],
     ["tree"],  # from a path to a node
     ["aliases", "node"],
-    ["orb", "cli", "commandline", "installation", "reports", "streams"],  # the door to omniORB; what commands share
+    ["answers", "orb", "cli", "commandline", "installation", "reports", "streams"],  # the door to omniORB; what commands share
     # forms of things, told from text or bytes without asking anybody
-    ["cdr", "constants", "constraints", "construct", "descriptors", "idl", "overview", "path", "portable", "values", "xmlprofile"],
+    ["cdr", "constants", "constraints", "construct", "descriptors", "idl", "ior", "overview", "path", "portable", "values",
+     "xmlprofile"],
     ["files", "interrupts", "rpc", "shell", "text"],
     ["errors"],
     ["__init__"],
 ]
-OMNIORB_HOMES = {"orb", "servants", "observer"}  # all but the first serve CORBA objects themselves
+OMNIORB_HOMES = {"orb", "answers", "servants", "observer"}  # all but the first two serve CORBA objects themselves
 # Stubs are imported here, inside functions; a command must not pay for those that it does not use.
 STUB_LAYERS = next(names for names in LAYERS if "component" in names) + ["node", "orb"]
 CATCH_ALL_HOMES = {"cli", "rpc"}

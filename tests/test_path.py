@@ -6,7 +6,7 @@ import unittest
 from rtshell_lite import errors
 from rtshell_lite.path import ROOT, Name, Path, parse, split_address
 
-PIECES = "ab./:\\e x\x1b\udcff日\n*"
+PIECES = "ab./:\\e x\x1b\udcff日\n*\u3164\u0301\ufe0f"
 
 
 class Parsing(unittest.TestCase):

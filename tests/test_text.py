@@ -4,7 +4,7 @@ import unittest
 
 from rtshell_lite import errors, text
 
-HOSTILE = "a./:\\ \x00\x07\x1b\n\r\t\x7f\x9b\u202e\u2028\u200b\udc80\udcff日é\U0001f600'\"$`*"
+HOSTILE = "a./:\\ \u3164\u0301\u0e49\ufe0f\u2764\U000e0041\x00\x07\x1b\n\r\t\x7f\x9b\u202e\u2028\u200b\udc80\udcff日é\U0001f600'\"$`*"
 
 
 def hostile(rng, most=12):
@@ -40,6 +40,36 @@ class Terminal(unittest.TestCase):
             shown = text.printable(name)
             self.assertTrue(shown.isprintable(), ascii(shown))
             self.assertEqual(text.unescaped(shown), name)
+
+    def test_what_draws_nothing_is_escaped(self):
+        for c in "\u115f\u1160\u3164\uffa0\u2800\u034f\u17b4\u180b\ufe00\ufe0f\U000e0041\U000e0100\U000e01ef\U0001d159":
+            for said in (c, "a" + c, "\u65e5" + c + "b", c * 3):
+                with self.subTest(ascii(said)):
+                    self.assertNotIn(c, text.printable(said))
+                    self.assertNotIn(c, text.safe(said))
+                    self.assertNotIn(c, text.shell_word(said))
+                    self.assertEqual(text.unescaped(text.printable(said)), said)
+
+    def test_stacks_of_marks_do_not_take_over_a_line(self):
+        self.assertEqual(text.printable("e" + "\u0301" * 6 + "z"), "e" + "\u0301" * 4 + "\\u0301\\u0301z")
+        for said in ("\u0301a", "a \u0301", "a\x1b\u0301", "\\u0e49" * 3, "\u0e49" * 50):
+            with self.subTest(ascii(said)):
+                self.assertNotIn("\u0301", text.printable(said))
+                self.assertEqual(text.unescaped(text.printable(said)), said)
+
+    def test_ordinary_text_of_all_languages_stays_readable(self):
+        import unicodedata
+        words = ["\u65e5\u672c\u8a9e", "\ud55c\uad6d\uc5b4", "\u0915\u094d\u0937\u0924\u094d\u0930\u093f\u092f",
+                 "\u0e17\u0e35\u0e48\u0e19\u0e35\u0e48",
+                 "\u0f67\u0f71\u0f74\u0f83", "\u05e9\u05c1\u05b8\u05dc\u05d5\u05b9\u05dd",
+                 "\u0639\u064e\u0631\u064e\u0628\u0650\u064a\u0651", "\u2764\ufe0f",
+                 "\U0001f44d\U0001f3fd", "Ti\u1ebfng Vi\u1ec7t", "\u1100\u1161\u11a8"]
+        for word in words + [unicodedata.normalize("NFD", word) for word in words]:
+            with self.subTest(ascii(word)):
+                self.assertEqual((text.printable(word), text.safe(word)), (word, word))
+
+    def test_a_selector_stays_behind_symbols_only(self):
+        self.assertEqual(text.printable("\u2764\ufe0f\ufe0f a\ufe0f 1\ufe0f"), "\u2764\ufe0f\\ufe0f a\\ufe0f 1\\ufe0f")
 
     def test_safe_keeps_backslashes(self):
         self.assertEqual(text.safe("a\\x1b \x1b"), "a\\x1b \\x1b")

@@ -230,6 +230,7 @@ class Forms(unittest.TestCase):
             written = escape.quoted(text)
             self.assertEqual(escape.unspelt(written), text)
         self.assertEqual((escape.quoted("_x0041_"), escape.quoted("\x1b[0m")), ("_x0041_", "_x001B_[0m"))
+        self.assertEqual((escape.quoted("\u3164"), escape.quoted("e" + "\u0301" * 5)), ("&#12644;", "e" + "\u0301" * 4 + "&#769;"))
 
     def test_the_standard_library_is_not_hidden(self):
         from rtshell_lite.xmlprofile import xml

@@ -27,7 +27,7 @@ import collections
 import os
 import stat
 
-from rtshell_lite import errors, text
+from rtshell_lite import errors, files, text
 from rtshell_lite.datalog import blocks
 
 # A stream in a log: the name it is played by, its data type's id, that type as bytes (b"": unknown), whence it came.
@@ -56,7 +56,7 @@ def load(name, modules=()):
     where = text.printable(name)
     if stat.S_ISFIFO(os.stat(name).st_mode):
         raise errors.No(where, "a pipe; logs are read from files")
-    file = open(name, "rb")
+    file = files.opened(name)
     try:
         size = os.fstat(file.fileno()).st_size
         start = file.read(32)

@@ -5,7 +5,7 @@
 import os
 import stat
 
-from rtshell_lite import errors, values
+from rtshell_lite import errors, files, values
 from rtshell_lite.datalog import is_text, writer
 from rtshell_lite.text import printable
 
@@ -15,7 +15,10 @@ class Writer:
 
     def __init__(self, name, channels, types, append=False):
         self.name, self._names, self._types = name, [channel.name for channel in channels], types
-        self._file = open(name, "ab")
+        target = files.destination(name)
+        special = files.is_special(target)
+        fd = -1 if special else os.open(target, os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o666)
+        self._file = files.open_special(target) if special else open(fd, "ab")
         try:
             writer.lock(self._file, name)
             if stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):

@@ -2,7 +2,7 @@
 import os
 import stat
 
-from rtshell_lite import __version__, errors, text
+from rtshell_lite import __version__, errors, files, text
 from rtshell_lite.datalog import blocks
 
 CHUNK = 1 << 20  # octets given to the operating system at once
@@ -57,44 +57,62 @@ class Writer:
                           "typecode": each.typecode.hex() if each.typecode else None} for each in channels]})
         self._file = None
         try:
+            self._target = files.destination(name)
             if append and os.path.exists(name) and os.path.getsize(name):
                 self._go_on(header)
             else:
                 self._create(header)
-        except (errors.No, OSError):
+        except (errors.No, OSError) as e:
             if self._file:
                 self._file.close()
+            if isinstance(e, OSError) and str(e.filename).endswith(".tmp"):
+                e.filename = name  # not a name that nobody knows
             raise
 
     def _create(self, header):
-        target = os.path.realpath(self.name)  # a link goes on pointing where it does
-        if os.path.exists(target) and not stat.S_ISREG(os.stat(target).st_mode):
-            self._file = open(target, "wb", 0)  # a device or a FIFO; a directory raises
+        if files.is_special(self._target):
+            self._file = files.open_special(self._target, 0)
             self._start(header)
-            return
-        folder, base = os.path.split(target)
-        temporary = os.path.join(folder, ".%s.tmp" % base)
-        old, ours = open(target, "rb") if os.path.exists(target) else None, False
+        elif os.path.exists(self._target):
+            self._replace(header)
+        else:
+            self._create_first(header)
+
+    def _create_first(self, header):
         try:
-            if old:
-                lock(old, self.name)
-            self._file = _opened(temporary, self.name)
-            lock(self._file, self.name)
-            if not _is_still(self._file, temporary):  # its recorder has given it its name meanwhile
-                raise errors.No(text.printable(self.name), "another rtlog is recording to it")
-            ours = True
-            self._file.truncate(0)  # what a killed one has left
-            self._start(header)
-            os.fsync(self._file.fileno())
-            if old:
-                os.chmod(temporary, stat.S_IMODE(os.fstat(old.fileno()).st_mode))
-            os.replace(temporary, target)
-            ours = False
-        finally:
-            if ours:
-                os.remove(temporary)
-            if old:
-                old.close()
+            self._file = files.create(self._target, buffering=0)
+        except FileExistsError:  # since the last look
+            raise errors.No(text.printable(self.name), "another rtlog is recording to it")
+        begun = False
+        try:
+            self._begin(header, self._target)
+            begun = True
+        finally:  # Ctrl-C may have come, too
+            if not begun and _is_still(self._file, self._target):
+                os.remove(self._target)
+
+    def _replace(self, header):
+        with open(self._target, "rb") as old:
+            self._lock(old, self._target)
+            temporary = files.Temporary(self._target, 0)
+            try:
+                self._file = temporary.file
+                self._begin(header, temporary.path)
+                temporary.take_place()
+            finally:
+                temporary.remove()
+
+    def _lock(self, file, path):
+        """Keep other recorders away from a file. Raises errors.No, also when one has put another in its place meanwhile."""
+        lock(file, self.name)
+        if not _is_still(file, path):
+            raise errors.No(text.printable(self.name), "another rtlog is recording to it")
+
+    def _begin(self, header, path):
+        """Write the header of a new file, and let the disk have it."""
+        self._lock(self._file, path)
+        self._start(header)
+        os.fsync(self._file.fileno())
 
     def _start(self, header):
         self._put([blocks.MAGIC])
@@ -103,12 +121,12 @@ class Writer:
 
     def _go_on(self, header):
         from rtshell_lite.datalog import reader
-        self._file = open(self.name, "r+b", 0)
+        self._file = open(self._target, "r+b", 0)
         lock(self._file, self.name)
         if self._file.read(len(blocks.MAGIC)) != blocks.MAGIC:
             raise errors.No(text.printable(self.name), "not a log that can be gone on with")
         size = os.fstat(self._file.fileno()).st_size
-        with open(self.name, "rb") as file:
+        with open(self._target, "rb") as file:
             old = reader.Log(file, text.printable(self.name), size)
             self._check(old.channels)
             self.end = old.scan(self.index)
@@ -200,15 +218,6 @@ def _pieces(parts):
         yield part
         small = []
     yield b"".join(small)
-
-
-def _opened(name, target):
-    """A new file, or one that is there with all that is in it: until it is locked, it may be another recorder's."""
-    try:
-        return open(name, "ab", 0)
-    except OSError as e:
-        e.filename = target
-        raise
 
 
 def _is_still(file, name):

@@ -106,7 +106,7 @@ def _again(link, ends):
         if isinstance(answer, errors.Error):
             ends[identity] = End(None, answer, before.name)
             continue
-        ends[identity] = before._replace(port=answer._replace(node=before.port.node))
+        ends[identity] = before._replace(port=answer._replace(node=before.port.node if before.port else None))
         own = ends[identity].port if identity == orb.identity(link.port.ref) else own
     now = next((one for one in own.connectors if one.id == link.connector.id), None)
     return now and Link(link.each, own, now)

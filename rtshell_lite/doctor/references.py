@@ -25,6 +25,9 @@ def _command(program, node):
 def _unreachable(visit, node):
     """Why an object cannot be used from here, from the outside in: its address, TCP, its process, itself."""
     where = str(node.path)
+    if isinstance(node.error, errors.Garbled):
+        return [fail("reference", where, "the name is bound to what must not be used: %s" % reason(node.error),
+                     "find out who has bound it; its component, started anew, binds it rightly")]
     if node.ref is None:
         return [fail("reference", where, "the name is bound to nothing (a nil reference)", _command("rtdel", node))]
     offered = orb.addresses(node.ref)

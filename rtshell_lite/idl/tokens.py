@@ -3,7 +3,7 @@ import collections
 import os
 import re
 
-from rtshell_lite import errors
+from rtshell_lite import errors, files
 from rtshell_lite.text import printable
 
 # kind: name, number, string, char, mark, pragma, file (an included file begins or ends), end; word: as written
@@ -58,7 +58,7 @@ class _Source:
 
 def _read(path):
     try:
-        with open(path, "rb") as file:
+        with files.opened(path) as file:
             data = file.read(LARGEST + 1)
     except (OSError, ValueError) as e:
         raise errors.No(printable(path), getattr(e, "strerror", None) or str(e))

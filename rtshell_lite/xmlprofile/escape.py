@@ -5,6 +5,8 @@ kept as XML; text without such characters is written as it is, unless it looks l
 """
 import re
 
+from rtshell_lite.text import is_plain, judged
+
 _ILLEGAL = "\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff"
 _SPELT = "(?:00(?:0[0-8BCEF]|1[0-9A-F]|5F)|D[89A-F][0-9A-F]{2}|FFF[EF])"
 # An underscore that would begin such a spelling is spelt itself; what is illegal begins with one once it is spelt.
@@ -17,7 +19,7 @@ _MARKUP = re.compile("[&<>\"\t\n\r%s]" % _INVISIBLE)
 
 def quoted(text):
     """`text` as it stands in an attribute between double quotes, or as the content of an element."""
-    if text.isalnum():  # most are
+    if text.isalnum() and is_plain(text):  # most are
         return text
     if _TO_SPELL.search(text):
         text = _TO_SPELL.sub(lambda found: "_x%04X_" % ord(found.group()), text)
@@ -26,7 +28,10 @@ def quoted(text):
 
 def marked(text):
     """`text`, which XML can hold, with references for what would be markup, read as a blank, or do something to a terminal."""
-    return _MARKUP.sub(_reference, text) if _MARKUP.search(text) else text
+    text = _MARKUP.sub(_reference, text) if _MARKUP.search(text) else text
+    if is_plain(text):
+        return text
+    return "".join(c if plain or c < "\u0300" else "&#%d;" % ord(c) for c, plain in judged(text))
 
 
 def is_legal(text):

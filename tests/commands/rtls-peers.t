@@ -132,7 +132,7 @@ A name server with hostile names: a line each, no control character, and what is
   \e/
   \x1b]0;pwned\x07\x1b[2Jescape.rtc
   \x1b]52;c;cm0gLXJmIH4=\x07clipboard.host_cxt/
-  \xc6\xfc\xcbܸ\xec.rtc
+  \xc6\xfc\xcb\u0738\xec.rtc
   \xff\xfe\x80invalid.rtc
   a.b\\\/c\:d.k\.k/
   bidi\u202ecba\u200b.rtc

@@ -5,7 +5,7 @@ import unittest
 
 import invocations
 from faults import running
-from mock_components import faulty
+from mock_components import faulty, malice
 
 ONCE = "how long a peer is waited for does not depend on the Python"
 ALONE = "it measures times"
@@ -17,8 +17,15 @@ except ImportError:
 
 MODES = sorted(set(faulty.MODES) | set(faulty.UNREACHABLE))
 NAMING = {"hostile", "many", "loop", "bottomless"}  # these answer as a name server does, if strangely
-SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"}
+SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"} | set(malice.CHANGES)
+# What these send is large, and some of it is wanted: values of megabytes are whole in files and JSON; as name servers, these have
+# as many names as are taken, each of which is asked for.
+HEAVY = {"many-ends": 128, "megabytes": 256, "endless": 128, "endless-nothing": 64}    # MiB
+ENDLESS = {"many", "endless", "endless-nothing"}
+MOST_SAID = 2 << 20     # octets on stdout and stderr
 SHORT = 150             # of 4,500 cases; these take 30 s of processor
+TALKATIVE = {"many-ports", "many-ends"}  # these answer as many questions as are asked, or at great length
+TALK_LIMIT = 10.0       # seconds for them
 LIST_LIMIT = 60.0       # seconds for 20,000 names, each of which is asked for and then asked
 
 # The doctor promises three times the timeout; what asks one after the other may wait as often, such as rtcheck --extra, which
@@ -67,12 +74,16 @@ class Case:
         self.peer = meant["SERVER" if self.role == "server" else "A"]
         self.ran = running.run([self.command] + invocations.words(self.line, meant), around.directory("run%d" % self.number),
                                RTCTREE_NAMESERVERS=self.peer[1:].partition("/")[0], RTSHELL_TIMEOUT=str(running.TIMEOUT))
+        self.said = len(self.ran.out) + len(self.ran.err)
+        self.ran.out = self.ran.out[-65536:]    # what this process keeps counts as memory of those that it starts
         return self
 
     def limit(self):
         """Seconds that it may take: what the command line asks for, and the timeout."""
-        if self.mode == "many" and self.role == "server" and re.search("SERVER|--extra", self.line):
+        if self.mode in ENDLESS and self.role == "server" and re.search("SERVER|--extra", self.line):
             return LIST_LIMIT
+        if self.mode in TALKATIVE:
+            return TALK_LIMIT
         asked = sum(float(seconds) for seconds in re.findall(r"(?:-t|--wait|--measure)[ =]([\d.]+)", self.line))
         patience = 3 if "--extra" in self.line else PATIENCE.get(self.command, 1)
         return asked + running.TIMEOUT * patience + running.SLACK + start_up
@@ -84,8 +95,10 @@ class Case:
             yield "a bug"
         if ran.seconds > self.limit():
             yield "%.2f s, not %.2f" % (ran.seconds, self.limit())
-        if ran.resident > running.RESIDENT:
+        if ran.resident > HEAVY.get(self.mode, 64) * 1024:
             yield "%d kB" % ran.resident
+        if self.said > MOST_SAID * (1 if self.mode != "megabytes" else 64):
+            yield "%d octets said" % self.said
         if ran.status not in self.allowed():
             yield "status %d, not of %s" % (ran.status, sorted(self.allowed()))
         told = [line for line in lines if re.match(r"rt\w+: (/|\d+ of \d+ did not answer)", line)]

@@ -1,0 +1,158 @@
+"""Answers that are made to harm who reads them: if one of these fails, a peer ends our process, or fills its memory.
+
+omniORB dies of what these peers send (SIGSEGV), so commands are run, and what they leave is looked at.
+"""
+import binascii
+import os
+import subprocess
+import sys
+import unittest
+
+from mock_components import faulty, giop, malice
+from rtshell_lite import descriptors, errors, ior
+
+try:
+    import omniORB
+except ImportError:
+    omniORB = None
+
+
+TYPE = b"IDL:RTC/X:1.0\0"
+TIMEOUT = "3"
+
+ALONE = "it measures times"
+
+
+def run(*words):
+    """(status, stdout, lines of stderr) of a command."""
+    ran = subprocess.run([sys.executable, "-m", "rtshell_lite"] + list(words), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                         stdin=subprocess.DEVNULL, env=dict(os.environ, RTSHELL_TIMEOUT=TIMEOUT))
+    return ran.returncode, ran.stdout.decode(), ran.stderr.decode().splitlines()
+
+
+@unittest.skipIf(omniORB is None, "omniORBpy is not installed")
+class Commands(unittest.TestCase):
+    def peer(self, mode):
+        peer = faulty.Peer(mode)
+        self.addCleanup(peer.close)
+        return "/127.0.0.1:%d" % peer.port
+
+    def says(self, mode, status, said, *words):
+        """What a command says of the peer, in one line; returns what it prints."""
+        server = self.peer(mode)
+        words = [word.replace("SERVER", server) for word in words]
+        found, out, err = run(*words)
+        self.assertEqual((found, len(err)), (status, 1), err)
+        self.assertIn(said.replace("SERVER", server), err[0])
+        return out
+
+    def test_a_reference_that_ends_omniorb_costs_its_own_line(self):
+        for mode, why in (("bad-type", "a reference whose type is no text"), ("bad-profiles", "a reference of 10000 profiles"),
+                          ("bad-body", "a reference that is none")):
+            with self.subTest(mode):
+                self.says(mode, 4, "SERVER/Evil0.rtc: garbled answer (%s)" % why, "rtcat", "SERVER/Evil0.rtc")
+                self.assertIn("?Evil0.rtc", self.says(mode, 4, "1 of 1 did not answer", "rtls", "SERVER"))
+                self.says(mode, 5, "SERVER/Evil0.rtc: garbled", "rtfind", "SERVER")
+
+    def test_in_other_places(self):
+        self.says("bad-iterator", 4, "SERVER: garbled answer (a reference", "rtls", "SERVER")
+        self.says("bad-exception", 3, "SERVER/Evil0.rtc: no such path", "rtcat", "SERVER/Evil0.rtc")
+        self.says("bad-ports", 4, "SERVER/Evil0.rtc: garbled answer (a reference", "rtcat", "SERVER/Evil0.rtc")
+        self.says("bad-owner", 4, "SERVER/Evil0.rtc: garbled answer (a reference", "rtcat", "-ll", "SERVER/Evil0.rtc")
+
+    def test_values_inside_values(self):
+        for mode in ("any-in-any", "deep-value"):
+            self.says(mode, 4, "SERVER/Evil0.rtc: garbled answer (deep: values inside values, deeper than 64)",
+                      "rtcat", "SERVER/Evil0.rtc")
+
+    def test_what_is_left_out_is_told(self):
+        for mode, said, words in (
+                ("endless", "names are taken; its list of them does not end", ["rtfind", "SERVER", "-n", "x"]),
+                ("endless-nothing", "only its first 1 names are taken; its list of them does not end", ["rtls", "SERVER"]),
+                ("many-ports", "19000 of 20000 ports are left out", ["rtls", "-l", "SERVER"]),
+                ("many-ends", "19984 of 20000 ends of a connector are left out", ["rtls", "-l", "SERVER"]),
+                ("megabytes", "1 of 2 names are left out: they are longer than 131072 characters", ["rtls", "SERVER"])):
+            with self.subTest(mode):
+                self.assertLess(len(self.says(mode, 5, said, *words)), 1 << 20)
+
+    def test_long_texts_are_cut(self):
+        server = self.peer("megabytes")
+        status, out, err = run("rtcat", "-l", server + "/Evil0.rtc")
+        self.assertEqual((status, err), (0, []))
+        self.assertLess(len(out), 10000)
+        self.assertIn("M… (%d more characters)" % (len(malice.MEGABYTES) - 1000), out)
+
+
+class References(unittest.TestCase):
+    PROFILE = (0, b"\1\1\2\0" + giop.cdr(b"host") + b"\0\x39\x05" + giop.cdr(giop.sequence(b"key"), 0))
+
+    def test_what_is_right_stays_as_it_is(self):
+        for profiles in ([self.PROFILE], [self.PROFILE] * 3, [(1, b""), (0x41545401, b"x"), self.PROFILE]):
+            for type_id in (TYPE, b"\0", b"", "IDL:日本:1.0\0".encode()):
+                data = ior.octets(type_id, profiles)
+                text = "IOR:" + binascii.hexlify(b"\1\0\0\0" + data).decode()
+                self.assertEqual(ior.checked(text), text)
+                self.assertEqual(ior.address(text)[1:], ("host", 1337, b"key"))
+        self.assertEqual(ior.octets(b"\0", []), b"")
+
+    def test_what_is_wrong_is_refused(self):
+        for type_id in (b"IDL:\xff:1.0\0", b"no end", b"a\0b\0", b"x" * 2000 + b"\0", b"\xed\xa0\x80\0"):
+            with self.subTest(type_id), self.assertRaisesRegex(ValueError, "whose type is no text"):
+                ior.octets(type_id, [self.PROFILE])
+        with self.assertRaisesRegex(ValueError, "of 10000 profiles"):
+            ior.octets(TYPE, [self.PROFILE] * 10000)
+        for profiles in ([(0, b"x" * 100000)], [(0, b"x" * 10000)] * 10):
+            with self.assertRaisesRegex(ValueError, "of 100000 octets"):
+                ior.octets(TYPE, profiles)
+
+    def test_texts_that_are_no_references(self):
+        whole = binascii.hexlify(b"\1\0\0\0" + ior.octets(TYPE, [self.PROFILE])).decode()
+        for text in ["", "IOR:", "IOR:0", "IOR:zz", "IOR:é", "corbaname::evil", "corbaloc::evil:1/x", "IOR:" + "00" * 100000] + [
+                "IOR:" + whole[:size] for size in range(0, len(whole) - 2, 2)]:
+            with self.subTest(text[:80]), self.assertRaises(ValueError):
+                ior.checked(text)
+
+
+@unittest.skipIf(omniORB is None, "omniORBpy is not installed")
+class Descriptors(unittest.TestCase):
+    def operations(self):
+        from rtshell_lite.idl_stubs.component import OpenRTM, RTC, SDOPackage
+        from rtshell_lite.idl_stubs.manager import RTM
+        import CosNaming
+        for module in (OpenRTM, RTC, SDOPackage, RTM, CosNaming):
+            for name in dir(module):
+                if name.startswith("_objref_"):
+                    yield from ((getattr(module, name), operation) for operation in dir(getattr(module, name))
+                                if not operation.startswith("_"))
+
+    def test_no_operation_can_return_a_reference_that_is_not_looked_at(self):
+        from omniORB import CORBA
+        from rtshell_lite import answers
+
+        def kinds(found):
+            return {descriptors.kind(inner) for each in found for _, inner in descriptors.walk(each, "")}
+        count = 0
+        for objref, operation in self.operations():
+            if hasattr(CORBA.Object, operation):
+                continue
+            owner = next(known for known in objref.__mro__ if operation in known.__dict__)
+            scope = owner.__dict__[operation].__globals__["_0_" + owner.__module__.rpartition(".")[2]]
+            plain = getattr(getattr(scope, owner.__name__[len("_objref_"):]), "_d_" + operation)
+            results = list(plain[1] or ()) + [part for each in (plain[2] or {}).values() for part in each[5::2]]
+            guarded = answers._guarded(objref, operation)
+            if descriptors.OBJECT not in kinds(results):
+                continue
+            count += 1
+            with self.subTest("%s.%s" % (objref.__name__, operation)):
+                safe = list(guarded[1]) + [part for each in (guarded[2] or {}).values() for part in each[5::2]]
+                self.assertNotIn(descriptors.OBJECT, kinds(safe))
+        self.assertGreater(count, 30)
+
+
+class Messages(unittest.TestCase):
+    def test_where_and_why(self):
+        self.assertEqual((str(errors.Garbled("/a", "b")), errors.Garbled.status), ("/a: garbled answer (b)", 4))
+
+
+if __name__ == "__main__":
+    unittest.main()
