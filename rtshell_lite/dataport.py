@@ -116,8 +116,8 @@ class Reader(Connection):
         """Wait for a moment in which the component does nothing with the connector; False where there is none.
 
         A C++ component ends when a connector is removed while it serves a fetch: the last answer is waited for. It may also end
-        from the removal of one through which it is just pushing its first value, or any (17 of 2,100 and 1 of 4,200 removals
-        at any time, none of 3,000 right after a value had come): a value is waited for, too.
+        when it is just pushing a value. Of C++ 2.1 at 100 Hz, 17 of 2,100 removals soon after the connection ended the process,
+        1 of 600 later ones, and none of 6,000 right after a value had come: so a value is waited for, too.
         """
         self.ended.set()
         if self.dataflow == "push":

@@ -228,8 +228,7 @@ def children(node):
     context, server = node.typed, node.endpoint
     names, found = bound(node), []
     while names:
-        some = [(node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]]
-        del names[-AT_ONCE:]
+        some, names = [(node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]], names[:-AT_ONCE]
         rpc.alive()  # where this is itself a call to the name server: that has answered all that it was asked so far
         for child in rpc.gather(rpc.Job(server, path, functools.partial(_child, context, path, is_context))
                                 for path, is_context in some):
