@@ -58,10 +58,14 @@ def _taker(type_id):
     from omniORB import CORBA, tcInternal
     typecode = tcInternal.createTypeCode((tcInternal.tv_objref, type_id, ""))
 
-    def take(*octets):
+    @functools.lru_cache(maxsize=1024)  # a component is named as the owner of each of its ports
+    def made(type_id, *profiles):
+        data = ior.octets(type_id, profiles)
+        return omniORB.cdrUnmarshal(typecode, data, 1) if data else None
+
+    def take(type_id, profiles):
         try:
-            data = ior.octets(*octets)
-            return omniORB.cdrUnmarshal(typecode, data, 1) if data else None
+            return made(type_id, *profiles)
         except ValueError as e:
             _seen.fault = str(e)
         except CORBA.SystemException:
@@ -74,7 +78,7 @@ def _taker(type_id):
 def _holder(made):
     """What makes a struct with an `any` of its members, and looks how deep that is."""
     def hold(name, value):
-        if type(value.value()) is not str and not _is_shallow(value):  # almost all are texts
+        if type(value._v) is not str and not _is_shallow(value):  # almost all are texts
             _seen.fault = "%s: values inside values, deeper than %d" % (printable(from_wire(name)), DEEPEST)
             value = None
         return made(name, value)

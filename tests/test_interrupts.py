@@ -167,6 +167,9 @@ class Connection:
     def due(self):
         return False
 
+    def report_left(self):
+        """It never stays."""
+
 
 class Connections(Striking):
     handler = staticmethod(interrupts.ctrl_c)
