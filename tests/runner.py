@@ -349,8 +349,16 @@ def options():
     return parser.parse_args()
 
 
+def hear_signals():
+    """Ignore no signal that whoever started us ignores, as `nohup … &` does: it would be inherited by all that is tested."""
+    for number, handler in ((signal.SIGINT, signal.default_int_handler), (signal.SIGHUP, signal.SIG_DFL)):
+        if signal.getsignal(number) == signal.SIG_IGN:
+            signal.signal(number, handler)
+
+
 def main():
     args = options()
+    hear_signals()
     if args.long or args.real:
         os.environ["RTSHELL_FAULTS"] = "1"
     if args.real:
