@@ -5,9 +5,10 @@ serve objects); PACKAGE/MODULE.py and PACKAGE/MODULE__POA.py gather the files th
 interface, edit or drop in an .idl file, run this command and commit everything; tests/test_idl_stubs.py fails until then.
 DIR is where the packages are written, by default beside this file.
 
-It needs omniidl (pip install jeteve-omniorb, or the OS package omniidl); 4.2.5 and 4.3.3 write the
-same bytes, which run on either version of omniORBpy.
+It needs omniidl with its back end for Python (pip install jeteve-omniorb); 4.2.5 and 4.3.3 write the same bytes, which run on
+either version of omniORBpy.
 """
+import functools
 import os
 import re
 import shutil
@@ -42,19 +43,23 @@ from omniORB import CORBA, PortableServer
 
 
 class NoOmniidl(Exception):
-    """omniidl is missing: pip install jeteve-omniorb, or take it from the OS packages"""
+    """omniidl with its back end for Python is missing: pip install jeteve-omniorb"""
 
     def __str__(self):
         return self.__doc__
 
 
+@functools.lru_cache(maxsize=None)
 def omniidl():
-    """The path of omniidl: beside this interpreter (a virtual environment need not be active), else on PATH."""
-    beside = os.path.dirname(sys.executable)
-    found = shutil.which("omniidl", path=beside + os.pathsep + os.environ.get("PATH", os.defpath))
-    if not found:
-        raise NoOmniidl()
-    return found
+    """The path of an omniidl that writes Python: beside this interpreter, whose environment need not be active, or on PATH.
+
+    Debian's omniidl has no back end for Python.
+    """
+    for directory in [os.path.dirname(sys.executable)] + os.environ.get("PATH", os.defpath).split(os.pathsep):
+        found = shutil.which("omniidl", path=directory)
+        if found and not subprocess.call([found, "-bpython", "-u"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL):
+            return found
+    raise NoOmniidl()
 
 
 def idl_files():
