@@ -138,7 +138,7 @@ class Writer(Connection):
         """
         room = min(values, ROOM, ROOM_BYTES // max(1, size))
         chosen = any(key.startswith(("dataport.buffer.", "dataport.inport.buffer.")) for key in self.given)
-        if room > LENGTH and self.alone and not chosen:
+        if room > LENGTH and self.alone and self.audience and not chosen:
             self.room = room
 
     def wishes(self):
@@ -179,7 +179,7 @@ class Writer(Connection):
     def _compare_rates(self):
         """Remark once that values come faster than they are read."""
         self.backlog.drain(time.monotonic())
-        if self.backlog.lost >= 1 and not self.hurried:
+        if self.backlog.rate and self.backlog.lost >= 1 and not self.hurried:
             self.hurried = True
             self.remark = "values come faster than it executes (%g Hz)" % self.backlog.rate
 

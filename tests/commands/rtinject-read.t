@@ -56,6 +56,9 @@ Who is not going to read is sent nothing, without --anyway:
   1
   $ within 0.5-2 rtinject -c 8 --anyway --linger 0.5 Slow0.rtc:in; ctl waiting Slow0:in
   2
+  $ rtinject -c 8 -n 20 -r 100 --anyway Slow0.rtc:in; ctl waiting Slow0:in; ctl buffer Slow0:in
+  8
+  8 overwrite
   $ rtinject --dry-run -c 8 --anyway --linger 0.5 Slow0.rtc:in
   rtinject -c 8 -n 1 -r 1 --linger 0.5 --anyway /localhost:$PORT/test.host_cxt/Slow0.rtc:in
 

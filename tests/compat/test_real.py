@@ -47,7 +47,7 @@ ONCE = [
     ("rtstodot --live --text FILE", ()), ("rtresurrect FILE", ()), ("rtdoctor HOME", (1,)), ("rtdoctor --measure 0.3 HOME", (1,)),
     ("rttop -n 2 HOME", ()), ("rtwatch -t 1 PART", (6,)), ("rtvlog -t 1 PART", (6,)), ("rtcon PROVIDER:MyService CONSUMER:MyService", ()),
     ("rtdis PROVIDER:MyService", ()), ("rtdeact PART", ()), ("rtact --wait PART", ()), ("rtstop FILE", ()), ("rtstart FILE", ()),
-    ("rtsh -c ls", ()), ("rtprint --stats -t 1 OUT", ()), ("rtinject --dry-run -c 1 IN", ()), ("rtdel -z HOME", ()),
+    ("rtsh -c ls", ()), ("rtprint --stats -t 1 OUT", ()), ("rtinject --dry-run -c 1 IN", ()), ("rtdel -z", ()),
 ]
 
 robots = []
@@ -85,7 +85,7 @@ def prepare(robot):
         done(["rtcon", path(one) + ":out", path(other) + ":in"])
     active = ["Sensor", "Controller", "Motor", "ConsoleOut", "SeqOut", "SeqIn", "ConfigSample"]
     done(["rtact", "--wait", "10"] + [path(part) for part in active if part in robot.nodes])
-    robot.feeder = start(["rtinject", "-n", "-1", "-r", "100", "-c", "1", path("Sensor") + ":in"])
+    robot.feeder = start(["rtinject", "--anyway", "-n", "-1", "-r", "100", "-c", "1", path("Sensor") + ":in"])
     done(["rtprint", "-n", "1", "-t", "30", path("Sensor") + ":out"])
     robot.connected = robot.connectors()
 
