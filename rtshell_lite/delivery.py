@@ -42,7 +42,7 @@ class Audience:
 
     def __init__(self, node, where):
         self.node, self.where = node, where
-        self.rate = self._cycle = None
+        self.rate = None
 
     def look(self):
         """See whether the component reads what the port is given; returns why it does not, with what helps, or None.
