@@ -164,7 +164,7 @@ class AtThePrompt(unittest.TestCase):
         self.press(CTRL_C)
         self.shows(r"\nrtsh .*> $")
         self.assertEqual(World.one.ctl("connectors", "ConsoleIn0:out"), (0, ""))
-        self.press("inject ConsoleOut0.rtc:in\r")
+        self.press("inject --anyway ConsoleOut0.rtc:in\r")
         mocks.eventually(lambda: World.one.ctl("connectors", "ConsoleOut0:in")[1], "a connection")
         self.press("42\r")
         mocks.eventually(lambda: World.one.count("put"), "a value")
