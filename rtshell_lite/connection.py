@@ -105,6 +105,9 @@ class Connection:
                          "when it answers again: rtdis -i %s %s" % (
                              self.where, printable(self.left.id), shell_word(self.left.id), shell_word(self.where)))
 
+    def stop(self):
+        """The end is near: begin what `is_at_rest` waits for."""
+
     def is_at_rest(self):
         """Whether the connector can be removed without harm; may wait until it can."""
         return True
@@ -211,6 +214,8 @@ class Opened:
     def _close(self):
         with interrupts.held():
             self.ended.set()
+            for each in self.connections:
+                each.stop()
             self._in_lanes("close")
             self.closed = True
             for each in self.connections:

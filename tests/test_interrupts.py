@@ -167,6 +167,9 @@ class Connection:
     def due(self):
         return False
 
+    def stop(self):
+        """It does nothing that had to end before."""
+
     def report_left(self):
         """It never stays."""
 
