@@ -293,7 +293,8 @@ def _walk(top):
     unsure = [node for node in walked if node.kind == "unsure"]
     sure = dict(zip(unsure, tree.look(unsure)))
     nodes = [sure.get(node, node) for node in walked]
-    failed = {str(node.path): node.error for node in nodes if node.kind in tree.DIRECTORIES and node.error}
+    failed = {str(node.path): node.error for node in nodes
+              if node.error and (node.kind in tree.DIRECTORIES or node.ref is None)}
     return [node for node in nodes if node.kind in ("component", "zombie", "silent") and node.ref is not None], failed
 
 

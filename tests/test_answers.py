@@ -53,6 +53,7 @@ class Commands(unittest.TestCase):
                 self.says(mode, 4, "SERVER/Evil0.rtc: garbled answer (%s)" % why, "rtcat", "SERVER/Evil0.rtc")
                 self.assertIn("?Evil0.rtc", self.says(mode, 4, "1 of 1 did not answer", "rtls", "SERVER"))
                 self.says(mode, 5, "SERVER/Evil0.rtc: garbled", "rtfind", "SERVER")
+                self.says(mode, 4, "SERVER/Evil0.rtc: garbled", "rttop", "-n", "1", "SERVER")
 
     def test_in_other_places(self):
         self.says("bad-iterator", 4, "SERVER: garbled answer (a reference", "rtls", "SERVER")
