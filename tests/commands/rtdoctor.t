@@ -131,6 +131,7 @@ With a profile, all that rtcheck finds:
   warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Optional component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: start it, or have its manager make it: rtresurrect --create optional.xml
   warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Destination component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: start it, or have its manager make it: rtresurrect --create optional.xml
   warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Source component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: start it, or have its manager make it: rtresurrect --create optional.xml
+  $ rtec Motor0.rtc rate 20; doctor -q --profile robot.rtsys | grep Hz; rtec Motor0.rtc rate 10
   $ doctor -q -s Inactive --profile robot.rtsys | grep -c 'incorrect state'
   4
   $ doctor --profile nofile
