@@ -6,7 +6,7 @@ Findings and passes on to the next what still stands. Everything of one step is 
 import time
 
 from rtshell_lite import errors, orb, path, rpc, tree
-from rtshell_lite.doctor import here, limits, remedies
+from rtshell_lite.doctor import addresses, here, limits, remedies
 from rtshell_lite.doctor.finding import warn
 
 STEPS = 3  # times the timeout: what takes longer is told as not looked at; a step waits for silence only once
@@ -30,6 +30,7 @@ def examine(tops=(), compare=None, seconds=0):
         yield [limits.lack(errors.Shortage("memory", "no more can be had"))]
     finally:
         rpc.shortage = None
+        addresses.arrives.cache_clear()
         rpc.end = None  # other commands may follow in this process
 
 
@@ -39,7 +40,7 @@ def _steps(tops, compare, seconds):
     if any(each.check in ("omniORBpy", "ORB", "limit") and each.level == "fail" for each in found):
         return
     everything = not tops or path.ROOT in tops
-    for findings in _robot(_name_servers() if everything else tops, seconds):
+    for findings in _robot(_name_servers() if everything else tops, seconds, bool(compare)):
         yield findings
     if compare:
         from rtshell_lite.doctor import profile
@@ -52,7 +53,7 @@ def _name_servers():
     return [path.parse("/" + address) for address in tree.servers() if not here.fault(address)]
 
 
-def _robot(tops, seconds):
+def _robot(tops, seconds, stated):
     from rtshell_lite.doctor import components, composites, connections, managers, references, servers
     visits = servers.visits(tops)
     yield [each for visit in visits for each in visit.findings] + _same_server(visits)
@@ -61,7 +62,7 @@ def _robot(tops, seconds):
     examined = components.examined(nodes)
     links, managed, lost = connections.findings(examined), managers.findings(nodes), composites.findings(examined)
     hung = sorted((node for node in nodes if node.kind == "silent"), key=lambda node: str(node.path))
-    yield components.findings(examined, _rates(examined, seconds) if seconds else {}, hung)
+    yield components.findings(examined, _rates(examined, seconds) if seconds else {}, hung, stated)
     yield lost
     yield links
     yield managed

@@ -76,11 +76,12 @@ def _ask(each):
 
 # ---- findings -------------------------------------------------------------------------------------------------
 
-def findings(all_of_them, rates, hung):
+def findings(all_of_them, rates, hung, stated=False):
     """Findings on all components, sorted by path.
 
     rates  what was measured, see rates.measured
     hung   Nodes that do not answer at all: who is connected to one waits for it, and seems to hang, too
+    stated  whether a profile says in which states they are to be
     """
     found = []
     for each in all_of_them:
@@ -89,7 +90,7 @@ def findings(all_of_them, rates, hung):
         if not any(one.level == "fail" for one in troubles) and each.error is None:
             found.append(ok("component", each.where, _summary(each)))
     found.sort(key=lambda one: one.path)
-    if not any(one.level == "fail" for one in found):  # a robot does not work, either, when nobody has started it
+    if not stated and not any(one.level == "fail" for one in found):  # a robot does not work, either, when nobody has started it
         found += started.findings(all_of_them)
     return found
 

@@ -93,7 +93,7 @@ def command(name, **values):
     """The Remedy of that name in COMMANDS; a value is a word, a list of words or a Line."""
     def word(match):
         value = values[match.group(2)]
-        if not isinstance(value, (list, tuple)):
+        if not isinstance(value, list):
             value = [value]
         found = " ".join(each if isinstance(each, Line) else shell_word(str(each)) for each in value)
         return match.group(1) + found if found else ""
