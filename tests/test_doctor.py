@@ -21,7 +21,8 @@ class Connections(unittest.TestCase):
         port = ports.Port(tree.Node(path.parse("/localhost/In0.rtc"), "component", None), "In0.out", "DataOutPort", {}, [], [here],
                           None, None)
         found = connections._differences(connections.Link(None, port, here),
-                                         connections.End(port._replace(connectors=[there]), None, "/far.rtc:in"), remedies.words("restart far end"))
+                                         connections.End(port._replace(connectors=[there]), None, "/far.rtc:in"),
+                                         remedies.words("restart far end"))
         self.assertEqual([finding.message for finding in found], ["dataport.dataflow_type is push here, missing at /far.rtc:in"])
 
 
