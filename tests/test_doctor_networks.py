@@ -6,8 +6,8 @@ import threading
 import unittest
 from unittest import mock
 
-from rtshell_lite import errors, rpc
-from rtshell_lite.doctor import addresses, limits, networks, remedies, waiting
+from rtshell_lite import errors, path, rpc, tree
+from rtshell_lite.doctor import addresses, limits, managers, networks, remedies, waiting
 
 ONCE = "it asks nobody"
 LAN = [ipaddress.ip_network("10.77.0.0/24"), ipaddress.ip_network("172.17.0.0/16")]
@@ -53,6 +53,19 @@ class Published(unittest.TestCase):
         self.assertTrue(self.certain("8.8.8.8", ["10.77.0.2"]))
         self.assertFalse(self.certain("192.168.0.7", ["10.77.0.2"]))
         self.assertFalse(self.certain("172.17.0.1", ["10.77.0.2"]))
+
+
+class BelowManagers(unittest.TestCase):
+    def test_a_slave_that_misleads(self):
+        """It is not called gone because nobody listens at its port here."""
+        manager = tree.Node(path.parse("/robot/manager.mgr"), "manager", None)
+        slave = tree.Node(path.parse("/robot/manager.mgr/slave0"), "zombie", None, errors.ConnectionRefused("/a"))
+        with mock.patch.object(networks.orb, "addresses", lambda ref: [("127.0.0.1", 4000)]), \
+                mock.patch.object(networks, "homes_of", lambda ref: ["10.77.0.2"]), \
+                mock.patch.object(addresses, "is_own", lambda address: False):
+            finding, = managers._troubles(manager, ([slave], [], False))
+        self.assertEqual(finding.message, "lists a slave that publishes 127.0.0.1:4000, which means this host, not its own")
+        self.assertNotIn("restart", finding.remedy)
 
 
 class Arrival(unittest.TestCase):

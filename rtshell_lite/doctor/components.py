@@ -98,7 +98,7 @@ def findings(all_of_them, rates, hung, stated=False):
 def _troubles(each, hung):
     found = _names(each) + _ports(each)
     if each.error is not None:
-        return found + [_stopped_answering(each, waiting.culprits(each, hung))]
+        return found + [_stopped_answering(each, hung)]
     return found + _contexts(each)
 
 
@@ -111,7 +111,7 @@ def _summary(each):
                       "at " + published(each.node.ref)])
 
 
-def _stopped_answering(each, culprits):
+def _stopped_answering(each, hung):
     e = each.error
     if e.args[1:] == (rpc.NO_TIME,):
         return fail("component", each.where, "slow: " + rpc.NO_TIME, remedies.words("more time", path=each.word))
@@ -123,9 +123,10 @@ def _stopped_answering(each, culprits):
         return fail("reference", each.where, message, remedies.words("name of another", path=each.word))
     if isinstance(e, errors.Silent):
         message = "hangs when asked for " + each.asking
-        if "port" in each.asking and culprits:  # a port asks the far ends of its connections before it answers
-            return fail("component", each.where, message + ", waiting for a far end that does not answer",
-                        remedies.words("hung first", paths=" and ".join(culprits)))
+        paths, known = waiting.culprits(each, hung) if "port" in each.asking else ([], False)
+        if paths:  # a port asks the far ends of its connections before it answers
+            return fail("component", each.where, "%s, %swaiting for a far end that does not answer" % (
+                message, "" if known else "maybe "), remedies.words("hung first", paths=" and ".join(paths)))
         return fail("component", each.where, message, remedies.of_silence(e, each.node.endpoint, each.where))
     return fail("component", each.where, "does not tell %s (%s)" % (each.asking, reason(e)),
                 remedies.of_silence(e, each.node.endpoint, each.where))

@@ -15,18 +15,18 @@ TABLES = ("/proc/net/tcp", "/proc/net/tcp6")
 
 
 def culprits(each, hung):
-    """Paths of those Nodes `hung` that the components.Examined `each` may wait for: one that its process calls, else all.
+    """(paths of those Nodes `hung` that the components.Examined `each` waits for, whether that is known, and not only possible).
 
-    Of several Nodes of one process the first is named.
+    It waits for one that its process calls. Where its connections are hidden, it may be any; of several Nodes of one process the
+    first is named.
     """
     others = {}
     for node in hung:
         if node.endpoint != each.node.endpoint:
             others.setdefault(node.endpoint, str(node.path))
-    if len(others) < 2:
-        return sorted(others.values())
-    called = _called_by(_sockets(each.node.endpoint))
-    return sorted([path for endpoint, path in others.items() if _numeric(endpoint) & called] or others.values())
+    own = _sockets(each.node.endpoint) if others else set()
+    called = _called_by(own)
+    return sorted(path for endpoint, path in others.items() if not own or _numeric(endpoint) & called), bool(own)
 
 
 def _numeric(endpoint):
