@@ -81,6 +81,7 @@ def arrives(endpoint):
     question = b"GIOP\1\0\1\3" + struct.pack("<III", len(key) + 8, 1, len(key)) + key
     patience = LEAST if rpc.is_over() else max(LEAST, rpc.timeout / 2)
     end = time.monotonic() + patience
+    rpc.alive()  # this is no silence of the peer
     try:
         with socket.create_connection(endpoint, patience) as connection:
             connection.sendall(question)

@@ -22,7 +22,9 @@ Rule = collections.namedtuple("Rule", "text remedy")  # a setting in words, and 
 
 def findings():
     """Findings on Python and omniORB, their settings, the names of this host, and our environment."""
-    found = _programs() + limits.findings()
+    found, lacking = _programs(), limits.findings()
+    if lacking:
+        return found + lacking
     found += _settings(started=found[-1].level != "fail")
     return found + _host_name() + _localhost() + _name_servers() + _working_directory()
 

@@ -168,5 +168,6 @@ Out of what a process needs here: nobody else is to blame:
   $ (ulimit -n 16; doctor -q)
   fail  here: out of files here (Too many open files, at 16): nobody can be judged; try: raise the limit in this shell (ulimit -n 1024), or end what uses so many files here
   [1]
-  $ (ulimit -v 150000; doctor -q)
-  warn  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+  $ (ulimit -v 80000; doctor -q)
+  fail  here: out of threads here (can't start new thread): nobody can be judged; try: raise the limit in this shell (ulimit -u, ulimit -v), or end what uses so many threads here
+  [1]

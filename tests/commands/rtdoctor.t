@@ -122,7 +122,6 @@ With a profile, all that rtcheck finds:
   ok    /: as the profile says: 5 components, 4 connections
   $ rtconf Motor0.rtc set motor_id 7; rtdis Sensor0.rtc:out; rtdeact --wait Clusterer0.rtc
   $ doctor -q --profile robot.rtsys
-  warn  /localhost:$PORT/test.host_cxt/Clusterer0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /localhost:$PORT/test.host_cxt/Clusterer0.rtc
   fail  /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Controller0.rtc:in: No connection between /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Controller0.rtc:in; try: rtresurrect robot.rtsys
   fail  /localhost:$PORT/test.host_cxt/Motor0.rtc: Configuration parameter motor_id in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc is incorrect (value: 7); try: rtresurrect robot.rtsys
   fail  /localhost:$PORT/test.host_cxt/Clusterer0.rtc: Component /localhost:$PORT/test.host_cxt/Clusterer0.rtc is in incorrect state Inactive; try: rtact /localhost:$PORT/test.host_cxt/Clusterer0.rtc
