@@ -1,4 +1,5 @@
 """Values of the basic data types and of a user's own, and their CDR form."""
+import os
 import time
 
 import omniORB
@@ -7,6 +8,7 @@ from rtshell_lite.idl_stubs.data import RTC
 from . import arm
 from .properties import get
 
+CLOCK = float(os.environ.get("MOCK_CLOCK", 0))  # seconds that the clock of this host is ahead of the true time
 LENGTH = 10             # of the sequences that the sequence examples send
 
 
@@ -17,7 +19,7 @@ def typecode(type_name):
 
 def make(type_name, number, stamped=False):
     """The value of a type that goes with a number, a sequence holding numbers from there on."""
-    now = time.time()
+    now = (time.time() + CLOCK)
     tm = RTC.Time(int(now), int(now % 1 * 1e9)) if stamped else RTC.Time(0, 0)
     if type_name == arm.NAME:
         return arm.make(tm, number)

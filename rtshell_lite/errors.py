@@ -18,6 +18,10 @@ class No(Error):
     """{}: {}"""
 
 
+class Shortage(Error):
+    """out of {} here: {}"""  # files, threads, ports, memory; why
+
+
 class BadProfile(Error):
     """{}:{}:{}: {}"""  # file, line, column, what is wrong there
 
@@ -88,6 +92,10 @@ class Unreachable(Error):
 
 class Garbled(Unreachable):
     """{}: garbled answer ({})"""  # what is in it that must not be used
+
+
+class LostMember(Unreachable):
+    """{}: {}"""  # a port that a composite exports: the process of its member is gone
 
 
 class Silent(Unreachable):

@@ -9,6 +9,7 @@ from rtshell_lite.path import PROTOCOLS, SCHEMES, split_address
 from rtshell_lite.text import from_wire, printable, to_wire
 
 PROBING = 4  # the part of the timeout, a quarter, in which a host has to refuse a connection
+NO_USABLE_ADDRESS = "host name not known"  # what omniORB means by TRANSIENT_NoUsableProfile, if no setting forbids the connection
 CONNECTIONS = 5  # that omniORB holds to one process at most (its maxGIOPConnectionPerServer)
 
 _started = None  # the ORB, once there is one
@@ -242,7 +243,7 @@ def _error(where, e, seconds, ref):
     if isinstance(e, CORBA.TRANSIENT) and label.endswith("ConnectFailed"):
         return _not_connected(where, endpoint(ref))
     if isinstance(e, CORBA.TRANSIENT):
-        reason = "host name not known" if label.endswith("NoUsableProfile") else "cannot be reached now (%s)" % label
+        reason = NO_USABLE_ADDRESS if label.endswith("NoUsableProfile") else "cannot be reached now (%s)" % label
         return errors.Unreachable(where, reason)
     if isinstance(e, CORBA.COMM_FAILURE):
         return errors.Unreachable(where, "connection lost")
@@ -263,6 +264,8 @@ def _not_connected(where, endpoint):
     except ConnectionRefusedError:
         pass
     except (OSError, ValueError) as e:  # the latter: no name of a host
+        if isinstance(e, OSError):
+            rpc.note_shortage(e, endpoint[0])
         why = getattr(e, "strerror", None)
         return errors.Unreachable(where, "cannot be reached" + (" (%s)" % why if why else ""))
     return errors.ConnectionRefused(where)

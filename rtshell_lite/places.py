@@ -1,6 +1,6 @@
 """Where in the RTC Tree a reference is bound: found by comparing references, without asking their objects."""
 from rtshell_lite import errors, orb, ports, rpc, tree
-from rtshell_lite.path import ROOT, Name, Path
+from rtshell_lite.path import Name, Path
 from rtshell_lite.text import printable
 
 
@@ -24,10 +24,19 @@ class Places:
 
     def _anywhere(self, ref):
         if self.everywhere is None:
-            tops = [tree.resolve(Path(self.beside.server, (), None, False)), tree.resolve(ROOT)]
-            self.everywhere = [node for top in tops for node in tree.walk(top, managers=False)
+            self.everywhere = [node for node in tree.walk_servers(self._servers(), managers=False)
                                if node.kind == "component" and node.ref is not None]
         return next((node.path for node in self.everywhere if orb.same(node.ref, ref)), None)
+
+    def _servers(self):
+        """The name servers to look into: that of the known component, and all others; what is no address is left out."""
+        found = []
+        for address in [self.beside.server] + [each for each in tree.servers() if each != self.beside.server]:
+            try:
+                found.append(tree.resolve(Path(address, (), None, False)))
+            except errors.BadPath:
+                pass
+        return found
 
 
 # ---- the far ends of connections ------------------------------------------------------------------------------

@@ -53,7 +53,7 @@ def port(node, ref, failures=None, brief=False):
             raise
         why = "the process of one of its ports is gone; if that is a member's, restart this composite's process " \
               "(until then, rtcomp -r MEMBER:PORT hides the port)"
-        raise errors.Unreachable(str(node.path), why)
+        raise errors.LostMember(str(node.path), why)
     properties = dict(orb.properties(nv for nv in found.properties if not brief or nv.name == "port.port_type"))
     kind = properties.get("port.port_type")
     interfaces = [] if brief else cli.first(MOST_PARTS, found.interfaces, node.path, "interfaces of a port")

@@ -6,6 +6,8 @@ costs one timeout however many components it holds. Every answer restarts the cl
 link may take longer than the timeout, a silent one may not.
 """
 import collections
+import errno
+import os
 import threading
 import time
 
@@ -17,6 +19,7 @@ TICK = 0.1
 
 timeout = 3.0  # seconds a peer may stay silent; set once by cli from --timeout
 end = None  # time.monotonic() after which nobody is asked any more, None for no such time: set by who promises a bound
+shortage = None  # the errors.Shortage that let a connection fail here, once there was one: who was called is not to blame
 NO_TIME = "there was no time left to ask it"
 
 # A remote call to be made: `endpoint` of the process that answers, (host, port) or anything hashable; `where`, the path of
@@ -109,6 +112,18 @@ def has_answered():
     return in_lane() and _lane.peer.endpoint in _answered
 
 
+def note_shortage(e, host):
+    """Take note of an OSError of a connection to `host` that means that this host, not the other, lacks something."""
+    global shortage
+    what = _SCARCE.get(e.errno)
+    if what and not (what == "ports" and ":" in host):  # who has no IPv6 has no address for it, either
+        shortage = errors.Shortage(what, os.strerror(e.errno))
+
+
+_SCARCE = {errno.EMFILE: "files", errno.ENFILE: "files", errno.EADDRNOTAVAIL: "ports", errno.ENOBUFS: "memory",
+           errno.ENOMEM: "memory"}
+
+
 def ask(endpoint, where, call):
     """Run one call and return its value or raise its error.
 
@@ -159,9 +174,12 @@ def in_turn(jobs):
 
 
 def start(function, *args):
-    """Run function(*args) on a thread of its own."""
+    """Run function(*args) on a thread of its own. Raises Shortage."""
     with interrupts.held():
-        threading.Thread(target=function, args=args, daemon=True).start()
+        try:
+            threading.Thread(target=function, args=args, daemon=True).start()
+        except RuntimeError as e:
+            raise errors.Shortage("threads", str(e))
 
 
 _TO_COME = object()  # in the place of a value

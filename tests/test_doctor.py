@@ -3,7 +3,7 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import component, errors, orb, path, ports, tree
-from rtshell_lite.doctor import components, connections, here, servers
+from rtshell_lite.doctor import components, connections, here, remedies, servers
 
 
 class Connections(unittest.TestCase):
@@ -21,7 +21,8 @@ class Connections(unittest.TestCase):
         port = ports.Port(tree.Node(path.parse("/localhost/In0.rtc"), "component", None), "In0.out", "DataOutPort", {}, [], [here],
                           None, None)
         found = connections._differences(connections.Link(None, port, here),
-                                         connections.End(port._replace(connectors=[there]), None, "/far.rtc:in"), "mend")
+                                         connections.End(port._replace(connectors=[there]), None, "/far.rtc:in"),
+                                         remedies.words("restart far end"))
         self.assertEqual([finding.message for finding in found], ["dataport.dataflow_type is push here, missing at /far.rtc:in"])
 
 

@@ -5,8 +5,8 @@ Findings and passes on to the next what still stands. Everything of one step is 
 """
 import time
 
-from rtshell_lite import orb, path, rpc, tree
-from rtshell_lite.doctor import here
+from rtshell_lite import errors, orb, path, rpc, tree
+from rtshell_lite.doctor import addresses, here, limits, remedies
 from rtshell_lite.doctor.finding import warn
 
 STEPS = 3  # times the timeout: what takes longer is told as not looked at; a step waits for silence only once
@@ -21,18 +21,26 @@ def examine(tops=(), compare=None, seconds=0):
     rpc.end = time.monotonic() + STEPS * rpc.timeout
     try:
         for findings in _steps(tops, compare, seconds):
+            if rpc.shortage:
+                raise rpc.shortage
             yield findings
+    except errors.Shortage as e:
+        yield [limits.lack(e)]
+    except MemoryError:
+        yield [limits.lack(errors.Shortage("memory", "no more can be had"))]
     finally:
+        rpc.shortage = None
+        addresses.arrives.cache_clear()
         rpc.end = None  # other commands may follow in this process
 
 
 def _steps(tops, compare, seconds):
     found = here.findings()
     yield found
-    if any(each.check in ("omniORBpy", "ORB") and each.level == "fail" for each in found):
+    if any(each.check in ("omniORBpy", "ORB", "limit") and each.level == "fail" for each in found):
         return
     everything = not tops or path.ROOT in tops
-    for findings in _robot(_name_servers() if everything else tops, seconds):
+    for findings in _robot(_name_servers() if everything else tops, seconds, bool(compare)):
         yield findings
     if compare:
         from rtshell_lite.doctor import profile
@@ -45,16 +53,17 @@ def _name_servers():
     return [path.parse("/" + address) for address in tree.servers() if not here.fault(address)]
 
 
-def _robot(tops, seconds):
-    from rtshell_lite.doctor import components, connections, managers, references, servers
+def _robot(tops, seconds, stated):
+    from rtshell_lite.doctor import components, composites, connections, managers, references, servers
     visits = servers.visits(tops)
     yield [each for visit in visits for each in visit.findings] + _same_server(visits)
     yield [each for visit in visits for each in references.findings(visit)]
     nodes = [node for visit in visits for node in visit.nodes]
     examined = components.examined(nodes)
-    links, managed = connections.findings(examined), managers.findings(nodes)
-    hung = sorted(str(node.path) for node in nodes if node.kind == "silent")
-    yield components.findings(examined, _rates(examined, seconds) if seconds else {}, hung)
+    links, managed, lost = connections.findings(examined), managers.findings(nodes), composites.findings(examined)
+    hung = sorted((node for node in nodes if node.kind == "silent"), key=lambda node: str(node.path))
+    yield components.findings(examined, _rates(examined, seconds) if seconds else {}, hung, stated)
+    yield lost
     yield links
     yield managed
 
@@ -76,6 +85,6 @@ def _same_server(visits):
             first = seen.setdefault((address, orb.endpoint(tree.resolve(visit.path).ref)[1]), visit)
             if first is not visit:
                 found.append(warn("name server", str(visit.path), "the same name server as " + str(first.path),
-                                  "take one of them out of RTCTREE_NAMESERVERS"))
+                                  remedies.words("one address")))
                 break
     return found

@@ -1,12 +1,19 @@
 """Host names, addresses and TCP, looked at without CORBA: which step towards a peer fails."""
 import errno
+import fcntl
+import functools
 import ipaddress
 import os
 import socket
+import struct
+import termios
 import time
 
 from rtshell_lite import errors, rpc
 from rtshell_lite.text import printable
+
+LARGE = 2000  # octets: more than an Ethernet packet holds
+LEAST, PAUSE = 0.2, 0.005  # seconds
 
 
 def resolve(host):
@@ -39,6 +46,7 @@ def connect(addresses, port):
                 socket.create_connection((address, port), max(0.001, end - time.monotonic())).close()
                 return
             except OSError as e:
+                rpc.note_shortage(e, address)
                 failure = failure or e
         raise _error("%s:%d" % (addresses[0], port), failure)
     rpc.ask(("TCP", tuple(addresses), port), "%s:%d" % (addresses[0], port), attempt)
@@ -62,6 +70,38 @@ def probe(endpoint):
     return None
 
 
+@functools.lru_cache(maxsize=None)
+def arrives(endpoint):
+    """True when what is sent to (host, port) is taken by the host there: its process may hang, the network does not lose it.
+
+    A question of GIOP about an object that nobody has is sent, larger than a packet, and the kernel says whether all of it has
+    been acknowledged. Asked once for each endpoint; `arrives.cache_clear()` forgets the answers.
+    """
+    key = b"\0" * LARGE
+    question = b"GIOP\1\0\1\3" + struct.pack("<III", len(key) + 8, 1, len(key)) + key
+    patience = LEAST if rpc.is_over() else max(LEAST, rpc.timeout / 2)
+    end = time.monotonic() + patience
+    rpc.alive()  # this is no silence of the peer
+    try:
+        with socket.create_connection(endpoint, patience) as connection:
+            connection.sendall(question)
+            while _unacknowledged(connection):
+                if time.monotonic() > end:
+                    return False
+                time.sleep(PAUSE)
+    except (OSError, ValueError):
+        return False
+    return True
+
+
+def _unacknowledged(connection):
+    """How many octets sent have not been acknowledged; 0 where the kernel does not tell."""
+    try:
+        return struct.unpack("i", fcntl.ioctl(connection, termios.TIOCOUTQ, b"\0" * 4))[0]
+    except OSError:
+        return 0
+
+
 def is_loopback(address):
     """True for an IP address that means the host that uses it: 127.0.0.0/8, ::1."""
     try:
@@ -70,6 +110,19 @@ def is_loopback(address):
         return False
     mapped = getattr(found, "ipv4_mapped", None)  # of ::ffff:127.0.0.1
     return found.is_loopback or bool(mapped and mapped.is_loopback)
+
+
+def why_not_bound(host, port):
+    """Why nobody can listen at a host and port of this host now, '' where one can."""
+    try:
+        family, kind, protocol, _, address = socket.getaddrinfo(host or None, port, socket.AF_UNSPEC, socket.SOCK_STREAM, 0,
+                                                                socket.AI_PASSIVE)[0]
+        with socket.socket(family, kind, protocol) as own:
+            own.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            own.bind(address)
+    except (OSError, UnicodeError) as e:
+        return getattr(e, "strerror", None) or "not a host name"
+    return ""
 
 
 def is_own(address):

@@ -2,7 +2,8 @@
 import collections
 
 from rtshell_lite import component, errors, orb, ports, rpc
-from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, restart, warn
+from rtshell_lite.doctor import remedies, started, waiting
+from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, warn
 from rtshell_lite.text import printable, shell_word
 
 MOST = 3  # names of one component that are told one by one
@@ -14,7 +15,7 @@ class Examined:
     nodes     the Nodes by which it is bound, sorted by path; `node` is the first
     asking    what it was asked for last, in words, '' as long as it has not been asked
     error     the errors.Error that ended the questions, or None
-    ports     its ports.Ports; `refusing` (number from 1, errors.Error) of ports that do not tell their profiles
+    ports     its ports.Ports; `refusing` (number from 1, errors.Error, endpoint) of ports that do not tell their profiles
     dropped   names of ports that have just dropped a connection whose far end is dead
     contexts  component.Contexts, None where one of another component does not answer; `states` in them
     profile   its component.Profile, or None
@@ -60,7 +61,7 @@ def _ask(each):
         except errors.Silent:
             raise
         except errors.Error as e:
-            each.refusing.append((number, e))
+            each.refusing.append((number, e, orb.endpoint(ref)))
             continue
         each.ports += ports.in_system([found])
         each.dropped += [found] * len(failed_once)
@@ -75,11 +76,12 @@ def _ask(each):
 
 # ---- findings -------------------------------------------------------------------------------------------------
 
-def findings(all_of_them, rates, hung):
+def findings(all_of_them, rates, hung, stated=False):
     """Findings on all components, sorted by path.
 
     rates  what was measured, see rates.measured
-    hung   paths of what does not answer at all: those connected to it may seem to hang, too
+    hung   Nodes that do not answer at all: who is connected to one waits for it, and seems to hang, too
+    stated  whether a profile says in which states they are to be
     """
     found = []
     for each in all_of_them:
@@ -88,16 +90,9 @@ def findings(all_of_them, rates, hung):
         if not any(one.level == "fail" for one in troubles) and each.error is None:
             found.append(ok("component", each.where, _summary(each)))
     found.sort(key=lambda one: one.path)
-    return found if any(one.level == "fail" for one in found) else found + _nothing_moves(all_of_them)
-
-
-def _nothing_moves(all_of_them):
-    """A robot does not work, either, when everything is well and nobody has started it."""
-    states = [component.merged(each.states) for each in all_of_them if each.states]
-    if not states or any(state != "Inactive" for state in states):
-        return []
-    words = [each.word for each in all_of_them[:MOST]] + ["..."] * (len(all_of_them) > MOST)
-    return [warn("component", "/", "all components are Inactive: nothing has been started", "rtact " + " ".join(words))]
+    if not stated and not any(one.level == "fail" for one in found):  # a robot does not work, either, when nobody has started it
+        found += started.findings(all_of_them)
+    return found
 
 
 def _troubles(each, hung):
@@ -119,23 +114,26 @@ def _summary(each):
 def _stopped_answering(each, hung):
     e = each.error
     if e.args[1:] == (rpc.NO_TIME,):
-        return fail("component", each.where, "slow: " + rpc.NO_TIME, "rtdoctor --timeout 30 " + each.word)
+        return fail("component", each.where, "slow: " + rpc.NO_TIME, remedies.words("more time", path=each.word))
     if isinstance(e, errors.Silent) and not each.asking:
         message = "not looked at: others of its process hang"
-        return warn("component", each.where, message, "mend those first, then: rtdoctor " + each.word)
+        return warn("component", each.where, message, remedies.words("others first", path=each.word))
     if isinstance(e, errors.Refused) and e.name in ("BAD_OPERATION", "NO_IMPLEMENT"):
         message = "somebody else's: it is registered as a component, and is none"
-        return fail("reference", each.where, message, "rtdel " + each.word)
+        return fail("reference", each.where, message, remedies.words("name of another", path=each.word))
     if isinstance(e, errors.Silent):
         message = "hangs when asked for " + each.asking
-        if "port" in each.asking and hung:  # a port asks the far ends of its connections before it answers
-            return fail("component", each.where, message + ", maybe waiting for a hung far end", "mend %s first" % hung[0])
-        return fail("component", each.where, message, _restart(each))
-    return fail("component", each.where, "does not tell %s (%s)" % (each.asking, reason(e)), _restart(each))
+        paths, known = waiting.culprits(each, hung) if "port" in each.asking else ([], False)
+        if paths:  # a port asks the far ends of its connections before it answers
+            return fail("component", each.where, "%s, %swaiting for a far end that does not answer" % (
+                message, "" if known else "maybe "), remedies.words("hung first", paths=" and ".join(paths)))
+        return fail("component", each.where, message, remedies.of_silence(e, each.node.endpoint, each.where))
+    return fail("component", each.where, "does not tell %s (%s)" % (each.asking, reason(e)),
+                remedies.of_silence(e, each.node.endpoint, each.where))
 
 
 def _restart(each):
-    return restart(each.node.endpoint[1])
+    return remedies.words("restart", port=each.node.endpoint[1])
 
 
 # ---- names ----------------------------------------------------------------------------------------------------
@@ -148,18 +146,18 @@ def _names(each):
     known = [node for node in each.nodes if _bound_as(node) in own.split(",")]
     strange = [node for node in each.nodes if node not in known]
     if known:
-        message, remedy = "the same component as " + str(known[0].path), "rtdel %s"
+        message, cure = "the same component as " + str(known[0].path), "name of another"
     else:
         message = "somebody else's name: this component calls itself " + printable(own)
-        remedy = "restart who should have this name; else: rtdel %s"
-    found = [_on_name(node, message, remedy) for node in strange[:MOST]]
+        cure = "name taken"
+    found = [_on_name(node, message, cure) for node in strange[:MOST]]
     if strange[MOST:]:
-        found.append(_on_name(strange[MOST], "and %s like it" % counted(len(strange) - MOST, "name"), remedy))
+        found.append(_on_name(strange[MOST], "and %s like it" % counted(len(strange) - MOST, "name"), cure))
     return found
 
 
-def _on_name(node, message, remedy):
-    return warn("reference", str(node.path), message, remedy % shell_word(str(node.path)))
+def _on_name(node, message, cure):
+    return warn("reference", str(node.path), message, remedies.words(cure, path=shell_word(str(node.path))))
 
 
 def _bound_as(node):
@@ -170,17 +168,20 @@ def _bound_as(node):
 # ---- ports ----------------------------------------------------------------------------------------------------
 
 def _ports(each):
-    found = [_refusing(each, number, e) for number, e in each.refusing]
+    found = [_refusing(each, *port) for port in each.refusing]
     message = "had a connection whose far end is dead, and dropped it when asked"
-    return found + [warn("connection", ports.label(port), message, "restart the far end and connect it again: rtcon")
+    return found + [warn("connection", ports.label(port), message, remedies.words("restart far end"))
                     for port in each.dropped]
 
 
-def _refusing(each, number, e):
+def _refusing(each, number, e, endpoint):
     if isinstance(e, errors.Refused):
         return fail("port", each.where, "its port %d refuses its profile (%s)" % (number, reason(e)), _restart(each))
+    if not isinstance(e, errors.LostMember):
+        message = "cannot tell from here about its port %d, at %s:%d (%s)" % (number, printable(endpoint[0]), endpoint[1], reason(e))
+        return fail("port", each.where, message, remedies.network(endpoint))
     return fail("port", each.where, "its port %d is out of reach: a member of this composite is dead, perhaps" % number,
-                restart(each.node.endpoint[1], "it (until then, rtcomp -r MEMBER:PORT %s hides the port)" % each.word))
+                remedies.words("restart composite", port=each.node.endpoint[1]))
 
 
 # ---- execution contexts ---------------------------------------------------------------------------------------
@@ -191,21 +192,20 @@ def _contexts(each):
         return [fail("context", each.where, "has no execution context: nothing executes it", _restart(each))]
     found = []
     for index, (context, state) in enumerate(zip(each.contexts, each.states)):
-        which = " -e %d" % index if index else ""
         if context is None:
             message = "its execution context %d belongs to another component, which does not answer" % index
-            found.append(warn("context", each.where, message, "rtec%s %s" % (which, each.word)))
+            found.append(warn("context", each.where, message, remedies.words("look at contexts", path=each.word)))
         elif state == "Error":
-            found.append(fail("component", each.where, "in Error", "rtreset%s %s" % (which, each.word)))
+            found.append(fail("component", each.where, "in Error",
+                              remedies.command("reset", option=remedies.option(index), path=each.where)))
     alive = [one for one in each.contexts if one is not None]
     if alive and not any(one.running for one in alive):
         message = "its execution context is stopped: nothing executes it"
-        found.append(fail("context", each.where, message, "rtec %s start" % each.word))
+        found.append(fail("context", each.where, message, remedies.command("start context", path=each.where)))
     for index, context in enumerate(each.contexts):
         if _is_periodic(context) and not context.rate > 0:
-            which = " -e %d" % index if index else ""
             found.append(fail("context", each.where, "its execution context has a rate of %g Hz" % context.rate,
-                              "rtec%s %s rate 100" % (which, each.word)))
+                              remedies.command("set rate", option=remedies.option(index), path=each.where, rate=100)))
     return found
 
 

@@ -2,10 +2,10 @@
 import collections
 
 from rtshell_lite import errors, orb, ports, rpc, system, tree
-from rtshell_lite.doctor import services
+from rtshell_lite.doctor import networks, remedies, services
 from rtshell_lite.doctor.finding import fail, reason, warn
 from rtshell_lite.places import Places
-from rtshell_lite.text import printable, shell_word
+from rtshell_lite.text import printable
 
 # One connection as its first end tells it: the components.Examined `each`, its ports.Port, the ports.Connector.
 Link = collections.namedtuple("Link", "each port connector")
@@ -117,18 +117,19 @@ def _again(link, ends):
 def _troubles(link, ends):
     """Findings on one Link."""
     where, connector = ports.label(link.port), link.connector
-    undo = "rtdis -i %s %s" % (shell_word(connector.id), shell_word(where))
+    undo = remedies.command("disconnect", id=connector.id, port=where)
     if None in connector.ports:
         return [fail("connection", where, "connection %s has an end that is nothing (nil)" % _called(connector), undo)]
-    others, found = [ends[orb.identity(ref)] for ref in connector.ports if not orb.same(ref, link.port.ref)], []
-    for end in others:
+    refs = [ref for ref in connector.ports if not orb.same(ref, link.port.ref)]
+    others, found = [ends[orb.identity(ref)] for ref in refs], []
+    for ref, end in zip(refs, others):
         if end.port is None:
-            found.append(_lost(where, end, undo))
+            found.append(_lost(link, where, ref, end, undo))
         elif connector.id not in [one.id for one in end.port.connectors]:
             found.append(fail("connection", where, "connection %s is one-sided: %s does not know it" % (
-                _called(connector), end.name), "%s; %s" % (undo, _redo(link, others))))
+                _called(connector), end.name), _redo(link, others)))
         else:
-            found += _differences(link, end, "%s; %s" % (undo, _redo(link, others)))
+            found += _differences(link, end, _redo(link, others))
     if all(end.port is not None for end in others):
         found += _mismatches(link, where, [link.port] + [end.port for end in others], undo)
     return found
@@ -139,20 +140,29 @@ def _called(connector):
 
 
 def _redo(link, others):
-    """The command that connects all ends again as this one has it; a step where an end has no path."""
+    """The Remedy that connects all ends again as this one has it; words where an end has no path."""
+    where, connector = ports.label(link.port), link.connector
     if any(end.port is None or end.port.node is None for end in others):
-        return "then connect them again: rtcon"
-    given = {key: value for key, value in link.connector.properties if key in SETTLED}
+        return remedies.reconnect(connector.id, where, None)
+    given = {key: value for key, value in connector.properties if key in SETTLED}
     labels = [ports.label(port) for port in [link.port] + [end.port for end in others]]
-    return ports.command(labels, link.connector.name, "", given)
+    return remedies.reconnect(connector.id, where, ports.command(labels, connector.name, "", given))
 
 
-def _lost(where, end, undo):
+def _lost(link, where, ref, end, undo):
     """The far end of a connection does not answer."""
-    if isinstance(end.error, (errors.Gone, errors.ConnectionRefused)):
+    endpoint, homes = orb.endpoint(ref), networks.homes_of(link.each.node.ref)
+    misled = networks.misled("connection", where, ref, homes)
+    if misled:
+        return misled._replace(message="the far end of a connection " + misled.message)
+    if isinstance(end.error, (errors.Gone, errors.ConnectionRefused)) and networks.is_certain(ref, homes):
         return fail("connection", where, "the far end of a connection is dead (at %s)" % end.name, undo)
+    if remedies.is_of_network(end.error, endpoint):
+        message = "cannot tell from here whether the far end of a connection, at %s, lives (%s)" % (end.name, reason(end.error))
+        return fail("connection", where, message, remedies.network(endpoint))
     message = "the far end of a connection, at %s, cannot be asked (%s)" % (end.name, reason(end.error))
-    return fail("connection", where, message, "restart the process of the far end, or: " + undo)
+    return fail("connection", where, message, remedies.of_silence(
+        end.error, endpoint, where, remedies.words("restart its process", port=endpoint[1])))
 
 
 def _differences(link, end, remedy):

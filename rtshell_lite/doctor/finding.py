@@ -7,7 +7,7 @@ from rtshell_lite.text import printable
 HERE = "here"  # stands in the place of a path for what concerns this host and this shell
 
 # `level` is ok, warn or fail; `check` what kind of check found it; `path` the object, spelt for the terminal, or HERE;
-# `message` what is so; `remedy` a command that can be pasted, or a step to be taken, '' where nothing is wrong.
+# `message` what is so; `remedy` a command that can be pasted, or words, see remedies; '' where nothing is wrong.
 Finding = collections.namedtuple("Finding", "level check path message remedy")
 
 
@@ -17,23 +17,18 @@ def ok(check, path, message):
 
 
 def warn(check, path, message, remedy):
-    """A Finding that may or may not be the trouble."""
-    return Finding("warn", check, path, message, remedy)
+    """A Finding that may or may not be the trouble; `remedy` is a remedies.Remedy."""
+    return Finding("warn", check, path, message, remedy.text)
 
 
 def fail(check, path, message, remedy):
-    """A Finding that something does not work."""
-    return Finding("fail", check, path, message, remedy)
+    """A Finding that something does not work; `remedy` is a remedies.Remedy."""
+    return Finding("fail", check, path, message, remedy.text)
 
 
 def published(ref):
     """The addresses that a reference publishes, decoded from its IOR: `192.0.2.1:4000, 127.0.0.1:4000`."""
     return ", ".join("%s:%d" % (printable(host), port) for host, port in orb.addresses(ref)) or "no TCP address"
-
-
-def restart(port, whom="it"):
-    """The remedy for a process that listens on a TCP port of its host."""
-    return "restart %s; netstat -ltnp | grep :%d there names its process" % (whom, port)
 
 
 def counted(number, noun):

@@ -1,23 +1,30 @@
 """What is checked of this host and this shell before anybody is asked."""
+import collections
 import os
 import re
 import socket
 import sys
 
 from rtshell_lite import errors, orb, path, tree
-from rtshell_lite.doctor import addresses
+from rtshell_lite.doctor import addresses, limits, remedies
 from rtshell_lite.doctor.finding import HERE, fail, ok, reason, warn
 from rtshell_lite.text import printable
 
-INSTALL = "apt install python3-omniorb, or: pip install 'rtshell_lite[omniorb]'"
 CONFIGURATION = "/etc/omniORB.cfg"
 SMALLEST_MESSAGE = 2097152  # octets: omniORB's default of giopMaxMsgSize
+OURS, THEIRS = "these commands", "components started here"
+ARGUMENTS = "RTCTREE_ORB_ARGS"
 LEAST_PATIENCE = 500  # ms: a component that waits for its next cycle takes that long to answer
+
+
+Rule = collections.namedtuple("Rule", "text remedy")  # a setting in words, and the Remedy for it
 
 
 def findings():
     """Findings on Python and omniORB, their settings, the names of this host, and our environment."""
-    found = _programs()
+    found, lacking = _programs(), limits.findings()
+    if lacking:
+        return found + lacking
     found += _settings(started=found[-1].level != "fail")
     return found + _host_name() + _localhost() + _name_servers() + _working_directory()
 
@@ -29,15 +36,18 @@ def _programs():
     try:
         version = orb.version()
     except errors.MissingOmniORB:
-        return [fail("omniORBpy", HERE, "%s has no omniORBpy: nobody can be asked" % python, INSTALL)]
+        return [fail("omniORBpy", HERE, "%s has no omniORBpy: nobody can be asked" % python,
+                     remedies.words("install omniORBpy"))]
     found = [ok("omniORBpy", HERE, "%s, omniORBpy %s" % (python, version))]
     if _number(version.partition(".")[0]) < 4:
-        found = [warn("omniORBpy", HERE, "%s, omniORBpy %s: older than 4.0, untried" % (python, version), INSTALL)]
+        found = [warn("omniORBpy", HERE, "%s, omniORBpy %s: older than 4.0, untried" % (python, version),
+                      remedies.words("install omniORBpy"))]
     try:
         orb.start()
     except errors.Error:
         where = " or ".join(name for name, _ in _sources()) or "its settings"
-        found.append(fail("ORB", HERE, "omniORB does not start: it does not understand " + where, "correct or remove it"))
+        found.append(fail("ORB", HERE, "omniORB does not start: it does not understand " + where,
+                          remedies.words("correct settings")))
     return found
 
 
@@ -53,14 +63,12 @@ def _settings(started):
     named = os.environ.get("OMNIORB_CONFIG")
     if named and not os.path.exists(named):
         message = "OMNIORB_CONFIG names a file that is not there: " + printable(named)
-        found.append(warn("ORB", HERE, message, "unset OMNIORB_CONFIG"))
+        found.append(warn("ORB", HERE, message, remedies.command("unset", variable="OMNIORB_CONFIG")))
     for source, settings in sources:
         for option, value in settings:
-            why = _harm(option, value)
-            if not why:
-                continue
-            remedy = "remove it from " + source if source.startswith("/") else "unset " + source
-            found.append(warn("ORB", HERE, "%s sets %s to %s: %s" % (source, option, printable(value), why), remedy))
+            why = _harm(option, value, OURS if source == ARGUMENTS else THEIRS)
+            if why:
+                found.append(warn("ORB", HERE, "%s sets %s to %s: %s" % (source, option, printable(value), why), _without(source)))
     if not found and sources and started:
         found.append(ok("ORB", HERE, "settings of omniORB that break nothing: " + ", ".join(name for name, _ in sources)))
     return found
@@ -71,9 +79,9 @@ def _sources():
     name = os.path.abspath(os.environ.get("OMNIORB_CONFIG") or CONFIGURATION)
     found = [(printable(name), _configured(name))]
     found += [(key, [(key[3:], value)]) for key, value in sorted(os.environ.items()) if re.match("ORB[a-z]+[A-Za-z]*$", key)]
-    words = [word for word in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if word]
+    words = [word for word in os.environ.get(ARGUMENTS, "").split(";") if word]
     arguments = [(word[4:], value) for word, value in zip(words, words[1:] + [""]) if word.startswith("-ORB")]
-    return [each for each in found if each[1]] + ([("RTCTREE_ORB_ARGS", arguments)] if words else [])
+    return [each for each in found if each[1]] + ([(ARGUMENTS, arguments)] if words else [])
 
 
 def _configured(name):
@@ -87,34 +95,51 @@ def _configured(name):
             for line in lines if line.strip()]
 
 
-def _harm(option, value):
-    """What a setting breaks, '' where it breaks nothing that we know of."""
+def _without(source):
+    """The Remedy for a setting that comes from there."""
+    return remedies.words("correct file", file=source) if source.startswith("/") else remedies.command("unset", variable=source)
+
+
+def _harm(option, value, whom):
+    """What a setting breaks, and for `whom`, '' where it breaks nothing that we know of.
+
+    Our commands have limits of their own, which only RTCTREE_ORB_ARGS overrides.
+    """
     if option == "giopMaxMsgSize" and _number(value) < SMALLEST_MESSAGE:
-        return "larger messages fail (MARSHAL)"
+        return "%s cannot send or take larger messages (MARSHAL)" % whom
     if option in ("clientCallTimeOutPeriod", "clientConnectTimeOutPeriod") and 0 < _number(value) < LEAST_PATIENCE:
-        return "slower answers count as none"
-    if option == "clientCallTimeOutPeriod" and _number(value) == 0:
-        return "a hung peer is waited for for ever"
+        return "%s take slower answers for none" % whom
     if option == "throwTransientOnTimeOut" and value != "0":
-        return "hung peers look like dead ones"
+        return "hung peers look like peers out of reach to these commands"
     if option == "maxGIOPVersion" and value in ("1.0", "1.1"):
         return "Japanese names and large lists fail"
-    if option in ("clientTransportRule", "serverTransportRule") and "none" in value:
-        return "it forbids connections"
     if option in ("endPoint", "endPointPublish"):
-        return _harm_of_end_point(value)
+        return _harm_of_end_point(value, whom)
     return ""
 
 
-def _harm_of_end_point(value):
+def _harm_of_end_point(value, whom):
     """An end point is giop:TRANSPORT:HOST:PORT, HOST and PORT may be empty."""
     transport, _, place = value.partition("giop:")[2].partition(":")
     host, _, port = place.rpartition(":")
-    if addresses.is_loopback(host.strip("[]")) or host == "localhost":
-        return "components started here cannot be reached from other hosts"
+    host = host.strip("[]")
+    why = addresses.why_not_bound(host, _number(port)) if transport == "tcp" else ""
+    if why:
+        return "%s cannot listen there (%s)" % (whom, why)
+    if addresses.is_loopback(host) or host == "localhost":
+        return "%s cannot be reached from other hosts" % whom
     if transport == "tcp" and port:
         return "only one process at a time can have this port"
     return ""
+
+
+def transport_rule():
+    """The Rule that forbids connections, if there is one: named only where one fails."""
+    for source, settings in _sources():
+        for option, value in settings:
+            if option == "clientTransportRule":
+                return Rule("clientTransportRule %s of %s" % (printable(value), source), _without(source))
+    return None
 
 
 # ---- names of this host ---------------------------------------------------------------------------------------
@@ -123,7 +148,7 @@ def _host_name():
     """The name of this host must lead to an address of it that others can use: components may publish what it leads to."""
     name = socket.gethostname()
     shown = "this host's name, %s, " % printable(name)
-    cure = "give it its real address in /etc/hosts"
+    cure = remedies.words("name of host")
     try:
         found = addresses.resolve(name)
     except errors.Error as e:
@@ -137,7 +162,7 @@ def _host_name():
 
 
 def _localhost():
-    cure = "write into /etc/hosts: 127.0.0.1 localhost"
+    cure = remedies.words("localhost")
     try:
         found = addresses.resolve("localhost")
     except errors.Error as e:
@@ -156,28 +181,36 @@ def _name_servers():
         return [ok("RTCTREE_NAMESERVERS", HERE, "RTCTREE_NAMESERVERS is not set: localhost is the name server")]
     bad = [(address, why) for address, why in ((each, fault(each)) for each in tree.servers()) if why]
     return [fail("RTCTREE_NAMESERVERS", HERE, "RTCTREE_NAMESERVERS: %s: %s" % (printable(address), why),
-                 "export RTCTREE_NAMESERVERS='robot1;robot2:2810'") for address, why in bad] or [
+                 remedies.words("correct addresses")) for address, why in bad] or [
         ok("RTCTREE_NAMESERVERS", HERE, "RTCTREE_NAMESERVERS: %s" % printable("; ".join(tree.servers())))]
 
 
 def fault(address):
     """What is wrong with the address of a name server, '' where nothing is."""
-    if path.SCHEMES.match(address):
-        return ""
     if re.search(r"[,\s]", address):
         return "several are separated by semicolons"
     if address.startswith(("corbaloc:", "corbaname:", "rtcname:", "rtcloc:", "IOR:")):
         return "only HOST[:PORT], without %s:" % address.partition(":")[0]
     try:
         found = path.parse("/" + address)
+        if _is_started():
+            tree.resolve(found._replace(names=()))  # contacts nobody
     except errors.Error:
         return "not HOST[:PORT]"
     return "only HOST[:PORT], nothing behind it" if found.names or found.server is None else ""
+
+
+def _is_started():
+    try:
+        orb.start()
+    except errors.Error:  # found before
+        return False
+    return True
 
 
 def _working_directory():
     try:
         path.parse(".")
     except errors.Error as e:
-        return [fail("RTCSH_CWD", HERE, "RTCSH_CWD: %s" % e, "unset RTCSH_CWD")]
+        return [fail("RTCSH_CWD", HERE, "RTCSH_CWD: %s" % e, remedies.command("unset", variable="RTCSH_CWD"))]
     return []

@@ -1,6 +1,7 @@
 """Each manager: whether it answers, and whether what it lists is there."""
 from rtshell_lite import component, errors, rpc, tree
-from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, restart
+from rtshell_lite.doctor import networks, remedies
+from rtshell_lite.doctor.finding import counted, fail, ok, published, reason
 from rtshell_lite.text import shell_word
 
 
@@ -21,22 +22,37 @@ def _ask(node):
     return slaves, managed, bool(failed_once)
 
 
+def _is_of_network(node, homes):
+    return remedies.is_of_network(node.error, node.endpoint) or not networks.is_certain(node.ref, homes)
+
+
 def _troubles(node, answer):
     where, word = str(node.path), shell_word(str(node.path))
     if isinstance(answer, errors.Error) and answer.args[1:] == (rpc.NO_TIME,):
-        return [fail("manager", where, "slow: " + rpc.NO_TIME, "rtdoctor --timeout 30 " + word)]
+        return [fail("manager", where, "slow: " + rpc.NO_TIME, remedies.words("more time", path=word))]
     if isinstance(answer, errors.Error):
-        whom = "it, or a slave that it waits for" if isinstance(answer, errors.Silent) else "it"
-        return [fail("manager", where, "does not tell what it has (%s)" % reason(answer), restart(node.endpoint[1], whom))]
+        both = isinstance(answer, errors.Silent)
+        restart = remedies.words("restart manager or slave" if both else "restart", port=node.endpoint[1])
+        return [fail("manager", where, "does not tell what it has (%s)" % reason(answer),
+                     remedies.of_silence(answer, node.endpoint, where, restart))]
     slaves, components, twice = answer
     found = []
     if twice:
-        found = [fail("manager", where, "one of its slaves has died, and its components with it", "restart that slave")]
+        found = [fail("manager", where, "one of its slaves has died, and its components with it",
+                      remedies.words("restart slave"))]
+    homes = networks.homes_of(node.ref)
     for each in slaves + components:
         what = "lists a slave that " if each in slaves else "lists a component that "
-        if each.kind == "zombie":
-            found.append(fail("manager", where, what + "is gone", "restart it; rtls %s marks what is gone" % word))
+        misled = networks.misled("manager", where, each.ref, homes)
+        if misled:
+            found.append(misled._replace(message=what + misled.message))
+        elif each.kind in ("zombie", "silent") and _is_of_network(each, homes):
+            message = what + "cannot be reached from here (%s)" % reason(each.error)
+            found.append(fail("manager", where, message, remedies.network(each.endpoint)))
+        elif each.kind == "zombie":
+            found.append(fail("manager", where, what + "is gone", remedies.words("restart manager", path=word)))
         elif each.kind == "silent":
-            found.append(fail("manager", where, what + "hangs (%s)" % reason(each.error), "rtls -l " + word))
+            found.append(fail("manager", where, what + "does not answer (%s)" % reason(each.error),
+                              remedies.words("hung below", path=word)))
     return found or [ok("manager", where, "manager of %s, %s" % (
         counted(len(components), "component"), counted(len(slaves), "slave") + ", at " + published(node.ref)))]

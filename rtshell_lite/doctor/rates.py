@@ -1,13 +1,16 @@
 """The rates that execution contexts keep, and those that they claim: a connection to an out port shows them."""
 import collections
+import struct
 import time
 
 from rtshell_lite import component, connection, dataport, datatypes, errors, ports, rpc
+from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import ok, reason, warn
 from rtshell_lite.text import printable
 
 TOGETHER = 4  # components of a process measured at a time: fetching their values is work for it
 ENOUGH = 0.9  # of the rate claimed
+DAY = 86400.0  # seconds
 
 
 class Watched:
@@ -16,7 +19,14 @@ class Watched:
     def __init__(self, each, rate, port):
         self.each, self.rate, self.port = each, rate, port  # its components.Examined, the Hz claimed, the port watched
         self.reader = self.failure = None  # dataport.Reader; the errors.Error why it could not be measured
-        self.count = 0  # values seen
+        self.count, self.stamp = 0, None  # values seen; (when one came, in s, the timestamp in it) where they have any
+        self.stamped = (datatypes.members(port.properties.get("dataport.data_type", "")) or [None])[0] == ("tm", "Time")
+
+    def deliver(self, message):
+        """Take note of the timestamp of a dataport.Message; 0 is none."""
+        if self.stamped and len(message.data) >= 8:
+            seconds, = struct.unpack_from("<L" if message.little else ">L", message.data)
+            self.stamp = (message.received / 1e9, seconds) if seconds else None
 
 
 def measured(all_of_them, seconds):
@@ -37,7 +47,7 @@ def measured(all_of_them, seconds):
         if found and time.monotonic() - begun > rpc.timeout:
             found.update((one.each.where, [_unmeasured(one.each, errors.Silent(one.each.where, rpc.NO_TIME))]) for one in batch)
             continue
-        found.update((one.each.where, [finding]) for one, finding in zip(batch, _watch(batch, seconds)))
+        found.update((one.each.where, [finding] + _clock(one)) for one, finding in zip(batch, _watch(batch, seconds)))
     return found
 
 
@@ -72,7 +82,7 @@ def _smallest(found):
 
 def _unmeasured(each, e):
     if isinstance(e, errors.Silent) and e.args[1:] != (rpc.NO_TIME,):
-        return warn("rate", each.where, "rate not measured: " + reason(e), "rtec --measure " + each.word)
+        return warn("rate", each.where, "rate not measured: " + reason(e), remedies.words("measure again", path=each.word))
     return ok("rate", each.where, "rate not measured: " + reason(e))
 
 
@@ -82,7 +92,7 @@ def _watch(batch, seconds):
     """A Finding for each Watched of a batch."""
     for one in batch:
         try:
-            one.reader = dataport.Reader(one.port, lambda message: None, "pull", properties={
+            one.reader = dataport.Reader(one.port, one.deliver, "pull", properties={
                 "dataport.buffer.length": str(dataport.QUEUE)})
         except errors.Error as e:
             one.failure = e
@@ -98,6 +108,15 @@ def _watch(batch, seconds):
     return [_unmeasured(one.each, one.failure) if one.failure else _finding(one, spent) for one in batch]
 
 
+def _clock(one):
+    """A Finding where the values of a Watched carry times of other days: nobody who compares times takes them for new."""
+    away = one.stamp and (one.stamp[1] - one.stamp[0]) / DAY
+    if not away or abs(away) < 1:
+        return []
+    return [warn("clock", one.each.where, "the times in its values are %.1f days %s this host's clock" % (
+        abs(away), "behind" if away < 0 else "ahead of"), remedies.words("clock"))]
+
+
 def _finding(one, spent):
     where, name = one.each.where, printable(ports.short_name(one.port.name, one.each.node.path.names[-1].id))
     if one.count < 2:
@@ -106,4 +125,4 @@ def _finding(one, spent):
     if one.count + 1 >= ENOUGH * one.rate * spent:  # one more may have been on its way
         return ok("rate", where, "keeps %.1f of %g Hz (writes to %s)" % (kept, one.rate, name))
     return warn("rate", where, "keeps %.1f of %g Hz, or does not write to %s in each cycle" % (kept, one.rate, name),
-                "look for what takes the time of its host, or of the component itself: top")
+                remedies.words("load"))

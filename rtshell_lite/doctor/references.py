@@ -1,7 +1,7 @@
 """Each name in a name server and the reference behind it: where it leads, whether it can be reached, whether it lives."""
 from rtshell_lite import errors, orb
-from rtshell_lite.doctor import addresses
-from rtshell_lite.doctor.finding import fail, ok, published, reason, restart, warn
+from rtshell_lite.doctor import here, networks, remedies
+from rtshell_lite.doctor.finding import fail, ok, published, reason, warn
 from rtshell_lite.text import printable, shell_word
 
 
@@ -16,10 +16,6 @@ def findings(visit):
     return sorted(found + _stale_contexts(visit), key=lambda each: each.path)
 
 
-def _command(program, node):
-    return "%s %s" % (program, shell_word(str(node.path)))
-
-
 # ---- where it leads -------------------------------------------------------------------------------------------
 
 def _unreachable(visit, node):
@@ -29,56 +25,52 @@ def _unreachable(visit, node):
         return [fail("reference", where, "the name is bound to what must not be used: %s" % reason(node.error),
                      "find out who has bound it; its component, started anew, binds it rightly")]
     if node.ref is None:
-        return [fail("reference", where, "the name is bound to nothing (a nil reference)", _command("rtdel", node))]
+        return [fail("reference", where, "the name is bound to nothing (a nil reference)",
+                     remedies.command("delete name", path=where))]
     offered = orb.addresses(node.ref)
     if not offered:
         return []  # other transports: whether the object lives tells all
     told = published(node.ref)
-    loopback = _published_loopback(visit, where, offered, told)
-    if loopback:
-        return loopback
+    misled = networks.misled("reference", where, node.ref, visit.addresses, visit.outside)
+    if misled:
+        return [misled]
     if node.kind == "zombie":
-        return [_dead(node, told)]
+        return [_dead(visit, node, told)]
     if node.kind == "silent" or node.kind == "unknown" and _out_of_reach(visit, offered):
         return [_silent(visit, node, offered, told)]
     return _half_reachable(visit, where, offered)
 
 
-def _published_loopback(visit, where, offered, told):
-    """A loopback address means somebody else on each host: it serves only those who ask a name server on their own host."""
-    if not all(_is_loopback(host) for host, _ in offered) or all(addresses.is_loopback(each) for each in visit.addresses):
-        return []
-    cure = "give its process an address: corba.endpoints: %s: in rtc.conf" % printable(visit.addresses[0])
-    if any(addresses.is_own(each) for each in visit.addresses):
-        return [warn("reference", where, "publishes %s: only this host can reach it" % told, cure)]
-    return [fail("reference", where, "publishes %s, which means this host, not its own" % told, cure)]
-
-
-def _is_loopback(host):
-    return host == "localhost" or addresses.is_loopback(host)
-
-
-def _dead(node, told):
+def _dead(visit, node, told):
+    where = str(node.path)
+    if not networks.is_certain(node.ref, visit.addresses):
+        return fail("reference", where, "cannot tell from here whether it lives: %s is of another network than its name server, and "
+                    "who has that address here refuses" % told, remedies.network(node.endpoint))
     if isinstance(node.error, errors.Gone):
         message = "dead (zombie): who listens at %s now does not have it" % told
     else:
         message = "dead (zombie): nothing listens at %s" % told
-    return fail("reference", str(node.path), message, _command("rtdel -z", node))
+    return fail("reference", where, message, remedies.command("delete zombie", path=where))
 
 
 def _silent(visit, node, offered, told):
     """An object that does not answer: because of its host, the network, its process, or itself."""
-    where = str(node.path)
+    where, rule = str(node.path), here.transport_rule()
     if _out_of_reach(visit, offered):
         failure = visit.probes[offered[0]]
-        if isinstance(failure, errors.ConnectionRefused):
-            return fail("reference", where, "dead: nothing listens at " + told, _command("rtdel", node))
-        return fail("reference", where, "publishes %s, out of reach (%s)" % (told, reason(failure)),
-                    "ping %s; else give its process an address that others reach" % printable(offered[0][0]))
-    if isinstance(node.error, errors.Silent):
-        return fail("reference", where, "hung: %s accepts TCP, but %s" % (told, reason(node.error)), restart(offered[0][1]))
-    return fail("reference", where, "somebody else's: %s does not speak CORBA (%s)" % (told, reason(node.error)),
-                "netstat -ltnp | grep :%d there names it; then %s" % (offered[0][1], _command("rtdel", node)))
+        if isinstance(failure, errors.ConnectionRefused) and networks.is_certain(node.ref, visit.addresses):
+            return fail("reference", where, "dead: nothing listens at " + told, remedies.command("delete zombie", path=where))
+        apart = ", of another network than its name server" if networks.is_apart(node.ref, visit.addresses) else ""
+        return fail("reference", where, "cannot tell from here whether it lives: publishes %s%s, out of reach (%s)" % (
+            told, apart, reason(failure)), remedies.network(offered[0]))
+    if rule and reason(node.error) == orb.NO_USABLE_ADDRESS:
+        return fail("reference", where, "at %s: TCP connects, omniORB does not: %s forbids it" % (told, rule.text), rule.remedy)
+    if remedies.is_of_network(node.error, offered[0]):
+        what = "TCP connects, but what is sent is not received" if isinstance(node.error, errors.Silent) else reason(node.error)
+        return fail("reference", where, "cannot tell from here whether it lives: at %s, %s" % (told, what),
+                    remedies.network(offered[0]))
+    return fail("reference", where, "hung: %s accepts TCP, but %s" % (told, reason(node.error)),
+                remedies.of_silence(node.error, offered[0], where))
 
 
 def _out_of_reach(visit, offered):
@@ -88,9 +80,8 @@ def _out_of_reach(visit, offered):
 def _half_reachable(visit, where, offered):
     """Of several addresses some may be out of reach; each caller tries them in turn and waits for the bad ones."""
     bad = [each for each in offered if isinstance(visit.probes.get(each), errors.Error)]
-    cure = "have its process publish only addresses that others reach: corba.endpoints in rtc.conf"
     return [warn("reference", where, "also publishes %s:%d, out of reach (%s)" % (
-        printable(each[0]), each[1], reason(visit.probes[each])), cure) for each in bad]
+        printable(each[0]), each[1], reason(visit.probes[each])), remedies.words("only good addresses")) for each in bad]
 
 
 # ---- what it is -----------------------------------------------------------------------------------------------
@@ -104,7 +95,7 @@ def _not_what_it_says(node):
     if kind not in expected or node.kind == expected[kind] or node.kind in ("zombie", "silent"):
         return []
     message = "somebody else's: not a %s but %s" % (expected[kind], what)
-    return [fail("reference", str(node.path), message, _command("rtdel", node))]
+    return [fail("reference", str(node.path), message, remedies.words("name of another", path=shell_word(str(node.path))))]
 
 
 # ---- contexts -------------------------------------------------------------------------------------------------
@@ -129,13 +120,20 @@ def _stale_contexts(visit):
         inside_told = any(names[:i] in told for i in range(len(names)))
         if node.kind != "directory" or inside_told or not _is_forsaken(node, visit.shared):
             continue
-        below = content.get(names, ())
+        below = content.get(names, [])
         if all(each.kind == "zombie" or each.kind == "directory" and _is_forsaken(each, visit.shared) for each in below):
             told.add(names)
             what = "only dead names are in it" if any(each.kind == "zombie" for each in below) else "empty"
-            command = _command("rtdel --recursive" if below else "rtdel", node)
-            found.append(warn("context", str(node.path), "stale: " + what, command))
+            found.append(warn("context", str(node.path), "stale: " + what, _emptied(node, below)))
     return found
+
+
+def _emptied(node, below):
+    """The Remedy for a stale naming context; each name goes by itself, the deepest first, so that nothing else can."""
+    if any(each.kind == "zombie" for each in below):
+        return remedies.words("stale names", path=shell_word(str(node.path)))
+    return remedies.command("delete name", path=[str(each.path) for each in sorted(
+        below + [node], key=lambda each: -len(each.path.names))])
 
 
 def _is_forsaken(node, shared):

@@ -3,8 +3,8 @@ import collections
 import time
 
 from rtshell_lite import aliases, errors, orb, path, rpc, tree
-from rtshell_lite.doctor import addresses, references
-from rtshell_lite.doctor.finding import fail, ok, reason, restart, warn
+from rtshell_lite.doctor import addresses, here, networks, references, remedies
+from rtshell_lite.doctor.finding import fail, ok, reason, warn
 from rtshell_lite.text import printable, shell_word
 
 SLOW = 1.0  # seconds: a step that takes longer makes every command slow
@@ -13,8 +13,9 @@ _NAMING_CONTEXT = "IDL:omg.org/CosNaming/NamingContext:1.0"
 
 # What became of one name server: `path` its Path, `addresses` where it is ([] where that is not known), `findings`, `nodes`
 # what is bound in it (looked at), `probes` a dict: endpoint to None, or to the errors.Error why TCP does not reach it; `shared`
-# an aliases.Known of the naming contexts that have several names in it.
-Visit = collections.namedtuple("Visit", "path addresses findings nodes probes shared")
+# an aliases.Known of the naming contexts that have several names in it, `outside` an address that is bound in it and means not
+# only this host, or ''.
+Visit = collections.namedtuple("Visit", "path addresses findings nodes probes shared outside")
 
 
 def visits(tops):
@@ -31,12 +32,12 @@ def visits(tops):
 def _too_late(place, e, findings=()):
     """The Visit to a name server that there was no time for, or not for all that is bound in it."""
     where = str(place)
-    late = fail("name server", where, reason(e), "rtdoctor --timeout 30 " + shell_word(where))
-    return Visit(place, [], list(findings) + [late], [], {}, aliases.Known())
+    late = fail("name server", where, reason(e), remedies.words("more time", path=shell_word(where)))
+    return Visit(place, [], list(findings) + [late], [], {}, aliases.Known(), "")
 
 
 def _visit(place, tops):
-    visit = Visit(place, [], [], [], {}, aliases.Known())
+    visit = Visit(place, [], [], [], {}, aliases.Known(), "")
     if not _reach(visit, tree.resolve(place)):
         return visit
     for top in tops:
@@ -51,7 +52,7 @@ def _visit(place, tops):
             return _too_late(place, failure, visit.findings)
     visit.nodes[:] = looked
     visit.probes.update(probes)
-    return visit
+    return visit._replace(outside=networks.outside(node.ref for node in looked if node.kind in ("component", "manager")))
 
 
 # ---- the name server itself -----------------------------------------------------------------------------------
@@ -69,7 +70,7 @@ def _reach(visit, server):
     told = ", ".join("%s %.1f ms" % (name, 1000 * seconds) for name, seconds in times)
     slow = [name for name, seconds in times if seconds > SLOW]
     if slow:
-        cure = "write its address into /etc/hosts" if slow == ["name"] else "ping " + printable(server.endpoint[0])
+        cure = remedies.words("host file" if slow == ["name"] else "slow", host=printable(server.endpoint[0]))
         visit.findings.append(warn("name server", where, "slow (%s)" % told, cure))
     else:
         visit.findings.append(ok("name server", where, "answers (%s)" % told))
@@ -102,45 +103,50 @@ def _transport(visit, endpoint, times):
         visit.addresses.extend(_timed(times, "name", lambda: addresses.resolve(host)))
     except errors.Error as e:
         raise _Stop(where, "host name %s not known here (%s)" % (shown, reason(e)),
-                    "correct the name, or write its address into /etc/hosts")
+                    remedies.words("host name"))
     try:
         _timed(times, "TCP", lambda: addresses.connect(visit.addresses, port))
     except errors.ConnectionRefused:
         raise _Stop(where, "connection refused: %s runs, but nothing listens on port %d" % (shown, port),
-                    "start the name server there: rtm-naming %d" % port)
+                    remedies.words("start name server", port=port))
     except errors.Error as e:
         raise _Stop(where, "no TCP connection to %s port %d (%s)" % (visit.addresses[0], port, reason(e)),
-                    "ping %s; if that answers, open port %d in its firewall" % (shown, port))
+                    remedies.network(endpoint))
 
 
 def _is_there(where, ref):
-    port = orb.endpoint(ref)[1]
+    endpoint = orb.endpoint(ref)
+    port, rule = endpoint[1], here.transport_rule()
     try:
         gone = orb.call(where, ref, "_non_existent")
     except errors.Gone:
         gone = True
     except errors.Silent as e:
-        raise _Stop(where, "hung: accepts TCP, but %s" % reason(e),
-                    restart(port))
+        if remedies.is_of_network(e, endpoint):
+            raise _Stop(where, "cannot tell from here: TCP connects, but what is sent is not received", remedies.network(endpoint))
+        raise _Stop(where, "hung: accepts TCP, but %s" % reason(e), remedies.of_silence(e, endpoint, where))
     except errors.Unreachable as e:
-        if not reason(e).startswith(("connection lost", "garbled")):
-            raise _Stop(where, "TCP connects, omniORB does not (%s)" % reason(e), "correct the ORB: rtdoctor | grep ORB")
-        raise _Stop(where, "what listens there does not speak CORBA (%s)" % reason(e),
-                    "netstat -ltnp | grep :%d there names it; correct the address" % port)
+        if rule and reason(e) == orb.NO_USABLE_ADDRESS:
+            raise _Stop(where, "TCP connects, omniORB does not: %s forbids it" % rule.text, rule.remedy)
+        if reason(e).startswith("garbled"):
+            raise _Stop(where, "what listens there does not speak CORBA (%s)" % reason(e), remedies.words("who listens", port=port))
+        raise _Stop(where, "cannot tell from here: TCP connects, then %s; who listens there does not speak CORBA, or the network "
+                    "is broken" % reason(e), remedies.network(endpoint))
     except errors.Refused as e:
-        raise _Stop(where, "answers with %s" % reason(e), "restart it")
+        raise _Stop(where, "answers with %s" % reason(e), remedies.words("restart", port=port))
     if gone:
         raise _Stop(where, "a CORBA process, but no name server: a component or manager, perhaps",
-                    "correct the port; netstat -ltnp | grep omniNames there tells it")
+                    remedies.words("correct port"))
 
 
 def _is_context(where, ref):
     try:
         found = orb.call(where, ref, "_is_a", _NAMING_CONTEXT)
     except errors.Error as e:
-        raise _Stop(where, "is there, but does not say what it is (%s)" % reason(e), "restart it")
+        raise _Stop(where, "is there, but does not say what it is (%s)" % reason(e),
+                    remedies.of_silence(e, orb.endpoint(ref), where))
     if not found:
-        raise _Stop(where, "its object NameService is no naming context", "correct the port, or restart it")
+        raise _Stop(where, "its object NameService is no naming context", remedies.words("correct or restart"))
 
 
 # ---- what is bound in it --------------------------------------------------------------------------------------
@@ -154,13 +160,17 @@ def _below(visit, top):
             return []
         nodes = list(aliases.within(tree.walk(tree.resolve(top), managers=False)))
     except errors.Error as e:
-        visit.findings.append(fail("path", str(top), reason(e), "rtls " + shell_word(str(top.parent()))))
+        visit.findings.append(fail("path", str(top), reason(e), remedies.words("no such path", path=shell_word(str(top.parent())))))
         return []
     for node in nodes:
         if node.kind in ("server", "directory") and node.error is not None:
             visit.findings.append(fail("context", str(node.path), "its names cannot be listed (%s)" % reason(node.error),
-                                       "restart the name server that has it"))
+                                       _list_again(node)))
     return nodes
+
+
+def _list_again(node):
+    return remedies.of_silence(node.error, node.endpoint, str(node.path), remedies.words("restart name server"))
 
 
 def _share(visit, tops):

@@ -43,7 +43,8 @@ A port that refuses its profile; the component's own profile is not asked for th
   fail  /localhost:$PORT/many.host_cxt/A0.rtc: its port 1 refuses its profile (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
   1 get_component_state
   $ doctor -q ../half.host_cxt/composite0.rtc
-  fail  /localhost:$PORT/half.host_cxt/composite0.rtc: its port 2 is out of reach: a member of this composite is dead, perhaps; try: restart it (until then, rtcomp -r MEMBER:PORT /localhost:$PORT/half.host_cxt/composite0.rtc hides the port); netstat -ltnp | grep :* there names its process (glob)
+  fail  /localhost:$PORT/half.host_cxt/composite0.rtc: its port 2 is out of reach: a member of this composite is dead, perhaps; try: restart its process, with all members alive (rtcomp cannot remove a dead one); netstat -ltnp | grep :* there names it (glob)
+  fail  /localhost:$PORT/half.host_cxt/composite0.rtc: one of its members is dead: nothing answers at 127.0.0.1:*; try: restart its process, with all members alive (rtcomp cannot remove a dead one); netstat -ltnp | grep :* there names it (glob)
   [1]
 
 Other questions refused; what has none of a component's operations; a context of another component, which is gone:
@@ -51,10 +52,10 @@ Other questions refused; what has none of a component's operations; a context of
   $ ctl @these fail get_ports 1 NO_PERMISSION; doctor -q ../many.host_cxt/A0.rtc | grep A0
   fail  /localhost:$PORT/many.host_cxt/A0.rtc: does not tell its ports (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
   $ ctl @these fail get_ports 1 BAD_OPERATION; doctor -q ../many.host_cxt/A0.rtc | grep A0
-  fail  /localhost:$PORT/many.host_cxt/A0.rtc: somebody else's: it is registered as a component, and is none; try: rtdel /localhost:$PORT/many.host_cxt/A0.rtc
+  fail  /localhost:$PORT/many.host_cxt/A0.rtc: somebody else's: it is registered as a component, and is none; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/many.host_cxt/A0.rtc
   $ mock these Mock:Guest0 --context guest.host_cxt/%n.rtc; mock these Mock:Host0 --context host.host_cxt/%n.rtc
   $ rtec ../host.host_cxt/Host0.rtc attach ../guest.host_cxt/Guest0.rtc; kill-mock these5; doctor -q ../guest.host_cxt | grep context
-  warn  /localhost:$PORT/guest.host_cxt/Guest0.rtc: its execution context 1 belongs to another component, which does not answer; try: rtec -e 1 /localhost:$PORT/guest.host_cxt/Guest0.rtc
+  warn  /localhost:$PORT/guest.host_cxt/Guest0.rtc: its execution context 1 belongs to another component, which does not answer; try: look at its contexts: rtec /localhost:$PORT/guest.host_cxt/Guest0.rtc
 
 An operation that hangs, in a process that goes on; the bound is kept, however many components it has:
 
@@ -72,7 +73,7 @@ An operation that hangs, in a process that goes on; the bound is kept, however m
   A5
   Ports0
   $ ctl @these delay get_port_profile 0.5; within 2.8-6 rtdoctor -q --timeout 1 ../many.host_cxt/Ports0.rtc | grep rtc
-  fail  /localhost:$PORT/many.host_cxt/Ports0.rtc: slow: there was no time left to ask it; try: rtdoctor --timeout 30 /localhost:$PORT/many.host_cxt/Ports0.rtc
+  fail  /localhost:$PORT/many.host_cxt/Ports0.rtc: slow: there was no time left to ask it; try: ask it with more time: rtdoctor --timeout 30 /localhost:$PORT/many.host_cxt/Ports0.rtc
   $ ctl @these delay get_port_profile 0
 
 A context that claims more than it keeps: with --measure an out port of each active component shows it. A mock keeps 50 Hz at most.
@@ -89,14 +90,22 @@ A context that claims more than it keeps: with --measure an out port of each act
   ok    /localhost:$PORT/rates.host_cxt/Fast0.rtc: Active, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/rates.host_cxt/Lazy0.rtc: rate not measured: it is Inactive
   ok    /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, claims 10 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
+  warn  /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, while 3 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/rates.host_cxt/Lazy0.rtc
   $ rtact --wait ../many.host_cxt/Ports0.rtc; rtdoctor -q --measure ../rates.host_cxt ../many.host_cxt | grep rtc
   warn  /localhost:$PORT/many.host_cxt/Ports0.rtc: keeps * of 1000 Hz, or does not write to Octet in each cycle; try: look for what takes the time of its host, or of the component itself: top (glob)
   warn  /localhost:$PORT/rates.host_cxt/Fast0.rtc: keeps * of 1000 Hz, or does not write to out in each cycle; try: look for what takes the time of its host, or of the component itself: top (glob)
+  warn  /localhost:$PORT/many.host_cxt/A1.rtc: Inactive, while 2 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/many.host_cxt/A1.rtc
+  warn  /localhost:$PORT/many.host_cxt/A2.rtc: Inactive, while 2 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/many.host_cxt/A2.rtc
+  warn  /localhost:$PORT/many.host_cxt/A3.rtc: Inactive, while 2 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/many.host_cxt/A3.rtc
+  warn  /localhost:$PORT/many.host_cxt/A4.rtc: Inactive, while 2 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/many.host_cxt/A4.rtc
+  warn  /localhost:$PORT/many.host_cxt/A5.rtc: Inactive, while 2 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/many.host_cxt/A5.rtc
+  warn  /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, while 3 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/rates.host_cxt/Lazy0.rtc
   $ rtdeact --wait ../many.host_cxt/Ports0.rtc; doctor ../rates.host_cxt
   ok    /localhost:$PORT/rates.host_cxt/Calm0.rtc: Active, claims 10 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/rates.host_cxt/Deaf0.rtc: Active, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/rates.host_cxt/Fast0.rtc: Active, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, claims 10 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
+  warn  /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, while 3 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/rates.host_cxt/Lazy0.rtc
 
 Nothing of that is left, whether it ends by itself or not, also where the values do not come:
 
@@ -106,7 +115,7 @@ Nothing of that is left, whether it ends by itself or not, also where the values
   $ ctl @these2 connectors Fast0:out; ctl @these3 connectors Calm0:out
   $ ctl @these3 delay get 30; within 1-5 rtdoctor -q --timeout 1 --measure 1.2 ../rates.host_cxt/Calm0.rtc | grep rtc
   rtdoctor: /localhost:$PORT/rates.host_cxt/Calm0.rtc:out: connection $UUID stays, because a fetch is unanswered and to remove it now could end the component; when it answers again: rtdis -i $UUID /localhost:$PORT/rates.host_cxt/Calm0.rtc:out
-  warn  /localhost:$PORT/rates.host_cxt/Calm0.rtc: rate not measured: no answer within 1s; try: rtec --measure /localhost:$PORT/rates.host_cxt/Calm0.rtc
+  warn  /localhost:$PORT/rates.host_cxt/Calm0.rtc: rate not measured: no answer within 1s; try: measure it alone: rtec --measure /localhost:$PORT/rates.host_cxt/Calm0.rtc
   $ ctl @these3 reset; rtdis -i $(ctl @these3 connectors Calm0:out | cut -d' ' -f1) ../rates.host_cxt/Calm0.rtc:out; ctl @these3 connectors Calm0:out
 
 Managers: what they list must be there:
@@ -131,3 +140,20 @@ Managers: what they list must be there:
   fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: one of its slaves has died, and its components with it; try: restart that slave
   $ ctl @managers slave 1 hang manager 30; doctor -q --timeout 1 ../mgr.host_cxt | grep mgr:
   fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: does not tell what it has (no answer within 1s); try: restart it, or a slave that it waits for; netstat -ltnp | grep :* there names its process (glob)
+
+A composite with a dead member, whether that exports a port or not:
+
+  $ rtcomp -r Peer0:in ../half.host_cxt/composite0.rtc 2> out; doctor -q ../half.host_cxt/composite0.rtc
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/half.host_cxt/composite0.rtc
+  fail  /localhost:$PORT/half.host_cxt/composite0.rtc: one of its members is dead: nothing answers at 127.0.0.1:*; try: restart its process, with all members alive (rtcomp cannot remove a dead one); netstat -ltnp | grep :* there names it (glob)
+  [1]
+
+One that is Inactive, while what it is connected with is Active:
+
+  $ rtcon ../rates.host_cxt/Lazy0.rtc:out ../rates.host_cxt/Deaf0.rtc:in; doctor -q ../rates.host_cxt
+  warn  /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /localhost:$PORT/rates.host_cxt/Lazy0.rtc
+
+The times in values:
+
+  $ MOCK_CLOCK=-864000 mock senders 20 --context clock.host_cxt/%n.rtc; rtdoctor -q --measure ../clock.host_cxt | grep days
+  warn  /localhost:$PORT/clock.host_cxt/Source0.rtc: the times in its values are 10.0 days behind this host's clock; try: compare the clocks (date, here and there) and set the wrong one: timedatectl

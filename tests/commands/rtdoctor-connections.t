@@ -16,7 +16,7 @@ world: services --context service.host_cxt/%n.rtc
 One-sided; told differently at both ends; of different types; left by a tool that has been killed:
 
   $ doctor -q .
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/Have0.rtc /localhost:$PORT/test.host_cxt/Have1.rtc /localhost:$PORT/test.host_cxt/In0.rtc ...
+  warn  /: all components are Inactive: nothing has been started; try: activate those that are to move (rtact), or the whole system by its file (rtstart)
   fail  /localhost:$PORT/test.host_cxt/Have0.rtc:MyService: connected to /localhost:$PORT/test.host_cxt/Have1.rtc:MyService: each end provides something, and none requires anything; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Have0.rtc:MyService
   fail  /localhost:$PORT/test.host_cxt/Have1.rtc:MyService: connected to /localhost:$PORT/test.host_cxt/Want3.rtc:MyService: nobody in it provides interface myservice0 (MyService), which /localhost:$PORT/test.host_cxt/Want3.rtc:MyService requires; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Have1.rtc:MyService
   fail  /localhost:$PORT/test.host_cxt/In0.rtc:out: connection out_in is one-sided: /localhost:$PORT/test.host_cxt/Out0.rtc:in does not know it; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/In0.rtc:out; rtcon -n out_in -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=flush /localhost:$PORT/test.host_cxt/In0.rtc:out /localhost:$PORT/test.host_cxt/Out0.rtc:in
@@ -29,7 +29,7 @@ One-sided; told differently at both ends; of different types; left by a tool tha
 What it says can be pasted:
 
   $ doctor -q . | sed -n 's/.*one-sided.*; try: //p' > mend; sh ./mend; doctor -q . | grep In0.rtc
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/Have0.rtc /localhost:$PORT/test.host_cxt/Have1.rtc /localhost:$PORT/test.host_cxt/In0.rtc ...
+  [1]
 
 Far ends that are dead: a component drops such connections when it is asked for its ports, and some tell about it. This
 ends no component of C++ 2.1, which is asked in the right order:
@@ -58,16 +58,22 @@ A far end that is not below the path is asked all the same, and may be gone when
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection is dead (at 127.0.0.1:*); try: rtdis -i $UUID /localhost:$PORT/near.host_cxt/Near0.rtc:out (glob)
   [1]
   $ ctl @these2 fail get_port_profile 1 NO_PERMISSION; doctor -q ../near.host_cxt
-  fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection, at 127.0.0.1:*, cannot be asked (CORBA.NO_PERMISSION); try: restart the process of the far end, or: rtdis -i $UUID /localhost:$PORT/near.host_cxt/Near0.rtc:out (glob)
+  fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection, at 127.0.0.1:*, cannot be asked (CORBA.NO_PERMISSION); try: restart the process of the far end; netstat -ltnp | grep :* there names it (glob)
   [1]
   $ ctl @these2 delay get_port_profile 30; within 0.4-2 rtdoctor -q --timeout 0.5 ../near.host_cxt | grep Near; ctl @these2 delay get_port_profile 0
-  fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection, at 127.0.0.1:*, cannot be asked (no answer within 0.5s); try: restart the process of the far end, or: rtdis -i $UUID /localhost:$PORT/near.host_cxt/Near0.rtc:out (glob)
+  fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection, at 127.0.0.1:*, cannot be asked (no answer within 0.5s); try: restart the process of the far end; netstat -ltnp | grep :* there names it (glob)
 
 A far end whose process hangs makes the near one hang, too, for it looks whether its far ends are there:
 
   $ hang these2; within 0.5-2 rtdoctor -q --timeout 0.5 ../near.host_cxt ../far.host_cxt | grep rtc; resume these2
   fail  /localhost:$PORT/far.host_cxt/Far0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
-  fail  /localhost:$PORT/near.host_cxt/Near0.rtc: hangs when asked for the profile of its port 1, maybe waiting for a hung far end; try: mend /localhost:$PORT/far.host_cxt/Far0.rtc first
+  fail  /localhost:$PORT/near.host_cxt/Near0.rtc: hangs when asked for the profile of its port 1, waiting for a far end that does not answer; try: mend /localhost:$PORT/far.host_cxt/Far0.rtc first
+
+Of several that hang, it waits for the one that its process calls:
+
+  $ mock these Mock:Alien0 --context alien.host_cxt/%n.rtc; hang these2 these3
+  $ within 0.5-3 rtdoctor -q --timeout 0.5 ../near.host_cxt ../far.host_cxt ../alien.host_cxt | grep Near; resume these2 these3
+  fail  /localhost:$PORT/near.host_cxt/Near0.rtc: hangs when asked for the profile of its port 1, waiting for a far end that does not answer; try: mend /localhost:$PORT/far.host_cxt/Far0.rtc first
 
 It is found, wherever it is bound, or bound nowhere; an inactive component keeps a connection that the other end has forgotten:
 
@@ -79,7 +85,7 @@ It is found, wherever it is bound, or bound nowhere; an inactive component keeps
   [1]
   $ rtdel ../far.host_cxt/Far0.rtc; doctor -q ../near.host_cxt
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/near.host_cxt/Near0.rtc
-  fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: connection outin is one-sided: Far0.in at 127.0.0.1:*, bound nowhere, does not know it; try: rtdis -i one /localhost:$PORT/near.host_cxt/Near0.rtc:out; then connect them again: rtcon (glob)
+  fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: connection outin is one-sided: Far0.in at 127.0.0.1:*, bound nowhere, does not know it; try: disconnect it (rtdis -i one /localhost:$PORT/near.host_cxt/Near0.rtc:out), then connect its ends again: rtcon (glob)
   [1]
   $ rtdis ../near.host_cxt/Near0.rtc
 

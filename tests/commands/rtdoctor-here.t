@@ -61,14 +61,14 @@ The name of this host, which components may publish:
 RTCTREE_NAMESERVERS, each address on its own; the good ones are examined all the same:
 
   $ RTCTREE_NAMESERVERS="robot1,robot2" doctor -q
-  fail  here: RTCTREE_NAMESERVERS: robot1,robot2: several are separated by semicolons; try: export RTCTREE_NAMESERVERS='robot1;robot2:2810'
+  fail  here: RTCTREE_NAMESERVERS: robot1,robot2: several are separated by semicolons; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
   [1]
   $ RTCTREE_NAMESERVERS="localhost:$PORT;localhost:99999;corbaloc::robot1;/robot1/a.host_cxt;a b;:2809" doctor -q
-  fail  here: RTCTREE_NAMESERVERS: localhost:*: not HOST[:PORT]; try: export RTCTREE_NAMESERVERS='robot1;robot2:2810' (glob)
-  fail  here: RTCTREE_NAMESERVERS: corbaloc::robot1: only HOST[:PORT], without corbaloc:; try: export RTCTREE_NAMESERVERS='robot1;robot2:2810'
-  fail  here: RTCTREE_NAMESERVERS: /robot1/a.host_cxt: only HOST[:PORT], nothing behind it; try: export RTCTREE_NAMESERVERS='robot1;robot2:2810'
-  fail  here: RTCTREE_NAMESERVERS: a b: several are separated by semicolons; try: export RTCTREE_NAMESERVERS='robot1;robot2:2810'
-  fail  here: RTCTREE_NAMESERVERS: :2809: not HOST[:PORT]; try: export RTCTREE_NAMESERVERS='robot1;robot2:2810'
+  fail  here: RTCTREE_NAMESERVERS: localhost:*: not HOST[:PORT]; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810' (glob)
+  fail  here: RTCTREE_NAMESERVERS: corbaloc::robot1: only HOST[:PORT], without corbaloc:; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
+  fail  here: RTCTREE_NAMESERVERS: /robot1/a.host_cxt: only HOST[:PORT], nothing behind it; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
+  fail  here: RTCTREE_NAMESERVERS: a b: several are separated by semicolons; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
+  fail  here: RTCTREE_NAMESERVERS: :2809: not HOST[:PORT]; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
   [1]
   $ RTCTREE_NAMESERVERS= doctor | grep RTCTREE
   ok    here: RTCTREE_NAMESERVERS is not set: localhost is the name server
@@ -89,12 +89,12 @@ Settings of omniORB that break things, from each of the places that have some:
   > endPoint = giop:tcp:127.0.0.1:
   > END
   $ OMNIORB_CONFIG=$TMP/omniORB.cfg doctor -q
-  warn  here: $TMP/omniORB.cfg sets giopMaxMsgSize to 100000: larger messages fail (MARSHAL); try: remove it from $TMP/omniORB.cfg
+  warn  here: $TMP/omniORB.cfg sets giopMaxMsgSize to 100000: components started here cannot send or take larger messages (MARSHAL); try: remove it from $TMP/omniORB.cfg
   warn  here: $TMP/omniORB.cfg sets endPoint to giop:tcp:127.0.0.1:: components started here cannot be reached from other hosts; try: remove it from $TMP/omniORB.cfg
   $ OMNIORB_CONFIG=$TMP/nothing doctor -q
   warn  here: OMNIORB_CONFIG names a file that is not there: $TMP/nothing; try: unset OMNIORB_CONFIG
   $ ORBclientCallTimeOutPeriod=100 ORBendPoint=giop:tcp::2810 ORBmaxGIOPVersion=1.0 doctor -q
-  warn  here: ORBclientCallTimeOutPeriod sets clientCallTimeOutPeriod to 100: slower answers count as none; try: unset ORBclientCallTimeOutPeriod
+  warn  here: ORBclientCallTimeOutPeriod sets clientCallTimeOutPeriod to 100: components started here take slower answers for none; try: unset ORBclientCallTimeOutPeriod
   warn  here: ORBendPoint sets endPoint to giop:tcp::2810: only one process at a time can have this port; try: unset ORBendPoint
   warn  here: ORBmaxGIOPVersion sets maxGIOPVersion to 1.0: Japanese names and large lists fail; try: unset ORBmaxGIOPVersion
   $ ORBclientCallTimeOutPeriod=5000 ORBendPoint=giop:tcp:: doctor | grep ORB
@@ -102,10 +102,8 @@ Settings of omniORB that break things, from each of the places that have some:
   ok    here: settings of omniORB that break nothing: ORBclientCallTimeOutPeriod, ORBendPoint
   ok    /localhost:$PORT: answers (name * ms, TCP * ms, CORBA * ms, naming * ms) (glob)
   $ RTCTREE_ORB_ARGS="-ORBclientCallTimeOutPeriod;0;-ORBthrowTransientOnTimeOut;1;-ORBclientTransportRule;198.51.100.1 none" doctor -q
-  warn  here: RTCTREE_ORB_ARGS sets clientCallTimeOutPeriod to 0: a hung peer is waited for for ever; try: unset RTCTREE_ORB_ARGS
-  warn  here: RTCTREE_ORB_ARGS sets throwTransientOnTimeOut to 1: hung peers look like dead ones; try: unset RTCTREE_ORB_ARGS
-  warn  here: RTCTREE_ORB_ARGS sets clientTransportRule to 198.51.100.1 none: it forbids connections; try: unset RTCTREE_ORB_ARGS
-  fail  /localhost:$PORT: TCP connects, omniORB does not (host name not known); try: correct the ORB: rtdoctor | grep ORB
+  warn  here: RTCTREE_ORB_ARGS sets throwTransientOnTimeOut to 1: hung peers look like peers out of reach to these commands; try: unset RTCTREE_ORB_ARGS
+  fail  /localhost:$PORT: TCP connects, omniORB does not: clientTransportRule 198.51.100.1 none of RTCTREE_ORB_ARGS forbids it; try: unset RTCTREE_ORB_ARGS
   [1]
   $ RTCTREE_ORB_ARGS="-ORBtraceLevel;0" doctor | grep ORB
   ok    here: Python *, omniORBpy * (glob)
@@ -136,10 +134,40 @@ host, but asked under its outer address, only others would be lost:
   $ mock two
   $ rtact ConsoleIn0.rtc
   $ HOSTS="robot1=198.51.100.1 127.0.0.1=198.51.100.7" doctor -q 127.0.0.1:$PORT
-  fail  /127.0.0.1:$PORT/test.host_cxt/ConsoleIn0.rtc: publishes 127.0.0.1:*, which means this host, not its own; try: give its process an address: corba.endpoints: 198.51.100.7: in rtc.conf (glob)
-  fail  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc: publishes 127.0.0.1:*, which means this host, not its own; try: give its process an address: corba.endpoints: 198.51.100.7: in rtc.conf (glob)
+  fail  /127.0.0.1:$PORT/test.host_cxt/ConsoleIn0.rtc: publishes 127.0.0.1:*, which means this host, not its own; try: give its process an address that others reach: corba.endpoints: 198.51.100.7: in rtc.conf (glob)
+  fail  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc: publishes 127.0.0.1:*, which means this host, not its own; try: give its process an address that others reach: corba.endpoints: 198.51.100.7: in rtc.conf (glob)
+  warn  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc
   [1]
   $ HOSTS="robot1=198.51.100.1 127.0.0.1=198.51.100.1" doctor -q 127.0.0.1:$PORT
-  warn  /127.0.0.1:$PORT/test.host_cxt/ConsoleIn0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
-  warn  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
+  warn  /127.0.0.1:$PORT/test.host_cxt/ConsoleIn0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address that others reach: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
+  warn  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address that others reach: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
+  warn  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc
   $ doctor -q localhost:$PORT
+  warn  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+
+One that is no address costs its own line:
+
+  $ RTCTREE_NAMESERVERS="http://laptop;localhost:$PORT" doctor | grep -v -e ORB -e 'host.s name'
+  fail  here: RTCTREE_NAMESERVERS: http://laptop: not HOST[:PORT]; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
+  ok    /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
+  ok    /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
+  warn  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+  1 failed, 1 to be looked at, 5 ok
+
+An end point that cannot be bound:
+
+  $ ORBendPoint=giop:tcp:203.0.113.9: doctor -q
+  warn  here: ORBendPoint sets endPoint to giop:tcp:203.0.113.9:: components started here cannot listen there (Cannot assign requested address); try: unset ORBendPoint
+  warn  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+  $ ORBendPoint=giop:tcp::$PORT doctor -q
+  warn  here: ORBendPoint sets endPoint to giop:tcp::$PORT: components started here cannot listen there (Address already in use); try: unset ORBendPoint
+  warn  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+
+Out of what a process needs here: nobody else is to blame:
+
+  $ (ulimit -n 16; doctor -q)
+  fail  here: out of files here (Too many open files, at 16): nobody can be judged; try: raise the limit in this shell (ulimit -n 1024), or end what uses so many files here
+  [1]
+  $ (ulimit -v 80000; doctor -q)
+  fail  here: out of threads here (can't start new thread): nobody can be judged; try: raise the limit in this shell (ulimit -u, ulimit -v), or end what uses so many threads here
+  [1]

@@ -12,16 +12,16 @@ faulty: refused dead-host silent drip reset close garbage late-silent late-reset
   fail  /localhost:$REFUSED: connection refused: localhost runs, but nothing listens on port $REFUSED; try: start the name server there: rtm-naming $REFUSED
   [1]
   $ doctor -q localhost:$RESET
-  fail  /localhost:$RESET: what listens there does not speak CORBA (connection lost); try: netstat -ltnp | grep :$RESET there names it; correct the address
+  fail  /localhost:$RESET: cannot tell from here: TCP connects, then connection lost; who listens there does not speak CORBA, or the network is broken; try: look at what is between here and localhost: firewall (port $RESET), route (ip route get localhost), MTU and loss (ping localhost)
   [1]
   $ doctor -q localhost:$CLOSE
-  fail  /localhost:$CLOSE: what listens there does not speak CORBA (connection lost); try: netstat -ltnp | grep :$CLOSE there names it; correct the address
+  fail  /localhost:$CLOSE: cannot tell from here: TCP connects, then connection lost; who listens there does not speak CORBA, or the network is broken; try: look at what is between here and localhost: firewall (port $CLOSE), route (ip route get localhost), MTU and loss (ping localhost)
   [1]
   $ doctor -q localhost:$GARBAGE
-  fail  /localhost:$GARBAGE: what listens there does not speak CORBA (connection lost); try: netstat -ltnp | grep :$GARBAGE there names it; correct the address
+  fail  /localhost:$GARBAGE: cannot tell from here: TCP connects, then connection lost; who listens there does not speak CORBA, or the network is broken; try: look at what is between here and localhost: firewall (port $GARBAGE), route (ip route get localhost), MTU and loss (ping localhost)
   [1]
   $ doctor -q localhost:$LATE_RESET
-  fail  /localhost:$LATE_RESET: its names cannot be listed (connection lost); try: restart the name server that has it
+  fail  /localhost:$LATE_RESET: its names cannot be listed (connection lost); try: look at what is between here and localhost: firewall (port $LATE_RESET), route (ip route get localhost), MTU and loss (ping localhost)
   [1]
   $ doctor -q /robot.invalid
   fail  /robot.invalid: host name robot.invalid not known here (*); try: correct the name, or write its address into /etc/hosts (glob)
@@ -30,7 +30,7 @@ faulty: refused dead-host silent drip reset close garbage late-silent late-reset
   fail  /localhost:*: a CORBA process, but no name server: a component or manager, perhaps; try: correct the port; netstat -ltnp | grep omniNames there tells it (glob)
   [1]
   $ within 0.5-1.5 rtdoctor -q --timeout 0.5 localhost:$DEAD_HOST > out; grep -v "this host's name" out
-  fail  /localhost:$DEAD_HOST: no TCP connection to 127.0.0.1 port $DEAD_HOST (no answer within 0.5s); try: ping localhost; if that answers, open port $DEAD_HOST in its firewall
+  fail  /localhost:$DEAD_HOST: no TCP connection to 127.0.0.1 port $DEAD_HOST (no answer within 0.5s); try: look at what is between here and localhost: firewall (port $DEAD_HOST), route (ip route get localhost), MTU and loss (ping localhost)
   $ doctor -q --timeout 0.5 localhost:$SILENT
   fail  /localhost:$SILENT: hung: accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :$SILENT there names its process
   [1]
@@ -58,15 +58,15 @@ Names that lead nowhere, to the same, to somebody else:
   $ doctor -q .
   fail  /localhost:$PORT/test.host_cxt/Ended0.rtc: dead (zombie): who listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/test.host_cxt/Ended0.rtc (glob)
   fail  /localhost:$PORT/test.host_cxt/Nil0.rtc: the name is bound to nothing (a nil reference); try: rtdel /localhost:$PORT/test.host_cxt/Nil0.rtc
-  fail  /localhost:$PORT/test.host_cxt/Stranger0.rtc: somebody else's: not a component but IDL:SimpleService/MyService:1.0; try: rtdel /localhost:$PORT/test.host_cxt/Stranger0.rtc
-  warn  /localhost:$PORT/test.host_cxt/dead.cxt: stale: only dead names are in it; try: rtdel --recursive /localhost:$PORT/test.host_cxt/dead.cxt
+  fail  /localhost:$PORT/test.host_cxt/Stranger0.rtc: somebody else's: not a component but IDL:SimpleService/MyService:1.0; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Stranger0.rtc
+  warn  /localhost:$PORT/test.host_cxt/dead.cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/test.host_cxt/dead.cxt
   fail  /localhost:$PORT/test.host_cxt/dead.cxt/Gone0.rtc: dead (zombie): who listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/test.host_cxt/dead.cxt/Gone0.rtc (glob)
-  warn  /localhost:$PORT/test.host_cxt/empty.cxt: stale: empty; try: rtdel --recursive /localhost:$PORT/test.host_cxt/empty.cxt
-  warn  /localhost:$PORT/test.host_cxt/Other0.rtc: somebody else's name: this component calls itself test.host_cxt/Moved0.rtc; try: restart who should have this name; else: rtdel /localhost:$PORT/test.host_cxt/Other0.rtc
-  warn  /localhost:$PORT/test.host_cxt/Wrong0.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: rtdel /localhost:$PORT/test.host_cxt/Wrong0.rtc
-  warn  /localhost:$PORT/test.host_cxt/Wrong1.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: rtdel /localhost:$PORT/test.host_cxt/Wrong1.rtc
-  warn  /localhost:$PORT/test.host_cxt/Wrong2.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: rtdel /localhost:$PORT/test.host_cxt/Wrong2.rtc
-  warn  /localhost:$PORT/test.host_cxt/Wrong3.rtc: and 2 names like it; try: rtdel /localhost:$PORT/test.host_cxt/Wrong3.rtc
+  warn  /localhost:$PORT/test.host_cxt/empty.cxt: stale: empty; try: rtdel /localhost:$PORT/test.host_cxt/empty.cxt/emptier.cxt /localhost:$PORT/test.host_cxt/empty.cxt
+  warn  /localhost:$PORT/test.host_cxt/Other0.rtc: somebody else's name: this component calls itself test.host_cxt/Moved0.rtc; try: restart who should have this name; if nobody should: rtdel /localhost:$PORT/test.host_cxt/Other0.rtc
+  warn  /localhost:$PORT/test.host_cxt/Wrong0.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong0.rtc
+  warn  /localhost:$PORT/test.host_cxt/Wrong1.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong1.rtc
+  warn  /localhost:$PORT/test.host_cxt/Wrong2.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong2.rtc
+  warn  /localhost:$PORT/test.host_cxt/Wrong3.rtc: and 2 names like it; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong3.rtc
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/Other0.rtc /localhost:$PORT/test.host_cxt/Right0.rtc
   [1]
 
@@ -79,13 +79,13 @@ A process that has ended, one that hangs, and one that took over the port of ano
   fail  /localhost:$PORT/hung.host_cxt/Hung0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
   fail  /localhost:$PORT/hung.host_cxt/Hung1.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
   $ doctor -q ../dead.host_cxt
-  warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: rtdel --recursive /localhost:$PORT/dead.host_cxt
+  warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/dead.host_cxt
   fail  /localhost:$PORT/dead.host_cxt/Dead0.rtc: dead (zombie): nothing listens at 127.0.0.1:*; try: rtdel -z /localhost:$PORT/dead.host_cxt/Dead0.rtc (glob)
   [1]
   $ TAKEN=$(doctor -q ../dead.host_cxt | sed -n 's/.*nothing listens at [^:]*:\([0-9]*\);.*/\1/p')
   $ mock these Mock:Other0 --port $TAKEN --context other.host_cxt/%n.rtc
   $ doctor -q ../dead.host_cxt ../other.host_cxt
-  warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: rtdel --recursive /localhost:$PORT/dead.host_cxt
+  warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/dead.host_cxt
   fail  /localhost:$PORT/dead.host_cxt/Dead0.rtc: dead (zombie): who listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/dead.host_cxt/Dead0.rtc (glob)
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/other.host_cxt/Other0.rtc
   [1]

@@ -75,9 +75,9 @@ A path, several, a name server; relative paths start at the working directory:
   other/test.host_cxt/ConsoleIn0.rtc
   other/test.host_cxt/ConsoleOut0.rtc
   $ doctor -q nobody.rtc /localhost:$PORT/nowhere.host_cxt/ Moto0.rtc
-  fail  /localhost:$PORT/nowhere.host_cxt: no such path; try: rtls /localhost:$PORT
-  fail  /localhost:$PORT/test.host_cxt/Moto0.rtc: no such path; did you mean Motor0.rtc?; try: rtls /localhost:$PORT/test.host_cxt
-  fail  /localhost:$PORT/test.host_cxt/nobody.rtc: no such path; try: rtls /localhost:$PORT/test.host_cxt
+  fail  /localhost:$PORT/nowhere.host_cxt: no such path; try: see what is there: rtls /localhost:$PORT
+  fail  /localhost:$PORT/test.host_cxt/Moto0.rtc: no such path; did you mean Motor0.rtc?; try: see what is there: rtls /localhost:$PORT/test.host_cxt
+  fail  /localhost:$PORT/test.host_cxt/nobody.rtc: no such path; try: see what is there: rtls /localhost:$PORT/test.host_cxt
   [1]
   $ RTCSH_CWD= doctor -q localhost | grep -c '^fail  /localhost: '
   1
@@ -96,15 +96,15 @@ A word without a dot or a slash is a name server, as is an address, or what is i
   5
   5
   $ doctor -q robot1.local nowhere/ | grep path
-  fail  /localhost:$PORT/test.host_cxt/nowhere: no such path; try: rtls /localhost:$PORT/test.host_cxt
-  fail  /localhost:$PORT/test.host_cxt/robot1.local: no such path; try: rtls /localhost:$PORT/test.host_cxt
+  fail  /localhost:$PORT/test.host_cxt/nowhere: no such path; try: see what is there: rtls /localhost:$PORT/test.host_cxt
+  fail  /localhost:$PORT/test.host_cxt/robot1.local: no such path; try: see what is there: rtls /localhost:$PORT/test.host_cxt
 
 One JSON object a line, whatever -q leaves:
 
   $ rtdoctor --json Motor0.rtc | tail -1
   {"check": "component", "level": "ok", "message": "Active, claims 10 Hz, 2 ports, 2 connections, at 127.0.0.1:*", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "remedy": ""} (glob)
   $ rtdoctor --json -q nobody.rtc | tail -1
-  {"check": "path", "level": "fail", "message": "no such path", "path": "/localhost:$PORT/test.host_cxt/nobody.rtc", "remedy": "rtls /localhost:$PORT/test.host_cxt"}
+  {"check": "path", "level": "fail", "message": "no such path", "path": "/localhost:$PORT/test.host_cxt/nobody.rtc", "remedy": "see what is there: rtls /localhost:$PORT/test.host_cxt"}
   $ rtdoctor --json | python3 -c 'import json, sys
   > for line in sys.stdin:
   >     each = json.loads(line)
@@ -114,7 +114,7 @@ One JSON object a line, whatever -q leaves:
 On a terminal the levels have colours:
 
   $ NO_COLOR= tty 80 rtdoctor -q nobody.rtc | tail -1
-  \x1b[01;37;41mfail\x1b[00m  /localhost:$PORT/test.host_cxt/nobody.rtc: no such path; try: rtls /localhost:$PORT/test.host_cxt (esc)
+  \x1b[01;37;41mfail\x1b[00m  /localhost:$PORT/test.host_cxt/nobody.rtc: no such path; try: see what is there: rtls /localhost:$PORT/test.host_cxt (esc)
 
 With a profile, all that rtcheck finds:
 
@@ -131,6 +131,8 @@ With a profile, all that rtcheck finds:
   warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Optional component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: start it, or have its manager make it: rtresurrect --create optional.xml
   warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Destination component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: start it, or have its manager make it: rtresurrect --create optional.xml
   warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Source component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: start it, or have its manager make it: rtresurrect --create optional.xml
+  $ rtec Motor0.rtc rate 20; doctor -q --profile robot.rtsys | grep Hz; rtec Motor0.rtc rate 10
+  fail  /localhost:$PORT/test.host_cxt/Motor0.rtc: its execution context has a rate of 20 Hz, in the file it is 10 Hz; try: rtec /localhost:$PORT/test.host_cxt/Motor0.rtc rate 10
   $ doctor -q -s Inactive --profile robot.rtsys | grep -c 'incorrect state'
   4
   $ doctor --profile nofile

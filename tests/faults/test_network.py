@@ -183,6 +183,45 @@ class Network(unittest.TestCase):
         self.ends(laptop("rtdel", "-z"), (0,))
         self.assertIn(b"?Far0.rtc", laptop("rtls", "/%s/test.host_cxt" % HOSTS["robot1"]).out)
         self.assertIn(NOWHERE.encode(), laptop("rtdoctor", lost).out)
+        for where, address in ((lost, NOWHERE), (far, ELSEWHERE)):
+            said = laptop("rtdoctor", "-q", where, timeout=2).out.decode()
+            self.assertIn("cannot tell from here whether it lives: publishes %s" % address, said)
+            self.blames_the_network(said)
+
+    def blames_the_network(self, said):
+        """Nobody is told to restart or delete anything."""
+        self.assertIn("try: look at what is between here and ", said)
+        self.assertNotRegex(said, "restart|rtdel|rtdis")
+
+    def test_packets_that_are_lost(self):
+        """What connects and then hears nothing, as larger packets are dropped on the way: the robot does not hang."""
+        self.start_up = laptop("rtls", "/" + HOSTS["robot1"], timeout=10).seconds
+        said = laptop("rtdoctor", "-q", "/" + HOSTS["robot2"], timeout=2).out.decode()
+        self.assertNotIn("fail", said)
+        subprocess.run(inside("robot2") + ["ip", "route", "add", "blackhole", HOSTS["laptop"]], check=True)
+        try:
+            said = laptop("rtdoctor", "-q", "/" + HOSTS["robot2"]).out.decode()
+        finally:
+            subprocess.run(inside("robot2") + ["ip", "route", "del", "blackhole", HOSTS["laptop"]], check=True)
+        self.blames_the_network(said)
+
+    def test_addresses_that_mislead(self):
+        """Seen from the laptop and from the robot: who publishes 127.0.0.1, or an address of another network, is named."""
+        ip("-n", namespace("robot1"), "link", "add", "inner", "type", "veth", "peer", "name", "outer")
+        ip("-n", namespace("robot1"), "address", "add", "192.168.78.2/24", "dev", "inner")
+        ip("-n", namespace("robot1"), "link", "set", "inner", "up")
+        world("looped", "robot1", ["these", "Mock:Looped0"], "--publish", "127.0.0.1", "--port", "2997")
+        world("inner", "robot1", ["these", "Mock:Inner0"], "--publish", "192.168.78.2", "--port", "2996")
+        home = "/" + HOSTS["robot1"]
+        for name, message in (("laptop", "Looped0.rtc: publishes 127.0.0.1:2997, which means this host, not its own"),
+                              ("robot1", "Looped0.rtc: publishes 127.0.0.1:2997: only this host can reach it"),
+                              ("laptop", "Inner0.rtc: cannot tell from here whether it lives: publishes 192.168.78.2:2996, of another "
+                                         "network than its name server, out of reach"),
+                              ("robot1", "Inner0.rtc: publishes 192.168.78.2:2996, of another network than 10.77.0.2")):
+            with self.subTest(name + " " + message):
+                said = running.run(["rtdoctor", "-q", home], around.top, inside(name), **surroundings(2)).out.decode()
+                self.assertIn(message, said)
+                self.assertNotIn("rtdel", said)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,55 @@
+"""What this process may use: where there are too few descriptors, threads or ports here, peers seem to be at fault."""
+import os
+import resource
+import threading
+
+from rtshell_lite import errors, rpc
+from rtshell_lite.doctor import remedies
+from rtshell_lite.doctor.finding import HERE, fail
+
+FILES, THREADS = 64, 8  # what an examination of a small system needs at a time
+
+# What is scarce, by the word for it: how to see or raise it.
+COMMANDS = {"files": "ulimit -n 1024", "threads": "ulimit -u, ulimit -v", "ports": "sysctl net.ipv4.ip_local_port_range",
+            "memory": "ulimit -v"}
+
+
+def findings():
+    """A Finding where this process cannot have what it needs, else []."""
+    for what, probe in (("files", _files), ("threads", _threads)):
+        missing = probe()
+        if missing:
+            return [lack(errors.Shortage(what, missing))]
+    return []
+
+
+def lack(shortage):
+    """The Finding for an errors.Shortage. Nobody else is examined then: none of what would be found is certain."""
+    what, why = shortage.args
+    return fail("limit", HERE, "out of %s here (%s): nobody can be judged" % (what, why),
+                remedies.words("raise limit", what=what, command=COMMANDS[what]))
+
+
+def _files():
+    taken = []
+    try:
+        for _ in range(FILES):
+            taken.append(os.dup(2))
+    except OSError as e:
+        return "%s, at %d" % (os.strerror(e.errno), resource.getrlimit(resource.RLIMIT_NOFILE)[0])
+    finally:
+        for each in taken:
+            os.close(each)
+    return ""
+
+
+def _threads():
+    go_on = threading.Event()
+    try:
+        for _ in range(THREADS):
+            rpc.start(go_on.wait)
+    except errors.Shortage as e:
+        return e.args[1]
+    finally:
+        go_on.set()
+    return ""

@@ -1,0 +1,142 @@
+"""What rtdoctor says would mend something: all remedies, in one table, as each is tried by tests/test_remedies.py.
+
+A remedy is a command, which can be pasted into a shell and followed blindly, or words, for a person to think about. Its first
+word tells which: only commands begin with a program of ours, or with unset. A command mends what was found, and changes nothing
+but that; a name is deleted only where its object is dead for certain.
+"""
+import collections
+import re
+
+from rtshell_lite import errors, rpc
+from rtshell_lite.doctor import addresses
+from rtshell_lite.text import printable, shell_word
+
+# {name} stands for a word of the shell, or several; one that is empty leaves no gap
+COMMANDS = {
+    "activate": "rtact {option} {path}",
+    "deactivate": "rtdeact {option} {path}",
+    "reset": "rtreset {option} {path}",
+    "reset and activate": "rtreset --wait {path}; rtact --wait {path}",
+    "start context": "rtec {path} start",
+    "set rate": "rtec {option} {path} rate {rate}",
+    "disconnect": "rtdis -i {id} {port}",
+    "reconnect": "rtdis -i {id} {port}; {rtcon}",
+    "delete name": "rtdel {path}",
+    "delete zombie": "rtdel -z {path}",
+    "restore": "rtresurrect {file}",
+    "unset": "unset {variable}",
+}
+
+# {name} stands for text
+WORDS = {
+    # here
+    "install omniORBpy": "apt install python3-omniorb, or: pip install 'rtshell_lite[omniorb]'",
+    "correct settings": "correct or remove it",
+    "correct file": "remove it from {file}",
+    "raise limit": "raise the limit in this shell ({command}), or end what uses so many {what} here",
+    "name of host": "give it its real address in /etc/hosts",
+    "localhost": "write into /etc/hosts: 127.0.0.1 localhost",
+    "correct addresses": "write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'",
+    "one address": "take one of them out of RTCTREE_NAMESERVERS",
+    "clock": "compare the clocks (date, here and there) and set the wrong one: timedatectl",
+    # the network
+    "network": "look at what is between here and {host}: firewall (port {port}), route (ip route get {host}), MTU and loss (ping {host})",
+    "host name": "correct the name, or write its address into /etc/hosts",
+    "host file": "write its address into /etc/hosts",
+    "slow": "ping {host}",
+    "who listens": "netstat -ltnp | grep :{port} there names who listens; correct the address",
+    "another address": "give its process an address that others reach: corba.endpoints: {host}: in rtc.conf",
+    "only good addresses": "have its process publish only addresses that others reach: corba.endpoints in rtc.conf",
+    # name servers
+    "start name server": "start the name server there: rtm-naming {port}",
+    "restart name server": "restart the name server that has it",
+    "restart": "restart it; netstat -ltnp | grep :{port} there names its process",
+    "correct port": "correct the port; netstat -ltnp | grep omniNames there tells it",
+    "correct or restart": "correct the port, or restart it",
+    "no such path": "see what is there: rtls {path}",
+    "stale names": "when the dead names in it are deleted it is empty; then: rtdel {path}",
+    "name of another": "see who uses this name; if nobody does: rtdel {path}",
+    "name taken": "restart who should have this name; if nobody should: rtdel {path}",
+    # components
+    "more time": "ask it with more time: rtdoctor --timeout 30 {path}",
+    "others first": "mend those first, then: rtdoctor {path}",
+    "hung first": "mend {paths} first",
+    "look at contexts": "look at its contexts: rtec {path}",
+    "activate many": "activate those that are to move (rtact), or the whole system by its file (rtstart)",
+    "restart composite": "restart its process, with all members alive (rtcomp cannot remove a dead one); "
+                         "netstat -ltnp | grep :{port} there names it",
+    "load": "look for what takes the time of its host, or of the component itself: top",
+    "measure again": "measure it alone: rtec --measure {path}",
+    # connections
+    "connect again": "disconnect it (rtdis -i {id} {port}), then connect its ends again: rtcon",
+    "restart its process": "restart the process of the far end; netstat -ltnp | grep :{port} there names it",
+    "restart far end": "restart the far end and connect it again: rtcon",
+    # managers
+    "restart manager": "restart it; rtls {path} marks what is gone",
+    "restart slave": "restart that slave",
+    "restart manager or slave": "restart it, or a slave that it waits for; netstat -ltnp | grep :{port} there names its process",
+    "hung below": "look which: rtls -l {path}",
+    # profiles
+    "start component": "start it, or have its manager make it: rtresurrect --create {file}",
+    "look at component": "look at it: rtcat {path}",
+    "look at state": "look at its state: rtls -l {path}",
+}
+
+Remedy = collections.namedtuple("Remedy", "name text")
+
+
+class Line(str):
+    """Words of a command line, quoted already."""
+
+
+def command(name, **values):
+    """The Remedy of that name in COMMANDS; a value is a word, a list of words or a Line."""
+    def word(match):
+        value = values[match.group(2)]
+        if not isinstance(value, list):
+            value = [value]
+        found = " ".join(each if isinstance(each, Line) else shell_word(str(each)) for each in value)
+        return match.group(1) + found if found else ""
+    return Remedy(name, re.sub(r"( ?)\{(\w+)\}", word, COMMANDS[name]))
+
+
+def words(name, **values):
+    """The Remedy of that name in WORDS."""
+    return Remedy(name, WORDS[name].format(**values))
+
+
+def option(index):
+    """The words that choose an execution context."""
+    return ["-e", str(index)] if index else []
+
+
+def reconnect(connector_id, port, rtcon):
+    """The Remedy that replaces a connection: `rtcon` is a command line of `ports.command`, None where an end has no path."""
+    if rtcon is None:
+        return words("connect again", id=shell_word(connector_id), port=shell_word(port))
+    return command("reconnect", id=connector_id, port=port, rtcon=Line(rtcon))
+
+
+def network(endpoint):
+    """The Remedy where it cannot be known from here whether a peer lives: nothing of it is to be restarted or deleted."""
+    return words("network", host=printable(endpoint[0]), port=endpoint[1])
+
+
+def of_silence(e, endpoint, path, restart=None):
+    """The Remedy for an errors.Error of a process at `endpoint` that has not answered, or badly.
+
+    Only what is known to have reached the process and was left unanswered, or refused, is its own fault. `restart` is the
+    Remedy for that, by default to restart it.
+    """
+    if e.args[1:] == (rpc.NO_TIME,):
+        return words("more time", path=shell_word(path))
+    if is_of_network(e, endpoint):
+        return network(endpoint)
+    return restart or words("restart", port=endpoint[1])
+
+
+def is_of_network(e, endpoint):
+    """True where an errors.Error may have been made by what is between here and the process at `endpoint`."""
+    if isinstance(e, (errors.Refused, errors.Gone, errors.ConnectionRefused)):
+        return False
+    return not isinstance(e, errors.Silent) or e.args[1:] != (rpc.NO_TIME,) and not addresses.arrives(endpoint)

@@ -1,0 +1,86 @@
+"""What a component that hangs waits for: the far end of one of its connections, found through the connections of its process.
+
+Its ports cannot be asked, as it is they that wait. On this host the kernel knows to whom its process has a TCP connection.
+"""
+import glob
+import ipaddress
+import os
+import re
+
+from rtshell_lite import errors
+from rtshell_lite.doctor import addresses
+
+ESTABLISHED, LISTENING = "01", "0A"
+TABLES = ("/proc/net/tcp", "/proc/net/tcp6")
+
+
+def culprits(each, hung):
+    """(paths of those Nodes `hung` that the components.Examined `each` waits for, whether that is known, and not only possible).
+
+    It waits for one that its process calls. Where its connections are hidden, it may be any; of several Nodes of one process the
+    first is named.
+    """
+    others = {}
+    for node in hung:
+        if node.endpoint != each.node.endpoint:
+            others.setdefault(node.endpoint, str(node.path))
+    own = _sockets(each.node.endpoint) if others else set()
+    called = _called_by(own)
+    return sorted(path for endpoint, path in others.items() if not own or _numeric(endpoint) & called), bool(own)
+
+
+def _numeric(endpoint):
+    """{(IP address, port)} of an endpoint, whose host may be a name."""
+    try:
+        return {(ipaddress.ip_address(address.partition("%")[0]), endpoint[1]) for address in addresses.resolve(endpoint[0])}
+    except errors.Error:
+        return set()
+
+
+def _called_by(own):
+    """{(IP address, port)} of the far ends of the sockets whose inodes are `own`."""
+    return {remote for _, remote, state, inode in _table() if inode in own and state == ESTABLISHED}
+
+
+def _sockets(endpoint):
+    """Inodes of all sockets of the process that listens at an endpoint of this host; none where that is hidden from us."""
+    if not any(addresses.is_own(str(address)) for address, _ in _numeric(endpoint)):
+        return set()
+    listening = {inode for local, _, state, inode in _table() if state == LISTENING and local[1] == endpoint[1]}
+    for process in glob.glob("/proc/[0-9]*"):
+        found = _inodes(process)
+        if found & listening:
+            return found
+    return set()
+
+
+def _inodes(process):
+    found = set()
+    for path in glob.glob(process + "/fd/*"):
+        try:
+            match = re.match(r"socket:\[(\d+)\]", os.readlink(path))
+        except OSError:
+            continue
+        if match:
+            found.add(match.group(1))
+    return found
+
+
+def _table():
+    """(local end, far end, state, inode) of each TCP socket of this host; an end is (IP address, port)."""
+    for name in TABLES:
+        try:
+            with open(name) as file:
+                rows = [line.split() for line in file][1:]
+        except OSError:
+            continue  # no Linux
+        for row in rows:
+            yield _end(row[1]), _end(row[2]), row[3], row[9]
+
+
+def _end(text):
+    """(IP address, port) from 0100007F:1F90: words of 32 bits, each in this host's byte order."""
+    host, _, port = text.partition(":")
+    octets = b"".join(bytes.fromhex(host[i:i + 8])[::-1] for i in range(0, len(host), 8))
+    address = ipaddress.ip_address(octets)
+    return getattr(address, "ipv4_mapped", None) or address, int(port, 16)

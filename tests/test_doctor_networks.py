@@ -1,0 +1,126 @@
+"""What published addresses mean: if one of these fails, rtdoctor takes a robot out of reach for a dead one."""
+import errno
+import ipaddress
+import socket
+import threading
+import unittest
+from unittest import mock
+
+from rtshell_lite import errors, path, rpc, tree
+from rtshell_lite.doctor import addresses, limits, managers, networks, remedies, waiting
+
+ONCE = "it asks nobody"
+LAN = [ipaddress.ip_network("10.77.0.0/24"), ipaddress.ip_network("172.17.0.0/16")]
+
+
+class Published(unittest.TestCase):
+    """This host is 10.77.0.1; it has a bridge of containers as many hosts have: 172.17.0.1."""
+
+    def setUp(self):
+        own = {"10.77.0.1", "172.17.0.1", "127.0.0.1"}
+        for patch in (mock.patch.object(networks, "_networks", lambda: LAN), mock.patch.object(addresses, "is_own", own.__contains__),
+                      mock.patch.object(addresses, "resolve", lambda host: [host])):
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def misled(self, published, homes, elsewhere=""):
+        with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)]):
+            found = networks.misled("reference", "/robot/A0.rtc", None, homes, elsewhere)
+        return found and (found.level, found.message)
+
+    def certain(self, published, homes):
+        with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)]):
+            return networks.is_certain(None, homes)
+
+    def test_nothing_against_it(self):
+        for published, homes in (("127.0.0.1", ["127.0.0.1"]), ("10.77.0.2", ["10.77.0.2"]), ("10.77.0.3", ["10.77.0.2"]),
+                                 ("10.77.0.1", ["10.77.0.1"]), ("10.77.0.1", ["127.0.0.1"])):
+            self.assertFalse(self.misled(published, homes), (published, homes))
+
+    def test_loopback(self):
+        self.assertEqual(self.misled("127.0.0.1", ["10.77.0.2"]),
+                         ("fail", "publishes 127.0.0.1:4000, which means this host, not its own"))
+        self.assertEqual(self.misled("127.0.0.1", ["10.77.0.1"]), ("warn", "publishes 127.0.0.1:4000: only this host can reach it"))
+        self.assertIn("10.77.0.9 takes part", self.misled("localhost", ["127.0.0.1"], "10.77.0.9")[1])
+
+    def test_another_network(self):
+        self.assertEqual(self.misled("172.17.0.1", ["10.77.0.1"])[0], "warn")
+        self.assertEqual(self.misled("172.17.0.1", ["10.77.0.2"])[0], "fail")
+
+    def test_who_refuses(self):
+        self.assertTrue(self.certain("127.0.0.1", ["127.0.0.1"]))
+        self.assertTrue(self.certain("10.77.0.2", ["10.77.0.2"]))
+        self.assertTrue(self.certain("8.8.8.8", ["10.77.0.2"]))
+        self.assertFalse(self.certain("192.168.0.7", ["10.77.0.2"]))
+        self.assertFalse(self.certain("172.17.0.1", ["10.77.0.2"]))
+
+
+class BelowManagers(unittest.TestCase):
+    def test_a_slave_that_misleads(self):
+        """It is not called gone because nobody listens at its port here."""
+        manager = tree.Node(path.parse("/robot/manager.mgr"), "manager", None)
+        slave = tree.Node(path.parse("/robot/manager.mgr/slave0"), "zombie", None, errors.ConnectionRefused("/a"))
+        with mock.patch.object(networks.orb, "addresses", lambda ref: [("127.0.0.1", 4000)]), \
+                mock.patch.object(networks, "homes_of", lambda ref: ["10.77.0.2"]), \
+                mock.patch.object(addresses, "is_own", lambda address: False):
+            finding, = managers._troubles(manager, ([slave], [], False))
+        self.assertEqual(finding.message, "lists a slave that publishes 127.0.0.1:4000, which means this host, not its own")
+        self.assertNotIn("restart", finding.remedy)
+
+
+class Arrival(unittest.TestCase):
+    def test_a_process_that_hangs_takes_what_is_sent(self):
+        with socket.socket() as listening:
+            listening.bind(("127.0.0.1", 0))
+            listening.listen(1)
+            self.assertTrue(addresses.arrives(listening.getsockname()))
+        addresses.arrives.cache_clear()
+
+    def test_what_is_lost(self):
+        with mock.patch.object(addresses, "_unacknowledged", lambda connection: 1), mock.patch.object(rpc, "timeout", 0.1), \
+                socket.socket() as listening:
+            listening.bind(("127.0.0.1", 0))
+            listening.listen(1)
+            where = listening.getsockname()
+            silent = errors.Silent("/a", "no answer within 1s")
+            self.assertTrue(remedies.is_of_network(silent, where))
+            self.assertEqual(remedies.of_silence(silent, where, "/a").name, "network")
+        addresses.arrives.cache_clear()
+
+    def test_blame(self):
+        for e, name in ((errors.Unreachable("/a", "connection lost"), "network"), (errors.ConnectionRefused("/a"), "restart"),
+                        (errors.Refused("/a", "CORBA.UNKNOWN"), "restart"), (errors.Silent("/a", rpc.NO_TIME), "more time")):
+            self.assertEqual(remedies.of_silence(e, ("198.51.100.1", 4000), "/a").name, name, e)
+
+
+class Shortages(unittest.TestCase):
+    def test_threads(self):
+        with mock.patch.object(threading.Thread, "start", side_effect=RuntimeError("can't start new thread")):
+            finding, = limits.findings()
+        self.assertIn("out of threads here (can't start new thread)", finding.message)
+
+    def test_a_connection_that_fails_here(self):
+        for number, what in ((errno.EMFILE, "files"), (errno.EADDRNOTAVAIL, "ports"), (errno.ENOBUFS, "memory")):
+            with mock.patch.object(rpc, "shortage", None):
+                rpc.note_shortage(OSError(number, ""), "10.77.0.2")
+                self.assertEqual(rpc.shortage.args[0], what)
+        with mock.patch.object(rpc, "shortage", None):
+            rpc.note_shortage(OSError(errno.ECONNREFUSED, ""), "10.77.0.2")
+            rpc.note_shortage(OSError(errno.EADDRNOTAVAIL, ""), "::1")
+            self.assertIsNone(rpc.shortage)
+
+
+class Waiting(unittest.TestCase):
+    def test_the_process_that_is_called(self):
+        with socket.socket() as calling, socket.socket() as called, socket.socket() as other:
+            for each in (calling, called, other):
+                each.bind(("127.0.0.1", 0))
+                each.listen(1)
+            with socket.create_connection(called.getsockname()):
+                ends = {one[1] for one in waiting._called_by(waiting._sockets(calling.getsockname()))}
+            self.assertIn(called.getsockname()[1], ends)
+            self.assertNotIn(other.getsockname()[1], ends)
+
+
+if __name__ == "__main__":
+    unittest.main()
