@@ -101,7 +101,7 @@ class Connection:
     def report_left(self):
         """Print that the connector is still there, if it is, and what removes it."""
         if self.left:
-            cli.complain("%s: connection %s stays, because a fetch is unanswered and to remove it now could end the component; "
+            cli.complain("%s: connection %s stays, because a call is unanswered and to remove it now could end the component; "
                          "when it answers again: rtdis -i %s %s" % (
                              self.where, printable(self.left.id), shell_word(self.left.id), shell_word(self.where)))
 

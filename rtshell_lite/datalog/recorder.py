@@ -2,7 +2,7 @@
 import threading
 import time
 
-from rtshell_lite import datatypes, errors, inbox, ports
+from rtshell_lite import datatypes, errors, inbox, interrupts, ports
 from rtshell_lite.datalog import Channel, blocks
 from rtshell_lite.text import printable
 
@@ -59,8 +59,9 @@ class Recorder:
 
     def start(self, writer):
         """Write what has come and what will come with a Writer (of writer or textlog)."""
-        self._thread = threading.Thread(target=self._run, args=(writer,), daemon=True)
-        self._thread.start()
+        with interrupts.held():  # `close` waits for a thread that has started
+            self._thread = threading.Thread(target=self._run, args=(writer,), daemon=True)
+            self._thread.start()
 
     def close(self):
         """Wait until all that has come is written and on the disk. Raises OSError: why writing failed; a bug's RuntimeError."""

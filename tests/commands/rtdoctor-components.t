@@ -114,7 +114,7 @@ Nothing of that is left, whether it ends by itself or not, also where the values
   [143]
   $ ctl @these2 connectors Fast0:out; ctl @these3 connectors Calm0:out
   $ ctl @these3 delay get 30; within 1-5 rtdoctor -q --timeout 1 --measure 1.2 ../rates.host_cxt/Calm0.rtc | grep rtc
-  rtdoctor: /localhost:$PORT/rates.host_cxt/Calm0.rtc:out: connection $UUID stays, because a fetch is unanswered and to remove it now could end the component; when it answers again: rtdis -i $UUID /localhost:$PORT/rates.host_cxt/Calm0.rtc:out
+  rtdoctor: /localhost:$PORT/rates.host_cxt/Calm0.rtc:out: connection $UUID stays, because a call is unanswered and to remove it now could end the component; when it answers again: rtdis -i $UUID /localhost:$PORT/rates.host_cxt/Calm0.rtc:out
   warn  /localhost:$PORT/rates.host_cxt/Calm0.rtc: rate not measured: no answer within 1s; try: measure it alone: rtec --measure /localhost:$PORT/rates.host_cxt/Calm0.rtc
   $ ctl @these3 reset; rtdis -i $(ctl @these3 connectors Calm0:out | cut -d' ' -f1) ../rates.host_cxt/Calm0.rtc:out; ctl @these3 connectors Calm0:out
 

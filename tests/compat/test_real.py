@@ -22,7 +22,7 @@ from rtshell_lite import dataport, ports
 
 DIRECTORIES = [each for each in os.environ.get("RTSHELL_REAL", "").split(os.pathsep) if each]
 ROUNDS = int(os.environ.get("RTSHELL_ROUNDS", "100"))
-LIMIT = 60.0  # seconds for one command
+LIMIT = 180.0  # seconds for one command
 SIGNALS = (None, signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 ENDED = {None: (0,), signal.SIGINT: (130, -2), signal.SIGTERM: (143, -15), signal.SIGHUP: (129, -1)}
 RATES = (100, 1000)  # Hz, of C++; Python keeps the first
