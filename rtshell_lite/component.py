@@ -9,6 +9,7 @@ STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by nu
 KINDS = ("Periodic", "Event-driven", "Other")  # RTC::ExecutionKind by number
 ENDING = 1.0  # seconds that a process may take to end
 LEAVING = 2.0  # seconds that an execution context may take, at least, to let go of a component: it does so in its next cycle
+LEAVING_MOST = 60.0  # and at most, whatever rate it claims
 POLL = 0.2  # seconds between looks at a state: monitors that ask more often have disturbed real-time threads
 JITTER = 0.03  # seconds that a cycle of an execution context may come late
 
@@ -335,7 +336,7 @@ def leave(node):
         except errors.Error:
             continue  # it is gone, hangs or refuses
         asked.append(ref)
-        seconds = max(seconds, 3 / rate if rate > 0 else 0)
+        seconds = max(seconds, min(3 / rate, LEAVING_MOST) if rate > 0 else 0)
 
     def has_left():
         return not asked or not any(orb.same(one, ref) for one in participating_context_refs(node) for ref in asked)

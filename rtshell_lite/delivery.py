@@ -82,7 +82,9 @@ def _why_not(node, cycles):
         index = next((cycle.index for cycle in cycles if cycle.state == "Active"), 0)
         return "its execution context is stopped", "rtec%s %s start" % (_option(index), path)
     remedy = "rtact%s %s" % (_option(able.index), path)
-    return "it is " + state, "rtreset%s %s, then %s" % (_option(able.index), path, remedy) if state == "Error" else remedy
+    if state == "Error":
+        return "it is in Error", "rtreset%s %s, then %s" % (_option(able.index), path, remedy)
+    return "it is " + state, remedy
 
 
 def _option(index):
@@ -90,19 +92,22 @@ def _option(index):
 
 
 class Backlog:
-    """How many values wait in a buffer, by what is known: `rate` (Hz) at which they are read, and its `length`."""
+    """How many values wait in a buffer, by what is known: `rate` (Hz) at which they are read, and its `length`.
 
-    def __init__(self, rate, length):
-        self.rate, self.length = rate, length
+    `refuses`: when it is full it takes no value, and loses none.
+    """
+
+    def __init__(self, rate, length, refuses=False):
+        self.rate, self.length, self.refuses = rate, length, refuses
         self.waiting = self.lost = self._at = 0.0
 
     def add(self, now):
-        """A value was taken at `now` (seconds); a full buffer has lost its oldest for it."""
+        """A value was taken at `now` (seconds); a full buffer that refuses none has lost its oldest for it."""
         self.drain(now)
         self.waiting += 1
         excess = max(0.0, self.waiting - self.length)
         self.waiting -= excess
-        self.lost += excess
+        self.lost += 0 if self.refuses else excess
 
     def drain(self, now):
         """What has been read by `now` waits no more."""
@@ -130,6 +135,8 @@ class Writer(Connection):
         self.audience = None if anyway else Audience(port.node, self.where)
         self.taken = self.refused = 0
         self.backlog = Backlog(None, LENGTH)
+        self.was_connected = False
+        self.read_by = 0.0  # when all that was taken is read, by the clock; infinite where the component has no rate
         self.alone = not port.connectors
         self.room = None  # the length of buffer that the port is asked for
         self.idle, self.unanswered = threading.Event(), False  # set when no put is under way; whether the last one is unanswered
@@ -144,9 +151,19 @@ class Writer(Connection):
         its usual one, empty, when the Writer is closed.
         """
         room = min(values, ROOM, ROOM_BYTES // max(1, size))
-        chosen = any(key.startswith(("dataport.buffer.", "dataport.inport.buffer.")) for key in self.given)
-        if room > LENGTH and self.alone and self.audience and not chosen:
+        if room > LENGTH and self.alone and self.audience and not self._chosen():
             self.room = room
+
+    def _chosen(self):
+        """What the user asks of the buffer, as a dict: length, write.full_policy and the like."""
+        return {key.partition("buffer.")[2]: value for part in ("dataport.buffer.", "dataport.inport.buffer.")
+                for key, value in self.given.items() if key.startswith(part)}
+
+    def _new_backlog(self):
+        chosen = self._chosen()
+        length = chosen.get("length", "")
+        refuses = bool(self.room) or chosen.get("write.full_policy", "overwrite") != "overwrite"
+        return Backlog(self.audience.rate, self.room or (int(length) if length.isdigit() and int(length) else LENGTH), refuses)
 
     def wishes(self):
         found = {"dataport.subscription_type": "flush"}
@@ -159,8 +176,9 @@ class Writer(Connection):
             why = self.audience.look()
             if why:
                 raise errors.No(self.where, "%s and would read the values at some later connection; %s first, or --anyway" % why)
-            self.backlog = Backlog(self.audience.rate, self.room or LENGTH)
+            self.backlog = self._new_backlog()
         Connection._open(self)
+        self.was_connected = True
         from rtshell_lite.idl_stubs.dataport import OpenRTM, RTC
         self.sink = self.remote({"corba_cdr": OpenRTM.InPortCdr, "data_service": RTC.DataPushService})
         self.operation = "put" if self.interface == "corba_cdr" else "push"
@@ -187,12 +205,13 @@ class Writer(Connection):
         except errors.Refused:
             self.refused += 1
             raise
-        self._compare_rates()
+        self._compare_rates(status == "BUFFER_FULL")
         if status != "PORT_OK":
             self.refused += 1
             raise errors.Refused(self.where, "%s (%s)" % (REFUSALS.get(status, "it did not take the value"), status), name=status)
         self.taken, self.last = self.taken + 1, time.monotonic()
         self.backlog.add(self.last)
+        self.read_by = self.last + self.backlog.seconds(self.taken) if self.backlog.rate else math.inf
 
     def is_at_rest(self):
         """Wait for a moment in which the component does nothing with the connector; False where there is none.
@@ -209,10 +228,10 @@ class Writer(Connection):
             time.sleep(max(0.0, min(max(self.last + 1.5 / rate - now, waiting / rate) + READING, REST)))
         return not self.unanswered
 
-    def _compare_rates(self):
+    def _compare_rates(self, full):
         """Remark once that values come faster than they are read."""
         self.backlog.drain(time.monotonic())
-        if self.backlog.rate and self.backlog.lost >= 1 and not self.hurried:
+        if self.backlog.rate and (self.backlog.lost >= 1 or full and self.room) and not self.hurried:
             self.hurried = True
             self.remark = "values come faster than it executes (%g Hz)" % self.backlog.rate
 
@@ -229,6 +248,7 @@ class Writer(Connection):
         if why:
             raise errors.Unread(self.where, "%s now; %s" % (why[0], self.unread_words()))
         if self.audience:
+            self.backlog.drain(time.monotonic())  # at the rate of until now
             self.backlog.rate = self.audience.rate
 
     def unread(self):
@@ -248,13 +268,20 @@ class Writer(Connection):
         return "it has read about %d of %d values; the rest is %s" % (read, self.taken, rest)
 
     def release(self):
-        """Give the port its usual buffer again, emptied of what nobody has read: it would be read at some later connection."""
-        unread = self.alone and self.audience is not None and self.backlog.waiting > 0
-        if not self.begun or not self.room and not unread:
+        """Give the port its usual buffer again, emptied of what may be unread: it would be read at some later connection.
+
+        Where somebody else has connected to it meanwhile, only no value shall be refused any more: the rest may be that one's.
+        """
+        unread = self.taken and (self.failure or time.monotonic() < self.read_by - SETTLE / 2)  # which leaves linger's rounding
+        if self.left or not self.was_connected or not self.room and not (self.alone and self.audience and unread):
             return
-        self.room, self.backlog.waiting = None, 0.0
-        usual = dict(self.asked(), **{"dataport.buffer.length": str(LENGTH), "dataport.buffer.write.full_policy": "overwrite"})
+        if self.failure is None and self.unread():  # interrupted while lingering
+            cli.complain(self.unread())
+        self.room, self.was_connected = None, False
+        usual = dict(self.asked(), **{"dataport.buffer.write.full_policy": "overwrite"})
         try:
+            if not ports.port(self.port.node, self.port.ref).connectors:
+                usual["dataport.buffer.length"] = str(LENGTH)
             ports.disconnect(self.port, ports.connect_alone(self.port, self.name, usual))
         except (errors.Silent, errors.Refused) as e:
             self.failure = self.failure or e
@@ -277,13 +304,23 @@ def linger(writers, seconds, look):
     if max(needed) > WORTH_A_WORD:
         slowest = writers[needed.index(max(needed))]
         cli.note("%s: waiting %.1f s until it has read the values (--linger limits it)" % (slowest.where, max(needed)))
-    end = time.monotonic() + max(needed)
-    while time.monotonic() < end:
-        look()
-        time.sleep(max(0, min(TICK, end - time.monotonic())))
+    begun = time.monotonic()
+    _wait(begun, writers, needed, look)
     results = rpc.gather([rpc.Job(writer.endpoint, writer.where, writer.look) for writer in writers])
     for writer, result in zip(writers, results):
         writer.failure = writer.failure or (result if isinstance(result, errors.Error) else writer.unread())
+
+
+def _wait(begun, writers, needed, look):
+    """Wait until the last of the Writers that have not failed meanwhile has had the seconds that it needs, from `begun` on."""
+    while True:
+        left = begun - time.monotonic() + max(
+            (seconds for writer, seconds in zip(writers, needed)
+             if writer.failure is None or isinstance(writer.failure, errors.Silent)), default=0)
+        if left <= 0:
+            return
+        look()
+        time.sleep(min(TICK, left))
 
 
 def _needed(writer, seconds):

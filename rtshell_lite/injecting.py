@@ -100,7 +100,7 @@ class Injection:
 
     def expect(self, number, rate, seconds):
         """Have the Writers ask for buffers that hold what is to be sent: `number` values (-1: any), `rate` Hz, for `seconds`."""
-        coming = min(seconds, delivery.BURST) * (rate if rate < math.inf else 1 / TICK)
+        coming = min(seconds, delivery.BURST) * rate if rate < math.inf else delivery.ROOM
         for i, writer in enumerate(self.writers):
             known = [found[i] for found in self._ready.values()]
             sizes = [len(each.type.encode(each.value(0), writer.little)) for each in known]

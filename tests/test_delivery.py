@@ -34,6 +34,13 @@ class Filling(unittest.TestCase):
         self.assertEqual(backlog.lost, 0)
         self.assertAlmostEqual(backlog.waiting, 900, delta=1)
 
+    def test_what_is_full_and_refuses_has_lost_nothing(self):
+        """What it has taken had room: the component reads faster than it claims."""
+        backlog = Backlog(100.0, 8, refuses=True)
+        for number in range(20):
+            backlog.add(number * 0.001)
+        self.assertEqual((backlog.waiting, backlog.lost), (8, 0))
+
     def test_who_never_reads(self):
         backlog = self.sent(None, 8, 10, 1.0)
         self.assertEqual((backlog.waiting, backlog.lost), (8, 2))

@@ -42,13 +42,15 @@ Who is not going to read is sent nothing, without --anyway:
   rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: it is Inactive and would read the values at some later connection; rtact /localhost:$PORT/test.host_cxt/Slow0.rtc first, or --anyway
   [1]
   $ ctl error Mock0; rtinject -c 8 Mock0.rtc:in
-  rtinject: /localhost:$PORT/test.host_cxt/Mock0.rtc:in: it is Error and would read the values at some later connection; rtreset /localhost:$PORT/test.host_cxt/Mock0.rtc, then rtact /localhost:$PORT/test.host_cxt/Mock0.rtc first, or --anyway
+  rtinject: /localhost:$PORT/test.host_cxt/Mock0.rtc:in: it is in Error and would read the values at some later connection; rtreset /localhost:$PORT/test.host_cxt/Mock0.rtc, then rtact /localhost:$PORT/test.host_cxt/Mock0.rtc first, or --anyway
   [1]
   $ rtact Slow0.rtc; rtec Slow0.rtc stop; rtinject -c 8 Slow0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: its execution context is stopped and would read the values at some later connection; rtec /localhost:$PORT/test.host_cxt/Slow0.rtc start first, or --anyway
   [1]
   $ rtinject -c 8 Slow0.rtc:in ConsoleOut0.rtc:in 2>/dev/null
   [5]
+  $ rtinject -c 8 -n 20 -r 100 Slow0.rtc:in 2>/dev/null
+  [1]
   $ ctl calls Slow0 | grep -c 'connect\|put'; ctl waiting Slow0:in
   0
   0
@@ -81,6 +83,20 @@ Who stops reading meanwhile gets no more:
   $ ctl waiting ConsoleOut0:in; ctl connectors ConsoleOut0:in; rtact ConsoleOut0.rtc
   0
 
+Values from stdin that come all at once wait as well, and what a buffer refuses is not called lost:
+
+  $ rtec ConsoleOut0.rtc rate 20; before=$(ctl received ConsoleOut0:in); seq 101 140 | rtinject -q -r 0 ConsoleOut0.rtc:in; after=$(ctl received ConsoleOut0:in); echo $((${after% *} - ${before% *}))
+  40
+
+Who stops reading is not waited for any longer:
+
+  $ rtec ConsoleOut0.rtc rate 1; within 0.1-15 rtinject -q -n 40 -r 400 -c 9 ConsoleOut0.rtc:in & pid=$!; until ctl waiting ConsoleOut0:in | grep -q [23].; do :; done
+  $ rtdeact ConsoleOut0.rtc; wait $pid
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it is Inactive now; it has read about * of 40 values; the rest is dropped (glob)
+  [5]
+  $ ctl waiting ConsoleOut0:in; rtact ConsoleOut0.rtc
+  0
+
 The buffer of a port that others are connected to stays as it is; sending faster than it is read is reported once:
 
   $ rtec ConsoleOut0.rtc rate 20; rtdeact ConsoleIn0.rtc; rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtinject -c 1 -n 100 -r 400 ConsoleOut0.rtc:in
@@ -89,6 +105,19 @@ The buffer of a port that others are connected to stays as it is; sending faster
   [5]
   $ ctl buffer ConsoleOut0:in; rtdis ConsoleOut0.rtc:in; rtact ConsoleIn0.rtc
   8 overwrite
+
+One that the user asks for is reckoned with:
+
+  $ rtec ConsoleOut0.rtc rate 20; before=$(ctl received ConsoleOut0:in); rtinject -q -c 5 -n 40 -r 400 --property dataport.buffer.length=100 ConsoleOut0.rtc:in; after=$(ctl received ConsoleOut0:in); echo $((${after% *} - ${before% *}))
+  40
+
+A buffer that somebody else asks for meanwhile stays as it is:
+
+  $ rtdeact ConsoleIn0.rtc; rtec ConsoleOut0.rtc rate 1; rtinject -q -c 1 -n 12 -r 400 --linger 2 ConsoleOut0.rtc:in 2>/dev/null & pid=$!; until ctl buffer ConsoleOut0:in | grep -q '^12 '; do :; done
+  $ rtcon -p dataport.buffer.length=64 ConsoleIn0.rtc:out ConsoleOut0.rtc:in; wait $pid
+  [5]
+  $ ctl buffer ConsoleOut0:in; rtdis ConsoleOut0.rtc:in; rtact ConsoleIn0.rtc
+  64 overwrite
 
 What a port refuses is counted; a buffer that the user has asked for is left alone:
 
