@@ -165,7 +165,7 @@ def left_out(line):
 
 
 def first(most, found, where, what):
-    """The first `most` of a list that a peer has sent; the rest is left out, and told."""
+    """The first `most` of a list that a peer has sent; the rest is left out, which is reported."""
     if len(found) > most:
         left_out("%s: %d of %d %s are left out" % (where, len(found) - most, len(found), what))
     return found[:most]

@@ -153,7 +153,7 @@ class Connection:
         """The object that the port has published for the connector. Raises Refused when it has not."""
         ior = self.agreed.get("dataport.%s.%s_ior" % (self.interface, self.side))
         if not ior:
-            raise errors.Refused(self.where, "tells no provider for %s" % self.dataflow)
+            raise errors.Refused(self.where, "publishes no provider for %s" % self.dataflow)
         return orb.narrow(orb.from_text(self.where, ior), kinds[self.interface])
 
     def _interface(self):

@@ -23,7 +23,9 @@ class Playing:
                     raise each
                 number = play.channel(self.channels.log, each.port, each.name, place)
                 writer = delivery.Writer(each.port, properties, "rtlog", anyway)
-                writer.expect(delivery.ROOM, delivery.TYPICAL_SIZE)
+                log = self.channels.log
+                coming = log.counts.get(log.channels[number].name, 0)
+                writer.expect(coming, log.size // max(1, coming))
                 yield number, writer
             except errors.Error as e:
                 self.tally.add(e)

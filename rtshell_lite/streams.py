@@ -93,7 +93,7 @@ def pairs(words):
 # ---- meanwhile ------------------------------------------------------------------------------------------------
 
 class Watcher:
-    """Tells on stderr when a connection fails and, after silence, when it goes on; ends us when nobody reads our output."""
+    """Reports on stderr when a connection fails and, after silence, when it goes on; ends us when nobody reads our output."""
 
     def __init__(self, connections):
         self.connections, self.told = connections, {}
