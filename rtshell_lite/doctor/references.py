@@ -23,7 +23,7 @@ def _unreachable(visit, node):
     where = str(node.path)
     if isinstance(node.error, errors.Garbled):
         return [fail("reference", where, "the name is bound to what must not be used: %s" % reason(node.error),
-                     "find out who has bound it; its component, started anew, binds it rightly")]
+                     remedies.words("bad reference"))]
     if node.ref is None:
         return [fail("reference", where, "the name is bound to nothing (a nil reference)",
                      remedies.command("delete name", path=where))]

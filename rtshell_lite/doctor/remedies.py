@@ -55,6 +55,7 @@ WORDS = {
     "correct or restart": "correct the port, or restart it",
     "no such path": "see what is there: rtls {path}",
     "stale names": "when the dead names in it are deleted it is empty; then: rtdel {path}",
+    "bad reference": "find out who has bound it; its component, when it is restarted, binds a good one",
     "name of another": "see who uses this name; if nobody does: rtdel {path}",
     "name taken": "restart who should have this name; if nobody should: rtdel {path}",
     # components

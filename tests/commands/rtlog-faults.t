@@ -76,7 +76,6 @@ A component that hangs is told of, and does not hold up the others, or the end:
   $ cat told
   rtlog: Recording for 5.0s.
   rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: no answer within 0.5s
-  rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: connection $UUID stays, because a call is unanswered and to remove it now could end the component; when it answers again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Source0.rtc:number
   $ resume senders; rtlog -d --json -f g.rtlog | grep -o 'closed": [a-z]*'
   closed": true
 

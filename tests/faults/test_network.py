@@ -128,6 +128,7 @@ class Network(unittest.TestCase):
         self.start_up = seen.seconds
         self.assertEqual(seen.status, 0, seen)
         self.assertEqual(laptop("rtcon", A + ":out", B + ":in", timeout=10).status, 0)
+        self.assertEqual(laptop("rtact", "--wait", B, timeout=10).status, 0)
         around.ctl("robot1", "write", "ConsoleIn0:out", "42")
         self.assertEqual(around.ctl("robot2", "received", "ConsoleOut0:in", "1"), ["1 42"])
         lasting = [running.start(words, around.top, surroundings(running.TIMEOUT), inside("laptop"), stdout=subprocess.DEVNULL,
