@@ -176,7 +176,7 @@ class Real(unittest.TestCase):
         ending = SIGNALS[number % len(SIGNALS)]
         process = start(words(endless if ending else short, robot, number % 7))
         if ending:
-            time.sleep(random.uniform(0.1, 0.6))
+            time.sleep(random.uniform(0.4, 0.9))  # not while Python itself starts
             process.send_signal(ending)
         status, said = ended(process)
         if status not in ENDED[ending] + ((1,) if name.startswith("rtdoctor") else ()):
