@@ -1,4 +1,4 @@
-"""Directories that are bound by several names: naming contexts and managers that are one object, told by their references."""
+"""Directories that are bound by several names: naming contexts and managers that are one object, recognised by their references."""
 import socket
 
 from rtshell_lite import errors, orb, rpc

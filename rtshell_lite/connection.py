@@ -16,7 +16,7 @@ GRACE = 0.2  # seconds, besides the timeout, that an interrupted command waits f
 
 
 class Connection:
-    """A connector of one port. `failure` is None, or the errors.Error that tells what is wrong with it now."""
+    """A connector of one port. `failure` is None, or the errors.Error that says what is wrong with it now."""
 
     kind = side = dataflow = None  # the port's type; the word for its object in properties; push or pull
     flows = ()  # the data flows that can be used

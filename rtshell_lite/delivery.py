@@ -29,7 +29,7 @@ USUAL = 50.0  # Hz, of a component whose rate is not asked for
 READING = 0.02  # seconds that a component may take to read a value
 REST = 0.2  # seconds at most that an interrupted command waits until the last value has been read
 LONGEST = 60.0  # seconds to linger, unless the user says otherwise
-WORTH_A_WORD = 2.0  # seconds: who waits longer is told why
+WORTH_A_WORD = 2.0  # seconds: a longer wait is announced, with its reason
 TICK = 0.1  # seconds between two looks while lingering
 
 REFUSALS = {"BUFFER_FULL": "its buffer is full", "BUFFER_TIMEOUT": "its buffer stayed full",

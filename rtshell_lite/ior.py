@@ -70,7 +70,7 @@ _LITTLE, _BIG = [(struct.Struct(order + "L").unpack_from, struct.Struct(order + 
 
 
 class _Cdr:
-    """Reads a CDR encapsulation: a byte that tells the byte order, then aligned values."""
+    """Reads a CDR encapsulation: a byte that gives the byte order, then aligned values."""
 
     def __init__(self, data):
         self.data, self.at = data, 1
