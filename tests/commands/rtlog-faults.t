@@ -22,8 +22,7 @@ Ended by a signal, in every way but one:
 kill -9 costs what was on its way; the file can be read, played, appended to:
 
   $ rtlog -q -f k.rtlog Source0.rtc:number & until [ $(rtlog --json -f k.rtlog 2>/dev/null | wc -l) -gt 20 ]; do :; done
-  $ kill -KILL $!; wait $!
-  Killed
+  $ kill -KILL $!; wait $! 2>/dev/null
   [137]
   $ [ $(rtlog --json -f k.rtlog | wc -l) -gt 20 ]
   rtlog: k.rtlog: recording has not ended regularly, or goes on

@@ -28,7 +28,9 @@ CONFIGURATION = """\
 corba.nameservers: 127.0.0.1:%(port)d
 corba.endpoints: 127.0.0.1:
 naming.formats: %(context)s/%%n.rtc
-logger.enable: NO
+logger.enable: YES
+logger.file_name: stdout
+logger.log_level: ERROR
 exec_cxt.periodic.rate: %(rate)g
 """
 
