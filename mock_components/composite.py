@@ -2,7 +2,7 @@
 import time
 import uuid
 
-from rtshell_lite.idl_stubs.component import OpenRTM, RTC, SDOPackage, SDOPackage__POA
+from rtshell_lite.idl_stubs.component import RTC, OpenRTM, SDOPackage, SDOPackage__POA
 
 from .context import TRANSITION_TIMEOUT
 from .port import alive

@@ -3,7 +3,7 @@ import threading
 import time
 
 from omniORB import CORBA
-from rtshell_lite.idl_stubs.component import OpenRTM__POA, RTC, RTC__POA
+from rtshell_lite.idl_stubs.component import RTC, RTC__POA, OpenRTM__POA
 
 from .properties import nvlist
 

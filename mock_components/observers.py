@@ -5,7 +5,7 @@ import time
 import omniORB
 from omniORB import CORBA
 from rtshell_lite.idl_stubs.data import RTC as Data
-from rtshell_lite.idl_stubs.observer import OpenRTM, RTC
+from rtshell_lite.idl_stubs.observer import RTC, OpenRTM
 
 from .properties import get
 

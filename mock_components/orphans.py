@@ -2,7 +2,7 @@
 import contextlib
 import subprocess
 
-from rtshell_lite.idl_stubs.component import OpenRTM, RTC
+from rtshell_lite.idl_stubs.component import RTC, OpenRTM
 
 from . import children, naming
 from .properties import nvlist

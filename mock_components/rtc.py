@@ -1,6 +1,6 @@
 """An RT Component: profile, contexts, ports and configuration behind one CORBA object."""
 from omniORB import CORBA
-from rtshell_lite.idl_stubs.component import OpenRTM__POA, RTC, SDOPackage
+from rtshell_lite.idl_stubs.component import RTC, OpenRTM__POA, SDOPackage
 
 from . import configuration, context, dataport, naming, observers, serviceport
 from .properties import nvlist

@@ -4,7 +4,7 @@ import threading
 import time
 
 from omniORB import CORBA, tcInternal
-from rtshell_lite.idl_stubs.dataport import OpenRTM, OpenRTM__POA, RTC as DataService, RTC__POA as DataService__POA
+from rtshell_lite.idl_stubs.dataport import RTC as DataService, RTC__POA as DataService__POA, OpenRTM, OpenRTM__POA
 
 from . import values
 from .properties import get

@@ -17,7 +17,8 @@ if not sys.flags.isolated and not getattr(sys.flags, "safe_path", False) and sys
 import difflib  # noqa: E402: see above
 import shlex  # noqa: E402
 
-from rtshell_lite import cli, errors, installation  # noqa: E402
+from rtshell_lite import cli, errors  # noqa: E402
+from rtshell_lite.shell import installation  # noqa: E402
 
 
 def arguments(parser):
@@ -35,7 +36,7 @@ def run(args):
 
 def unpack(directory, wheels):
     """Lay the commands and these wheels out under a directory, and print the line that puts them on PATH."""
-    from rtshell_lite.unpack import unpack
+    from rtshell_lite.shell.unpack import unpack
     if not directory or ":" in directory:
         raise errors.Usage("%s: cannot stand in PATH" % (directory or "''"))
     print("export PATH=%s:$PATH" % shlex.quote(unpack(directory, wheels)))

@@ -10,18 +10,13 @@ if _signal.getsignal(_signal.SIGINT) == _signal.default_int_handler:
     except ValueError:  # not the main thread, so not a command that starts
         pass
 
-import argparse  # noqa: E402: see above
-import errno  # noqa: E402
+import errno  # noqa: E402: see above
 import io  # noqa: E402
 import os  # noqa: E402
 import sys  # noqa: E402
 
-from rtshell_lite import __version__, commandline, errors, interrupts, path, rpc, text  # noqa: E402
-
-EXIT_STATUSES = """exit status:
-  0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
-  4 the peer is dead, silent or garbled, 5 some succeeded and some failed, 6 the peer refused,
-  70 a bug in the tool, 130 Ctrl-C, 141 the reader of the output went away, 129 SIGHUP, 143 SIGTERM"""
+from rtshell_lite import errors, interrupts, options, text  # noqa: E402
+from rtshell_lite.corba import lanes  # noqa: E402
 
 LAST_WORDS = 1.0  # seconds that output may take after a signal: its reader may have stopped
 
@@ -51,10 +46,10 @@ class Ended(BaseException):
 
 def command(arguments, run, doc, argv):
     """Run one command in this process, named by sys.argv[0], and return its exit status. Raises KeyboardInterrupt, Ended."""
-    before = _quiet, _verbose, rpc.timeout
+    before = _quiet, _verbose, lanes.timeout
     interrupts.begin()
     try:
-        args = parser(arguments, doc, os.path.basename(sys.argv[0])).parse_args(argv)
+        args = options.parser(arguments, doc, os.path.basename(sys.argv[0])).parse_args(argv)
         _settle(args.quiet, args.verbose, args.timeout)
         return run(args) or (errors.Partial.status if _left_out else 0)
     except errors.Error as e:
@@ -95,10 +90,10 @@ def ignore_hangup():
 
 def _settle(quiet, verbose, timeout):
     global _quiet, _verbose
-    _quiet, _verbose, rpc.timeout = quiet, verbose, timeout
+    _quiet, _verbose, lanes.timeout = quiet, verbose, timeout
     _left_out.clear()
-    rpc.silent.clear()  # in rtsh: what was silent for one command is asked again by the next
-    rpc.slots = rpc.Slots()
+    lanes.silent.clear()  # in rtsh: what was silent for one command is asked again by the next
+    lanes.slots = lanes.Slots()
 
 
 class _Closed(io.TextIOBase):
@@ -131,7 +126,7 @@ def _leave_soon(status):
     """Exit because of a signal, whether or not anybody takes the rest of the output."""
     with interrupts.held():
         box = interrupts.Mailbox()
-        rpc.start(lambda: box.put(_flushed(status)))
+        lanes.start(lambda: box.put(_flushed(status)))
         os._exit(box.get(LAST_WORDS) or status)
 
 
@@ -243,110 +238,3 @@ def report(args, results):
         if tally.add(result) and result:
             (print if args.dry_run else detail)(result)
     return tally.status()
-
-
-# ---- options --------------------------------------------------------------------------------------------------
-
-def parser(arguments, doc, prog):
-    """The parser of the command called `prog`, whose file has these `arguments` and this docstring."""
-    summary, _, details = doc.strip().partition("\n\n")
-    parser = commandline.Parser(prog=prog, description=summary, add_help=False,
-                                epilog=(details + "\n\n" if details else "") + EXIT_STATUSES, formatter_class=_formatter)
-    arguments(parser)
-    taken = parser._option_string_actions  # rtcryo has a -v of its own
-    parser.add_argument(*[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
-                        help="tell on stderr what is done")
-    parser.add_argument("-q", "--quiet", action="store_true", help="no notes on stderr, errors only")
-    if "--timeout" in taken:  # how long rtprint, rtinject and rtlog run
-        parser.set_defaults(timeout=_default_timeout())
-    else:
-        parser.add_argument("--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
-                            help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)")
-    parser.add_argument("--version", action="version", version=__version__)
-    parser.add_argument("-h", "--help", action="help", help="show this and exit")
-    return parser
-
-
-def _formatter(prog):
-    # argparse makes one for every option; with its own idea of a width it would import shutil, 2 ms
-    return argparse.RawDescriptionHelpFormatter(prog, width=text.width() - 2)
-
-
-def _default_timeout():
-    value = os.environ.get("RTSHELL_TIMEOUT") or "3"
-    try:
-        return seconds(value)
-    except argparse.ArgumentTypeError as e:
-        raise errors.Usage("RTSHELL_TIMEOUT: %s" % e)
-
-
-def seconds(value):
-    """A positive number of seconds, at most a day: the type of time options."""
-    try:
-        number = float(value)
-    except ValueError:
-        number = 0.0
-    if not 0 < number <= 86400:
-        raise argparse.ArgumentTypeError("not a number of seconds above 0: %s" % text.printable(value))
-    return number
-
-
-def one_of(*words):
-    """A type of options that takes one of some words; argparse's own message differs from one Python to the next."""
-    def check(word):
-        if word not in words:
-            raise argparse.ArgumentTypeError("not one of %s: %s" % (", ".join(words), text.printable(word)))
-        return word
-    check.words = words  # for completion
-    return check
-
-
-def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
-    """The positional arguments `paths`; `metavar` tells completion.py what they are."""
-    return parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)
-
-
-def parsed(words):
-    """What the user typed as paths, before anything is contacted. Raises BadPath."""
-    return [path.parse(word) for word in words]
-
-
-def execution_context(parser):
-    """-e: which execution context."""
-    parser.add_argument("-e", "--exec-context", "--exec_context", type=int, default=0, metavar="N",
-                        help="execution context, counted from 0 over the owned, then the participating ones (default: 0)")
-
-
-def wait(parser, what):
-    """--wait[=SECONDS]: args.wait is None, or how long to wait."""
-    parser.add_argument("--wait", nargs="?", type=seconds, const=5.0, metavar="SECONDS",
-                        help="wait until %s, at most SECONDS (default: 5)" % what)
-
-
-def dry_run(parser):
-    """--dry-run."""
-    parser.add_argument("--dry-run", action="store_true", help="print what would be done, as commands, and change nothing")
-
-
-def json_output(parser):
-    """--json."""
-    parser.add_argument("--json", action="store_true", help="one JSON object a line")
-
-
-def null(parser):
-    """-0."""
-    parser.add_argument("-0", "--null", action="store_true", help="full paths, each ended by a NUL byte (for xargs -0)")
-
-
-def profile_file(parser):
-    """The RtsProfile that a command works with: args.file, - for stdin, args.form as `profile_form` has it, args.map."""
-    parser.add_argument("file", nargs="?", default="-", metavar="FILE", help="an RtsProfile in XML or YAML (default: stdin)")
-    parser.add_argument("-m", "--map", action="append", default=[], metavar="OLD=NEW",
-                        help="where things are now (see rtresurrect); may be repeated")
-    profile_form(parser, "the file is")
-
-
-def profile_form(parser, verb):
-    """-x and -y: args.form is the form of an RtsProfile file, None where the user did not say; the last one counts."""
-    parser.add_argument("-x", "--xml", action="store_const", dest="form", const="xml", help="%s XML" % verb)
-    parser.add_argument("-y", "--yaml", action="store_const", dest="form", const="yaml", help="%s YAML" % verb)

@@ -1,7 +1,7 @@
 """Ctrl-C, SIGTERM and SIGHUP strike the main thread between any two steps. Here is what keeps whole what must not be torn.
 
-    with held(): …     what comes meanwhile is raised afterwards
-    Bell, Mailbox      what the main thread waits with while other threads bring it something
+    with held(): …        what comes meanwhile is raised afterwards
+    Bell, Flag, Mailbox   what the main thread waits with while other threads bring it something
 
 threading.Event, Condition and queue.Queue are not for a main thread that others wake all the time: an exception out of a signal
 handler may leave Condition.wait without its lock, which is then released once too often (RuntimeError; CPython 3.6 to 3.14).
@@ -114,6 +114,24 @@ class Bell:
     def wait(self, seconds):
         """Wait for at most so many seconds; True if it rang."""
         return self._lock.acquire(timeout=min(max(0, seconds), threading.TIMEOUT_MAX))
+
+
+class Flag:
+    """Other threads set it, once and for all; one waits for it."""
+
+    def __init__(self):
+        self._is_set, self._bell = False, Bell()
+
+    def set(self):
+        self._is_set = True
+        self._bell.ring()
+
+    def is_set(self):
+        return self._is_set
+
+    def wait(self, seconds):
+        """Wait for at most so many seconds; True if it is set."""
+        return self._is_set or self._bell.wait(seconds) or self._is_set
 
 
 class Mailbox:

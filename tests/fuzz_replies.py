@@ -224,7 +224,9 @@ def serve():
     """Run the commands that come on stdin, a line of JSON each, and answer with what became of them."""
     import faulthandler
     import io
-    from rtshell_lite import cli, installation, rpc
+    from rtshell_lite import cli
+    from rtshell_lite.corba import lanes
+    from rtshell_lite.shell import installation
     files, modules, out = installation.commands(), {}, sys.stdout
     before = None
     faulthandler.enable()
@@ -238,7 +240,7 @@ def serve():
         sys.stdout = sys.stderr = io.TextIOWrapper(io.BytesIO(), "utf-8", "backslashreplace", line_buffering=True)
         status = cli.command(modules[name].arguments, modules[name].run, modules[name].__doc__, words)
         said, sys.stdout, sys.stderr = sys.stdout.buffer.getvalue().decode("utf-8"), out, sys.__stderr__
-        rpc.silent.clear()
+        lanes.silent.clear()
         before = before or _memory()
         out.write(json.dumps({"status": status, "said": said, "grown": _memory() - before}) + "\n")
         out.flush()

@@ -9,11 +9,14 @@ import random_profiles
 import random_values
 import simpkl_files
 from fuzz import DATA, HERE, Crash, Refused, Target, same, spoilt
-from rtshell_lite import constants, datalog, datatypes, descriptors, errors, exporting, idl, path, portable, text, values, \
-    xmlprofile
-from rtshell_lite.datalog import blocks, meaning, writer
+from rtshell_lite import errors, path, text
+from rtshell_lite.corba import descriptors
+from rtshell_lite.data import datatypes, literals, type_json, values
+from rtshell_lite.data.idl import parser, tokens
+from rtshell_lite.datalog import blocks, export, logfile, meaning, records, writer
+from rtshell_lite.xmlprofile import rtsprofile
 
-IDL = os.path.join(os.path.dirname(idl.tokens.OWN), "idl")
+IDL = os.path.join(os.path.dirname(tokens.OWN), "idl")
 
 
 def content(name):
@@ -55,28 +58,28 @@ class Profiles(Target):
             above = os.path.dirname(above)
             real = files(above, "shared", "data", "profiles", "*")
         known = [content(name) for kind in ("valid", "invalid") for name in files(DATA, kind, "*.*") if not name.endswith(".error")]
-        made = [xmlprofile.dump(random_profiles.Maker(seed).profile(), self.name).encode("utf-8", "surrogateescape")
+        made = [rtsprofile.dump(random_profiles.Maker(seed).profile(), self.name).encode("utf-8", "surrogateescape")
                 for seed in range(20)]
         self.seeds = [seed for seed in known + made + [content(name) for name in real]
-                      if len(seed) < 40000 and xmlprofile.form_of(seed) == self.name]
+                      if len(seed) < 40000 and rtsprofile.form_of(seed) == self.name]
 
     def check(self, data):
         try:
-            profile = xmlprofile.load(data, "case")
+            profile = rtsprofile.load(data, "case")
         except errors.BadProfile as e:
             raise Refused(str(e))
-        for form in (xmlprofile.XML, xmlprofile.YAML):
-            same(xmlprofile.load(xmlprofile.dump(profile, form), "again"), profile, "written as " + form)
+        for form in (rtsprofile.XML, rtsprofile.YAML):
+            same(rtsprofile.load(rtsprofile.dump(profile, form), "again"), profile, "written as " + form)
 
 
 class Xml(Profiles):
-    name = xmlprofile.XML
+    name = rtsprofile.XML
     words = [b"<", b">", b"&", b'"', b"/>", b"<a>", b"</a>", b"xmlns=", b"rts:", b"]]>", b"<![CDATA[", b"<!--", b"<?", b"&#0;",
              b"&lt;", b"<!DOCTYPE a [", b'encoding="utf-16"', b' xmlns:rts="urn:a"', b"_x001B_", b"<rts:Components ", b"xsi:type="]
 
 
 class Yaml(Profiles):
-    name = xmlprofile.YAML
+    name = rtsprofile.YAML
     words = [b":", b": ", b"- ", b"? ", b"#", b" #", b"|\n", b">\n", b"|2-\n", b"&a ", b"*a", b"!!int ", b"!!binary ", b"{", b"}", b"[",
              b"]", b",", b"---\n", b"...\n", b"%", b"@", b"\\", b"\\u", b"~", b"null", b"1e999", b"\t", b"\n", b"\n  ", b"'", b'"',
              b"<<: ", b".nan", b"2010-01-02", b"\xef\xbb\xbf", b"1:59:59", b"\n  &b\n  !!str", b"0x" + b"f" * 298]
@@ -100,8 +103,8 @@ class Logs(Target):
 
     def _own(self, count, closed):
         long, texts = (datatypes.Type(_everything()["IDL:RTC/" + name + ":1.0"]) for name in ("TimedLong", "TimedStringSeq"))
-        channels = [datalog.Channel("a", long.id, long.to_bytes(), ("/x:a",)), datalog.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y")),
-                    datalog.Channel("c", texts.id, texts.to_bytes(), ())]
+        channels = [records.Channel("a", long.id, long.to_bytes(), ("/x:a",)), records.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y")),
+                    records.Channel("c", texts.id, texts.to_bytes(), ())]
         out = writer.Writer(self.file, channels, 10 ** 18)
         data = [long.encode(values.Expression("1", None, long).value(1.5)), b"own", texts.encode(
             values.Expression('["a", "\\u65e5"]', None, texts).value(1.5))]
@@ -132,7 +135,7 @@ class Logs(Target):
             file.write(data)
         types = _Some(_everything())
         try:
-            with datalog.load(self.file) as log:
+            with logfile.load(self.file) as log:
                 entries = list(log.entries())
                 channels = meaning.Channels(log, types)
                 told = list(log.notes()) + list(meaning.summary(log))
@@ -140,7 +143,7 @@ class Logs(Target):
                 for entry in entries:
                     told.append(meaning.line(channels, entry, 20))
                     json.loads(text.json_line(meaning.record(channels, entry)))
-                told += exporting.csv_lines(channels, entries, entries)
+                told += export.csv_lines(channels, entries, entries)
         except errors.No as e:
             raise Refused(str(e))
         for line in told:
@@ -153,7 +156,7 @@ class Logs(Target):
         out = writer.Writer(self.file, log.channels, log.started)
         out.write([(entry.channel, entry.received, entry.little, entry.data) for entry in entries])
         out.close()
-        with datalog.load(self.file) as again:
+        with logfile.load(self.file) as again:
             same(again.channels, log.channels, "channels")
             same([entry._replace(number=0) for entry in again.entries()], [entry._replace(number=0) for entry in entries], "entries")
 
@@ -184,16 +187,16 @@ class Idl(Target):
         with open(self.file, "wb") as file:
             file.write(data)
         try:
-            types = idl.parse_file(self.file, [os.path.join(DATA, "idl", "valid")])
+            types = parser.parse_file(self.file, [os.path.join(DATA, "idl", "valid")])
         except (errors.BadIdl, errors.No) as e:
             raise Refused(str(e))
         for type_id, descriptor in types.items():
-            plain = portable.plain(descriptor)
+            plain = type_json.plain(descriptor)
             try:
-                again = portable.descriptor(json.dumps(plain).encode())
+                again = type_json.descriptor(json.dumps(plain).encode())
             except errors.BadType as e:
                 raise Crash("%s is read from IDL, and not from a log: %s" % (type_id, e))
-            same(portable.plain(again), plain, type_id)
+            same(type_json.plain(again), plain, type_id)
 
 
 # ---- values ---------------------------------------------------------------------------------------------------
@@ -218,7 +221,7 @@ def _everything():
     if not _types:
         own = files(IDL, "data", "*.idl") + [os.path.join(DATA, "idl", "valid", name + ".idl") for name in ("unions", "recursive")]
         for name in own:
-            _types.update(idl.parse_file(name))
+            _types.update(parser.parse_file(name))
         for type_id in list(_types):
             try:
                 datatypes.check(_types[type_id], type_id)
@@ -232,11 +235,11 @@ def _through_every_form(one, value, types, speakable=True):
     expected = random_values.plain(value)
     for little in (True, False):
         same(random_values.plain(one.decode(one.encode(value, little), little)), expected, "bytes")
-    by_json = constants.Expression(json.dumps(values.json(value), allow_nan=False), types, one).value(0)
+    by_json = literals.Expression(json.dumps(values.json(value), allow_nan=False), types, one).value(0)
     same(random_values.plain(by_json), expected, "JSON")
     written = values.constructor(value)
     if speakable:
-        same(random_values.plain(constants.Expression(written, types, one).value(0)), expected, written)
+        same(random_values.plain(literals.Expression(written, types, one).value(0)), expected, written)
     if not values.text(value).isprintable():
         raise Crash("not printable: %r" % values.text(value))
     text.json_line(dict(values.flat(value)))
@@ -271,7 +274,7 @@ class Values(Target):
         name, _, written = data.decode("utf-8", "surrogateescape").partition("\n")
         try:
             one = self.types.named(name) if name else None
-            made = constants.Expression(written, self.types, one)
+            made = literals.Expression(written, self.types, one)
             data = made.type.encode(made.value(1.5))
         except (errors.BadValue, errors.NoSuch) as e:
             raise Refused(str(e))
@@ -306,7 +309,7 @@ class Cdr(Target):
         return as_json + b"\n" + (spoilt(rng, data, self.words, [data]) if rng.random() < 0.8 else data)
 
     def _random_type(self, rng, depth, around=()):
-        """A type as lists, texts and numbers (portable.py)."""
+        """A type as lists, texts and numbers (type_json.py)."""
         chance = rng.random()
         if depth == 0 or chance < 0.3:
             return rng.choice(self.simple)

@@ -16,7 +16,7 @@ try:
 except ImportError:
     omniORB = None
 else:
-    from rtshell_lite.idl_stubs.component import OpenRTM, RTC, SDOPackage
+    from rtshell_lite.idl_stubs.component import RTC, OpenRTM, SDOPackage
 
 LIMIT = 10.0            # seconds that anything may take
 LONG = "IDL:RTC/TimedLong:1.0"

@@ -7,7 +7,8 @@ import json
 import sys
 
 import omniORB
-from rtshell_lite import descriptors, portable
+from rtshell_lite.corba import descriptors
+from rtshell_lite.data import type_json
 
 KINDS = (descriptors.STRUCT, descriptors.UNION, descriptors.ENUM, descriptors.ALIAS)
 
@@ -20,7 +21,7 @@ def main(directory, module):
     for type_id in set(omniORB.typeMapping) - before:
         descriptor = omniORB.typeMapping[type_id]
         if descriptors.kind(descriptor) in KINDS:
-            found[type_id] = portable.plain(descriptors.adopted(descriptor, omniORB.typeMapping.get))
+            found[type_id] = type_json.plain(descriptors.adopted(descriptor, omniORB.typeMapping.get))
     json.dump(found, sys.stdout, sort_keys=True)
 
 

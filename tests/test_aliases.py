@@ -13,8 +13,10 @@ try:
 except ImportError:
     omniORB = None
 else:
-    from mock_components import naming
-    from rtshell_lite import aliases, orb, path, tree, unbind
+    from mock_components import naming as mock_naming
+    from rtshell_lite import path
+    from rtshell_lite.corba import orb
+    from rtshell_lite.robot import aliases, naming, tree
 
 PUBLISHED = "127.0.0.3"  # Linux answers at all of 127.0.0.0/8
 
@@ -37,7 +39,7 @@ class PublishedOtherwise(unittest.TestCase):
         self.addCleanup(self.process.wait)
         self.addCleanup(self.process.kill)
         mocks.eventually(lambda: peers.nameserver.answers(self.port), "omniNames answers")
-        self.names = naming.Naming(orb.start(), "127.0.0.1:%d" % self.port)
+        self.names = mock_naming.Naming(orb.start(), "127.0.0.1:%d" % self.port)
         self.names.contexts([("own", "cxt"), ("inner", "cxt")])
 
     def at(self, *names):
@@ -51,12 +53,12 @@ class PublishedOtherwise(unittest.TestCase):
         self.assertEqual(self.foreign(), [])
 
     def test_another_server_at_the_same_port_is_foreign(self):
-        self.names.bind_context([("root", "cxt")], naming.root(orb.start(), "127.0.0.9:%d" % self.port))
+        self.names.bind_context([("root", "cxt")], mock_naming.root(orb.start(), "127.0.0.9:%d" % self.port))
         self.assertEqual(self.foreign(), ["root.cxt"])
 
     def test_its_own_directories_can_be_deleted(self):
         notes = []
-        lines = list(unbind.delete(path.parse(self.at("own.cxt")), notes.append, recursive=True))
+        lines = list(naming.delete(path.parse(self.at("own.cxt")), notes.append, recursive=True))
         self.assertEqual(([line.rpartition("/")[2] for line in lines], notes), (["inner.cxt: deleted", "own.cxt: deleted"], []))
         self.assertEqual(tree.children(tree.resolve(self.at())), [])
 
@@ -65,7 +67,7 @@ class PublishedOtherwise(unittest.TestCase):
         walked = [(node.name, node.alias and str(node.alias)) for node in tree.walk(tree.resolve(self.at()))][1:]
         self.assertEqual(walked, [("own.cxt", None), ("inner.cxt", None), ("two.cxt", self.at("own.cxt"))])
         notes = []
-        list(unbind.delete(path.parse(self.at("own.cxt")), notes.append, recursive=True))
+        list(naming.delete(path.parse(self.at("own.cxt")), notes.append, recursive=True))
         self.assertEqual(notes, ["%s: another name of %s; only this name is deleted" % (self.at("own.cxt"), self.at("two.cxt"))])
         self.assertEqual([node.name for node in tree.walk(tree.resolve(self.at()))][1:], ["two.cxt", "inner.cxt"])
 

@@ -9,7 +9,8 @@ import sys
 import unittest
 
 from mock_components import faulty, giop, malice
-from rtshell_lite import descriptors, errors, ior
+from rtshell_lite import errors
+from rtshell_lite.corba import descriptors, ior
 
 try:
     import omniORB
@@ -117,7 +118,7 @@ class References(unittest.TestCase):
 @unittest.skipIf(omniORB is None, "omniORBpy is not installed")
 class Descriptors(unittest.TestCase):
     def operations(self):
-        from rtshell_lite.idl_stubs.component import OpenRTM, RTC, SDOPackage
+        from rtshell_lite.idl_stubs.component import RTC, OpenRTM, SDOPackage
         from rtshell_lite.idl_stubs.manager import RTM
         import CosNaming
         for module in (OpenRTM, RTC, SDOPackage, RTM, CosNaming):
@@ -128,7 +129,7 @@ class Descriptors(unittest.TestCase):
 
     def test_no_operation_can_return_a_reference_that_is_not_looked_at(self):
         from omniORB import CORBA
-        from rtshell_lite import answers
+        from rtshell_lite.corba import answers
 
         def kinds(found):
             return {descriptors.kind(inner) for each in found for _, inner in descriptors.walk(each, "")}

@@ -3,7 +3,7 @@ import itertools
 import random
 import unittest
 
-from rtshell_lite import apply, steps
+from rtshell_lite.system import apply, steps
 
 
 class Step(steps.Step):

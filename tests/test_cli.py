@@ -15,15 +15,15 @@ COMMAND = '''\
 examples:
   rtfoo a
 """
-from rtshell_lite import cli, errors
+from rtshell_lite import cli, errors, options
 
 
 def arguments(parser):
-    cli.paths(parser, nargs="*")
+    options.paths(parser, nargs="*")
     parser.add_argument("-l", action="count", default=0)
     parser.add_argument("-n", type=int)
     parser.add_argument("--shell", nargs="?", const="sh", choices=["sh", "fish"])
-    cli.wait(parser, "it is done")
+    options.wait(parser, "it is done")
 
 
 def run(args):

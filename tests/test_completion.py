@@ -12,7 +12,8 @@ import unittest
 import mocks
 from mocks import Server, World
 
-from rtshell_lite import orb, path
+from rtshell_lite import path
+from rtshell_lite.corba import orb
 
 HOSTILE = ["$(touch canary)", "`touch canary`", ";touch canary;", "q\"uo'te !", "a&&touch canary", "w*?~[a]", "日本 語", "=ls", "~root",
            "#no", "{a,b}", "-e", "b\\$x", "co:lon", "new\nline", "sl/ash", "e\x1b[31m", "two words\\"]

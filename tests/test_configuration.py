@@ -3,7 +3,8 @@ import collections
 import random
 import unittest
 
-from rtshell_lite import configuration, errors
+from rtshell_lite import errors
+from rtshell_lite.robot import configuration
 
 ODD = list("ab =#[]\\.:\n\r\t\0\x1b\x7f\x85\u2028\u202e") + ["日", "é", "\udcff", "\udc80", "\U0001f916", "\ufeff", " active", "\\x20"]
 

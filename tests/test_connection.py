@@ -3,12 +3,12 @@ import threading
 import time
 import unittest
 
-from rtshell_lite import dataport
+from rtshell_lite.data import reading
 
 
 def idle_reader():
     """A push Reader of a port that sends nothing, as far as its end goes."""
-    reader = dataport.Reader.__new__(dataport.Reader)
+    reader = reading.Reader.__new__(reading.Reader)
     reader.dataflow = "push"
     reader.ended, reader.came = threading.Event(), threading.Event()
     return reader
@@ -21,7 +21,7 @@ class Closing(unittest.TestCase):
         for reader in readers:
             reader.stop()
         self.assertTrue(all(reader.is_at_rest() for reader in readers))
-        self.assertLess(time.monotonic() - begun, 100 * dataport.QUIET / 2)
+        self.assertLess(time.monotonic() - begun, 100 * reading.QUIET / 2)
 
     def test_a_value_that_came_long_ago_is_no_sign(self):
         """It came while others were closed: the next one is waited for, up to a limit."""
@@ -30,7 +30,7 @@ class Closing(unittest.TestCase):
         reader.came.set()
         begun = time.monotonic()
         self.assertTrue(reader.is_at_rest())
-        self.assertGreater(time.monotonic() - begun, dataport.QUIET)
+        self.assertGreater(time.monotonic() - begun, reading.QUIET)
 
 
 if __name__ == "__main__":

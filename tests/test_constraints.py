@@ -1,7 +1,7 @@
 """Constraints of configuration parameters: if these fail, rtconf set warns of good values, or of none."""
 import unittest
 
-from rtshell_lite import constraints
+from rtshell_lite.robot import constraints
 
 FITS = [  # constraint, values that fit it, values that do not
     ("", ["", "abc", "1"], []),

@@ -13,11 +13,12 @@ import unittest
 import warnings
 from unittest import mock
 
-from rtshell_lite import datalog, errors
-from rtshell_lite.datalog import blocks, textlog, writer
+from rtshell_lite import errors
+from rtshell_lite.datalog import blocks, logfile, records, textlog, writer
+from rtshell_lite.datalog.index import POINTS, STRIDE, Index
 
 LONG = "IDL:RTC/TimedLong:1.0"
-CHANNELS = [datalog.Channel("a", LONG, b"\1\2", ("/x:a",)), datalog.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y:b"))]
+CHANNELS = [records.Channel("a", LONG, b"\1\2", ("/x:a",)), records.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y:b"))]
 START = 1700000000 * 10 ** 9
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
@@ -28,7 +29,7 @@ def messages(count, size=12):
 
 
 def as_read(written):
-    return [datalog.Entry(i, received, channel, little, data, None)
+    return [records.Entry(i, received, channel, little, data, None)
             for i, (channel, received, little, data) in enumerate(written)]
 
 
@@ -55,7 +56,7 @@ class Case(unittest.TestCase):
     def read(self):
         """All of the file: (log, entries); None when it is refused."""
         try:
-            with datalog.load(self.name) as log:
+            with logfile.load(self.name) as log:
                 return log, list(log.entries())
         except errors.No:
             return None
@@ -75,7 +76,7 @@ class Files(Case):
     def test_only_what_is_torn_is_cut_off(self):
         """To go on with a file whose middle is damaged would throw away all behind that; half a large record may go."""
         data = self.write(messages(100, 40000), close=False)
-        with datalog.load(self.name) as log:
+        with logfile.load(self.name) as log:
             place = log.index.points[1][1]
         damaged = data[:place + 1] + struct.pack("<I", 7) + data[place + 5:]
         self.put(damaged)
@@ -117,7 +118,7 @@ class Files(Case):
         written = messages(500, 20000)
         for close in (True, False):
             self.write(written, close)
-            with datalog.load(self.name) as log:
+            with logfile.load(self.name) as log:
                 self.assertGreater(len(log.index.points), 5)
                 for number in (0, 1, 50, 51, 52, 53, 54, 499):
                     self.assertEqual(next(log.entries(number)).number, number)
@@ -127,16 +128,16 @@ class Files(Case):
                 self.assertIsNone(log.since(written[-1][1] + 1))
 
     def test_the_index_stays_small(self):
-        index = writer.Index()
+        index = Index()
         for number in range(200000):
-            index.add(number * writer.STRIDE, number, number, "a")
-        self.assertLessEqual(len(index.points), writer.POINTS)
+            index.add(number * STRIDE, number, number, "a")
+        self.assertLessEqual(len(index.points), POINTS)
         self.assertEqual(index.points[0][:2], [0, 0])
 
     def test_a_clock_that_was_set_back(self):
         written = [(0, moment, True, b"x" * 600000) for moment in (50, 60, 10, 20, 70, 5)]
         self.write(written)
-        with datalog.load(self.name) as log:
+        with logfile.load(self.name) as log:
             self.assertEqual([log.since(moment) for moment in (1, 55, 60, 65, 70, 71)], [0, 1, 1, 4, 4, None])
 
     def test_appending(self):
@@ -153,7 +154,7 @@ class Files(Case):
             self.assertTrue(log.closed)
 
     def test_appending_other_channels(self):
-        other = [datalog.Channel("c", LONG, b"", ("/z:c",)), CHANNELS[0]]
+        other = [records.Channel("c", LONG, b"", ("/z:c",)), CHANNELS[0]]
         self.write(messages(2))
         self.write([(0, 1, True, b"x"), (1, 2, True, b"y")], append=True, channels=other)
         log, found = self.read()
@@ -378,7 +379,7 @@ class Hostile(Case):
 
 def writer_index(name):
     """The JSON of the index that belongs to a file without one."""
-    with datalog.load(name) as log:
+    with logfile.load(name) as log:
         return log.index.block(0)[blocks.BLOCK.size:-blocks.FOOTER.size].decode()
 
 

@@ -7,8 +7,9 @@ import unittest
 
 import simpkl_files
 from test_datalog import CHANNELS, START, Case, messages
-from rtshell_lite import datalog, datatypes, errors, exporting
-from rtshell_lite.datalog import meaning, play, recorder, textlog, writer
+from rtshell_lite import errors
+from rtshell_lite.data import datatypes
+from rtshell_lite.datalog import export, logfile, meaning, play, recorder, records, textlog, writer
 try:
     import omniORB
 except ImportError:
@@ -17,7 +18,7 @@ except ImportError:
 
 class Playing(Case):
     def numbers(self, start, end, by_index=True):
-        with datalog.load(self.name) as log:
+        with logfile.load(self.name) as log:
             return [entry.number for entry in play.Range(start, end, by_index).entries(log)]
 
     def test_ranges(self):
@@ -34,7 +35,7 @@ class Playing(Case):
 
     def test_pace(self):
         """Entries come when they are due, neither sooner nor much later; `seconds` end them."""
-        entries = [datalog.Entry(i, START + i * 10 ** 8, 0, True, b"", None) for i in range(4)]
+        entries = [records.Entry(i, START + i * 10 ** 8, 0, True, b"", None) for i in range(4)]
         for how, expected in [(lambda: play.due(entries, 2), [0, .05, .1, .15]),
                               (lambda: play.due(entries, 1, .15), [0, .15, .3, .3]),
                               (lambda: play.due(entries, 1, None, .15), [0, .1]),
@@ -55,7 +56,7 @@ class Timestamps(Case):
         self.write([(0, START, True, struct.pack("<IIi", 1600000000, 900000000, 7)),
                     (0, START, False, struct.pack(">IIi", 1600000000, 1, 7)), (0, START, True, struct.pack("<IIi", 0, 0, 7)),
                     (0, START, True, b"xyz")], channels=[CHANNELS[0]._replace(typecode=b"")])
-        self.log = datalog.load(self.name)
+        self.log = logfile.load(self.name)
         self.addCleanup(self.log.__exit__)
         self.channels, self.entries = meaning.Channels(self.log, datatypes.Types()), list(self.log.entries())
 
@@ -92,8 +93,8 @@ class Timestamps(Case):
 
 class Types(Case):
     def open(self, type_id, typecode):
-        self.write([(0, START, True, struct.pack("<IIi", 1, 2, 7))], channels=[datalog.Channel("a", type_id, typecode, ())])
-        log = datalog.load(self.name)
+        self.write([(0, START, True, struct.pack("<IIi", 1, 2, 7))], channels=[records.Channel("a", type_id, typecode, ())])
+        log = logfile.load(self.name)
         self.addCleanup(log.__exit__)
         return meaning.Channels(log, datatypes.Types()), next(log.entries())
 
@@ -123,9 +124,9 @@ class Exporting(Case):
         value = simpkl_files.make(simpkl_files.TimedLong, tm=simpkl_files.make(simpkl_files.Time, sec=1, nsec=2),
                                   **{"data": "\x1b[2J\u202e\r\n\\x", "a\x9b": 1})
         self.put(simpkl_files.log([value], 2, specs=[simpkl_files.spec("n\x07", "IDL:Own/Type:1.0")]))
-        with datalog.load(self.name) as log:
+        with logfile.load(self.name) as log:
             channels = meaning.Channels(log, datatypes.Types())
-            lines = list(exporting.csv_lines(channels, log.entries(), log.entries()))
+            lines = list(export.csv_lines(channels, log.entries(), log.entries()))
         self.assertEqual(lines, ["number,received,port,tm.sec,tm.nsec,data,a\\u009b",
                                  "0,1795247464.750000000,n\\x07,1,2,\\x1b[2J\\u202e\\x0d\\x0a\\\\x,1"])
 
@@ -137,15 +138,15 @@ class Deep(Case):
         Case.setUp(self)
         words = ["struct", "IDL:Own/Node:1.0", "Node", [["inner", ["sequence", ["see", "IDL:Own/Node:1.0"], 0]]]]
         self.type = datatypes.from_bytes(json.dumps(words).encode())
-        self.channel = datalog.Channel("deep", self.type.id, self.type.to_bytes(), ())
+        self.channel = records.Channel("deep", self.type.id, self.type.to_bytes(), ())
         self.messages = [(0, START + depth, True, b"\1\0\0\0" * depth + bytes(4)) for depth in list(range(100, 300, 5)) + [0]]
 
     def test_shown(self):
         self.write(self.messages, channels=[self.channel])
-        with datalog.load(self.name) as log:
+        with logfile.load(self.name) as log:
             channels = meaning.Channels(log, datatypes.Types())
-            for lines in (exporting.lines(channels, log.entries()), exporting.json_lines(channels, log.entries()),
-                          exporting.csv_lines(channels, log.entries(), log.entries())):
+            for lines in (export.lines(channels, log.entries()), export.json_lines(channels, log.entries()),
+                          export.csv_lines(channels, log.entries(), log.entries())):
                 self.assertGreaterEqual(len(list(lines)), len(self.messages))
 
     def test_recorded_as_text(self):
@@ -203,7 +204,7 @@ class Recording(Case):
 
 
 def message_of(data):
-    from rtshell_lite.dataport import Message
+    from rtshell_lite.data.reading import Message
     return Message(START, data, True)
 
 

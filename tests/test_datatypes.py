@@ -9,12 +9,15 @@ import unittest
 import mocks
 import peers
 import random_values
-from rtshell_lite import cdr, datatypes, descriptors, errors, orb, path, ports, values
+from rtshell_lite import errors, path
+from rtshell_lite.corba import descriptors, orb
+from rtshell_lite.data import cdr, datatypes, values
+from rtshell_lite.robot import ports
 
 try:
     import omniORB
     from omniORB import CORBA
-    from rtshell_lite.idl_stubs.data import Img, RTC
+    from rtshell_lite.idl_stubs.data import RTC, Img
 except ImportError:
     omniORB = None
 

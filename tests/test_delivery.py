@@ -1,7 +1,7 @@
 """How many values wait unread in a port, by what is known: if this fails, rtinject leaves too early, or says what is not so."""
 import unittest
 
-from rtshell_lite.delivery import SETTLE, Backlog
+from rtshell_lite.data.writing import SETTLE, Backlog
 
 
 class Filling(unittest.TestCase):

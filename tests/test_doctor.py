@@ -2,8 +2,10 @@
 import unittest
 from unittest import mock
 
-from rtshell_lite import component, errors, orb, path, ports, tree
+from rtshell_lite import errors, path
+from rtshell_lite.corba import orb
 from rtshell_lite.doctor import components, connections, here, remedies, servers
+from rtshell_lite.robot import component, ports, tree
 
 
 class Connections(unittest.TestCase):

@@ -6,8 +6,10 @@ import threading
 import unittest
 from unittest import mock
 
-from rtshell_lite import errors, path, rpc, tree
+from rtshell_lite import errors, path
+from rtshell_lite.corba import lanes
 from rtshell_lite.doctor import addresses, limits, managers, networks, remedies, waiting
+from rtshell_lite.robot import tree
 
 ONCE = "it asks nobody"
 LAN = [ipaddress.ip_network("10.77.0.0/24"), ipaddress.ip_network("172.17.0.0/16")]
@@ -77,7 +79,7 @@ class Arrival(unittest.TestCase):
         addresses.arrives.cache_clear()
 
     def test_what_is_lost(self):
-        with mock.patch.object(addresses, "_unacknowledged", lambda connection: 1), mock.patch.object(rpc, "timeout", 0.1), \
+        with mock.patch.object(addresses, "_unacknowledged", lambda connection: 1), mock.patch.object(lanes, "timeout", 0.1), \
                 socket.socket() as listening:
             listening.bind(("127.0.0.1", 0))
             listening.listen(1)
@@ -89,7 +91,7 @@ class Arrival(unittest.TestCase):
 
     def test_blame(self):
         for e, name in ((errors.Unreachable("/a", "connection lost"), "network"), (errors.ConnectionRefused("/a"), "restart"),
-                        (errors.Refused("/a", "CORBA.UNKNOWN"), "restart"), (errors.Silent("/a", rpc.NO_TIME), "more time")):
+                        (errors.Refused("/a", "CORBA.UNKNOWN"), "restart"), (errors.Silent("/a", lanes.NO_TIME), "more time")):
             self.assertEqual(remedies.of_silence(e, ("198.51.100.1", 4000), "/a").name, name, e)
 
 
@@ -101,13 +103,13 @@ class Shortages(unittest.TestCase):
 
     def test_a_connection_that_fails_here(self):
         for number, what in ((errno.EMFILE, "files"), (errno.EADDRNOTAVAIL, "ports"), (errno.ENOBUFS, "memory")):
-            with mock.patch.object(rpc, "shortage", None):
-                rpc.note_shortage(OSError(number, ""), "10.77.0.2")
-                self.assertEqual(rpc.shortage.args[0], what)
-        with mock.patch.object(rpc, "shortage", None):
-            rpc.note_shortage(OSError(errno.ECONNREFUSED, ""), "10.77.0.2")
-            rpc.note_shortage(OSError(errno.EADDRNOTAVAIL, ""), "::1")
-            self.assertIsNone(rpc.shortage)
+            with mock.patch.object(lanes, "shortage", None):
+                lanes.note_shortage(OSError(number, ""), "10.77.0.2")
+                self.assertEqual(lanes.shortage.args[0], what)
+        with mock.patch.object(lanes, "shortage", None):
+            lanes.note_shortage(OSError(errno.ECONNREFUSED, ""), "10.77.0.2")
+            lanes.note_shortage(OSError(errno.EADDRNOTAVAIL, ""), "::1")
+            self.assertIsNone(lanes.shortage)
 
 
 class Waiting(unittest.TestCase):

@@ -19,7 +19,8 @@ import peers
 from mocks import Server, World
 
 import rtshell_lite
-from rtshell_lite import datatypes, orb, values
+from rtshell_lite.corba import orb
+from rtshell_lite.data import datatypes, values
 
 ONCE = "each example is run by the tests of its command on all Pythons, in other words"
 

@@ -10,8 +10,9 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import errors, files
-from rtshell_lite.datalog import Channel, textlog, writer
-from rtshell_lite.idl import tokens
+from rtshell_lite.data.idl import tokens
+from rtshell_lite.datalog import textlog, writer
+from rtshell_lite.datalog.records import Channel
 
 CHANNELS = [Channel("input0", "IDL:RTC/TimedLong:1.0", b"", ("/a.rtc:out",))]
 STRANGER = 12345        # a user that nobody here is
@@ -190,8 +191,8 @@ class Endless(Case):
         return self.path("fifo")
 
     def readers(self):
-        from rtshell_lite import datalog
-        return {"read": files.read, "opened": files.opened, "idl": lambda name: tokens.tokens(name), "log": datalog.load}
+        from rtshell_lite.datalog import logfile
+        return {"read": files.read, "opened": files.opened, "idl": lambda name: tokens.tokens(name), "log": logfile.load}
 
     def test_devices_and_fifos_are_not_read(self):
         for path in (self.fifo(), "/dev/zero", "/dev/tty", "/dev/urandom"):

@@ -2,7 +2,8 @@
 import math
 import unittest
 
-from rtshell_lite import flow, printing
+from rtshell_lite.data import statistics
+from rtshell_lite.views import printing
 
 MS = 10**6  # ns
 BEGIN = 1500000000 * 10**9
@@ -11,7 +12,7 @@ PERIOD = 10 * MS
 
 def figures(arrivals, stamps, size=8, dropped=0):
     """The summary of values that came at these times, with these timestamps (ms after BEGIN; None: without)."""
-    found = flow.Flow()
+    found = statistics.Flow()
     for arrival, stamp in zip(arrivals, stamps):
         found.add(BEGIN + int(arrival * MS), size, None if stamp is None else BEGIN + int(stamp * MS))
     return found.total.summary(2.0, dropped)
@@ -48,10 +49,10 @@ class Figures(Checked):
         self.check(figures([0], [0]), values=1, rate=None, jitter=None, age_mean=0.0, absent=0, disordered=0, repeated=0)
 
     def test_no_time_at_all(self):
-        self.assertIsNone(flow.Stretch().summary(0, 0)["bytes_per_second"])
+        self.assertIsNone(statistics.Stretch().summary(0, 0)["bytes_per_second"])
 
     def test_zero_is_no_timestamp(self):
-        found = flow.Flow()
+        found = statistics.Flow()
         for number in range(3):
             found.add(BEGIN + number * PERIOD, 8, 0)
         self.check(found.total.summary(1, 0), values=3, age_mean=None, absent=None, disordered=None, repeated=None)
@@ -93,9 +94,9 @@ class Cycles(Checked):
         self.check(figures(stamps, stamps), absent=0)
 
     def test_what_is_usual_has_to_be_known_first(self):
-        few = cycles(*range(flow.FIRST)) + [130, 140]
+        few = cycles(*range(statistics.FIRST)) + [130, 140]
         self.check(figures(few, few), absent=0)
-        enough = cycles(*range(flow.FIRST + 1)) + [140, 150]
+        enough = cycles(*range(statistics.FIRST + 1)) + [140, 150]
         self.check(figures(enough, enough), absent=3)
 
     def test_a_pause_is_no_gap(self):
@@ -118,7 +119,7 @@ class Cycles(Checked):
 
 class Looks(Checked):
     def test_a_look_begins_a_new_stretch_and_gaps_reach_over_it(self):
-        found = flow.Flow()
+        found = statistics.Flow()
         for number in range(20):
             found.add(BEGIN + number * PERIOD, 4, BEGIN + number * PERIOD)
         self.check(found.look().summary(1.0, 0), values=20, bytes=80, absent=0, rate=100.0)

@@ -6,8 +6,8 @@ import unittest
 
 import random_profiles
 import test_xmlprofile
-from rtshell_lite import drawing, graph, svg, xmlprofile
-from rtshell_lite.xmlprofile import model
+from rtshell_lite.views import graph, graph_svg, graph_text
+from rtshell_lite.xmlprofile import model, rtsprofile
 
 # The grammar of DOT, as far as we write it.
 ID = r'(?:[A-Za-z_][A-Za-z_0-9]*|"(?:[^"\\]|\\.)*")'
@@ -46,7 +46,7 @@ class Deep(unittest.TestCase):
         found = list(graph.dot(picture))
         self.assertEqual(sum(line.endswith("  }") for line in found), count - 1)
         self.assertLess(sum(map(len, found)), 1 << 20)
-        for draw in (svg.lines, drawing.lines):
+        for draw in (graph_svg.lines, graph_text.lines):
             self.assertGreater(len(list(draw(picture))), count)
 
 
@@ -136,7 +136,7 @@ class Dot(unittest.TestCase):
         for name in names:
             with self.subTest(os.path.basename(name)):
                 with open(name, "rb") as file:
-                    self.check(xmlprofile.load(file.read(), name))
+                    self.check(rtsprofile.load(file.read(), name))
 
 
 ARMS = {"─": "lr", "═": "lr", "<": "lr", "│": "ud", "║": "ud", "┐": "ld", "╗": "ld", "┘": "lu", "╝": "lu", "┤": "lud",
@@ -163,8 +163,8 @@ def reached(lines, row, column):
 
 class Text(unittest.TestCase):
     def draw(self, graph):
-        lines = list(drawing.lines(graph))
-        for line in drawing.lines(graph, ascii_only=True):
+        lines = list(graph_text.lines(graph))
+        for line in graph_text.lines(graph, ascii_only=True):
             line.encode("ascii")
         return lines
 
@@ -172,7 +172,7 @@ class Text(unittest.TestCase):
         """Following each line from its start leads to the ports that it connects, and to no other."""
         lines = self.draw(graph)
         border = lines[0].index("┐")
-        rows, at = drawing._stack(graph)
+        rows, at = graph_text._stack(graph)
         self.assertEqual(len(rows), len(lines))
         wide = [line + " " * (max(map(len, lines)) - len(line) + 1) for line in lines]
         for start in {edge[:2] for edge in graph.edges}:
@@ -205,7 +205,7 @@ class Text(unittest.TestCase):
             self.draw(graph.of(random_profiles.Maker(seed).profile()))
         for name in test_xmlprofile.real_files():
             with self.subTest(os.path.basename(name)), open(name, "rb") as file:
-                self.draw(graph.of(xmlprofile.load(file.read(), name)))
+                self.draw(graph.of(rtsprofile.load(file.read(), name)))
 
 
 if __name__ == "__main__":

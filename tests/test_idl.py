@@ -12,12 +12,16 @@ import tempfile
 import time
 import unittest
 
-from rtshell_lite import descriptors, errors, idl, portable
+import rtshell_lite
+from rtshell_lite import errors
+from rtshell_lite.corba import descriptors
+from rtshell_lite.data import type_json
+from rtshell_lite.data.idl import parser, tokens
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.path.join(HERE, "data", "idl")
 OMNIIDL = os.path.join(os.path.dirname(sys.executable), "omniidl")
-OWN = os.path.join(os.path.dirname(idl.tokens.OWN), "idl")
+OWN = os.path.join(os.path.dirname(tokens.OWN), "idl")
 
 
 def cases(kind):
@@ -34,12 +38,12 @@ def parse(text, include=()):
         path = os.path.join(directory, "case.idl")
         with open(path, "wb") as file:
             file.write(text.encode("latin-1"))
-        return idl.parse_file(path, include)
+        return parser.parse_file(path, include)
 
 
 def plain(types):
     """Types in a form that can be compared: words of Python without the _ that stubs put before them, no label of a default."""
-    return {type_id: compared(portable.plain(descriptor)) for type_id, descriptor in types.items()}
+    return {type_id: compared(type_json.plain(descriptor)) for type_id, descriptor in types.items()}
 
 
 def compared(part):
@@ -55,7 +59,7 @@ def by_omniidl(path, directory):
     """What omniidl makes of a file, through the stubs that it writes."""
     subprocess.check_output([OMNIIDL, "-bpython", "-Wbinline", "-I" + OWN, "-I" + os.path.dirname(path), "-C" + directory, path],
                             stderr=subprocess.STDOUT)
-    root = os.path.dirname(os.path.dirname(os.path.dirname(idl.__file__)))
+    root = os.path.dirname(os.path.dirname(rtshell_lite.__file__))
     out = subprocess.check_output([sys.executable, os.path.join(HERE, "stub_types.py"), directory,
                                    os.path.basename(path)[:-4] + "_idl"], env=dict(os.environ, PYTHONPATH=root))
     return {type_id: compared(part) for type_id, part in json.loads(out.decode()).items()}
@@ -71,15 +75,15 @@ class Valid(unittest.TestCase):
         for path in paths:
             with self.subTest(path=os.path.basename(path)), tempfile.TemporaryDirectory() as directory:
                 theirs = by_omniidl(path, directory)
-                self.assertEqual(plain(idl.parse_file(path, [os.path.dirname(path)])), theirs)
+                self.assertEqual(plain(parser.parse_file(path, [os.path.dirname(path)])), theirs)
                 self.assertTrue(theirs)
 
     def test_types_in_log_files(self):
         for path in cases("valid") + own_files():
-            for type_id, descriptor in idl.parse_file(path, [os.path.dirname(path)]).items():
+            for type_id, descriptor in parser.parse_file(path, [os.path.dirname(path)]).items():
                 with self.subTest(type=type_id):
-                    again = portable.descriptor(json.dumps(portable.plain(descriptor)).encode())
-                    self.assertEqual(portable.plain(again), portable.plain(descriptor))
+                    again = type_json.descriptor(json.dumps(type_json.plain(descriptor)).encode())
+                    self.assertEqual(type_json.plain(again), type_json.plain(descriptor))
 
     def test_members_named_as_types(self):
         """omniidl forbids it; other compilers do not, and what it means is clear."""
@@ -106,18 +110,18 @@ class Invalid(unittest.TestCase):
                 with open(path + ".error", encoding="utf-8") as file:
                     expected = file.read().strip()
                 with self.assertRaises(errors.BadIdl) as caught:
-                    idl.parse_file(path)
+                    parser.parse_file(path)
                 self.assertEqual(str(caught.exception).replace(os.path.dirname(path) + os.sep, ""), expected)
 
     def test_not_there(self):
         with self.assertRaises(errors.No):
-            idl.parse_file(os.path.join(DATA, "missing.idl"))
+            parser.parse_file(os.path.join(DATA, "missing.idl"))
 
     def test_types_in_log_files_that_cannot_be(self):
         for text in ('["fixed", Infinity, 1]', '["fixed", 5, "2"]', '["string", Infinity]', '["array", "long", NaN]', '["string"]', "[]",
                      '["union", "IDL:U:1.0", "U", "long", -1, [[1e400, "a", "long"]]]'):
             with self.assertRaises(errors.BadType):
-                portable.descriptor(text.encode())
+                type_json.descriptor(text.encode())
 
     def bounded(self, text, reason):
         start = time.monotonic()

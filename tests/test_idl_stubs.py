@@ -157,7 +157,7 @@ class WireTest(unittest.TestCase):
         self.assertEqual(repr(back), repr(value))
 
     def test_observer_kinds_differ_from_number_five_on(self):
-        from rtshell_lite.idl_stubs.observer import OpenRTM, RTC
+        from rtshell_lite.idl_stubs.observer import RTC, OpenRTM
         self.assertEqual([kind._v for kind in (OpenRTM.RTC_STATUS, OpenRTM.HEARTBEAT, OpenRTM.STATUS_KIND_NUM)],
                          [1, 5, 6])
         self.assertEqual([kind._v for kind in (RTC.RTC_STATUS, RTC.EC_HEARTBEAT, RTC.STATUS_KIND_NUM)], [1, 6, 11])

@@ -1,5 +1,6 @@
 """Signals at the worst of moments: if one of these fails, Ctrl-C brings an internal error, or leaves a connection in a robot."""
 import os
+import random
 import signal
 import sys
 import threading
@@ -7,9 +8,9 @@ import time
 import unittest
 
 from rtshell_lite import errors, interrupts
-from rtshell_lite.connection import Opened
-from rtshell_lite.dataport import Message
-from rtshell_lite.inbox import Inbox
+from rtshell_lite.data.connection import Opened
+from rtshell_lite.data.inbox import Inbox
+from rtshell_lite.data.reading import Message
 
 LIMIT = 10.0  # seconds that anything may take
 
@@ -66,6 +67,19 @@ class Waiting(Striking):
         threading.Timer(0.05, box.put, "d").start()
         self.assertEqual(box.get(LIMIT), "d")
         self.assertIsNone(box.get(0.01))
+
+    def test_a_flag_can_be_waited_for_whatever_strikes(self):
+        """With an Event, 44 of 19,460 signals at a random moment ended in: release unlocked lock; and so did an rtlog of 2,000."""
+        dice, end = random.Random(1), time.monotonic() + 1
+        self.addCleanup(signal.signal, signal.SIGALRM, signal.signal(signal.SIGALRM, signal.default_int_handler))
+        while time.monotonic() < end:
+            flag = interrupts.Flag()
+            with self.assertRaises(KeyboardInterrupt):
+                signal.setitimer(signal.ITIMER_REAL, dice.uniform(1e-5, 2e-4))
+                while not flag.wait(5e-5):
+                    pass
+        flag.set()
+        self.assertTrue(flag.wait(0) and flag.wait(LIMIT) and flag.is_set())
 
     def test_a_bell_rings_once_however_often_it_was_rung(self):
         bell = interrupts.Bell()
@@ -135,7 +149,7 @@ class Lost(Striking):
 
 
 class Connection:
-    """Stands for a dataport.Connection; signals strike while it is opened or closed."""
+    """Stands for a connection.Connection; signals strike while it is opened or closed."""
 
     def __init__(self, strikes=()):
         self.strikes, self.endpoint, self.where = strikes, ("here", 1), "/a.rtc:out"

@@ -1,4 +1,4 @@
-"""The direction of imports and a few rules of the house, read from the source: if this fails, layers grow together."""
+"""The order of packages and a few rules of the house, read from the source: if this fails, layers grow together."""
 import ast
 import os
 import re
@@ -9,33 +9,13 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 ONCE = "it reads the source: one Python is enough"
 
-# A module imports from its own layer and from those below, never from above; a new module is put where it belongs.
-LAYERS = [
-    ["bin"],  # the commands
-    ["__main__"],
-    # changing a system in steps; running commands, completing them, describing them; the live page
-    ["apply", "completion", "interpreter", "linking", "manpages", "mapping", "page", "prompt", "restore", "steps"],
-    # what single commands do
-    ["compare", "composing", "describe", "describe_manager", "doctor", "drawing", "exporting", "graph", "injecting", "listing",
-     "manual", "markup", "plan", "playing", "printing", "recording", "search", "starting", "svg", "system", "top", "unbind",
-     "unpack", "watch"],
-    # what can be asked of components, ports and managers, and done with them; being a port or an observer; logs of data
-    ["component", "configuration", "connection", "datalog", "dataport", "datatypes", "delivery", "execution", "flow", "fsm",
-     "inbox", "manager", "observer", "organisation", "places", "polling", "ports", "servants", "targets"],
-    ["tree"],  # from a path to a node
-    ["aliases", "node"],
-    ["answers", "orb", "cli", "commandline", "installation", "reports", "streams"],  # the door to omniORB; what commands share
-    # forms of things, told from text or bytes without asking anybody
-    ["cdr", "constants", "constraints", "construct", "descriptors", "idl", "ior", "overview", "path", "portable", "values",
-     "xmlprofile"],
-    ["files", "interrupts", "rpc", "shell", "text"],
-    ["errors"],
-    ["__init__"],
-]
-OMNIORB_HOMES = {"orb", "answers", "servants", "observer"}  # all but the first two serve CORBA objects themselves
-# Stubs are imported here, inside functions; a command must not pay for those that it does not use.
-STUB_LAYERS = next(names for names in LAYERS if "component" in names) + ["node", "orb"]
-CATCH_ALL_HOMES = {"cli", "rpc"}
+# Files and packages of rtshell_lite import from those before them, never from those after them.
+ORDER = """__init__ errors interrupts text files path idl_stubs corba options cli
+           robot data xmlprofile datalog system events views top doctor shell __main__ bin""".split()
+OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only
+STUBBED = ("corba", "robot", "data", "events")  # may import stubs, inside functions: a command pays for those that it uses
+PRINTING = ("bin", "__main__.py", "cli.py", "system/reports.py")
+CATCH_ALL = ("cli.py", "corba/lanes.py")
 LONGEST = 400
 
 
@@ -43,7 +23,8 @@ def below(directory):
     """Our Python files below a directory: paths relative to the root, generated files aside."""
     found = []
     for where, directories, names in os.walk(os.path.join(ROOT, directory)):
-        directories[:] = [name for name in directories if name not in ("__pycache__", "idl_stubs", "data")]
+        directories[:] = [name for name in directories if name not in ("__pycache__", "idl_stubs", "data") or
+                          name == "data" and where.endswith("rtshell_lite")]
         for path in [os.path.join(where, name) for name in names]:
             if path.endswith(".py") or directory == "bin" and not os.path.basename(path).startswith("."):
                 found.append(os.path.relpath(path, ROOT))
@@ -55,15 +36,16 @@ def source(path):
         return file.read()
 
 
-def module(path):
-    """The name of a file in LAYERS: its part of rtshell_lite, or bin."""
-    return "bin" if path.startswith("bin") else re.split(r"[/.]", path)[1]
+def place(path):
+    """A file's place in ORDER; None for one that is not there."""
+    name = "bin" if path.startswith("bin") else re.split(r"[/.]", path)[1]
+    return ORDER.index(name) if name in ORDER else None
 
 
-def layer(name):
-    """The height of a module in LAYERS, counted from below."""
-    heights = [height for height, names in enumerate(reversed(LAYERS)) if name in names]
-    return heights[0] if heights else None
+def is_in(path, names):
+    """True for what is one of these files of rtshell_lite, or in one of these packages."""
+    inner = path[len("rtshell_lite/"):] if path.startswith("rtshell_lite/") else path
+    return inner in names or inner.startswith(tuple(name + "/" for name in names))
 
 
 def imports(tree):
@@ -72,72 +54,73 @@ def imports(tree):
              for node in ast.walk(function)}
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
-            for name in node.names:
-                yield name.name, node in inner
+            yield from ((name.name, node in inner) for name in node.names)
         elif isinstance(node, ast.ImportFrom):
-            start = "rtshell_lite" if node.level else ""
-            where = ".".join(filter(None, [start, node.module]))
-            for name in node.names:  # `from rtshell_lite import tree` and `from rtshell_lite.tree import walk` alike
-                yield where + "." + name.name, node in inner
-
-
-def own(dotted):
-    """The module of ours that an import names, or None."""
-    parts = dotted.split(".")
-    if parts[0] != "rtshell_lite":
-        return None
-    return "__init__" if len(parts) == 1 or parts[1].startswith("__v") else parts[1]
+            yield from (("%s.%s" % (node.module, name.name), node in inner) for name in node.names)
 
 
 class Layers(unittest.TestCase):
     def setUp(self):
-        paths = below("rtshell_lite") + below("bin")
-        self.trees = {path: ast.parse(source(path)) for path in paths}
-        self.arrows = [(path, dotted, inside) for path in paths for dotted, inside in imports(self.trees[path])]
+        self.paths = below("rtshell_lite") + below("bin")
+        self.trees = {path: ast.parse(source(path)) for path in self.paths}
+        self.arrows = [(path, dotted, inside) for path in self.paths for dotted, inside in imports(self.trees[path])]
 
-    def test_every_module_has_its_layer(self):
-        self.assertEqual([path for path in self.trees if layer(module(path)) is None], [], "to be put into LAYERS")
+    def target(self, dotted):
+        """The file of ours that an import names, or None."""
+        parts = dotted.split(".")
+        if parts[0] != "rtshell_lite":
+            return None
+        if "idl_stubs" in parts:
+            return "rtshell_lite/idl_stubs/__init__.py"
+        names = ["/".join(parts[:size]) + end for size in range(len(parts), 0, -1) for end in (".py", "/__init__.py")]
+        return next(name for name in names if name in self.trees)
+
+    def test_every_file_has_its_place(self):
+        self.assertEqual([path for path in self.paths if place(path) is None], [], "to be put into a package, or into ORDER")
 
     def test_imports_go_down(self):
-        wrong = [(path, dotted) for path, dotted, _ in self.arrows if own(dotted) not in (None, "idl_stubs")
-                 and (layer(own(dotted)) is None or layer(own(dotted)) > (layer(module(path)) or 0))]
+        wrong = [(path, dotted) for path, dotted, _ in self.arrows
+                 if self.target(dotted) and place(self.target(dotted)) > place(path)]
         self.assertEqual(wrong, [])
 
     def test_no_circles(self):
-        targets = {module(path): set() for path in self.trees}
+        targets = {path: set() for path in self.paths}
         for path, dotted, _ in self.arrows:
-            targets[module(path)] |= {own(dotted)} - {module(path)}
+            targets[path] |= {self.target(dotted)} - {path}
         while targets:
             free = [name for name in targets if not targets[name] & set(targets)]
             self.assertTrue(free, "these import each other: %s" % sorted(targets))
             for name in free:
                 del targets[name]
 
-    def test_omniorb_has_few_homes(self):
+    def test_a_package_is_a_docstring(self):
+        wrong = [path for path, tree in self.trees.items()
+                 if path.endswith("/__init__.py") and place(path) and not (len(tree.body) == 1 and ast.get_docstring(tree))]
+        self.assertEqual(wrong, [])
+
+    def test_omniorb_has_one_home(self):
         wrong = [(path, dotted) for path, dotted, _ in self.arrows
-                 if dotted.split(".")[0] in ("omniORB", "CORBA", "PortableServer") and module(path) not in OMNIORB_HOMES]
+                 if dotted.split(".")[0] in OMNIORB and not is_in(path, ["corba"])]
         self.assertEqual(wrong, [])
 
     def test_stubs_are_imported_where_they_are_needed(self):
-        wrong = [(path, dotted) for path, dotted, inside in self.arrows
-                 if (own(dotted) == "idl_stubs" or dotted.startswith("CosNaming"))
-                 and not (module(path) in STUB_LAYERS and (inside or module(path) in OMNIORB_HOMES))]
+        wrong = [(path, dotted) for path, dotted, inside in self.arrows if ".idl_stubs" in dotted
+                 and not (is_in(path, STUBBED) and (inside or path == "rtshell_lite/corba/servants.py"))]
         self.assertEqual(wrong, [])
 
     @unittest.skipUnless(hasattr(sys, "stdlib_module_names"), "Python before 3.10 does not list its own modules")
     def test_nothing_foreign(self):
-        known = set(sys.stdlib_module_names) | {"rtshell_lite", "omniORB", "CosNaming"}
+        known = set(sys.stdlib_module_names) | OMNIORB | {"rtshell_lite"}
         self.assertEqual([(path, dotted) for path, dotted, _ in self.arrows if dotted.split(".")[0] not in known], [])
 
     def test_a_command_imports_at_its_top_what_needs_no_omniorb(self):
-        wrong = [(path, dotted) for path, dotted, inside in self.arrows if module(path) == "bin" and not inside
-                 and own(dotted) and (layer(own(dotted)) >= layer("tree") or own(dotted) == "orb")]
+        wrong = [(path, dotted) for path, dotted, inside in self.arrows if path.startswith("bin") and not inside
+                 and is_in(self.target(dotted) or "", ["corba", "robot"])]
         self.assertEqual(wrong, [], "to be imported inside run()")
 
-    def test_only_commands_cli_and_reports_print(self):
-        wrong = [(path, calls(tree, {"print"})) for path, tree in self.trees.items()
-                 if module(path) not in ("bin", "cli", "reports", "__main__") and calls(tree, {"print"})]
-        self.assertEqual(wrong, [])
+    def test_few_files_print(self):
+        wrong = [(path, calls(tree, {"print"})) for path, tree in self.trees.items() if not is_in(path, PRINTING)]
+        self.assertEqual([each for each in wrong if each[1]], [])
 
 
 class Rules(unittest.TestCase):
@@ -171,7 +154,7 @@ class Rules(unittest.TestCase):
             for node in ast.walk(tree):
                 if isinstance(node, ast.ExceptHandler):
                     catch_all = node.type is not None and names(node.type) & {"Exception", "BaseException"}
-                    free = path.startswith(("tests", "mock_components")) or module(path) in CATCH_ALL_HOMES
+                    free = path.startswith(("tests", "mock_components")) or is_in(path, CATCH_ALL)
                     if node.type is None or catch_all and not free:
                         yield node.lineno
         self.check(faults)

@@ -6,7 +6,9 @@ try:
 except ImportError:
     omniORB = None
 
-from rtshell_lite import errors, manager, orb
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.robot import manager
 
 
 @unittest.skipUnless(omniORB, "needs omniORBpy")

@@ -30,14 +30,14 @@ class Pages(unittest.TestCase):
     def test_up_to_date(self):
         """The pages in man/ and their list in setup.cfg are what docstrings, parsers and READMEs make."""
         environment = dict(os.environ, PYTHONPATH=ROOT, PYTHONDONTWRITEBYTECODE="1")
-        program = ("import json, sys; from rtshell_lite import manpages; pages = manpages.pages(); "
+        program = ("import json, sys; from rtshell_lite.shell import manpages; pages = manpages.pages(); "
                    "print(json.dumps([pages, manpages.packaged(sys.stdin.read(), pages)]))")
         said = subprocess.check_output([sys.executable, "-c", program], env=environment, cwd=ROOT,
                                        input=read("setup.cfg").encode("utf-8"))
         made, config = json.loads(said.decode())
         made["setup.cfg"], there = config, dict(below("man"), **{"setup.cfg": read("setup.cfg")})
         stale = sorted(name for name in set(made) | set(there) if made.get(name) != there.get(name))
-        self.assertEqual(stale, [], "to bring them up to date, run: python3 -m rtshell_lite.manpages")
+        self.assertEqual(stale, [], "to bring them up to date, run: python3 -m rtshell_lite.shell.manpages")
 
     def test_every_command_has_one(self):
         self.assertEqual(sorted(os.listdir(os.path.join(ROOT, "man", "man1"))),

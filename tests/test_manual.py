@@ -4,7 +4,7 @@ import types
 import unittest
 import xml.etree.ElementTree
 
-from rtshell_lite import manual, markup
+from rtshell_lite.views import manual, manual_formats
 
 HOSTILE = "<b>&\"'</b> \\end{document} {x_y} $1 100% #~^ `` \x1b[31m\u202e"
 
@@ -55,24 +55,24 @@ class Formats(unittest.TestCase):
                                               manual.Graph(['x [label="%s"];' % manual._quoted(HOSTILE)])])], [])
 
     def test_nothing_harms_a_terminal(self):
-        for name, write in markup.FORMATS.items():
+        for name, write in manual_formats.FORMATS.items():
             for line in write(self.manual):
                 for part in line.split("\n"):
                     self.assertTrue(part.isprintable(), (name, ascii(part)))
 
     def test_html_is_well_formed_and_text_stays_text(self):
-        page = "\n".join(markup.html(self.manual)).replace('<meta charset="utf-8">', "").replace("<!DOCTYPE html>\n", "")
+        page = "\n".join(manual_formats.html(self.manual)).replace('<meta charset="utf-8">', "").replace("<!DOCTYPE html>\n", "")
         root = xml.etree.ElementTree.fromstring(page)
         self.assertEqual(list(root.iter("b")), [])
         self.assertEqual(len([p for p in root.iter("p") if "paragraph" in p.text or "Another" in p.text]), 2)
 
     def test_latex_commands_in_text_are_no_commands(self):
-        lines = markup.latex(self.manual)
+        lines = manual_formats.latex(self.manual)
         self.assertEqual([line for line in lines if line.startswith(r"\end{document}")], [lines[-1]])
         self.assertNotIn(r"\end{document} {x", "\n".join(lines[:-1]).split(r"\begin{verbatim}")[0])
 
     def test_rst_cells_stay_in_their_rows(self):
-        row = [line for line in markup.rst(self.manual) if "two lines" in line]
+        row = [line for line in manual_formats.rst(self.manual) if "two lines" in line]
         self.assertEqual(len(row), 1)
 
 

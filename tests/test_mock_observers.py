@@ -14,7 +14,7 @@ try:
     from rtshell_lite.idl_stubs.component import RTC, SDOPackage
     from rtshell_lite.idl_stubs.dataport import OpenRTM as Cdr, OpenRTM__POA as Cdr__POA
     from rtshell_lite.idl_stubs.fsm import RTC as Fsm
-    from rtshell_lite.idl_stubs.observer import OpenRTM__POA, RTC__POA
+    from rtshell_lite.idl_stubs.observer import RTC__POA, OpenRTM__POA
 except ImportError:
     pass        # then setUpModule skips all
 else:

@@ -12,7 +12,7 @@ ONCE = "mocks are used by the transcripts on every Python"
 try:
     import CosNaming
     import omniORB
-    from rtshell_lite.idl_stubs.component import OpenRTM, RTC
+    from rtshell_lite.idl_stubs.component import RTC, OpenRTM
 except ImportError:
     pass        # then setUpModule skips all
 

@@ -1,7 +1,7 @@
 """What components tell observers, and what we make of it: if this fails, rtwatch shows words of the wire, or the wrong ones."""
 import unittest
 
-from rtshell_lite.observer import event
+from rtshell_lite.events.observer import event
 
 
 class Hints(unittest.TestCase):

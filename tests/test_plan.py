@@ -7,7 +7,8 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from rtshell_lite import errors, plan, system  # noqa: E402
+from rtshell_lite import errors  # noqa: E402
+from rtshell_lite.system import capture, plan  # noqa: E402
 from rtshell_lite.xmlprofile import model  # noqa: E402
 
 
@@ -101,7 +102,7 @@ class Making(unittest.TestCase):
         self.refused("A (RTC:A:b:T:1) may be /h/A.rtc or /other/A.rtc (the property COMPONENT_PATH_ID tells)",
                      twins, order("A"))
         condition = order("A")
-        condition.target.properties = [model.Property(name=system.PATH_ID, value="other/A.rtc")]
+        condition.target.properties = [model.Property(name=capture.PATH_ID, value="other/A.rtc")]
         self.assertEqual([bool(action.texts) for action in make(twins, condition).actions], [False, True])
 
     def test_what_is_not_there(self):

@@ -2,7 +2,8 @@
 import unittest
 from unittest import mock
 
-from rtshell_lite import errors, path, ports
+from rtshell_lite import errors, path
+from rtshell_lite.robot import connectors, ports
 
 PY2 = {"dataport.dataflow_type": "push,pull,duplex", "dataport.interface_type": "corba_cdr,direct",
        "dataport.subscription_type": "flush, new ,periodic"}
@@ -37,7 +38,7 @@ def service(name, *interfaces):
 
 class Case(unittest.TestCase):
     def setUp(self):
-        patched = mock.patch("rtshell_lite.orb.identity", lambda ref: ref)  # references are names here
+        patched = mock.patch("rtshell_lite.corba.orb.identity", lambda ref: ref)  # references are names here
         patched.start()
         self.addCleanup(patched.stop)
 
@@ -162,7 +163,7 @@ class Duplicates(Case):
 
     def refused(self, found, name="", connector_id=""):
         with self.assertRaises(errors.Refused) as caught:
-            ports.refuse_duplicate(found, name, connector_id)
+            connectors.refuse_duplicate(found, name, connector_id)
         return str(caught.exception)
 
     def test_pair_name_and_id(self):
@@ -170,7 +171,7 @@ class Duplicates(Case):
         self.assertIn("already connected (id i)", self.refused([first, into()]))
         self.assertIn("a connection with id i", self.refused([first, into(name="C.in")], connector_id="i"))
         self.assertIn("a connection with name n", self.refused([first, into(name="C.in")], name="n"))
-        ports.refuse_duplicate([first, into(name="C.in")], "m", "j")
+        connectors.refuse_duplicate([first, into(name="C.in")], "m", "j")
 
     def test_every_port_is_looked_at(self):
         last = self.connected("C.in", "DataInPort", far="D.out")
@@ -190,8 +191,8 @@ class Disconnecting(Case):
             if isinstance(answer, Exception):
                 raise answer
             return answer
-        with mock.patch("rtshell_lite.orb.call", call):
-            ports.disconnect(out(), ports.Connector("id", "n", [], []))
+        with mock.patch("rtshell_lite.corba.orb.call", call):
+            connectors.disconnect(out(), ports.Connector("id", "n", [], []))
         self.assertEqual(script, [])
         return asked
 

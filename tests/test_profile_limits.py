@@ -66,8 +66,10 @@ BOMBS = {
 
 CHILD = """
 import resource, sys, time
-from rtshell_lite import errors, xmlprofile
-from rtshell_lite.xmlprofile import xml, yamlform
+from rtshell_lite import errors
+from rtshell_lite.xmlprofile import rtsprofile
+from rtshell_lite.xmlprofile import xml
+from rtshell_lite.xmlprofile.yaml import form
 MIB, ROOT = 1 << 20, b"rtsProfile: "
 V01 = b'<RtsProfile xmlns="http://www.openrtp.org/namespaces/rts" id="" version="0.1">'
 V01_COMPONENT = b'<Component id="" pathUri="" instanceName="">'
@@ -78,7 +80,7 @@ data = EXPRESSION
 held = len(data) / MIB
 start = time.process_time()
 try:
-    xmlprofile.load(data, "bomb")
+    rtsprofile.load(data, "bomb")
     said = "read"
 except errors.BadProfile as e:
     said = str(e)

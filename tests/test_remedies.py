@@ -21,8 +21,11 @@ try:
 except ImportError:
     raise unittest.SkipTest("needs omniORBpy")
 
-from rtshell_lite import errors, path, rpc, system, tree
+from rtshell_lite import errors, path
+from rtshell_lite.corba import lanes
 from rtshell_lite.doctor import finding, remedies
+from rtshell_lite.robot import tree
+from rtshell_lite.system import capture
 
 ONCE = "what commands do is the same for every Python"
 PROGRAMS = set(os.listdir(mocks.COMMANDS)) & {name for name in os.listdir(mocks.COMMANDS) if name.startswith("rt")} | {"unset"}
@@ -89,7 +92,7 @@ def facts(server):
 
 def _component(node, where):
     try:
-        asked = system.ask(node)
+        asked = capture.ask(node)
     except errors.Error as e:
         return {"broken " + where: type(e).__name__}
     found = {"active set " + where: asked.active}
@@ -131,7 +134,7 @@ class Following(unittest.TestCase):
     def setUpClass(cls):
         mocks.peers.nameserver.binary() or cls.skipTest("needs omniNames")
         cls.around = running.Surroundings()
-        rpc.timeout = 5.0
+        lanes.timeout = 5.0
 
     @classmethod
     def tearDownClass(cls):

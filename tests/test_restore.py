@@ -6,8 +6,11 @@ import unittest
 import mocks
 from faults import running
 from mock_components import asking
-from rtshell_lite import apply, configuration, errors, execution, orb, organisation, path, ports, restore, rpc, system, tree, xmlprofile
-from rtshell_lite.xmlprofile import model
+from rtshell_lite import errors, path
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.robot import composites, configuration, connectors, contexts, ports, tree
+from rtshell_lite.system import apply, capture, restore
+from rtshell_lite.xmlprofile import model, rtsprofile
 
 ONCE = "what becomes of a system does not depend on the Python"
 WORDS = ["x", "two words", "日本", "a=b", "<&>\"'", "-5", "\\x20", "$(false)", "tab\there", "\udcff", "; rm"]
@@ -19,7 +22,7 @@ SECONDS = 1.0  # how long a mock may stay silent
 
 def setUpModule():
     if mocks.omniORB is not None:
-        rpc.timeout = SECONDS
+        lanes.timeout = SECONDS
         orb.start()  # with our settings: the second to ask for an ORB gets the first one's
     mocks.start_name_server()
 
@@ -37,26 +40,26 @@ def node(name):
 
 
 def connect(*ends, **more):
-    return ports.connect(ports.find([where(*end.split(":", 1)) for end in ends]), **more)
+    return connectors.connect(ports.find([where(*end.split(":", 1)) for end in ends]), **more)
 
 
-def capture():
+def captured():
     """The profile of all that runs, with no faults in the way."""
-    rpc.silent.clear()
-    found = system.capture([path.parse("/127.0.0.1:%d" % mocks.Server.port)], all_components=True)
+    lanes.silent.clear()
+    found = capture.capture([path.parse("/127.0.0.1:%d" % mocks.Server.port)], all_components=True)
     assert not found.failures, found.failures
     return found.profile
 
 
 def restored(profile, all_or_nothing=False):
-    rpc.silent.clear()
+    lanes.silent.clear()
     outcomes = restore.restoring(profile, NOTHING)
     apply.carry_out(outcomes, all_or_nothing)
     return outcomes
 
 
 def torn_down(profile):
-    rpc.silent.clear()
+    lanes.silent.clear()
     outcomes, _ = restore.tearing_down(profile, NOTHING)
     apply.carry_out(outcomes)
     return outcomes
@@ -110,12 +113,12 @@ class Everything(Worlds):
                     found.store(values, one)
         configuration.Configuration(node("ConfigSample0")).activate(dice.choice(["default", "mode0", "mode1"]))
         for name in ("Mock0", "ConfigSample1", "composite0"):
-            execution.set_rate(node(name), 0, dice.choice([1000.0, 500.0, 250.0]))
+            contexts.set_rate(node(name), 0, dice.choice([1000.0, 500.0, 250.0]))
 
     def leave(self, name):
         composite = node("composite0")
-        member = organisation.Member(name, node(name), [])
-        organisation.remove(composite, organisation.the_one(composite), [member])
+        member = composites.Member(name, node(name), [])
+        composites.remove(composite, composites.the_one(composite), [member])
 
     def test_saved_torn_down_restored_and_saved_again_is_the_same(self):
         for seed in range(SEEDS):
@@ -130,21 +133,21 @@ class Everything(Worlds):
         self.addCleanup(third.close)
         try:
             self.make(dice)
-            saved = capture()
+            saved = captured()
             self.assertEqual(statuses(restored(saved)), {"already so"})
             if not reboot or dice.random() < 0.5:
                 self.assertLessEqual(statuses(torn_down(saved)), {"done"})
-                self.assertEqual([c for c in capture().data_port_connectors + capture().service_port_connectors], [])
+                self.assertEqual([c for c in captured().data_port_connectors + captured().service_port_connectors], [])
             if reboot:
                 there.close()
                 there = mocks.World("these", *away)
             self.change(dice)
             self.leave(dice.choice(["Motor0", "Sensor0"]))
-            for form in (xmlprofile.XML, xmlprofile.YAML):  # through a file, as users do
-                saved = xmlprofile.load(xmlprofile.dump(saved, form), "", form)
+            for form in (rtsprofile.XML, rtsprofile.YAML):  # through a file, as users do
+                saved = rtsprofile.load(rtsprofile.dump(saved, form), "", form)
             outcomes = restored(saved)
             self.assertLessEqual(statuses(outcomes), {"already so", "done"}, told(outcomes))
-            self.assertEqual(without_dates(capture()), without_dates(saved))
+            self.assertEqual(without_dates(captured()), without_dates(saved))
             self.assertEqual(statuses(restored(saved)), {"already so"})
         finally:
             for world in (here, there, third):
@@ -174,7 +177,7 @@ class Faults(Worlds):
         connect("ConsoleIn0:out", "ConsoleOut0:in", connector_id="one")
         connect("ConsoleIn0:out", "ConsoleOut1:in", "ConsoleOut2:in", connector_id="two")
         connect("MyServiceConsumer0:MyService", "MyServiceProvider0:MyService", connector_id="three")
-        self.saved = capture()
+        self.saved = captured()
         self.wreck()
 
     def wreck(self):
@@ -185,12 +188,12 @@ class Faults(Worlds):
         found = configuration.Configuration(node("ConfigSample0"))
         found.store(WRECKED, found.set("mode0"))
         found.activate("default")
-        execution.set_rate(node("ConsoleOut1"), 0, 100.0)
+        contexts.set_rate(node("ConsoleOut1"), 0, 100.0)
         composite = node("composite0")
-        one = organisation.the_one(composite)
+        one = composites.the_one(composite)
         if any(name == "Motor0" for name, _ in one.members):
-            organisation.remove(composite, one, [organisation.Member("Motor0", node("Motor0"), [])])
-        self.wrecked = {each.path_uri: each for each in capture().components}
+            composites.remove(composite, one, [composites.Member("Motor0", node("Motor0"), [])])
+        self.wrecked = {each.path_uri: each for each in captured().components}
         for world in self.worlds:
             self.ctl(world, "reset")
 
@@ -209,7 +212,7 @@ class Faults(Worlds):
         """Compare a report with what there is, asked in other ways. All that is not done has to be as it was."""
         for world in self.worlds:
             self.ctl(world, "reset")
-        now = {each.path_uri: each for each in capture().components}
+        now = {each.path_uri: each for each in captured().components}
         then = {each.path_uri: each for each in self.saved.components}
         for each in outcomes:
             step = each.step
@@ -252,7 +255,7 @@ class Faults(Worlds):
         self.truth(outcomes)
         again = restored(self.saved)
         self.assertLessEqual(statuses(again), {"done", "already so"}, told(again))
-        self.assertEqual(without_dates(capture()), without_dates(self.saved))
+        self.assertEqual(without_dates(captured()), without_dates(self.saved))
         return outcomes
 
     def test_every_call_fails_once(self):
@@ -273,7 +276,7 @@ class Faults(Worlds):
 
     def test_rolled_back_all_is_as_before(self):
         """Unless what fails is how it is undone, which is reported."""
-        before = without_dates(capture())
+        before = without_dates(captured())
         for world, operation, count in self.faults():
             if operation not in CHANGES:
                 continue
@@ -284,10 +287,10 @@ class Faults(Worlds):
                     outcomes = restored(self.saved, all_or_nothing=True)
                     self.ctl(world, "reset")
                     if statuses(outcomes) <= {"done", "already so"}:
-                        self.assertEqual(without_dates(capture()), without_dates(self.saved), told(outcomes))
+                        self.assertEqual(without_dates(captured()), without_dates(self.saved), told(outcomes))
                     elif not statuses(outcomes) & {"not undone", "uncertain"}:
                         self.assertNotIn("done", statuses(outcomes))
-                        self.assertEqual(without_dates(capture()), before, told(outcomes))
+                        self.assertEqual(without_dates(captured()), before, told(outcomes))
 
     def test_calls_that_never_come_back(self):
         for world, operation, count in self.faults():
@@ -306,7 +309,7 @@ class Faults(Worlds):
             with self.subTest(world=place, operation=operation):
                 self.wreck()
                 self.ctl(self.worlds[place], "fail", operation, str(count), "DIE")
-                rpc.silent.clear()
+                lanes.silent.clear()
                 outcomes = restore.restoring(self.saved, NOTHING)
                 apply.carry_out(outcomes)
                 self.assertLessEqual(statuses(outcomes), {"done", "already so", "failed", "not tried"}, told(outcomes))
@@ -315,7 +318,7 @@ class Faults(Worlds):
                 self.worlds[place] = self.start(*(HERE, THERE)[place])
                 again = restored(self.saved)
                 self.assertLessEqual(statuses(again), {"done", "already so"}, told(again))
-                self.assertEqual(without_dates(capture()), without_dates(self.saved))
+                self.assertEqual(without_dates(captured()), without_dates(self.saved))
 
 
 if __name__ == "__main__":

@@ -3,35 +3,36 @@ import threading
 import time
 import unittest
 
-from rtshell_lite import errors, rpc
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes
 
 
 class Gather(unittest.TestCase):
     def setUp(self):
-        self.before, rpc.timeout = rpc.timeout, 0.4
+        self.before, lanes.timeout = lanes.timeout, 0.4
         self.release = threading.Event()
-        rpc.silent.clear()
-        rpc._answered.clear()
+        lanes.silent.clear()
+        lanes._answered.clear()
 
     def tearDown(self):
         self.release.set()
-        rpc.timeout = self.before
+        lanes.timeout = self.before
 
     def job(self, endpoint, call):
-        return rpc.Job(endpoint, str(endpoint), call)
+        return lanes.Job(endpoint, str(endpoint), call)
 
     def test_values_come_in_the_order_of_the_jobs(self):
         jobs = [self.job(i % 3, lambda i=i: i) for i in range(100)]
-        self.assertEqual(rpc.gather(jobs), list(range(100)))
+        self.assertEqual(lanes.gather(jobs), list(range(100)))
 
     def test_no_jobs(self):
-        self.assertEqual(rpc.gather([]), [])
+        self.assertEqual(lanes.gather([]), [])
 
     def test_in_turn_values_come_before_the_last_one_is_there(self):
         def late():
             self.release.wait()
             return "late"
-        values = rpc.in_turn([self.job("a", lambda: "early"), self.job("b", late), self.job("a", lambda: "behind")])
+        values = lanes.in_turn([self.job("a", lambda: "early"), self.job("b", late), self.job("a", lambda: "behind")])
         self.assertEqual(next(values), "early")
         self.assertFalse(self.release.is_set())
         self.release.set()
@@ -43,12 +44,12 @@ class Gather(unittest.TestCase):
         def slow():
             asked.append(1)
             self.release.wait(0.05)
-        values = rpc.in_turn([self.job("p", lambda: "first")] + [self.job("p", slow) for _ in range(200)])
+        values = lanes.in_turn([self.job("p", lambda: "first")] + [self.job("p", slow) for _ in range(200)])
         self.assertEqual(next(values), "first")
         values.close()
         begun = len(asked)
         self.release.wait(0.2)
-        self.assertLessEqual(len(asked), begun + rpc.LANES)
+        self.assertLessEqual(len(asked), begun + lanes.LANES)
 
     def test_live_peers_answer_beside_hung_and_dead_ones(self):
         def dead():
@@ -57,7 +58,7 @@ class Gather(unittest.TestCase):
         jobs += [self.job("dead", dead) for _ in range(50)]
         jobs += [self.job(("live", i), lambda i=i: i) for i in range(30)]
         start = time.monotonic()
-        values = rpc.gather(jobs)
+        values = lanes.gather(jobs)
         spent = time.monotonic() - start
         self.assertTrue(all(isinstance(v, errors.Silent) for v in values[:200]))
         self.assertTrue(all(isinstance(v, errors.ConnectionRefused) for v in values[200:250]))
@@ -71,9 +72,9 @@ class Gather(unittest.TestCase):
         def silent():
             asked.append(1)
             raise errors.Silent("x", "no answer")
-        values = rpc.gather([self.job("p", silent) for _ in range(50)])
+        values = lanes.gather([self.job("p", silent) for _ in range(50)])
         self.assertTrue(all(isinstance(v, errors.Silent) for v in values))
-        self.assertLessEqual(len(asked), rpc.LANES)
+        self.assertLessEqual(len(asked), lanes.LANES)
 
     def test_at_most_four_calls_are_in_flight_to_one_process(self):
         now, most, lock = [0], [0], threading.Lock()
@@ -85,78 +86,78 @@ class Gather(unittest.TestCase):
             self.release.wait(0.002)
             with lock:
                 now[0] -= 1
-        rpc.gather([self.job("p", call) for _ in range(60)])
+        lanes.gather([self.job("p", call) for _ in range(60)])
         self.assertLessEqual(most[0], 4)
 
     def test_answers_restart_the_clock(self):
         def slow():
             for _ in range(4):
                 self.release.wait(0.2)
-                rpc.alive()
+                lanes.alive()
             return "done"
-        self.assertEqual(rpc.gather([self.job("p", slow)]), ["done"])  # 0.8 s in all, with a timeout of 0.4
+        self.assertEqual(lanes.gather([self.job("p", slow)]), ["done"])  # 0.8 s in all, with a timeout of 0.4
 
     def test_silence_elsewhere_is_not_held_against_this_process(self):
         def outer():
-            return rpc.ask("other", "other", lambda: self.release.wait())
-        values = rpc.gather([self.job("p", outer), self.job("p", lambda: 1), self.job("p", outer), self.job("p", lambda: 2)])
+            return lanes.ask("other", "other", lambda: self.release.wait())
+        values = lanes.gather([self.job("p", outer), self.job("p", lambda: 1), self.job("p", outer), self.job("p", lambda: 2)])
         self.assertEqual([values[1], values[3]], [1, 2])
         self.assertTrue(all(type(values[i]) is errors.Unreachable for i in (0, 2)))
 
     def test_a_silent_process_is_not_asked_again_at_once(self):
-        rpc.gather([self.job("p", self.release.wait)])
+        lanes.gather([self.job("p", self.release.wait)])
         start = time.monotonic()
-        value, = rpc.gather([self.job("p", lambda: 1)])
+        value, = lanes.gather([self.job("p", lambda: 1)])
         self.assertIsInstance(value, errors.Silent)
         self.assertLess(time.monotonic() - start, 0.1)
         while time.monotonic() - start < 0.45:
             self.release.wait(0.05)
-        self.assertEqual(rpc.gather([self.job("p", lambda: 1)]), [1])  # but later, when it may be back
+        self.assertEqual(lanes.gather([self.job("p", lambda: 1)]), [1])  # but later, when it may be back
 
     def test_a_process_that_answers_others_is_not_silent(self):
         def hung():
-            self.release.wait(rpc.timeout)
+            self.release.wait(lanes.timeout)
             raise errors.Silent("p", "no answer")
 
         def answering():
             self.release.wait(0.1)
-            rpc.answered()
+            lanes.answered()
             return 1
-        values = rpc.gather([self.job("p", hung)] + [self.job("p", answering) for _ in range(2)])
+        values = lanes.gather([self.job("p", hung)] + [self.job("p", answering) for _ in range(2)])
         self.assertEqual(values[1:], [1, 1])
         self.assertIsInstance(values[0], errors.Silent)
-        self.assertEqual(rpc.gather([self.job("p", lambda: 1)]), [1])  # at once
+        self.assertEqual(lanes.gather([self.job("p", lambda: 1)]), [1])  # at once
 
     def test_many_that_ask_one_silent_process_wait_once(self):
         def outer():
-            return rpc.ask("other", "other", self.release.wait)
+            return lanes.ask("other", "other", self.release.wait)
         start = time.monotonic()
-        rpc.gather([self.job("p", outer) for _ in range(12)])
+        lanes.gather([self.job("p", outer) for _ in range(12)])
         self.assertLess(time.monotonic() - start, 0.9)
 
     def test_a_bug_is_not_taken_for_a_failure_of_the_peer(self):
         with self.assertRaises(KeyError):
-            rpc.gather([self.job("p", lambda: {}["x"])])
+            lanes.gather([self.job("p", lambda: {}["x"])])
 
     def test_nobody_is_asked_when_all_time_is_up(self):
         """If this fails, a command that has promised a bound does not keep it with peers that are slow but answer."""
         def slow():
             for _ in range(20):
                 time.sleep(0.05)
-                rpc.answered()
+                lanes.answered()
         start = time.monotonic()
-        rpc.end = start + 0.3
-        self.addCleanup(setattr, rpc, "end", None)
-        values = rpc.gather([self.job("slow", slow) for _ in range(20)] + [self.job("quick", lambda: "done")])
+        lanes.end = start + 0.3
+        self.addCleanup(setattr, lanes, "end", None)
+        values = lanes.gather([self.job("slow", slow) for _ in range(20)] + [self.job("quick", lambda: "done")])
         self.assertLess(time.monotonic() - start, 0.8)
-        self.assertEqual([str(value) for value in values], ["slow: " + rpc.NO_TIME] * 20 + ["done"])
+        self.assertEqual([str(value) for value in values], ["slow: " + lanes.NO_TIME] * 20 + ["done"])
 
     def test_ask_raises(self):
         def refused():
             raise errors.Refused("x", "no")
-        self.assertEqual(rpc.ask("p", "p", lambda: 3), 3)
+        self.assertEqual(lanes.ask("p", "p", lambda: 3), 3)
         with self.assertRaises(errors.Refused):
-            rpc.ask("p", "p", refused)
+            lanes.ask("p", "p", refused)
 
 
 if __name__ == "__main__":

@@ -17,9 +17,11 @@ COMMANDS = os.path.dirname(shutil.which("rttop") or os.path.join(peers.ROOT, "bi
 
 # A page whose drawing fails, as a bug of ours would make it
 BROKEN = """
-from rtshell_lite import cli, installation, overview
+from rtshell_lite import cli
+from rtshell_lite.shell import installation
+from rtshell_lite.top import rows
 module = installation.load(installation.commands()["rttop"], "rttop")
-overview.summary = None
+rows.summary = None
 cli.main(module.arguments, module.run, module.__doc__, [])
 """
 

@@ -9,8 +9,8 @@ import tracemalloc
 import unittest
 
 import simpkl_files as files
-from rtshell_lite import datalog, errors
-from rtshell_lite.datalog import pickles
+from rtshell_lite import errors
+from rtshell_lite.datalog import logfile, pickles, records
 
 FIRST = 1795247464750000000
 
@@ -32,7 +32,7 @@ class Case(unittest.TestCase):
     def read(self, data, modules=()):
         with open(self.name, "wb") as file:
             file.write(data)
-        with datalog.load(self.name, modules) as log:
+        with logfile.load(self.name, modules) as log:
             return log, list(log.entries())
 
 
@@ -42,10 +42,10 @@ class Files(Case):
         self.assertEqual([entry.value for entry in found],
                          [{"tm": {"sec": seconds + i, "nsec": 5}, "data": i * 7} for i in range(3)])
         self.assertEqual([entry.received for entry in found], [FIRST + i * 10 ** 7 for i in range(3)])
-        with datalog.load(self.name) as log:
+        with logfile.load(self.name) as log:
             self.assertEqual((log.started, log.count, log.first, log.last, log.closed), (
                 FIRST, 3, FIRST, FIRST + 2 * 10 ** 7, closed))
-            self.assertEqual(log.channels, [datalog.Channel("numbers", files.TEXT, b"",
+            self.assertEqual(log.channels, [records.Channel("numbers", files.TEXT, b"",
                                                             ("/localhost/Src0.rtc:out.numbers",))])
             self.assertEqual(log.since(FIRST + 1), 1)
             self.assertEqual([entry.number for entry in log.entries(2)], [2])

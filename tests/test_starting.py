@@ -7,7 +7,10 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 import mocks  # noqa: E402
 from mock_components import asking  # noqa: E402
-from rtshell_lite import component, errors, plan, rpc, starting, system, tree  # noqa: E402
+from rtshell_lite import errors  # noqa: E402
+from rtshell_lite.corba import lanes  # noqa: E402
+from rtshell_lite.robot import component, tree  # noqa: E402
+from rtshell_lite.system import capture, plan, run_plan  # noqa: E402
 from rtshell_lite.xmlprofile import model  # noqa: E402
 
 ONCE = "plans are the same for every Python"
@@ -42,9 +45,9 @@ class Sweep(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.world = mocks.World("robot")
-        rpc.timeout, cls.timeout = TIMEOUT, rpc.timeout
+        lanes.timeout, cls.timeout = TIMEOUT, lanes.timeout
         mocks.omniORB.setClientCallTimeout(int(1000 * TIMEOUT))  # or calls that hang would use up the connections
-        cls.profile = system.capture([tree.parse("/127.0.0.1:%d" % mocks.Server.port)]).profile
+        cls.profile = capture.capture([tree.parse("/127.0.0.1:%d" % mocks.Server.port)]).profile
         assert [each.instance_name for each in cls.profile.components] == NAMES
         targets = [model.Condition(sequence=number, target=model.TargetExecutionContext(
             component_id=each.id, instance_name=each.instance_name, id="0"))
@@ -53,7 +56,7 @@ class Sweep(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
-        rpc.timeout = cls.timeout
+        lanes.timeout = cls.timeout
         mocks.omniORB.setClientCallTimeout(8000)
         cls.world.close()
 
@@ -68,7 +71,7 @@ class Sweep(unittest.TestCase):
     def start(self):
         """{name: outcome}; None where the checks found a failure, and nothing was to be changed."""
         told = Reported()
-        run = starting.Run(plan.make(self.profile, "activation", "a.xml").actions, component.ACTIVATE, told)
+        run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, component.ACTIVATE, told)
         if run.check(self.profile):
             return None
         run.carry_out()
@@ -76,7 +79,7 @@ class Sweep(unittest.TestCase):
 
     def stop(self):
         told = Reported()
-        run = starting.Run(plan.make(self.profile, "deactivation", "a.xml", False).actions, component.DEACTIVATE, told)
+        run = run_plan.Run(plan.make(self.profile, "deactivation", "a.xml", False).actions, component.DEACTIVATE, told)
         run.find(self.profile)
         run.carry_out()
         return told.outcomes
@@ -94,7 +97,7 @@ class Sweep(unittest.TestCase):
 
     def forget(self):
         self.ctl("reset")
-        rpc.silent.clear()
+        lanes.silent.clear()
 
     def sweep(self, operation, kind):
         for nth in range(1, 20):
@@ -136,7 +139,7 @@ class Sweep(unittest.TestCase):
                 Reported.ended(self, result)
                 raise errors.Usage("as a bug would")
         told = Broken()
-        run = starting.Run(plan.make(self.profile, "activation", "a.xml").actions, component.ACTIVATE, told)
+        run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, component.ACTIVATE, told)
         run.check(self.profile)
         with self.assertRaises(errors.Usage):
             run.carry_out()

@@ -10,8 +10,8 @@ from xml.etree import ElementTree
 import random_profiles
 import test_graph
 import test_xmlprofile
-from rtshell_lite import drawing, graph, svg, xmlprofile
-from rtshell_lite.xmlprofile import model
+from rtshell_lite.views import graph, graph_svg, graph_text
+from rtshell_lite.xmlprofile import model, rtsprofile
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -20,7 +20,7 @@ class Picture:
     """An SVG as its boxes (left, top, right, bottom), texts (x, y, text), and the two ends of its lines."""
 
     def __init__(self, found):
-        root = ElementTree.fromstring("\n".join(svg.lines(found)))
+        root = ElementTree.fromstring("\n".join(graph_svg.lines(found)))
         self.size = int(root.get("width")), int(root.get("height"))
         self.boxes = []
         for rect in root.findall(SVG + "rect")[1:]:
@@ -49,8 +49,8 @@ class Svg(unittest.TestCase):
             for number, port, (x, y) in ((one, out, ends[0]), (other, into, ends[1])):
                 right = port in found.boxes[number].right
                 self.assertEqual(x, picture.boxes[number][2 if right else 0])
-                self.assertIn((x - 6 if right else x + 6, y + 5, svg.printable(port)), picture.texts)
-        self.assertEqual(list(svg.lines(found)), list(svg.lines(found)))
+                self.assertIn((x - 6 if right else x + 6, y + 5, graph_svg.printable(port)), picture.texts)
+        self.assertEqual(list(graph_svg.lines(found)), list(graph_svg.lines(found)))
         return picture
 
     def test_nothing(self):
@@ -83,7 +83,7 @@ class Svg(unittest.TestCase):
                 self.check(graph.of(random_profiles.Maker(seed).profile()))
         for name in test_xmlprofile.real_files():
             with self.subTest(os.path.basename(name)), open(name, "rb") as file:
-                self.check(graph.of(xmlprofile.load(file.read(), name)))
+                self.check(graph.of(rtsprofile.load(file.read(), name)))
 
     def test_big_ones(self):
         """Each component is connected to the next two, in a circle."""
@@ -92,8 +92,8 @@ class Svg(unittest.TestCase):
             test_graph.data((name, "out"), (names[(int(name) + step) % 1000], "in")) for name in names for step in (1, 2)])
         begun = time.process_time()
         found = graph.of(profile)
-        self.assertEqual(sum(line.startswith("<path") for line in svg.lines(found)), 2000)
-        self.assertEqual(len(list(drawing.lines(found))), 4001)
+        self.assertEqual(sum(line.startswith("<path") for line in graph_svg.lines(found)), 2000)
+        self.assertEqual(len(list(graph_text.lines(found))), 4001)
         self.assertLess(time.process_time() - begun, 10)
 
 

@@ -11,9 +11,11 @@ import time
 import unittest
 
 import random_values
-from rtshell_lite import datatypes, errors, idl, values
+from rtshell_lite import errors
+from rtshell_lite.data import datatypes, values
+from rtshell_lite.data.idl import tokens
 
-OWN = os.path.join(os.path.dirname(idl.tokens.OWN), "idl")
+OWN = os.path.join(os.path.dirname(tokens.OWN), "idl")
 TRICKY = os.path.join(os.path.dirname(os.path.abspath(__file__)), "data", "idl", "valid")
 FILES = sorted(glob.glob(os.path.join(glob.escape(OWN), "data", "*.idl")))
 

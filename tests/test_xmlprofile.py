@@ -11,12 +11,12 @@ import sys
 import unittest
 
 import random_profiles
-from rtshell_lite import errors, xmlprofile
-from rtshell_lite.xmlprofile import escape, fields, model, names
+from rtshell_lite import errors
+from rtshell_lite.xmlprofile import escape, fields, model, names, rtsprofile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.path.join(HERE, "data")
-FORMS = (xmlprofile.XML, xmlprofile.YAML)
+FORMS = (rtsprofile.XML, rtsprofile.YAML)
 NAMESPACES = " ".join('xmlns:%s="%s"' % pair for pair in sorted(names.NAMESPACES.items()))
 
 
@@ -41,21 +41,21 @@ def content(path):
 
 
 def load(path, form=None):
-    return xmlprofile.load(content(path), os.path.basename(path), form)
+    return rtsprofile.load(content(path), os.path.basename(path), form)
 
 
 def read_xml(inside, attributes=""):
-    return xmlprofile.load('<rts:RtsProfile %s rts:id="a" %s>%s</rts:RtsProfile>' % (NAMESPACES, attributes, inside), "a.xml")
+    return rtsprofile.load('<rts:RtsProfile %s rts:id="a" %s>%s</rts:RtsProfile>' % (NAMESPACES, attributes, inside), "a.xml")
 
 
 class Files(unittest.TestCase):
     def check_round_trips(self, profile, name):
         for form in FORMS:
-            text = xmlprofile.dump(profile, form)
-            again = xmlprofile.load(text, "%s written as %s" % (name, form))
+            text = rtsprofile.dump(profile, form)
+            again = rtsprofile.load(text, "%s written as %s" % (name, form))
             self.assertEqual(again, profile)
             for other in FORMS:
-                self.assertEqual(xmlprofile.dump(again, other), xmlprofile.dump(profile, other), "the same bytes")
+                self.assertEqual(rtsprofile.dump(again, other), rtsprofile.dump(profile, other), "the same bytes")
 
     def test_valid_files_come_back_from_both_forms(self):
         for path in files("valid"):
@@ -95,18 +95,18 @@ class Files(unittest.TestCase):
         data = content(os.path.join(DATA, "valid", "as-rtcryo-writes.xml"))
         for end in range(len(data.rstrip())):
             with self.assertRaises(errors.BadProfile):
-                xmlprofile.load(data[:end], "cut", xmlprofile.XML)
+                rtsprofile.load(data[:end], "cut", rtsprofile.XML)
 
 
 class Random(unittest.TestCase):
     def test_every_profile_comes_back_from_both_forms(self):
         for seed in range(250):
             profile = random_profiles.Maker(seed).profile()
-            written = {form: xmlprofile.dump(profile, form) for form in FORMS}
+            written = {form: rtsprofile.dump(profile, form) for form in FORMS}
             for form in FORMS:
-                again = xmlprofile.load(written[form], form)
+                again = rtsprofile.load(written[form], form)
                 self.assertEqual(again, profile, "seed %d, %s" % (seed, form))
-                self.assertEqual({other: xmlprofile.dump(again, other) for other in FORMS}, written, "seed %d" % seed)
+                self.assertEqual({other: rtsprofile.dump(again, other) for other in FORMS}, written, "seed %d" % seed)
 
     def test_every_field_matters_to_equality(self):
         maker = random_profiles.Maker(1)
@@ -173,7 +173,7 @@ class Meaning(unittest.TestCase):
             connector.ends = ports[:count]
             profile = model.RtsProfile(data_port_connectors=[connector])
             for form in FORMS:
-                again, = xmlprofile.load(xmlprofile.dump(profile, form), "a").data_port_connectors
+                again, = rtsprofile.load(rtsprofile.dump(profile, form), "a").data_port_connectors
                 self.assertEqual(again.ends, ports[:count])
 
     def test_times_of_version_0_1(self):
@@ -197,33 +197,33 @@ class Meaning(unittest.TestCase):
 class Forms(unittest.TestCase):
     def test_the_form_is_told_by_the_content(self):
         for path in files("valid"):
-            self.assertEqual(xmlprofile.form_of(content(path)), path.rpartition(".")[2])
-        self.assertEqual(xmlprofile.form_of(b" \r\n\t<a/>"), xmlprofile.XML)
+            self.assertEqual(rtsprofile.form_of(content(path)), path.rpartition(".")[2])
+        self.assertEqual(rtsprofile.form_of(b" \r\n\t<a/>"), rtsprofile.XML)
 
     def test_a_form_can_be_forced(self):
-        for name, form in (("as-rtcryo-writes.xml", xmlprofile.YAML), ("by-hand.yaml", xmlprofile.XML)):
+        for name, form in (("as-rtcryo-writes.xml", rtsprofile.YAML), ("by-hand.yaml", rtsprofile.XML)):
             with self.assertRaises(errors.BadProfile):
                 load(os.path.join(DATA, "valid", name), form)
 
     def test_text_that_was_read_with_surrogate_escapes_is_taken(self):
         for name in ("shift-jis.xml", "utf-16.xml", "byte-order-mark.xml"):
             data = content(os.path.join(DATA, "valid", name))
-            self.assertEqual(xmlprofile.load(data.decode("utf-8-sig", "surrogateescape"), name), xmlprofile.load(data, name))
+            self.assertEqual(rtsprofile.load(data.decode("utf-8-sig", "surrogateescape"), name), rtsprofile.load(data, name))
         with self.assertRaises(errors.BadProfile):
-            xmlprofile.load("\ud800", "a")
+            rtsprofile.load("\ud800", "a")
 
     def test_written_files_are_what_old_readers_take(self):
         profile = load(os.path.join(DATA, "valid", "as-rtcryo-writes.xml"))
-        text = xmlprofile.dump(profile, xmlprofile.YAML)
+        text = rtsprofile.dump(profile, rtsprofile.YAML)
         text.encode("ascii")
         for line in ("  version: '0.2'", "    - condition:", "          waitTime: 250", "    minute: 30",
                      "    rtsExt::visible: true"):
             self.assertIn(line + "\n", text)
         order = model.Condition(target=model.TargetExecutionContext())
         plain = model.RtsProfile(activation=model.MessageSending(targets=[order]))
-        self.assertIn("- condition: {}\n", xmlprofile.dump(plain, xmlprofile.YAML))
+        self.assertIn("- condition: {}\n", rtsprofile.dump(plain, rtsprofile.YAML))
         head = '<?xml version="1.0" encoding="UTF-8"?>\n<rts:RtsProfile xmlns:rts='
-        self.assertTrue(xmlprofile.dump(plain, xmlprofile.XML).startswith(head))
+        self.assertTrue(rtsprofile.dump(plain, rtsprofile.XML).startswith(head))
 
     def test_characters_that_xml_cannot_hold(self):
         for text in ("\x1b", "_x001B_", "_x001B\x1b", "\ud800\udfff", "_x005F_x001B_", "_x0041_", "a_b", "\uffff_"):

@@ -11,13 +11,14 @@ import unittest
 
 import random_profiles
 from rtshell_lite import errors
-from rtshell_lite.xmlprofile import fields, scalars, yaml, yamlwriter
+from rtshell_lite.xmlprofile import fields
+from rtshell_lite.xmlprofile.yaml import reader, scalars, writer
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "data")
 
 
 def read(text):
-    return scalars.plain(yaml.parse(text, "a.yaml")[1])
+    return scalars.plain(reader.parse(text, "a.yaml")[1])
 
 
 class Reading(unittest.TestCase):
@@ -89,7 +90,7 @@ class Reading(unittest.TestCase):
 
 class Writing(unittest.TestCase):
     def check(self, data):
-        text = yamlwriter.write(data)
+        text = writer.write(data)
         text.encode("ascii")
         self.assertTrue(fields.same(read(text), data), (data, text))
 
@@ -107,7 +108,7 @@ class Writing(unittest.TestCase):
     def test_the_style_is_pyyaml_s(self):
         data = {"b": [1, 1.0, True, None, [], {}], "a": {"x::y": ["a", ["b", {"c": "d", "e": "f"}]]},
                 "": "0.2", "t": "it's", "q": "it's: x", "n": "a\nb\xe9", "f": [1e20, 1e-7, float("inf"), -0.0]}
-        self.assertEqual(yamlwriter.write(data), """\
+        self.assertEqual(writer.write(data), """\
 '': '0.2'
 a:
   x::y:
@@ -143,7 +144,7 @@ class Mutations(unittest.TestCase):
         pieces = list("\n\n  -?:,[]{}#&*!|>'\"%@\\~\t") + [
             "- ", ": ", "\n  ", " #", "|\n ", ">-\n", "---\n", "...", "&a ", "*a", "!!str "]
         for _ in range(3000):
-            text = yamlwriter.write(maker.data())
+            text = writer.write(maker.data())
             for _ in range(rng.randint(1, 5)):
                 at = rng.randint(0, len(text))
                 text = text[:at] + (rng.choice(pieces) if rng.random() < 0.7 else "") + text[at + rng.randint(0, 2):]
@@ -151,7 +152,7 @@ class Mutations(unittest.TestCase):
                 data = read(text)
             except (errors.BadProfile, ValueError):
                 continue
-            self.assertTrue(fields.same(read(yamlwriter.write(data)), data), text)
+            self.assertTrue(fields.same(read(writer.write(data)), data), text)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,9 @@
 import struct
 import time
 
-from rtshell_lite import construct, datatypes, descriptors, errors, values
+from rtshell_lite import errors
+from rtshell_lite.corba import descriptors
+from rtshell_lite.data import build_value, datatypes, values
 from rtshell_lite.text import printable, safe
 
 FIRST, INSIDE = "first", "inside"  # where a type's timestamp stands
@@ -86,7 +88,7 @@ def _stamped(descriptor):
     if descriptors.kind(descriptor) != descriptors.STRUCT:
         return None
     for place, (name, type) in enumerate(descriptors.members(descriptor)):
-        if name == "tm" and construct.is_time(type):
+        if name == "tm" and build_value.is_time(type):
             return INSIDE if place else FIRST
     return None
 

@@ -2,7 +2,9 @@
 import bisect
 
 from rtshell_lite import errors
-from rtshell_lite.datalog import Channel, Entry, blocks, is_moment, writer
+from rtshell_lite.datalog import blocks
+from rtshell_lite.datalog.index import Index
+from rtshell_lite.datalog.records import Channel, Entry, is_moment
 
 MOST = 1000  # channels, and sources of one: more come from nobody who means well
 
@@ -74,7 +76,7 @@ class Log:
             yield "%d damaged records are left out" % self.damaged
 
     def scan(self, index):
-        """Put all records into `index`, a writer.Index; returns the offset behind the last whole block but the index."""
+        """Put all records into `index`, an Index; returns the offset behind the last whole block but the index."""
         end, index.headers = self._end, sorted(self._maps)
         for offset, entry in self._records(len(blocks.MAGIC), end):
             index.add(offset, entry.number, entry.received, self.channels[entry.channel].name)
@@ -169,7 +171,7 @@ class Log:
 
     def _believed(self, told, position):
         """A writer.Index of what the file tells. Raises what wrong numbers raise."""
-        index = writer.Index()
+        index = Index()
         index.next, index.first, index.last = told["next"], told["first"], told["last"]
         index.counts, index.headers, index.points = told["counts"], told["headers"], told["points"]
         _demand(all(isinstance(each, int) for each in [index.next] + index.headers + list(index.counts.values())))
@@ -202,7 +204,7 @@ class Log:
 
     def _scanned(self):
         """An index made by reading all, and where the whole blocks end."""
-        index, start = writer.Index(), len(blocks.MAGIC)
+        index, start = Index(), len(blocks.MAGIC)
         self.channels, self._maps, self._numbers = [], {}, {}
         for offset, entry in self._records(start, self.size):
             index.add(offset, entry.number, entry.received, self.channels[entry.channel].name)

@@ -4,7 +4,8 @@ Such a file is a row of pickles: (when recording began, list of PortSpec); 256 o
 recording ends; then the entries, each (number, EntryTS, (port's name, data), own offset, offset of the one before).
 """
 from rtshell_lite import errors, text
-from rtshell_lite.datalog import Channel, Entry, is_moment, pickles
+from rtshell_lite.datalog import pickles
+from rtshell_lite.datalog.records import Channel, Entry, is_moment
 
 CLOSING = 256  # octets kept free for the CurPos
 DEEP = 100  # levels of a value

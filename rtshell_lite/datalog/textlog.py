@@ -5,8 +5,9 @@
 import os
 import stat
 
-from rtshell_lite import errors, files, values
-from rtshell_lite.datalog import is_text, writer
+from rtshell_lite import errors, files
+from rtshell_lite.data import values
+from rtshell_lite.datalog import logfile, writer
 from rtshell_lite.text import printable
 
 
@@ -33,7 +34,7 @@ class Writer:
             return
         with open(self.name, "rb") as old:
             start = old.read(32)
-        if start and not is_text(start):
+        if start and not logfile.is_text(start):
             raise errors.No(printable(self.name), "not a log of text")
 
     def write(self, messages):

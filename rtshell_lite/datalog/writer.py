@@ -4,40 +4,10 @@ import stat
 
 from rtshell_lite import __version__, errors, files, text
 from rtshell_lite.datalog import blocks
+from rtshell_lite.datalog.index import Index
 
 CHUNK = 1 << 20  # octets given to the operating system at once
 LARGE = 1 << 16  # octets of a part that is written without being copied
-STRIDE = 1 << 20  # octets between two points of the index, to begin with
-POINTS = 2048  # more than these, and every second one goes: neither memory nor index grow with the log
-
-
-class Index:
-    """What is known of the records written so far."""
-
-    def __init__(self):
-        self.next, self.first, self.last, self.latest = 0, None, None, None  # next: the number of the next record
-        self.counts, self.headers, self.points, self._stride = {}, [], [], STRIDE
-
-    count = property(lambda self: sum(self.counts.values()))
-
-    def add(self, position, number, received, name):
-        """Take note of the next record, at `position`."""
-        if not self.points or position - self.points[-1][1] >= self._stride:
-            self.points.append([number, position, self.latest])
-            if len(self.points) > POINTS:
-                del self.points[1::2]
-                self._stride *= 2
-        if self.first is None:
-            self.first = received
-        self.last = received
-        self.latest = received if self.latest is None else max(self.latest, received)
-        self.next = number + 1
-        self.counts[name] = self.counts.get(name, 0) + 1
-
-    def block(self, position):
-        """The index as the block that is written at `position`."""
-        return blocks.text(blocks.INDEX, {"next": self.next, "first": self.first, "last": self.last,
-                                          "counts": self.counts, "headers": self.headers, "points": self.points}, position)
 
 
 class Writer:

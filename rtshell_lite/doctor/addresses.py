@@ -9,7 +9,8 @@ import struct
 import termios
 import time
 
-from rtshell_lite import errors, rpc
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes
 from rtshell_lite.text import printable
 
 LARGE = 2000  # octets: more than an Ethernet packet holds
@@ -26,7 +27,7 @@ def resolve(host):
             return _unique(found[4][0] for found in socket.getaddrinfo(host, None, 0, socket.SOCK_STREAM))
         except (OSError, UnicodeError) as e:
             raise errors.Unreachable(printable(host), getattr(e, "strerror", None) or "not a host name")
-    return rpc.ask(("name of", host), printable(host), look_up)
+    return lanes.ask(("name of", host), printable(host), look_up)
 
 
 def _unique(addresses):
@@ -40,23 +41,23 @@ def _unique(addresses):
 def connect(addresses, port):
     """Open a TCP connection to the first of the IP addresses that takes one, and close it. Raises Unreachable, Silent."""
     def attempt():
-        end, failure = time.monotonic() + rpc.timeout, None
+        end, failure = time.monotonic() + lanes.timeout, None
         for address in addresses:
             try:
                 socket.create_connection((address, port), max(0.001, end - time.monotonic())).close()
                 return
             except OSError as e:
-                rpc.note_shortage(e, address)
+                lanes.note_shortage(e, address)
                 failure = failure or e
         raise _error("%s:%d" % (addresses[0], port), failure)
-    rpc.ask(("TCP", tuple(addresses), port), "%s:%d" % (addresses[0], port), attempt)
+    lanes.ask(("TCP", tuple(addresses), port), "%s:%d" % (addresses[0], port), attempt)
 
 
 def _error(where, e):
     if e.errno == errno.ECONNREFUSED:
         return errors.ConnectionRefused(where)
     if isinstance(e, socket.timeout):
-        return errors.Silent(where, rpc.no_answer(rpc.timeout))
+        return errors.Silent(where, lanes.no_answer(lanes.timeout))
     return errors.Unreachable(where, os.strerror(e.errno) if e.errno else str(e))
 
 
@@ -79,9 +80,9 @@ def arrives(endpoint):
     """
     key = b"\0" * LARGE
     question = b"GIOP\1\0\1\3" + struct.pack("<III", len(key) + 8, 1, len(key)) + key
-    patience = LEAST if rpc.is_over() else max(LEAST, rpc.timeout / 2)
+    patience = LEAST if lanes.is_over() else max(LEAST, lanes.timeout / 2)
     end = time.monotonic() + patience
-    rpc.alive()  # this is no silence of the peer
+    lanes.alive()  # this is no silence of the peer
     try:
         with socket.create_connection(endpoint, patience) as connection:
             connection.sendall(question)

@@ -1,9 +1,11 @@
 """Each component that lives: its ports, execution contexts and states, and whether it knows the name it is bound by."""
 import collections
 
-from rtshell_lite import component, errors, orb, ports, rpc
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, orb
 from rtshell_lite.doctor import remedies, started, waiting
 from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, warn
+from rtshell_lite.robot import component, ports
 from rtshell_lite.text import printable, shell_word
 
 MOST = 3  # names of one component that are told one by one
@@ -44,8 +46,8 @@ def examined(nodes):
         if node.kind == "component":
             by_object.setdefault(orb.identity(node.ref), []).append(node)
     all_of_them = [Examined(nodes) for nodes in by_object.values()]
-    jobs = [rpc.Job(each.node.endpoint, each.where, lambda each=each: _ask(each)) for each in all_of_them]
-    for each, answer in zip(all_of_them, rpc.gather(jobs)):
+    jobs = [lanes.Job(each.node.endpoint, each.where, lambda each=each: _ask(each)) for each in all_of_them]
+    for each, answer in zip(all_of_them, lanes.gather(jobs)):
         each.error = answer if isinstance(answer, errors.Error) else None
     return all_of_them
 
@@ -113,8 +115,8 @@ def _summary(each):
 
 def _stopped_answering(each, hung):
     e = each.error
-    if e.args[1:] == (rpc.NO_TIME,):
-        return fail("component", each.where, "slow: " + rpc.NO_TIME, remedies.words("more time", path=each.word))
+    if e.args[1:] == (lanes.NO_TIME,):
+        return fail("component", each.where, "slow: " + lanes.NO_TIME, remedies.words("more time", path=each.word))
     if isinstance(e, errors.Silent) and not each.asking:
         message = "not looked at: others of its process hang"
         return warn("component", each.where, message, remedies.words("others first", path=each.word))

@@ -1,14 +1,16 @@
 """Composites whose members are dead: such a composite ends, or stands still, as soon as somebody uses it."""
-from rtshell_lite import errors, orb, organisation, tree
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import fail, published, reason, warn
+from rtshell_lite.robot import composites, tree
 from rtshell_lite.text import printable
 
 
 def findings(all_of_them):
     """Findings on members that do not answer, of the components.Examined that are composites, sorted by path."""
     some = [each for each in all_of_them if each.error is None and _may_be_composite(each)]
-    answers = tree.on_nodes([each.node for each in some], organisation.owned)
+    answers = tree.on_nodes([each.node for each in some], composites.owned)
     found = []
     for each, answer in zip(some, answers):
         if isinstance(answer, errors.Error):

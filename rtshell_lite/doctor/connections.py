@@ -1,10 +1,13 @@
 """Each connection, seen from all its ends: who is there, who knows it, whether they agree on what it is."""
 import collections
 
-from rtshell_lite import errors, orb, ports, rpc, system, tree
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, orb
 from rtshell_lite.doctor import networks, remedies, services
 from rtshell_lite.doctor.finding import fail, reason, warn
-from rtshell_lite.places import Places
+from rtshell_lite.robot import connectors, ports, tree
+from rtshell_lite.robot.places import Places
+from rtshell_lite.system import capture
 from rtshell_lite.text import printable
 
 # One connection as its first end tells it: the components.Examined `each`, its ports.Port, the ports.Connector.
@@ -69,9 +72,9 @@ def _elsewhere(links, ends, all_of_them):
                 found[orb.identity(ref)] = End(None, silent[orb.endpoint(ref)], _address(ref))
             else:
                 wanted.setdefault(orb.identity(ref), (link, ref))
-    jobs = [rpc.Job(orb.endpoint(ref), _address(ref), lambda ref=ref: _ask(ref)) for _, ref in wanted.values()]
+    jobs = [lanes.Job(orb.endpoint(ref), _address(ref), lambda ref=ref: _ask(ref)) for _, ref in wanted.values()]
     places = Places(links[0].each.node) if links else None
-    for (identity, (_, ref)), answer in zip(wanted.items(), rpc.gather(jobs)):
+    for (identity, (_, ref)), answer in zip(wanted.items(), lanes.gather(jobs)):
         failed = isinstance(answer, errors.Error)
         found[identity] = End(None, answer, _address(ref)) if failed else _stranger(answer, places)
     return found
@@ -99,9 +102,9 @@ def _again(link, ends):
     """The same Link after its ports have been asked once more, None when it is gone; updates `ends`."""
     asked = [(orb.identity(ref), ref) for ref in link.connector.ports
              if ref is not None and ends[orb.identity(ref)].port is not None]
-    jobs = [rpc.Job(orb.endpoint(ref), _address(ref), lambda ref=ref: _ask(ref)) for _, ref in asked]
+    jobs = [lanes.Job(orb.endpoint(ref), _address(ref), lambda ref=ref: _ask(ref)) for _, ref in asked]
     own = link.port
-    for (identity, _), answer in zip(asked, rpc.gather(jobs)):
+    for (identity, _), answer in zip(asked, lanes.gather(jobs)):
         before = ends[identity]
         if isinstance(answer, errors.Error):
             ends[identity] = End(None, answer, before.name)
@@ -146,7 +149,7 @@ def _redo(link, others):
         return remedies.reconnect(connector.id, where, None)
     given = {key: value for key, value in connector.properties if key in SETTLED}
     labels = [ports.label(port) for port in [link.port] + [end.port for end in others]]
-    return remedies.reconnect(connector.id, where, ports.command(labels, connector.name, "", given))
+    return remedies.reconnect(connector.id, where, connectors.command(labels, connector.name, "", given))
 
 
 def _lost(link, where, ref, end, undo):
@@ -182,7 +185,7 @@ def _differences(link, end, remedy):
 
 def _is_reference(key, value):
     """Object references differ in spelling, and some implementations turn them into the text of a Python object."""
-    return system.is_reference(key, value) or (value or "").startswith("<")
+    return capture.is_reference(key, value) or (value or "").startswith("<")
 
 
 def _plain(key, value):

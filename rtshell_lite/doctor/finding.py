@@ -1,7 +1,7 @@
 """What an examination finds: one line each."""
 import collections
 
-from rtshell_lite import orb
+from rtshell_lite.corba import orb
 from rtshell_lite.text import printable
 
 HERE = "here"  # stands in the place of a path for what concerns this host and this shell

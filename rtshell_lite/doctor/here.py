@@ -5,9 +5,11 @@ import re
 import socket
 import sys
 
-from rtshell_lite import errors, orb, path, tree
+from rtshell_lite import errors, path
+from rtshell_lite.corba import orb
 from rtshell_lite.doctor import addresses, limits, remedies
 from rtshell_lite.doctor.finding import HERE, fail, ok, reason, warn
+from rtshell_lite.robot import tree
 from rtshell_lite.text import printable
 
 CONFIGURATION = "/etc/omniORB.cfg"

@@ -3,7 +3,8 @@ import os
 import resource
 import threading
 
-from rtshell_lite import errors, rpc
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import HERE, fail
 
@@ -47,7 +48,7 @@ def _threads():
     go_on = threading.Event()
     try:
         for _ in range(THREADS):
-            rpc.start(go_on.wait)
+            lanes.start(go_on.wait)
     except errors.Shortage as e:
         return e.args[1]
     finally:

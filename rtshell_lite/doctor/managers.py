@@ -1,7 +1,9 @@
 """Each manager: whether it answers, and whether what it lists is there."""
-from rtshell_lite import component, errors, rpc, tree
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes
 from rtshell_lite.doctor import networks, remedies
 from rtshell_lite.doctor.finding import counted, fail, ok, published, reason
+from rtshell_lite.robot import component, tree
 from rtshell_lite.text import shell_word
 
 
@@ -28,8 +30,8 @@ def _is_of_network(node, homes):
 
 def _troubles(node, answer):
     where, word = str(node.path), shell_word(str(node.path))
-    if isinstance(answer, errors.Error) and answer.args[1:] == (rpc.NO_TIME,):
-        return [fail("manager", where, "slow: " + rpc.NO_TIME, remedies.words("more time", path=word))]
+    if isinstance(answer, errors.Error) and answer.args[1:] == (lanes.NO_TIME,):
+        return [fail("manager", where, "slow: " + lanes.NO_TIME, remedies.words("more time", path=word))]
     if isinstance(answer, errors.Error):
         both = isinstance(answer, errors.Silent)
         restart = remedies.words("restart manager or slave" if both else "restart", port=node.endpoint[1])

@@ -4,7 +4,8 @@ import ipaddress
 import socket
 import struct
 
-from rtshell_lite import errors, orb
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
 from rtshell_lite.doctor import addresses, remedies
 from rtshell_lite.doctor.finding import fail, published, warn
 from rtshell_lite.text import printable

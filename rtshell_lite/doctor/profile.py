@@ -1,7 +1,9 @@
 """What rtcheck finds, as findings: where the running system differs from an RtsProfile."""
-from rtshell_lite import compare, component, errors, path, system
+from rtshell_lite import errors, path
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import counted, fail, ok, reason, warn
+from rtshell_lite.robot import component
+from rtshell_lite.system import capture, compare
 from rtshell_lite.text import safe, shell_word
 
 TRANSITIONS = {("Inactive", "Active"): "activate", ("Active", "Inactive"): "deactivate", ("Error", "Inactive"): "reset"}
@@ -23,7 +25,7 @@ def findings(profile, file, state):
 def _rates(profile):
     """Findings on execution contexts whose rates differ from those in the file; contexts that only one of both has are left out."""
     found = []
-    for each, contexts in zip(profile.components, system.look(profile, _contexts)):
+    for each, contexts in zip(profile.components, capture.look(profile, _contexts)):
         if isinstance(contexts, errors.Error):
             continue  # found before
         for one in each.execution_contexts:
@@ -31,7 +33,7 @@ def _rates(profile):
                 continue
             for index, context in enumerate(contexts):
                 if context.handle == int(one.id) and context.rate != one.rate:
-                    where = system.shown_path(each)
+                    where = capture.shown_path(each)
                     found.append((fail if each.is_required else warn)(
                         "profile", where, "its execution context has a rate of %g Hz, in the file it is %g Hz" % (
                             context.rate, one.rate),

@@ -3,9 +3,12 @@ import collections
 import struct
 import time
 
-from rtshell_lite import component, connection, dataport, datatypes, errors, ports, rpc
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes
+from rtshell_lite.data import connection, datatypes, reading
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import ok, reason, warn
+from rtshell_lite.robot import component, ports
 from rtshell_lite.text import printable
 
 TOGETHER = 4  # components of a process measured at a time: fetching their values is work for it
@@ -18,12 +21,12 @@ class Watched:
 
     def __init__(self, each, rate, port):
         self.each, self.rate, self.port = each, rate, port  # its components.Examined, the Hz claimed, the port watched
-        self.reader = self.failure = None  # dataport.Reader; the errors.Error why it could not be measured
+        self.reader = self.failure = None  # reading.Reader; the errors.Error why it could not be measured
         self.count, self.stamp = 0, None  # values seen; (when one came, in s, the timestamp in it) where they have any
         self.stamped = (datatypes.members(port.properties.get("dataport.data_type", "")) or [None])[0] == ("tm", "Time")
 
     def deliver(self, message):
-        """Take note of the timestamp of a dataport.Message; 0 is none."""
+        """Take note of the timestamp of a reading.Message; 0 is none."""
         if self.stamped and len(message.data) >= 8:
             seconds, = struct.unpack_from("<L" if message.little else ">L", message.data)
             self.stamp = (message.received / 1e9, seconds) if seconds else None
@@ -32,7 +35,7 @@ class Watched:
 def measured(all_of_them, seconds):
     """Measure for `seconds` each component that can be: {path: [Finding]}.
 
-    As `execution.measured` does, several at a time; no new batch begins when the timeout is over.
+    As data/rates.py does, several at a time; no new batch begins when the timeout is over.
     """
     found, waiting = {}, []
     for each in all_of_them:
@@ -44,8 +47,8 @@ def measured(all_of_them, seconds):
     begun = time.monotonic()
     while waiting:
         batch, waiting = _batch(waiting)
-        if found and time.monotonic() - begun > rpc.timeout:
-            found.update((one.each.where, [_unmeasured(one.each, errors.Silent(one.each.where, rpc.NO_TIME))]) for one in batch)
+        if found and time.monotonic() - begun > lanes.timeout:
+            found.update((one.each.where, [_unmeasured(one.each, errors.Silent(one.each.where, lanes.NO_TIME))]) for one in batch)
             continue
         found.update((one.each.where, [finding] + _clock(one)) for one, finding in zip(batch, _watch(batch, seconds)))
     return found
@@ -81,7 +84,7 @@ def _smallest(found):
 
 
 def _unmeasured(each, e):
-    if isinstance(e, errors.Silent) and e.args[1:] != (rpc.NO_TIME,):
+    if isinstance(e, errors.Silent) and e.args[1:] != (lanes.NO_TIME,):
         return warn("rate", each.where, "rate not measured: " + reason(e), remedies.words("measure again", path=each.word))
     return ok("rate", each.where, "rate not measured: " + reason(e))
 
@@ -92,12 +95,12 @@ def _watch(batch, seconds):
     """A Finding for each Watched of a batch."""
     for one in batch:
         try:
-            one.reader = dataport.Reader(one.port, one.deliver, "pull", properties={
-                "dataport.buffer.length": str(dataport.QUEUE)})
+            one.reader = reading.Reader(one.port, one.deliver, "pull", properties={
+                "dataport.buffer.length": str(reading.QUEUE)})
         except errors.Error as e:
             one.failure = e
     with connection.Opened([one.reader for one in batch if one.reader]) as opened:
-        time.sleep(2 * dataport.POLL)  # values from before may be there
+        time.sleep(2 * reading.POLL)  # values from before may be there
         before = {reader: reader.count for reader in opened.connections}
         begun = time.monotonic()
         time.sleep(seconds)

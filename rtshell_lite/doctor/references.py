@@ -1,5 +1,6 @@
 """Each name in a name server and the reference behind it: where it leads, whether it can be reached, whether it lives."""
-from rtshell_lite import errors, orb
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
 from rtshell_lite.doctor import here, networks, remedies
 from rtshell_lite.doctor.finding import fail, ok, published, reason, warn
 from rtshell_lite.text import printable, shell_word

@@ -7,7 +7,8 @@ but that; a name is deleted only where its object is dead for certain.
 import collections
 import re
 
-from rtshell_lite import errors, rpc
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes
 from rtshell_lite.doctor import addresses
 from rtshell_lite.text import printable, shell_word
 
@@ -112,7 +113,7 @@ def option(index):
 
 
 def reconnect(connector_id, port, rtcon):
-    """The Remedy that replaces a connection: `rtcon` is a command line of `ports.command`, None where an end has no path."""
+    """The Remedy that replaces a connection: `rtcon` is a command line of `connectors.command`, None where an end has no path."""
     if rtcon is None:
         return words("connect again", id=shell_word(connector_id), port=shell_word(port))
     return command("reconnect", id=connector_id, port=port, rtcon=Line(rtcon))
@@ -129,7 +130,7 @@ def of_silence(e, endpoint, path, restart=None):
     Only what is known to have reached the process and was left unanswered, or refused, is its own fault. `restart` is the
     Remedy for that, by default to restart it.
     """
-    if e.args[1:] == (rpc.NO_TIME,):
+    if e.args[1:] == (lanes.NO_TIME,):
         return words("more time", path=shell_word(path))
     if is_of_network(e, endpoint):
         return network(endpoint)
@@ -140,4 +141,4 @@ def is_of_network(e, endpoint):
     """True where an errors.Error may have been made by what is between here and the process at `endpoint`."""
     if isinstance(e, (errors.Refused, errors.Gone, errors.ConnectionRefused)):
         return False
-    return not isinstance(e, errors.Silent) or e.args[1:] != (rpc.NO_TIME,) and not addresses.arrives(endpoint)
+    return not isinstance(e, errors.Silent) or e.args[1:] != (lanes.NO_TIME,) and not addresses.arrives(endpoint)

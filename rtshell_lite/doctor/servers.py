@@ -2,9 +2,11 @@
 import collections
 import time
 
-from rtshell_lite import aliases, errors, orb, path, rpc, tree
+from rtshell_lite import errors, path
+from rtshell_lite.corba import lanes, orb
 from rtshell_lite.doctor import addresses, here, networks, references, remedies
 from rtshell_lite.doctor.finding import fail, ok, reason, warn
+from rtshell_lite.robot import aliases, tree
 from rtshell_lite.text import printable, shell_word
 
 SLOW = 1.0  # seconds: a step that takes longer makes every command slow
@@ -24,8 +26,8 @@ def visits(tops):
     for top in sorted(tops, key=str):
         by_server.setdefault(top.server, []).append(top)
     places = [path.Path(server, (), None, False) for server in by_server]
-    found = rpc.gather([rpc.Job(tree.lane(place), str(place), lambda place=place, below=below: _visit(place, below))
-                        for place, below in zip(places, by_server.values())])
+    found = lanes.gather([lanes.Job(tree.lane(place), str(place), lambda place=place, below=below: _visit(place, below))
+                          for place, below in zip(places, by_server.values())])
     return [_too_late(place, visit) if isinstance(visit, errors.Error) else visit for place, visit in zip(places, found)]
 
 
@@ -44,9 +46,9 @@ def _visit(place, tops):
         known = {node.path for node in visit.nodes}
         visit.nodes.extend(node for node in _below(visit, top) if node.path not in known)
     _share(visit, tops)
-    looked, probes = rpc.gather([
-        rpc.Job(("look", place), str(place), lambda: tree.look(visit.nodes)),
-        rpc.Job(("probe", place), str(place), lambda: _probes(visit.nodes))])
+    looked, probes = lanes.gather([
+        lanes.Job(("look", place), str(place), lambda: tree.look(visit.nodes)),
+        lanes.Job(("probe", place), str(place), lambda: _probes(visit.nodes))])
     for failure in (looked, probes):
         if isinstance(failure, errors.Error):
             return _too_late(place, failure, visit.findings)
@@ -200,5 +202,5 @@ def _probes(nodes):
     """Which of the addresses that references publish are reached by TCP from here: a connection to each, closed again."""
     wanted = sorted({each for node in nodes if node.ref is not None and node.kind not in ("server", "directory")
                      for each in orb.addresses(node.ref) if each[0] and each[1]})
-    jobs = [rpc.Job(("probe",) + each, "%s:%d" % each, lambda each=each: addresses.probe(each)) for each in wanted]
-    return dict(zip(wanted, rpc.gather(jobs)))
+    jobs = [lanes.Job(("probe",) + each, "%s:%d" % each, lambda each=each: addresses.probe(each)) for each in wanted]
+    return dict(zip(wanted, lanes.gather(jobs)))

@@ -1,5 +1,5 @@
 """Service connections: whether each consumer in them finds a provider. Components connect anything, and say RTC_OK."""
-from rtshell_lite import ports
+from rtshell_lite.robot import ports
 from rtshell_lite.text import printable
 
 NOBODY = ("null", "nil")  # what a mapping says that leaves a consumer without a provider on purpose

@@ -1,7 +1,8 @@
 """Whether somebody has started the system: all of it, or all but what was reset."""
-from rtshell_lite import component, orb
+from rtshell_lite.corba import orb
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import counted, warn
+from rtshell_lite.robot import component
 
 MANY = 10  # components that one command activates
 

@@ -1,55 +1,6 @@
-"""RtsProfile files: a whole system of components and connections, in XML or YAML, as plain objects and back.
+"""RtsProfile files: a whole system of components and connections, in XML or YAML, as plain objects and back. Needs no CORBA.
 
-    profile = xmlprofile.load(files.read(name), name)
-    for component in profile.components: ...
-    files.write(name, xmlprofile.dump(profile, "yaml"))
-
-Both forms hold the same: model.py says what, fields.py what that is made of. Files spell names as names.py has it, values as
-values.py. XML: xml.py, with characters that it cannot hold (escape.py) and files of version 0.1 (version01.py). YAML: yaml.py
-(yamldocument.py, scalars.py) reads text to nodes, yamlform.py nodes to the model; yamlwriter.py writes. Needs no CORBA.
+rtsprofile.py loads and writes them. Both forms hold the same: model.py says what, fields.py what that is made of. Files spell names
+as names.py has it, values as values.py. XML: xml.py, with characters that it cannot hold (escape.py) and files of version 0.1
+(version01.py). YAML: the package yaml.
 """
-import gc
-
-from rtshell_lite import errors
-
-XML, YAML = "xml", "yaml"
-
-
-def load(data, name, form=None):
-    """The profile in a file: `data` is its bytes, or its text as files.read gives it. Raises errors.BadProfile.
-
-    `name` is the file in messages. The form is told by the content unless it is given.
-    """
-    if isinstance(data, str):
-        try:
-            data = data.encode("utf-8", "surrogateescape")
-        except UnicodeEncodeError as e:
-            raise errors.BadProfile(name, data.count("\n", 0, e.start) + 1, 1, "not text")
-    if not data.strip():
-        raise errors.BadProfile(name, 1, 1, "the file is empty")
-    collecting = gc.isenabled()
-    gc.disable()  # all that is made here stays: looking for cycles in it took half of the time of a big file
-    try:
-        if (form or form_of(data)) == XML:
-            from rtshell_lite.xmlprofile import xml
-            return xml.read(data, name)
-        from rtshell_lite.xmlprofile import yamlform
-        return yamlform.read(data, name)
-    finally:
-        if collecting:
-            gc.enable()
-
-
-def form_of(data):
-    """XML or YAML, by the first character of a file."""
-    start = data[:1024].lstrip(b"\xef\xbb\xbf\xff\xfe\x00 \t\r\n")  # byte order marks, in UTF-16 too
-    return XML if start.startswith(b"<") else YAML
-
-
-def dump(profile, form):
-    """The text of a file in XML or YAML, to be written as UTF-8. The same profile gives the same text."""
-    if form == XML:
-        from rtshell_lite.xmlprofile import xml
-        return xml.write(profile)
-    from rtshell_lite.xmlprofile import yamlform
-    return yamlform.write(profile)

@@ -1,7 +1,8 @@
 """The values of fields as text, and back. Raises ValueError with a message for people."""
 import re
 
-from rtshell_lite.xmlprofile import fields, scalars
+from rtshell_lite.xmlprofile import fields
+from rtshell_lite.xmlprofile.yaml import scalars
 
 _WHOLE = re.compile(r"[-+]?[0-9]{1,18}\Z")
 _LONGEST_NUMBER = 100  # characters: long ones take quadratic time

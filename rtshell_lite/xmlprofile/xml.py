@@ -8,7 +8,8 @@ import re
 from xml.parsers import expat
 
 from rtshell_lite import errors
-from rtshell_lite.xmlprofile import escape, fields, model, names, scalars, values, version01, yaml, yamlwriter
+from rtshell_lite.xmlprofile import escape, fields, model, names, values, version01
+from rtshell_lite.xmlprofile.yaml import reader as yaml_reader, scalars, writer as yaml_writer
 
 MOST_BYTES = 16 << 20
 MOST_ELEMENTS = 250000  # 16 MiB of <a/> would take 1 GB; a system of 1,000 components has about 50,000 elements
@@ -217,7 +218,7 @@ def _keep_element(found, cls, node):
     key = escape.unspelt(node.attributes.get("name", ""))
     if node.tag == names.YAML_KEY and not node.children() and key not in foreign.keys and not names.is_own_key(cls, key):
         try:
-            foreign.keys[key] = scalars.plain(yaml.parse(node.text(), "")[1])
+            foreign.keys[key] = scalars.plain(yaml_reader.parse(node.text(), "")[1])
             return
         except (errors.BadProfile, ValueError):
             pass  # not ours after all
@@ -276,7 +277,7 @@ class _Writer:
         for item in foreign.elements:
             self.lines.append(indent + "    " + self.foreign(item))
         for key, data in sorted(foreign.keys.items()):
-            item = fields.ForeignElement(names.clark(names.YAML_KEY), {"name": key}, [yamlwriter.write(data)])
+            item = fields.ForeignElement(names.clark(names.YAML_KEY), {"name": key}, [yaml_writer.write(data)])
             self.lines.append(indent + "    " + self.foreign(item))
         self.lines.append("%s</%s>" % (indent, tag))
 

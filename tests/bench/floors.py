@@ -14,7 +14,7 @@ def start(port):
     global CosNaming, OpenRTM, RTC, SDOPackage
     from omniORB import CORBA
     import CosNaming
-    from rtshell_lite.idl_stubs.component import OpenRTM, RTC, SDOPackage
+    from rtshell_lite.idl_stubs.component import RTC, OpenRTM, SDOPackage
     orb = CORBA.ORB_init(["floor", "-ORBclientCallTimeOutPeriod", "3000", "-ORBverifyObjectExistsAndType", "0"], CORBA.ORB_ID)
     root = orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%s/NameService" % port)._unchecked_narrow(CosNaming.NamingContext)
     return root.resolve([CosNaming.NameComponent("test", "host_cxt")])._unchecked_narrow(CosNaming.NamingContext)

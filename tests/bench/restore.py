@@ -9,14 +9,15 @@ import time
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path[:0] = [ROOT, os.path.join(ROOT, "tests")]
 import mocks  # noqa: E402
-from rtshell_lite import files, xmlprofile  # noqa: E402
-from rtshell_lite.xmlprofile import model  # noqa: E402
+from rtshell_lite import files  # noqa: E402
+from rtshell_lite.xmlprofile import model, rtsprofile  # noqa: E402
 
 LOAD = """
 import resource, sys, time
 start = time.perf_counter()
-from rtshell_lite import files, xmlprofile
-profile = xmlprofile.load(files.read(sys.argv[1]), sys.argv[1])
+from rtshell_lite import files
+from rtshell_lite.xmlprofile import rtsprofile
+profile = rtsprofile.load(files.read(sys.argv[1]), sys.argv[1])
 print(time.perf_counter() - start, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024, len(profile.components),
       len(profile.data_port_connectors))
 """
@@ -59,9 +60,9 @@ def end(number, port, server):
 
 def loading(directory):
     profile = system(1000, "localhost")
-    for form in (xmlprofile.XML, xmlprofile.YAML):
+    for form in (rtsprofile.XML, rtsprofile.YAML):
         name = os.path.join(directory, "big." + form)
-        files.write(name, xmlprofile.dump(profile, form))
+        files.write(name, rtsprofile.dump(profile, form))
         out = subprocess.check_output([sys.executable, "-c", LOAD, name], env=mocks.ENVIRONMENT).decode().split()
         print("load %-4s  %6.2f s  %5.1f MB  (%s components, %s connections, %.1f MB file)" % (
             form, float(out[0]), float(out[1]), out[2], out[3], os.path.getsize(name) / 1e6))
@@ -84,7 +85,7 @@ def restoring(directory):
     world = mocks.World("many", "200")
     try:
         name = os.path.join(directory, "live.xml")
-        files.write(name, xmlprofile.dump(system(200, "127.0.0.1:%d" % mocks.Server.port), xmlprofile.XML))
+        files.write(name, rtsprofile.dump(system(200, "127.0.0.1:%d" % mocks.Server.port), rtsprofile.XML))
         for what, words in (("dry run", ["rtresurrect", "--dry-run", name]), ("restore", ["rtresurrect", "-v", name]),
                             ("restore again", ["rtresurrect", "-v", name]), ("check", ["rtcheck", "-s", "inactive", name]),
                             ("tear down, dry run", ["rtteardown", "--dry-run", name]),

@@ -15,7 +15,7 @@ import time
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path[:0] = [ROOT, os.path.join(ROOT, "tests")]
 import mocks  # noqa: E402
-from rtshell_lite import datalog  # noqa: E402
+from rtshell_lite.datalog import logfile  # noqa: E402
 
 SECONDS, ROUNDS = 3, 3
 FLUSH = ["--property", "dataport.subscription_type=flush"]
@@ -77,7 +77,7 @@ def recorded(file, port):
     """The same for rtlog; None when anything was lost."""
     if subprocess.run(rtlog(file, ["-t", str(SECONDS), path(port)] + FLUSH), env=environment()).returncode:
         return None
-    with datalog.load(file) as log:
+    with logfile.load(file) as log:
         octets = sum(len(entry.data) for entry in log.entries())
         return log.count * 1e9 / (log.last - log.first), octets * 1e9 / (log.last - log.first)
 

@@ -9,7 +9,8 @@ import sys
 import tempfile
 import time
 
-from rtshell_lite import component, errors, ports, tree
+from rtshell_lite import errors
+from rtshell_lite.robot import component, ports, tree
 
 START_LIMIT = 20.0  # seconds
 # The parts of a robot: the program (C++), the script (Python), and the instance name, where it is not that of the program.

@@ -18,7 +18,8 @@ import unittest
 
 import mocks
 from compat import real
-from rtshell_lite import dataport, ports
+from rtshell_lite.data import reading
+from rtshell_lite.robot import ports
 
 DIRECTORIES = [each for each in os.environ.get("RTSHELL_REAL", "").split(os.pathsep) if each]
 ROUNDS = int(os.environ.get("RTSHELL_ROUNDS", "100"))
@@ -200,7 +201,7 @@ class Real(unittest.TestCase):
         def bare(robot):
             port, = [each for each in ports.ports(robot.nodes["Sensor"]) if each.name.endswith("out")]
             for number in range(ROUNDS):
-                reader = dataport.Reader(port, lambda message: None)
+                reader = reading.Reader(port, lambda message: None)
                 with reader:
                     pass
                 if robot.dead():

@@ -21,7 +21,9 @@ import unittest
 import invocations
 import mocks
 from faults import running
-from rtshell_lite import datalog, errors, xmlprofile
+from rtshell_lite import errors
+from rtshell_lite.datalog import logfile
+from rtshell_lite.xmlprofile import rtsprofile
 
 ONCE = "signals are the same for every Python"
 ALONE = "it measures times"
@@ -155,9 +157,9 @@ def wrong_files(where, command):
                 yield "left: " + name
             elif command == "rtcryo":
                 with open(path, "rb") as file:
-                    xmlprofile.load(file.read().decode(), name)
+                    rtsprofile.load(file.read().decode(), name)
             elif command == "rtlog":
-                with datalog.load(path) as found:
+                with logfile.load(path) as found:
                     if found.torn:
                         yield "torn: " + name
         except errors.Error as e:

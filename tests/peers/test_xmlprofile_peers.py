@@ -19,8 +19,9 @@ except ImportError:
     raise unittest.SkipTest("needs PyYAML and rtsprofile-aist; see tests/run --peers")
 
 import random_profiles  # noqa: E402
-from rtshell_lite import errors, xmlprofile  # noqa: E402
-from rtshell_lite.xmlprofile import fields, model, scalars, yaml, yamlwriter  # noqa: E402
+from rtshell_lite import errors  # noqa: E402
+from rtshell_lite.xmlprofile import fields, model, rtsprofile  # noqa: E402
+from rtshell_lite.xmlprofile.yaml import reader, scalars, writer  # noqa: E402
 
 COUNT = int(os.environ.get("RTSHELL_FUZZ", 1500))
 
@@ -40,7 +41,7 @@ def theirs(text):
 
 
 def ours(text):
-    return scalars.plain(yaml.parse(text, "a.yaml")[1])
+    return scalars.plain(reader.parse(text, "a.yaml")[1])
 
 
 def styles(rng):
@@ -72,7 +73,7 @@ class PyYAML(unittest.TestCase):
         maker = random_profiles.Maker(2)
         for _ in range(COUNT):
             data = maker.data()
-            text = yamlwriter.write(data)
+            text = writer.write(data)
             self.assertTrue(fields.same(theirs(text), data), text)
 
     def test_files_mean_the_same_to_it(self):
@@ -149,11 +150,11 @@ class Modest(random_profiles.Maker):
 
 class Rtsprofile(unittest.TestCase):
     def check(self, profile):
-        xml, text = (xmlprofile.dump(profile, form) for form in (xmlprofile.XML, xmlprofile.YAML))
+        xml, text = (rtsprofile.dump(profile, form) for form in (rtsprofile.XML, rtsprofile.YAML))
         real = RtsProfile(xml_spec=xml)
-        self.assertEqual(xmlprofile.load(real.save_to_xml(), "theirs.xml"), profile)
-        self.assertEqual(xmlprofile.load(real.save_to_yaml(), "theirs.yaml"), profile)
-        self.assertEqual(xmlprofile.load(RtsProfile(yaml_spec=text).save_to_xml(), "theirs.xml"), profile)
+        self.assertEqual(rtsprofile.load(real.save_to_xml(), "theirs.xml"), profile)
+        self.assertEqual(rtsprofile.load(real.save_to_yaml(), "theirs.yaml"), profile)
+        self.assertEqual(rtsprofile.load(RtsProfile(yaml_spec=text).save_to_xml(), "theirs.xml"), profile)
 
     def test_both_directions(self):
         for seed in range(COUNT // 10):
@@ -165,20 +166,20 @@ class Rtsprofile(unittest.TestCase):
         connector.further_ends = [maker.element(model.TargetPort)]
         profile = model.RtsProfile(id="a", creation_date=maker.date(), update_date=maker.date())
         profile.data_port_connectors = [connector]
-        for form, keyword in ((xmlprofile.XML, "xml_spec"), (xmlprofile.YAML, "yaml_spec")):
-            real = RtsProfile(**{keyword: xmlprofile.dump(profile, form)})
+        for form, keyword in ((rtsprofile.XML, "xml_spec"), (rtsprofile.YAML, "yaml_spec")):
+            real = RtsProfile(**{keyword: rtsprofile.dump(profile, form)})
             self.assertEqual(real.data_port_connectors[0].target_data_port.port_name, connector.target.port_name)
 
     def test_foreign_parts_do_not_disturb_it(self):
         for seed in range(COUNT // 10):
             profile = Modest(seed).profile()
             profile.foreign = random_profiles.Maker(seed).foreign(model.RtsProfile) or None
-            self.assertEqual(RtsProfile(xml_spec=xmlprofile.dump(profile, xmlprofile.XML)).id, profile.id)
-            self.assertEqual(RtsProfile(yaml_spec=xmlprofile.dump(profile, xmlprofile.YAML)).id, profile.id)
+            self.assertEqual(RtsProfile(xml_spec=rtsprofile.dump(profile, rtsprofile.XML)).id, profile.id)
+            self.assertEqual(RtsProfile(yaml_spec=rtsprofile.dump(profile, rtsprofile.YAML)).id, profile.id)
 
     def test_dates_with_fraction_and_zone_do_not_disturb_it(self):
         profile = model.RtsProfile(id="a", creation_date="2008-12-19T19:44:06.450+09:00", update_date="2008-12-19T19:44:06Z")
-        self.assertEqual(RtsProfile(yaml_spec=xmlprofile.dump(profile, xmlprofile.YAML)).id, "a")
+        self.assertEqual(RtsProfile(yaml_spec=rtsprofile.dump(profile, rtsprofile.YAML)).id, "a")
 
 
 if __name__ == "__main__":

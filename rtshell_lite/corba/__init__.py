@@ -1,0 +1,1 @@
+"""The only door to an ORB: references, deadlines, many calls at once, answers and exceptions as plain values and errors."""

@@ -1,0 +1,105 @@
+"""Answers of peers, looked at while omniORB reads them: nothing in them may end our process, or fill its stack.
+
+Every operation that can return a reference, or a value of any type, is invoked with a descriptor of ours in place of that of
+the stubs (ior.guarded). A bad reference or a value nested too deep fails that one call.
+
+What cannot be looked at before omniORB has read it are the TypeCodes in an `any` and what they describe: names in them that
+are not UTF-8, a union whose default index is 0, 100,000 levels, and fixed<65535> end the process, a struct that claims
+0x0fffffff members takes 6 GB.
+"""
+import functools
+import threading
+
+from rtshell_lite import errors
+from rtshell_lite.corba import ior
+from rtshell_lite.text import from_wire, printable
+
+DEEPEST = 64  # values inside values
+
+
+def invoke(where, ref, operation, args):
+    """The result of an operation; what is in it has passed `_taker` and `_holder`.
+
+    Raises CORBA exceptions, and Garbled for what must not be used.
+    """
+    guarded = _guarded(type(ref), operation)  # type: ignore  # a class is hashable
+    if guarded is None:
+        return getattr(ref, operation)(*args)
+    _seen.fault = None
+    result = ref._obj.invoke(operation, guarded, args)
+    if _seen.fault:
+        raise errors.Garbled(str(where), _seen.fault)
+    return result
+
+
+@functools.lru_cache(maxsize=None)
+def _guarded(objref, operation):
+    """How stubs describe an operation of a class of references, by the way of ior.guarded; None where nothing needs that."""
+    for known in objref.__mro__:
+        if operation in known.__dict__ and known.__name__.startswith("_objref_"):
+            scope = known.__dict__[operation].__globals__["_0_" + known.__module__.rpartition(".")[2]]  # as stubs find it
+            interface = getattr(scope, known.__name__[len("_objref_"):])
+            given, returned, raised = getattr(interface, "_d_" + operation)
+            safe = tuple(ior.guarded(each, _taker, _holder) for each in returned or ())
+            failures = {name: ior.guarded(each, _taker, _holder) for name, each in (raised or {}).items()}
+            same = all(new is old for new, old in zip(safe, returned or ())) and failures == (raised or {})
+            return None if same else (given, safe, failures or None)
+    return None
+
+
+# fault: why the answer that this thread reads must not be used. What is called while it is read must not raise anything: omniORB
+# does not expect it there.
+_seen = threading.local()
+
+
+@functools.lru_cache(maxsize=None)
+def _taker(type_id):
+    """What makes references of an interface out of their octets (see ior.py); nil takes the place of a bad one."""
+    import omniORB
+    from omniORB import CORBA, tcInternal
+    typecode = tcInternal.createTypeCode((tcInternal.tv_objref, type_id, ""))
+
+    @functools.lru_cache(maxsize=1024)  # a component is named as the owner of each of its ports
+    def made(type_id, *profiles):
+        data = ior.octets(type_id, profiles)
+        return omniORB.cdrUnmarshal(typecode, data, 1) if data else None
+
+    def take(type_id, profiles):
+        try:
+            return made(type_id, *profiles)
+        except ValueError as e:
+            _seen.fault = str(e)
+        except CORBA.SystemException:
+            _seen.fault = "a reference that is none"
+        return None
+    return take
+
+
+@functools.lru_cache(maxsize=None)
+def _holder(made):
+    """What makes a struct with an `any` of its members, and looks how deep that is."""
+    def hold(name, value):
+        if type(value._v) is not str and not _is_shallow(value):  # almost all are texts
+            _seen.fault = "%s: values inside values, deeper than %d" % (printable(from_wire(name)), DEEPEST)
+            value = None
+        return made(name, value)
+    return hold
+
+
+def _is_shallow(value):
+    """True for a value that is not nested too deep to be written; looking itself must not recurse."""
+    from omniORB import CORBA
+    level = [value]
+    for _ in range(DEEPEST):
+        below = []  # type: list
+        for each in level:
+            if isinstance(each, CORBA.Any):
+                below.append(each.value())
+            elif isinstance(each, (list, tuple)):
+                below += each
+            elif hasattr(each, "__dict__") and not isinstance(each, CORBA.Object):
+                below += vars(each).values()
+        level = below
+        if not level:
+            return True
+    return False

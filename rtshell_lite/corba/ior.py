@@ -1,0 +1,184 @@
+"""Object references as octets: what they say, and whether they can be trusted, before omniORB makes objects of them.
+
+omniORBpy ends the whole process (SIGSEGV) on a reference whose repository id is not UTF-8. So answers of peers are read with
+descriptors (see descriptors.py) in which a reference is what it is on the wire, a struct of octets (CORBA 3.0, 13.6.2):
+
+    struct Reference { sequence<octet> type_id; sequence<struct { unsigned long tag; sequence<octet> data; }> profiles; };
+
+What stays with omniORBpy are references and TypeCodes inside an `any`, whose types only the peer knows.
+"""
+import binascii
+import collections
+import functools
+import struct
+import sys
+
+from rtshell_lite.corba import descriptors
+
+Address = collections.namedtuple("Address", "type_id host port key")  # what an IOR says: text, text, int, bytes
+
+IIOP = 0  # the tag of a profile, TAG_INTERNET_IOP
+ALTERNATE = 3  # the tag of a component of a profile, TAG_ALTERNATE_IIOP_ADDRESS (CORBA 3.0, 13.6.6.8)
+MOST_PROFILES = 64  # real references have one to three, for each address of the host at most one
+LARGEST = 1 << 14  # octets of a reference; real ones have less than 1,000
+LONGEST_TYPE = 1024  # octets of a repository id
+
+
+# ---- what a reference says ------------------------------------------------------------------------------------
+
+@functools.lru_cache(maxsize=1024)
+def address(text):
+    """What a stringified IOR says, an Address; without an IIOP profile, host is '' and port 0."""
+    reader = _Cdr(binascii.unhexlify(text[4:]))
+    try:
+        type_id = sys.intern(reader.octets()[:-1].decode("latin-1"))  # one text for all 20,000
+        for _ in range(reader.ulong()):
+            tag, profile = reader.ulong(), reader.octets()
+            if tag == IIOP:
+                body = _Cdr(profile)
+                body.at += 2  # the version
+                host, port = body.host_and_port()
+                return Address(type_id, sys.intern(host), port, body.octets())
+    except (IndexError, struct.error):
+        return Address("", "", 0, b"")
+    return Address(type_id, "", 0, b"")
+
+
+def addresses(text):
+    """Every (host, port) that a stringified IOR offers, in its order: IIOP profiles and the alternatives named in them."""
+    reader, found = _Cdr(binascii.unhexlify(text[4:])), []
+    try:
+        reader.octets()  # the type id
+        for _ in range(reader.ulong()):
+            tag, profile = reader.ulong(), reader.octets()
+            if tag != IIOP:
+                continue
+            body = _Cdr(profile)
+            minor, body.at = profile[2], body.at + 2
+            found.append(body.host_and_port())
+            body.octets()  # the object key
+            for _ in range(body.ulong() if minor else 0):
+                component, data = body.ulong(), body.octets()
+                if component == ALTERNATE:
+                    found.append(_Cdr(data).host_and_port())
+    except (IndexError, struct.error):
+        pass  # what was told before the garbage counts
+    return list(collections.OrderedDict.fromkeys(found))
+
+
+_LITTLE, _BIG = [(struct.Struct(order + "L").unpack_from, struct.Struct(order + "H").unpack_from) for order in "<>"]
+
+
+class _Cdr:
+    """Reads a CDR encapsulation: a byte that gives the byte order, then aligned values."""
+
+    def __init__(self, data):
+        self.data, self.at = data, 1
+        self._ulong, self._ushort = _LITTLE if data[0] & 1 else _BIG
+
+    def ulong(self):
+        at = self.at + 3 & ~3
+        self.at = at + 4
+        return self._ulong(self.data, at)[0]
+
+    def ushort(self):
+        at = self.at + 1 & ~1
+        self.at = at + 2
+        return self._ushort(self.data, at)[0]
+
+    def octets(self):
+        size = self.ulong()
+        self.at += size
+        if self.at > len(self.data):
+            raise IndexError
+        return self.data[self.at - size:self.at]
+
+    def host_and_port(self):
+        return self.octets()[:-1].decode("latin-1"), self.ushort()
+
+
+# ---- from octets to a reference -------------------------------------------------------------------------------
+
+_pack, _pack_one, _PADDING = struct.Struct("<LL").pack, struct.Struct("<LLL").pack, [b"", b"\0\0\0", b"\0\0", b"\0"]
+
+
+def octets(type_id, profiles):
+    """A reference, given as its parts (bytes, and (tag, bytes) pairs), as little-endian CDR; b"" for a nil one.
+
+    Raises ValueError, saying why, for one that must not reach omniORB.
+    """
+    if len(profiles) == 1:  # almost all, and there are many
+        (tag, profile), = profiles
+        size = len(profile)
+        if size <= LARGEST:
+            return _start(type_id) + _pack_one(1, tag, size) + profile
+    if not profiles:
+        return b""
+    if len(profiles) > MOST_PROFILES:
+        raise ValueError("a reference of %d profiles" % len(profiles))
+    size = sum(len(profile) for _, profile in profiles)
+    if size > LARGEST:
+        raise ValueError("a reference of %d octets" % size)
+    return _start(type_id) + struct.pack("<L", len(profiles)) + b"".join(
+        _pack(tag, len(profile)) + profile + _PADDING[len(profile) & 3] for tag, profile in profiles)
+
+
+@functools.lru_cache(maxsize=64)
+def _start(type_id):
+    """What a reference begins with. Raises ValueError when that is no repository id."""
+    size, ends = len(type_id), type_id.find(b"\0")
+    try:
+        if size > LONGEST_TYPE or ends != size - 1:  # of the empty one, without even a NUL, as some ORBs write it, both are -1
+            raise ValueError
+        type_id.decode("utf-8")
+    except ValueError:
+        raise ValueError("a reference whose type is no text")
+    return struct.pack("<L", size) + type_id + _PADDING[size & 3]
+
+
+def checked(said):
+    """A stringified IOR that a peer has sent as text. Raises ValueError, saying why, for one that must not reach omniORB.
+
+    Other forms, corbaname: say, would let it call whom the peer likes.
+    """
+    if said[:4].upper() != "IOR:" or len(said) > 3 * LARGEST:
+        raise ValueError("not a reference (no IOR, or too long)")
+    try:
+        reader = _Cdr(binascii.unhexlify(said[4:]))
+        type_id, count = reader.octets(), reader.ulong()
+        octets(type_id, [(reader.ulong(), reader.octets()) for _ in range(min(count, MOST_PROFILES + 1))])
+        return said
+    except (struct.error, IndexError, binascii.Error, UnicodeEncodeError):
+        raise ValueError("not a reference (its octets make no sense)")
+
+
+# ---- descriptors ----------------------------------------------------------------------------------------------
+
+def _pair(*parts):
+    return parts
+
+
+_OCTETS = (descriptors.SEQUENCE, descriptors.OCTET, 0)
+_PROFILES = (descriptors.SEQUENCE, (descriptors.STRUCT, _pair, "", "", "tag", descriptors.ULONG, "data", _OCTETS), 0)
+
+
+def guarded(descriptor, taker, holder):
+    """A descriptor for what a peer sends, by which omniORB shows us all that must be looked at while it reads an answer.
+
+    References are read as octets: what `taker(repository id)` returns gets those of each, and gives what takes its place.
+    `holder(class)` takes the place of the class of a struct that has an `any`. The same object where there is neither.
+    """
+    sort = descriptors.kind(descriptor)
+    if sort == descriptors.OBJECT:
+        return (descriptors.STRUCT, taker(descriptor[1]), descriptor[1], "", "type_id", _OCTETS, "profiles", _PROFILES)
+    places = {descriptors.SEQUENCE: [1], descriptors.ARRAY: [1], descriptors.ALIAS: [3]}.get(sort, [])
+    if sort in (descriptors.STRUCT, descriptors.EXCEPTION):
+        places = range(5, len(descriptor), 2)
+    if not places:
+        return descriptor
+    parts = list(descriptor)
+    for place in places:  # no union of ours has references, and nothing is inside itself
+        parts[place] = guarded(descriptor[place], taker, holder)
+    if sort == descriptors.STRUCT and descriptors.ANY in parts[5::2]:
+        parts[1] = holder(parts[1])
+    return descriptor if all(new is old for new, old in zip(parts, descriptor)) else tuple(parts)

@@ -1,0 +1,323 @@
+"""Many remote calls at once, and none that can hang the command.
+
+The main thread never makes a CORBA call, so Ctrl-C always works. Calls are grouped by the process that answers them (its
+endpoint): each gets a few lanes, and the first silence from it fails the rest of its calls, so that one hung robot process
+costs one timeout however many components it holds. Every answer restarts the clock of its process: a big system on a slow
+link may take longer than the timeout, a silent one may not.
+"""
+import collections
+import errno
+import os
+import threading
+import time
+
+from rtshell_lite import errors, interrupts
+
+LANES = 4  # calls in flight per process: kind to real-time processes, and below omniORB's 5 connections
+GRACE = 0.2  # the ORB's own deadline comes first and knows more; ours is for what it does not bound (name look-ups)
+TICK = 0.1
+
+timeout = 3.0  # seconds a peer may stay silent; set once by cli from --timeout
+end = None  # time.monotonic() after which nobody is asked any more, None for no such time: set by who promises a bound
+shortage = None  # the errors.Shortage that let a connection fail here, once there was one: who was called is not to blame
+NO_TIME = "there was no time left to ask it"
+
+# A remote call to be made: `endpoint` of the process that answers, (host, port) or anything hashable; `where`, the path of
+# the object, or a text, for errors; `call`, a function without arguments.
+Job = collections.namedtuple("Job", "endpoint where call")
+
+# When which process was found silent, and the words for it. For as long as the timeout it is not asked again: what comes
+# next in a command, or another component's question about it, must not cost one more timeout.
+silent = {}
+_answered = {}  # when which process answered last
+
+
+class _Peer:
+    """One remote process while it is being asked."""
+
+    def __init__(self, endpoint):
+        self.endpoint = endpoint
+        self.todo = collections.deque()  # numbers of the jobs that nobody has begun
+        self.open = {}  # jobs without a value yet, by number
+        self.heard = time.monotonic()
+        self.limit = timeout
+        since, why = silent.get(endpoint, (0, None))
+        self.silence = why if time.monotonic() - since < timeout else None  # why the rest of its calls fail
+
+    def fall_silent(self, why, since):
+        """Fail the rest of its calls, unless it has answered others `since`: one object may hang while its process does not."""
+        if _answered.get(self.endpoint, 0) > since:
+            return
+        self.silence = why
+        silent[self.endpoint] = time.monotonic(), why
+
+
+_lane = threading.local()
+
+
+class Slots:
+    """Remote calls in flight at one time, to all processes together: at most `most`, None for as many as there are lanes.
+
+    Each call is made inside `with lanes.slots:`. Waiting there is no silence of the peer.
+    """
+
+    def __init__(self, most=None):
+        self._free = threading.Semaphore(most) if most else None
+
+    def __enter__(self):
+        while self._free and not self._free.acquire(timeout=TICK):
+            alive()
+
+    def __exit__(self, *_):
+        if self._free:
+            self._free.release()
+
+
+slots = Slots()
+
+
+def in_lane():
+    """True on a thread that may make remote calls."""
+    return hasattr(_lane, "peer")
+
+
+def lane_of(endpoint):
+    """True on a thread that makes the calls to the process at `endpoint`."""
+    return in_lane() and _lane.peer.endpoint == endpoint
+
+
+def become_lane(endpoint):
+    """Make the current thread, not the main one, a lane of its own to the process at `endpoint`: for one that goes on asking."""
+    _lane.peer = _Peer(endpoint)
+
+
+def alive(limit=None):
+    """Start the clock of the peer of this lane: its next answer may take `limit` seconds (default: the timeout)."""
+    peer = getattr(_lane, "peer", None)
+    if peer:
+        peer.heard = _lane.since = time.monotonic()
+        peer.limit = limit or timeout
+
+
+def answered():
+    """Say that the peer of this lane has answered a call."""
+    peer = getattr(_lane, "peer", None)
+    if peer:
+        peer.heard = _answered[peer.endpoint] = time.monotonic()
+        peer.limit = timeout
+
+
+def has_answered():
+    """True where the peer of this lane has ever answered a call."""
+    return in_lane() and _lane.peer.endpoint in _answered
+
+
+def note_shortage(e, host):
+    """Take note of an OSError of a connection to `host` that means that this host, not the other, lacks something."""
+    global shortage
+    what = _SCARCE.get(e.errno)
+    if what and not (what == "ports" and ":" in host):  # who has no IPv6 has no address for it, either
+        shortage = errors.Shortage(what, os.strerror(e.errno))
+
+
+_SCARCE = {errno.EMFILE: "files", errno.ENFILE: "files", errno.EADDRNOTAVAIL: "ports", errno.ENOBUFS: "memory",
+           errno.ENOMEM: "memory"}
+
+
+def ask(endpoint, where, call):
+    """Run one call and return its value or raise its error.
+
+    From a lane of another process, silence is raised as Unreachable: it says nothing about the process of that lane.
+    """
+    value, = gather([Job(endpoint, where, call)])
+    if isinstance(value, errors.Silent) and in_lane():
+        raise errors.Unreachable(*value.args)
+    if isinstance(value, Exception):
+        raise value
+    return value
+
+
+def gather(jobs):
+    """Run all `jobs` (iterable of Job) and return their values in order; a failed job's value is its errors.Error."""
+    return list(in_turn(jobs))
+
+
+def in_turn(jobs):
+    """`gather`, but yields the values while others are still to come, and keeps none: a great many take much memory.
+
+    All jobs run meanwhile, so who takes the values must not make remote calls before the last one.
+    """
+    values, peers = [], {}
+    for i, job in enumerate(jobs):
+        peer = peers.get(job.endpoint) or peers.setdefault(job.endpoint, _Peer(job.endpoint))
+        peer.todo.append(i)
+        peer.open[i] = job
+        values.append(_TO_COME)
+    results, taken = _Results(len(values)), 0
+    try:
+        for peer in peers.values():
+            for _ in range(min(LANES, len(peer.todo))):
+                start(_work, peer, values, results)
+        while taken < len(values):
+            if not results.complete.wait(TICK):
+                alive()  # for a gather inside a lane
+                _give_up(peers.values(), values, results)
+            while taken < len(values) and values[taken] is not _TO_COME:
+                value, values[taken] = values[taken], None
+                taken += 1
+                if isinstance(value, Exception) and not isinstance(value, errors.Error):
+                    raise value  # a bug of ours, not a failure of the peer
+                yield value
+    finally:
+        for peer in peers.values():  # when Ctrl-C interrupts it, nothing more is begun
+            peer.todo.clear()
+
+
+def start(function, *args):
+    """Run function(*args) on a thread of its own. Raises Shortage."""
+    with interrupts.held():
+        try:
+            threading.Thread(target=function, args=args, daemon=True).start()
+        except RuntimeError as e:
+            raise errors.Shortage("threads", str(e))
+
+
+_TO_COME = object()  # in the place of a value
+
+
+class _Results:
+    """How many values are still to come.
+
+    Who waits is woken once, in the end: to be woken at each of 1,000 values cost as much as the calls themselves.
+    """
+
+    def __init__(self, count):
+        self.lock, self.left, self.complete = threading.Lock(), count, interrupts.Bell()
+        self.came(0)
+
+    def came(self, count):
+        """Take note of values; the lock is held."""
+        self.left -= count
+        if not self.left:
+            self.complete.ring()
+
+
+def _work(peer, values, results):
+    _lane.peer = peer
+    while True:
+        try:
+            i = peer.todo.popleft()
+            job = peer.open[i]
+        except LookupError:
+            return
+        value = _value(peer, job)
+        with results.lock:
+            if peer.open.pop(i, None):  # not given up before
+                values[i] = value
+                results.came(1)
+
+
+def _value(peer, job):
+    """What a job gives: its value, or the exception that it raises."""
+    if peer.silence or is_over():
+        return errors.Silent(str(job.where), peer.silence or NO_TIME)
+    alive()
+    try:
+        return job.call()
+    except errors.Silent as e:
+        peer.fall_silent(e.args[1], _lane.since)
+        return _alone(e)
+    except Exception as e:
+        return _alone(e)
+
+
+def _alone(e):
+    """A failure without what led to it: the frames of 20,000 failures took 140 MB. A bug of ours keeps its traceback."""
+    if isinstance(e, errors.Error):
+        e.__traceback__ = e.__context__ = None
+    return e
+
+
+def _give_up(peers, values, results):
+    """Fail the open jobs of peers that stayed silent too long."""
+    now = time.monotonic()
+    for peer in peers:
+        silent_too_long = now - peer.heard > peer.limit + GRACE
+        if peer.open and (silent_too_long or is_over()):
+            why = peer.silence or (no_answer(peer.limit) if silent_too_long else NO_TIME)
+            if silent_too_long:
+                peer.fall_silent(why, peer.heard)
+            peer.todo.clear()
+            with results.lock:
+                for i, job in peer.open.items():
+                    values[i] = errors.Silent(str(job.where), why)
+                results.came(len(peer.open))
+                peer.open.clear()
+
+
+def is_over():
+    """True when the time set by `end` is up."""
+    return end is not None and time.monotonic() > end
+
+
+class Calls:
+    """Functions that make remote calls, begun one by one while others run; at most LANES at a time for one process.
+
+    They run on threads of their own, where `ask` and `gather` may be used. What they return, or raise, is had from `ended`.
+    """
+
+    def __init__(self):
+        self._events = interrupts.Mailbox()
+        self._lock = threading.Lock()
+        self._waiting = {}  # by endpoint
+        self._threads = collections.Counter()  # by endpoint
+        self._begun = set()
+        self._closed = False
+
+    def start(self, endpoint, key, function):
+        """Call function() as soon as there is a lane to the process at `endpoint`; `key` is its name in `ended`."""
+        with self._lock:
+            self._waiting.setdefault(endpoint, collections.deque()).append((key, function))
+            if self._threads[endpoint] == LANES:
+                return
+            self._threads[endpoint] += 1
+        start(self._run, endpoint)
+
+    def _run(self, endpoint):
+        while True:
+            with self._lock:
+                if self._closed or not self._waiting[endpoint]:
+                    self._threads[endpoint] -= 1
+                    return
+                key, function = self._waiting[endpoint].popleft()
+                self._begun.add(key)
+            try:
+                value = function()
+            except Exception as e:
+                value = e
+            self.post(key, value)
+
+    def post(self, key, value):
+        """Let `ended` return (key, value): a function may do so to tell how far it has come."""
+        self._events.put((key, value))
+
+    def ended(self, seconds):
+        """The next (key, value), where value is an errors.Error if the function has failed; None after so many seconds."""
+        found = self._events.get(seconds)
+        if found is None:
+            return None
+        key, value = found
+        if isinstance(value, Exception) and not isinstance(value, errors.Error):
+            raise value
+        return key, value
+
+    def close(self):
+        """Begin no more; returns the keys of the functions that were begun."""
+        with self._lock:
+            self._closed = True
+            return set(self._begun)
+
+
+def no_answer(seconds):
+    """The reason given for silence."""
+    return "no answer within %gs" % seconds

@@ -1,0 +1,320 @@
+"""The only door to omniORB: the ORB and its settings, references, calls with a deadline, CORBA exceptions as errors."""
+import os
+import sys
+import threading
+import types
+
+from rtshell_lite import errors
+from rtshell_lite.corba import answers, ior, lanes
+from rtshell_lite.path import PROTOCOLS, SCHEMES, split_address
+from rtshell_lite.text import from_wire, printable, to_wire
+
+PROBING = 4  # the part of the timeout, a quarter, in which a host has to refuse a connection
+NO_USABLE_ADDRESS = "host name not known"  # what omniORB means by TRANSIENT_NoUsableProfile, if no setting forbids the connection
+CONNECTIONS = 5  # that omniORB holds to one process at most (its maxGIOPConnectionPerServer)
+
+_started = None  # the ORB, once there is one
+_deadline = None  # seconds: the deadline it was given
+_starting = threading.RLock()
+
+
+# ---- the ORB --------------------------------------------------------------------------------------------------
+
+def start():
+    """The ORB of this process, made at the first call. Raises MissingOmniORB, Usage (bad RTCTREE_ORB_ARGS)."""
+    global _started, _deadline
+    with _starting:
+        if _started is None:
+            _started = _make_orb()
+            _deadline = lanes.timeout
+        elif _deadline != lanes.timeout:  # another command of rtsh, with a --timeout of its own
+            _deadline = lanes.timeout
+            _set_deadline()
+    return _started
+
+
+def _make_orb():
+    CORBA = import_omniorb()
+    arguments = ["rtshell_lite", "-ORBtraceLevel", "0", "-ORBverifyObjectExistsAndType", "0",
+                 "-ORBclientCallTimeOutPeriod", _milliseconds(lanes.timeout),
+                 "-ORBclientConnectTimeOutPeriod", _milliseconds(lanes.timeout),
+                 "-ORBgiopMaxMsgSize", str(32 << 20)]
+    own = [a for a in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if a]
+    try:
+        return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
+    except CORBA.SystemException as e:
+        where = "RTCTREE_ORB_ARGS: " + printable(";".join(own)) if own else "omniORB.cfg, or a variable ORB…"
+        raise errors.Usage("%s: not understood by omniORB (%s)" % (where, _label(e)))
+
+
+def version():
+    """The version of omniORBpy. Raises MissingOmniORB."""
+    import_omniorb()
+    import omniORB
+    return omniORB.__version__
+
+
+def _set_deadline():
+    import omniORB
+    omniORB.setClientCallTimeout(int(_milliseconds(lanes.timeout)))
+    omniORB.setClientConnectTimeout(int(_milliseconds(lanes.timeout)))
+
+
+def import_omniorb():
+    """Import omniORB without its quarter of unneeded weight, before any of our stubs do; returns its module CORBA.
+
+    Raises MissingOmniORB.
+
+    Measured: of 18 ms for `import omniORB`, 9 ms are `tempfile`, which only importIDLString uses, never called here. The
+    empty stand-in leaves sys.modules again, so that anybody else's import gets the real one.
+    """
+    stand_in = sys.modules.setdefault("tempfile", types.ModuleType("tempfile"))
+    try:
+        from omniORB import CORBA
+    except ImportError:
+        raise errors.MissingOmniORB()
+    finally:
+        if not hasattr(stand_in, "mkstemp"):
+            del sys.modules["tempfile"]
+    return CORBA
+
+
+def _milliseconds(seconds):
+    return str(max(1, int(seconds * 1000)))
+
+
+# ---- references -----------------------------------------------------------------------------------------------
+
+def corbaloc(where, address, key, default_port):
+    """The reference of the object `key` at `address` (host, host:port, PROTOCOL:rest); contacts nobody."""
+    protocol, _, rest = address.partition(":")
+    if SCHEMES.match(address):
+        url = "%s#%s" % (address, key)
+    elif protocol in PROTOCOLS and protocol != "iiop":
+        url = "corbaloc:%s/%s" % (address, key)
+    else:
+        host, port = split_address(rest if protocol == "iiop" else address)
+        # without 1.2@ omniORB speaks GIOP 1.0, which loses code sets and big replies
+        url = "corbaloc:iiop:1.2@%s:%d/%s" % (host, port if ":" in address else default_port, key)
+    orb = start()
+    from omniORB import CORBA
+    try:
+        return orb.string_to_object(to_wire(url))
+    except CORBA.SystemException as e:
+        raise errors.BadPath("%s: not an address (%s)" % (where, _label(e)))
+
+
+def from_text(where, text):
+    """The reference that a stringified IOR stands for, which a peer has sent. Raises Unreachable when it is none."""
+    orb = start()
+    from omniORB import CORBA
+    try:
+        return orb.string_to_object(ior.checked(text))
+    except ValueError as e:
+        raise errors.Unreachable(where, str(e))
+    except CORBA.SystemException as e:
+        raise errors.Unreachable(where, "not a reference (%s)" % _label(e))
+
+
+def narrow(ref, interface):
+    """`ref` as a reference of the stub class `interface`, on trust: no remote call."""
+    if type(ref)._NP_RepositoryId == interface._NP_RepositoryId:
+        return ref  # what stubs return; to narrow again takes 30 us
+    return ref._unchecked_narrow(interface)
+
+
+def context(ref):
+    """`ref` as a CosNaming::NamingContext, on trust."""
+    from CosNaming import NamingContext
+    return narrow(ref, NamingContext)
+
+
+def naming_name(names):
+    """A CosNaming::Name for an iterable of (id, kind) texts."""
+    from CosNaming import NameComponent
+    return [NameComponent(to_wire(name), to_wire(kind)) for name, kind in names]
+
+
+def same(one, other):
+    """True when two references denote one object, as far as can be told without a remote call."""
+    return one is not None and other is not None and bool(one._is_equivalent(other))
+
+
+def one_of(ref, known):
+    """`known` where it denotes the same object as `ref`, else `ref`: to keep both takes 800 bytes more."""
+    return known if same(ref, known) else ref
+
+
+def address(ref):
+    """What the IOR of `ref` says, an ior.Address; without an IIOP profile, host is '' and port 0."""
+    return ior.address(start().object_to_string(ref))
+
+
+def addresses(ref):
+    """Every (host, port) that the IOR of `ref` offers, in its order: IIOP profiles and the alternatives named in them."""
+    return ior.addresses(start().object_to_string(ref))
+
+
+def endpoint(ref):
+    """(host, port) of the process that answers for `ref`: what lanes are made of."""
+    return address(ref)[1:3]
+
+
+def identity(ref):
+    """A hashable that is equal for references to one object: (host, port, object key)."""
+    return address(ref)[1:]
+
+
+def at(ref, host, port):
+    """A reference to the object with the key of `ref` in the process at another endpoint; contacts nobody."""
+    key = "".join("%%%02x" % octet for octet in address(ref).key)
+    return start().string_to_object("corbaloc:iiop:1.2@%s:%d/%s" % ("[%s]" % host if ":" in host else host, port, key))
+
+
+# ---- calls ----------------------------------------------------------------------------------------------------
+
+def call(where, ref, operation, *args, seconds=None):
+    """Call `operation` of `ref` and return its result; `where` names the object in errors: a Path, which is spelt only then, or
+    text.
+
+    `seconds` is a longer deadline for an operation that may take its time. Raises Silent, Gone, Unreachable or Refused.
+    """
+    if not lanes.in_lane():
+        return lanes.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args, seconds=seconds))
+    from omniORB import CORBA
+    longer = seconds if seconds and seconds > lanes.timeout else None
+    if longer:
+        import omniORB
+        omniORB.setClientCallTimeout(ref, int(_milliseconds(longer)))
+    try:
+        with lanes.slots:
+            lanes.alive(longer)
+            try:
+                result = answers.invoke(where, ref, operation, args)
+            except CORBA.COMM_FAILURE as e:
+                result = _asked_again(e, where, ref, operation, args)
+    except CORBA.Exception as e:
+        raise _error(str(where), e, max(seconds or 0, lanes.timeout), ref)
+    lanes.answered()
+    return result
+
+
+def _asked_again(failure, where, ref, operation, args):
+    """The result of a question whose answer was lost: it is asked again, once for each connection that may be an old one.
+
+    rtsh keeps connections: where a process has ended since, or was started anew at the same port, all of them are lost, and
+    each tells so only when it is used. Changes are not repeated: they may have been made.
+    """
+    from omniORB import CORBA
+    asks = operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
+    for _ in range(CONNECTIONS if asks and lanes.has_answered() else 0):
+        try:
+            return answers.invoke(where, ref, operation, args)
+        except CORBA.COMM_FAILURE as e:
+            failure = e
+    raise failure
+
+
+def ask(where, ref, operation, *args, seconds=None):
+    """`call` for an object that may live in another process than the one whose lane this is."""
+    if lanes.lane_of(endpoint(ref)):
+        return call(where, ref, operation, *args, seconds=seconds)
+    return lanes.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args, seconds=seconds))
+
+
+def is_alive(where, ref):
+    """True when the object of `ref` exists. Raises Gone when it does not or nobody listens there, Silent, Unreachable."""
+    try:
+        gone = call(where, ref, "_non_existent")
+    except errors.ConnectionRefused:
+        raise errors.ProcessGone(str(where))
+    if gone:
+        raise errors.Gone(str(where))
+    return True
+
+
+def _error(where, e, seconds, ref):
+    """The errors.Error for a CORBA exception that a call to `ref` has raised."""
+    from omniORB import CORBA
+    label = _label(e)
+    if isinstance(e, CORBA.TIMEOUT):
+        return errors.Silent(where, lanes.no_answer(seconds))
+    if isinstance(e, CORBA.OBJECT_NOT_EXIST):
+        return errors.Gone(where)
+    if isinstance(e, CORBA.TRANSIENT) and label.endswith("ConnectFailed"):
+        return _not_connected(where, endpoint(ref))
+    if isinstance(e, CORBA.TRANSIENT):
+        reason = NO_USABLE_ADDRESS if label.endswith("NoUsableProfile") else "cannot be reached now (%s)" % label
+        return errors.Unreachable(where, reason)
+    if isinstance(e, CORBA.COMM_FAILURE):
+        return errors.Unreachable(where, "connection lost")
+    if isinstance(e, (CORBA.MARSHAL, CORBA.INV_OBJREF)):
+        return errors.Unreachable(where, "garbled answer (%s)" % label)
+    detail = getattr(e, "description", "")
+    return errors.Refused(where, label + (": " + printable(from_wire(detail)) if detail else ""), name=type(e).__name__)
+
+
+def _not_connected(where, endpoint):
+    """The errors.Error for a connection that could not be made: omniORB does not tell why, but the kernel does.
+
+    Only a refusal is a sign that the process has gone. Where there is no way to its host, it may well live.
+    """
+    import socket
+    try:
+        socket.create_connection(endpoint, lanes.timeout / PROBING).close()
+    except ConnectionRefusedError:
+        pass
+    except (OSError, ValueError) as e:  # the latter: no name of a host
+        if isinstance(e, OSError):
+            lanes.note_shortage(e, endpoint[0])
+        why = getattr(e, "strerror", None)
+        return errors.Unreachable(where, "cannot be reached" + (" (%s)" % why if why else ""))
+    return errors.ConnectionRefused(where)
+
+
+def _label(e):
+    """Short name of a CORBA exception: the minor code's where there is one."""
+    import omniORB
+    from omniORB import CORBA
+    if isinstance(e, CORBA.SystemException):
+        minor = omniORB.minorCodeToString(e)
+        return sys.intern(str(minor) if minor else "CORBA.%s" % type(e).__name__)
+    return type(e).__name__
+
+
+# ---- values ---------------------------------------------------------------------------------------------------
+
+def properties(nvlist):
+    """An SDOPackage::NVList as a list of (name, value) texts in its order; what is not text is written as text."""
+    from omniORB import CORBA
+    string = CORBA.tk_string  # almost all are; `is`, as == of these takes as long as all the rest
+    return [(sys.intern(from_wire(nv.name)), from_wire(nv.value.value()) if nv.value.typecode().kind() is string
+             else _as_text(nv.value, CORBA)) for nv in nvlist]
+
+
+def _as_text(value, CORBA):
+    typecode, value = value.typecode(), value.value()
+    kind = typecode.kind()
+    if kind in (CORBA.tk_struct, CORBA.tk_union, CORBA.tk_except):  # the data_value of 1.1, a TimedLong of zeros
+        return "<%s>" % from_wire(typecode.id())
+    if kind == CORBA.tk_objref:
+        return start().object_to_string(value)
+    return str(value) if value is not None else ""
+
+
+def descriptor(type_id):
+    """The type descriptor that stubs registered with omniORB for a repository id, None where none did."""
+    import omniORB
+    return omniORB.typeMapping.get(type_id)
+
+
+def descriptor_of(value):
+    """The type descriptor of what an any holds."""
+    return value.typecode()._d
+
+
+def nvlist(pairs):
+    """(name, value) texts as an SDOPackage::NVList of strings: the one kind of value that every implementation accepts."""
+    from omniORB import CORBA
+    from rtshell_lite.idl_stubs.component import SDOPackage
+    return [SDOPackage.NameValue(to_wire(n), CORBA.Any(CORBA.TC_string, to_wire(v))) for n, v in pairs]

@@ -1,0 +1,98 @@
+"""Objects of ours that components call: receivers of data. (Nothing of ours is bound in a name server.)"""
+import os
+import socket
+import struct
+import time
+
+from omniORB import CORBA
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.idl_stubs.dataport import RTC, RTC__POA, OpenRTM, OpenRTM__POA
+
+
+class InPortCdr(OpenRTM__POA.InPortCdr):
+    """What an out port pushes to by corba_cdr: hands (nanoseconds since 1970, bytes) to a function."""
+
+    def __init__(self, take):
+        self.take = take
+
+    def put(self, data):
+        self.take(int(time.time() * 1e9), data)
+        return OpenRTM.PORT_OK
+
+
+class DataPushService(RTC__POA.DataPushService):
+    """The same by data_service."""
+
+    def __init__(self, take):
+        self.take = take
+
+    def push(self, data):
+        self.take(int(time.time() * 1e9), data)
+        return RTC.PORT_OK
+
+
+RECEIVERS = {"corba_cdr": InPortCdr, "data_service": DataPushService}
+
+
+class Served:
+    """A servant that can be called from now on, until `withdraw`."""
+
+    def __init__(self, servant):
+        try:
+            self.poa = orb.start().resolve_initial_references("RootPOA")
+        except CORBA.INITIALIZE:  # that is when omniORB begins to listen
+            raise errors.Usage("this machine cannot be reached at the address that ORBendPoint tells")
+        self.id = self.poa.activate_object(servant)
+        self.reference = self.poa.id_to_reference(self.id)
+        self.type_id = servant._NP_RepositoryId
+        self.poa._get_the_POAManager().activate()
+
+    def withdraw(self):
+        """Callers get OBJECT_NOT_EXIST."""
+        self.poa.deactivate_object(self.id)
+
+    def ior(self, peer):
+        """The stringified reference to give to the process at `peer`, (host, port): with that address of ours which it can
+        reach. omniORB itself puts the first one that it finds into all references. Looks up the host's name.
+        """
+        own = None if _endpoint_given() else own_address(*peer)
+        if own is None:
+            return orb.start().object_to_string(self.reference)
+        _, _, port, key = orb.address(self.reference)
+        return make_ior(self.type_id, own, port, key)
+
+
+def _endpoint_given():
+    """True when the user tells omniORB what to publish, for NAT say."""
+    return "ORBendPoint" in os.environ.get("RTCTREE_ORB_ARGS", "") or any(name.startswith("ORBendPoint") for name in os.environ)
+
+
+def own_address(host, port):
+    """The address of this machine that faces `host`, None when there is no way there. Nothing is sent."""
+    try:
+        found = socket.getaddrinfo(host, port, 0, socket.SOCK_DGRAM)
+    except (OSError, UnicodeError):
+        return None
+    for family, kind, protocol, _, place in found:
+        try:
+            with socket.socket(family, kind, protocol) as probe:
+                probe.connect(place)
+                return probe.getsockname()[0]
+        except OSError:
+            continue
+    return None
+
+
+def make_ior(type_id, host, port, key):
+    """A stringified reference with one IIOP 1.2 profile (CORBA 3.0, 13.6)."""
+    def octets(data):
+        return struct.pack(">L", len(data)) + data
+
+    def aligned(data, size):
+        return data + b"\0" * (-len(data) % size)
+
+    profile = aligned(b"\0\1\2\0" + octets(host.encode() + b"\0"), 2) + struct.pack(">H", port)
+    profile = aligned(aligned(profile, 4) + octets(key), 4) + struct.pack(">L", 0)
+    head = aligned(b"\0\0\0\0" + octets(type_id.encode() + b"\0"), 4)
+    return "IOR:" + (head + struct.pack(">LL", 1, 0) + octets(profile)).hex()

@@ -1,0 +1,1 @@
+"""What travels over data ports: types, values and their octets; being a data port oneself."""

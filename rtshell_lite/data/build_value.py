@@ -1,0 +1,258 @@
+"""From what a person or a program wrote down to a value of a type, with everything checked: what does not fit is named.
+
+Written down is: numbers, texts, bytes, True and False, lists, dicts (of JSON), a Call (`RTC.Time(1, 2)`), a Word (an item of an
+enum) and values of the type itself.
+"""
+import base64
+import binascii
+import collections
+import math
+import struct
+
+from rtshell_lite import errors
+from rtshell_lite.corba.descriptors import (ALIAS, ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, INDIRECT, OCTET, RANGES,
+                                            SEQUENCE, STRING, STRUCT, UNION, WCHAR, WSTRING, dotted, kind, members, target,
+                                            type_id, words)
+from rtshell_lite.text import printable
+
+Call = collections.namedtuple("Call", "name positional keywords")  # RTC.Time(1, nsec=2); positional a list, keywords a dict
+Word = collections.namedtuple("Word", "name")  # RTC.GRIPPER_STATE_OPEN
+
+DEEPEST = 100  # values inside values
+NUMBERS = {"NaN": float("nan"), "Infinity": float("inf"), "-Infinity": float("-inf")}  # what JSON has no numbers for
+
+
+def build(descriptor, written, where, json=False, now=None):
+    """The value of a type for what was `written`; `where` names it in errors: RTC.TimedLong.
+
+    With `json`, a text for octets is base64, else its UTF-8. `now`, (seconds, nanoseconds), is the time for a timestamp
+    that was left out or is the Word {time}; 0 when None. Raises BadValue.
+    """
+    return _Builder(json, now or (0, 0)).build(descriptor, written, where, DEEPEST)
+
+
+def timed(descriptor):
+    """True for a struct of nothing but `tm`, with sec and nsec, and `data`, the standard timed types."""
+    return kind(descriptor) == STRUCT and descriptor[4::2] == ("tm", "data") and is_time(descriptor[5])
+
+
+def is_time(descriptor):
+    """True for a struct of sec and nsec."""
+    descriptor = target(descriptor)
+    return kind(descriptor) == STRUCT and descriptor[4::2] == ("sec", "nsec")
+
+
+class _Builder:
+    def __init__(self, json, now):
+        self.json, self.now = json, now
+
+    def build(self, descriptor, written, where, depth):
+        descriptor = target(descriptor) if kind(descriptor) in (ALIAS, INDIRECT) else descriptor
+        if depth < 0:
+            raise errors.BadValue(where, "is nested too deep")
+        sort = kind(descriptor)
+        if sort in RANGES:
+            return self._whole(descriptor, written, where)
+        if sort in (FLOAT, DOUBLE):
+            return self._real(descriptor, written, where)
+        if sort == BOOLEAN:
+            return bool(written) if isinstance(written, int) and written in (0, 1) else _unfit(descriptor, written, where)
+        if sort in (CHAR, WCHAR):
+            return self._character(descriptor, written, where)
+        if sort in (STRING, WSTRING):
+            return self._string(descriptor, written, where)
+        if sort == ENUM:
+            return self._item(descriptor, written, where)
+        if sort in (SEQUENCE, ARRAY):
+            return self._elements(descriptor, written, where, depth)
+        if sort == STRUCT:
+            return self._struct(descriptor, written, where, depth)
+        if sort == UNION:
+            return self._union(descriptor, written, where, depth)
+        raise errors.BadValue(where, "values of %s cannot be made" % words(descriptor))
+
+    def _whole(self, descriptor, written, where):
+        if kind(descriptor) == OCTET and isinstance(written, bytes) and len(written) == 1:
+            return written[0]
+        if isinstance(written, bool) or not isinstance(written, int):
+            _unfit(descriptor, written, where)
+        low, high = RANGES[kind(descriptor)]
+        if not low <= written <= high:
+            raise errors.BadValue(where, "out of range for %s (%d to %d): %s" % (_a(descriptor), low, high, _shown(written)))
+        return written
+
+    def _real(self, descriptor, written, where):
+        if isinstance(written, Word) or isinstance(written, str) and self.json:
+            written = NUMBERS.get(written.name if isinstance(written, Word) else written, written)
+        if isinstance(written, bool) or not isinstance(written, (int, float)):
+            _unfit(descriptor, written, where)
+        try:
+            number = float(written)
+            struct.pack("<f" if kind(descriptor) == FLOAT else "<d", number)
+        except OverflowError:
+            raise errors.BadValue(where, "out of range for %s: %s" % (_a(descriptor), _shown(written)))
+        return number
+
+    def _character(self, descriptor, written, where):
+        highest = "\xff" if kind(descriptor) == CHAR else "\uffff"
+        if not isinstance(written, str) or len(written) != 1 or written > highest:
+            _unfit(descriptor, written, where)
+        return written
+
+    def _string(self, descriptor, written, where):
+        wide = kind(descriptor) == WSTRING
+        if not isinstance(written, str):
+            _unfit(descriptor, written, where)
+        try:
+            size = len(written) if wide else len(written.encode("utf-8", "surrogateescape"))
+        except UnicodeEncodeError:
+            _unfit(descriptor, written, where)
+        if "\0" in written:
+            raise errors.BadValue(where, "a %s holds no NUL" % words(descriptor))
+        if descriptor[1] and size > descriptor[1]:
+            raise errors.BadValue(where, "longer than %d %s" % (descriptor[1], "characters" if wide else "bytes of UTF-8"))
+        return written
+
+    def _item(self, descriptor, written, where):
+        items = descriptor[3]
+        name = getattr(written, "_n", None) or (written.name if isinstance(written, Word) else written)
+        for item in items:
+            if isinstance(name, str) and item._n == name.rpartition(".")[2]:
+                return item
+        if isinstance(name, int) and not isinstance(name, bool) and 0 <= name < len(items):
+            return items[name]
+        known = ", ".join(item._n for item in items[:20]) + (", …" if len(items) > 20 else "")
+        raise errors.BadValue(where, "no %s: %s (they are %s)" % (words(descriptor), _shown(written), known))
+
+    def _elements(self, descriptor, written, where, depth):
+        element = kind(target(descriptor[1]))
+        if element == OCTET and isinstance(written, (str, bytes)):
+            written = self._octets(written, where)
+        elif isinstance(written, str) and element == CHAR and all(c <= "\xff" for c in written):
+            pass
+        elif isinstance(written, str) and element == WCHAR:
+            written = list(written)
+        elif not isinstance(written, (list, tuple)) or isinstance(written, (Call, Word)):
+            _unfit(descriptor, written, where)
+        bound = descriptor[2]
+        if bound and (len(written) > bound if kind(descriptor) == SEQUENCE else len(written) != bound):
+            raise errors.BadValue(where, "%d elements, not %s%d" % (
+                len(written), "up to " if kind(descriptor) == SEQUENCE else "", bound))
+        if isinstance(written, (str, bytes)):
+            return written
+        values = [self.build(descriptor[1], each, "%s[%d]" % (where, i), depth - 1) for i, each in enumerate(written)]
+        return bytes(values) if element == OCTET else "".join(values) if element == CHAR else values
+
+    def _octets(self, written, where):
+        if isinstance(written, bytes):
+            return written
+        try:
+            if self.json:
+                return base64.b64decode(written.encode("ascii"), validate=True)
+            return written.encode("utf-8", "surrogateescape")
+        except (binascii.Error, ValueError):
+            raise errors.BadValue(where, "octets are written as a list of numbers or in base64: %s" % _shown(written))
+
+    def _struct(self, descriptor, written, where, depth):
+        if is_time(descriptor) and written == Word("{time}"):
+            return descriptor[1](*self.now)
+        given = self._given(descriptor, written, where)
+        if given is None and timed(descriptor):
+            given = {"data": written}
+        if given is None:
+            _unfit(descriptor, written, where)
+        values = []
+        for name, inner in members(descriptor):
+            if name == "tm" and name not in given and is_time(inner):
+                given[name] = Word("{time}")
+            if name not in given:
+                raise errors.BadValue(where, "%s is missing" % name)
+            values.append(self.build(inner, given[name], "%s: %s" % (where, name) if " " not in where
+                                     else "%s.%s" % (where, name), depth - 1))
+        return descriptor[1](*values)
+
+    def _given(self, descriptor, written, where):
+        """{member: what was written for it} of a struct; None when it is written in no form of a struct."""
+        names = [name for name, _ in members(descriptor)]
+        if isinstance(written, dict):
+            given = dict(written)
+        elif isinstance(written, Call):
+            if not fits(written.name, descriptor):
+                raise errors.BadValue(where, "not %s: %s" % (_a(descriptor), printable(written.name)))
+            given = self._arguments(names, written, where)
+        elif hasattr(written, "__dict__") and not hasattr(written, "_n"):
+            given = dict(vars(written))
+        else:
+            return None
+        given = {_member(names, name): value for name, value in given.items()}
+        unknown = sorted(str(name) for name in given if name not in names)
+        if unknown:
+            raise errors.BadValue(where, "no member %s (its members: %s)" % (printable(unknown[0]), ", ".join(names)))
+        return given
+
+    def _arguments(self, names, call, where):
+        positional = call.positional
+        if len(positional) > len(names):
+            raise errors.BadValue(where, "takes %d values (%s), not %d" % (len(names), ", ".join(names), len(positional)))
+        given = dict(zip(names, positional))
+        for name, value in call.keywords.items():
+            if _member(names, name) in given:
+                raise errors.BadValue(where, "%s is given twice" % printable(name))
+            given[_member(names, name)] = value
+        return given
+
+    def _union(self, descriptor, written, where, depth):
+        made, discriminator, other, cases = descriptor[1], descriptor[4], descriptor[7], descriptor[6]
+        if isinstance(written, Call):
+            if not fits(written.name, descriptor):
+                raise errors.BadValue(where, "not %s: %s" % (_a(descriptor), printable(written.name)))
+            written = dict(written.keywords, **dict(zip(("_d", "_v"), written.positional)))
+        elif not isinstance(written, dict):
+            written = {name: getattr(written, name) for name in ("_d", "_v") if hasattr(written, name)}
+        names = [case[1] for case in cases]
+        given = [name for name in written if name != "_d"]
+        if len(given) > 1 or any(name not in names + ["_v"] for name in given) or not written:
+            raise errors.BadValue(where, "a %s is one of %s" % (words(descriptor), ", ".join(names)))
+        if "_d" in written:
+            label = self.build(discriminator, written["_d"], where + " discriminator", depth - 1)
+        else:
+            label = next((case[0] for case in cases if case[1] == given[0]), None)
+        case = descriptor[8].get(label, other)
+        if case is None:
+            return made(label, None)
+        if not given or given[0] not in (case[1], "_v"):
+            raise errors.BadValue(where, "with discriminator %s it holds %s" % (label, case[1]))
+        return made(label, self.build(case[2], written[given[0]], "%s.%s" % (where, case[1]), depth - 1))
+
+
+def fits(name, descriptor):
+    """True when a name as written, with or without its modules, can mean this struct or union."""
+    parts = [part for part in name.replace("::", ".").split(".") if part]
+    return bool(parts) and dotted(type_id(descriptor)).split(".")[-len(parts):] == parts
+
+
+def _member(names, name):
+    """The member that a name means; one that is a word of Python's may be written with _ before it, as in stubs."""
+    if name in names or not isinstance(name, str):
+        return name
+    return name[1:] if name[:1] == "_" and name[1:] in names else "_" + name if "_" + name in names else name
+
+
+def _unfit(descriptor, written, where):
+    raise errors.BadValue(where, "not %s: %s" % (_a(descriptor), _shown(written)))
+
+
+def _a(descriptor):
+    name = words(descriptor)
+    return ("an " if name[0] in "aeioAEIO" or name.startswith("unsigned") else "a ") + name
+
+
+def _shown(written):
+    """What was written, cut to what fits into an error line."""
+    if isinstance(written, (Call, Word)):
+        return printable(written.name)
+    if isinstance(written, float) and not math.isfinite(written):
+        return str(written)
+    shown = "{…}" if isinstance(written, dict) or hasattr(written, "__dict__") and not hasattr(written, "_n") else repr(
+        written[:10] if isinstance(written, (list, str, bytes)) and len(written) > 10 else written)
+    return printable(shown if len(shown) <= 60 else shown[:60] + "…")

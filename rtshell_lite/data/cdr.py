@@ -1,0 +1,400 @@
+"""CDR, the form in which values travel (CORBA 3.0, 15.3), read and written by descriptors; needs no ORB.
+
+Why not omniORB's own: cdrUnmarshal cannot read a wchar, knows no rest behind a value, overflows the stack on a type inside
+itself nested deep enough, and ends the whole process on a descriptor that it does not like. Bytes come from anywhere; here
+they cost no more memory than their length allows. Strings are UTF-8, broken bytes of which stay surrogate escapes.
+"""
+import struct
+
+from rtshell_lite.corba.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT,
+                                            STRING, STRUCT, ULONG, ULONGLONG, UNION, USHORT, WCHAR, WSTRING, kind, members,
+                                            plain, target)
+
+CODES = {SHORT: "h", LONG: "i", USHORT: "H", ULONG: "I", FLOAT: "f", DOUBLE: "d", BOOLEAN: "?", CHAR: "c", OCTET: "B",
+         LONGLONG: "q", ULONGLONG: "Q", ENUM: "I"}  # of the module struct
+SIZES = {code: struct.calcsize("<" + code) for code in CODES.values()}
+NUMBERS = (SHORT, LONG, USHORT, ULONG, FLOAT, DOUBLE, BOOLEAN, LONGLONG, ULONGLONG)
+FEW = 64  # members up to which a type of one size is read in one go
+
+
+class Fault(ValueError):
+    """Bytes that are no value of the type."""
+
+
+def codec(descriptor, little):
+    """(read, write) for a checked descriptor and a byte order, made once for many values.
+
+    `read(data, at)` gives (value, where it ends), or raises Fault, struct.error, RecursionError. `write(out, value)` appends
+    to the bytearray `out`, or raises anything for a value of another type: see `build_value.build`, which says what is wrong.
+    """
+    made = _Maker("<" if little else ">")
+    return made.reader(descriptor), made.writer(descriptor)
+
+
+# ---- sizes ----------------------------------------------------------------------------------------------------
+
+def least(descriptor):
+    """The fewest bytes that a value of a type takes; at least 1, so that a count can be held against the bytes left."""
+    descriptor = plain(descriptor)
+    sort = kind(descriptor)
+    if sort in CODES:
+        return SIZES[CODES[sort]]
+    if sort in (STRING, WSTRING, SEQUENCE):
+        return 4
+    if sort == STRUCT:
+        return sum(least(inner) for _, inner in members(descriptor))
+    if sort == ARRAY:
+        return descriptor[2] * least(descriptor[1])
+    return 1
+
+
+class Fixed:
+    """A type whose values take one size: the codes of its leaves, and how a value is made of and turned into a flat list."""
+
+    def __init__(self, codes, make, flatten):
+        self.codes, self.make, self.flatten = codes, make, flatten  # make(leaves, index) → value; flatten(value) → leaves
+
+
+def fixed(descriptor):
+    """The Fixed form of a type; None when there is none, or it would be long."""
+    descriptor = plain(descriptor)  # one inside itself has no size
+    sort = kind(descriptor)
+    if sort == ENUM:
+        items = descriptor[3]
+        return Fixed(["I"], lambda leaves, i: _item(items, leaves[i]), lambda value: (value._v,))
+    if sort == CHAR:
+        return Fixed(["c"], lambda leaves, i: leaves[i].decode("latin-1"), lambda value: (value.encode("latin-1"),))
+    if sort in CODES:
+        return Fixed([CODES[sort]], None, lambda value: (value,))
+    return _fixed_struct(descriptor) if sort == STRUCT else _fixed_array(descriptor) if sort == ARRAY else None
+
+
+def _item(items, number):
+    if number >= len(items):
+        raise Fault("enum item number %d of %d" % (number, len(items)))
+    return items[number]
+
+
+def _fixed_struct(descriptor):
+    parts = [fixed(inner) for _, inner in members(descriptor)]
+    if None in parts or sum(len(part.codes) for part in parts) > FEW:
+        return None
+    made, names = descriptor[1], [name for name, _ in members(descriptor)]
+    codes = [code for part in parts for code in part.codes]
+    if all(part.make is None for part in parts):
+        size = len(parts)
+        return Fixed(codes, lambda leaves, i: made(*leaves[i:i + size]), lambda value: [getattr(value, n) for n in names])
+    places, at = [], 0
+    for part in parts:
+        places.append((part.make, at))
+        at += len(part.codes)
+
+    def make(leaves, i):
+        return made(*[inner(leaves, i + at) if inner else leaves[i + at] for inner, at in places])
+
+    def flatten(value):
+        return [leaf for part, name in zip(parts, names) for leaf in part.flatten(getattr(value, name))]
+    return Fixed(codes, make, flatten)
+
+
+def _fixed_array(descriptor):
+    part, length = fixed(descriptor[1]), descriptor[2]
+    if part is None or len(part.codes) * length > FEW or kind(target(descriptor[1])) in (OCTET, CHAR):
+        return None
+    size = len(part.codes)
+
+    def make(leaves, i):
+        if part.make is None:
+            return list(leaves[i:i + length])
+        return [part.make(leaves, at) for at in range(i, i + length * size, size)]
+
+    def flatten(value):
+        if len(value) != length:
+            raise Fault("an array of %d elements" % len(value))
+        return [leaf for element in value for leaf in part.flatten(element)]
+    return Fixed(part.codes * length, make, flatten)
+
+
+class _Forms(dict):
+    """The struct.Struct of a list of codes for each place modulo 8 at which it may stand: padding depends on it."""
+
+    def __init__(self, order, codes):
+        dict.__init__(self)
+        self.order, self.codes = order, codes
+
+    def __missing__(self, start):
+        text, at = self.order, start
+        for code in self.codes:
+            padding = -at % SIZES[code]
+            text += "x" * padding + code
+            at += padding + SIZES[code]
+        self[start] = form = struct.Struct(text)
+        return form
+
+
+# ---- readers and writers --------------------------------------------------------------------------------------
+
+class _Maker:
+    """Readers and writers of one byte order; a type inside itself finds its own by its identity."""
+
+    def __init__(self, order):
+        self.order, self.count = order, struct.Struct(order + "I")
+        self.readers, self.writers = {}, {}
+
+    def reader(self, descriptor):
+        return self._made(descriptor, self.readers, "read")
+
+    def writer(self, descriptor):
+        return self._made(descriptor, self.writers, "write")
+
+    def _made(self, descriptor, known, verb):
+        descriptor = target(descriptor)
+        if id(descriptor) in known:
+            hole = known[id(descriptor)]
+            return hole[0] or (lambda first, second: hole[0](first, second))
+        hole = known[id(descriptor)] = [None, descriptor]  # kept, so that its id stays its own
+        form = fixed(descriptor)
+        if form:
+            hole[0] = getattr(self, verb + "_fixed")(form)
+        else:
+            hole[0] = getattr(self, "%s_%s" % (verb, _FORMS[kind(descriptor)]))(descriptor)
+        return hole[0]
+
+    def read_fixed(self, form):
+        forms, make = _Forms(self.order, form.codes), form.make
+
+        def read(data, at):
+            layout = forms[at & 7]
+            leaves = layout.unpack_from(data, at)
+            return make(leaves, 0) if make else leaves[0], at + layout.size
+        return read
+
+    def write_fixed(self, form):
+        forms, flatten = _Forms(self.order, form.codes), form.flatten
+
+        def write(out, value):
+            out += forms[len(out) & 7].pack(*flatten(value))
+        return write
+
+    def read_struct(self, descriptor):
+        made, readers = descriptor[1], [self.reader(inner) for _, inner in members(descriptor)]
+
+        def read(data, at):
+            values = []
+            for member in readers:
+                value, at = member(data, at)
+                values.append(value)
+            return made(*values), at
+        return read
+
+    def write_struct(self, descriptor):
+        writers = [(name, self.writer(inner)) for name, inner in members(descriptor)]
+
+        def write(out, value):
+            for name, member in writers:
+                member(out, getattr(value, name))
+        return write
+
+    def read_union(self, descriptor):
+        made, discriminator = descriptor[1], self.reader(descriptor[4])
+        by_label = {label: self.reader(case[2]) for label, case in descriptor[8].items()}
+        other = self.reader(descriptor[7][2]) if descriptor[7] else None
+
+        def read(data, at):
+            label, at = discriminator(data, at)
+            member = by_label.get(label, other)
+            if member is None:
+                return made(label, None), at
+            value, at = member(data, at)
+            return made(label, value), at
+        return read
+
+    def write_union(self, descriptor):
+        discriminator = self.writer(descriptor[4])
+        by_label = {label: self.writer(case[2]) for label, case in descriptor[8].items()}
+        other = self.writer(descriptor[7][2]) if descriptor[7] else None
+
+        def write(out, value):
+            discriminator(out, value._d)
+            member = by_label.get(value._d, other)
+            if member:
+                member(out, value._v)
+        return write
+
+    def _size(self, data, at, bound, smallest):
+        """The count that stands at `at`, held against the bytes that are left, and where it ends."""
+        at += -at & 3
+        size, = self.count.unpack_from(data, at)
+        if bound and size > bound:
+            raise Fault("%d elements where %d may be" % (size, bound))
+        if size * smallest > len(data) - at - 4:
+            raise Fault("%d elements are announced, but %d bytes are left" % (size, len(data) - at - 4))
+        return size, at + 4
+
+    def _count(self, out, value, bound):
+        if bound and len(value) > bound:
+            raise Fault("%d elements where %d may be" % (len(value), bound))
+        out += b"\0" * (-len(out) & 3) + self.count.pack(len(value))
+
+    def read_sequence(self, descriptor):
+        bound, smallest, elements = descriptor[2], least(descriptor[1]), self._elements_reader(descriptor[1])
+
+        def read(data, at):
+            size, at = self._size(data, at, bound, smallest)
+            return elements(data, at, size)
+        return read
+
+    def write_sequence(self, descriptor):
+        bound, elements = descriptor[2], self._elements_writer(descriptor[1])
+
+        def write(out, value):
+            self._count(out, value, bound)
+            elements(out, value)
+        return write
+
+    def read_array(self, descriptor):
+        size, smallest, elements = descriptor[2], least(descriptor), self._elements_reader(descriptor[1])
+
+        def read(data, at):
+            if smallest > len(data) - at:
+                raise Fault("ends within an array")
+            return elements(data, at, size)
+        return read
+
+    def write_array(self, descriptor):
+        size, elements = descriptor[2], self._elements_writer(descriptor[1])
+
+        def write(out, value):
+            if len(value) != size:
+                raise Fault("an array of %d elements" % len(value))
+            elements(out, value)
+        return write
+
+    def _elements_reader(self, element):
+        """read(data, at, size) for that many elements in a row."""
+        sort, order = kind(target(element)), self.order
+        if sort == OCTET:
+            return lambda data, at, size: (data[at:at + size], at + size)
+        if sort == CHAR:
+            return lambda data, at, size: (data[at:at + size].decode("latin-1"), at + size)
+        if sort in NUMBERS:
+            code, width = CODES[sort], SIZES[CODES[sort]]
+
+            def numbers(data, at, size):
+                at += -at % width if size else 0
+                return list(struct.unpack_from("%s%d%s" % (order, size, code), data, at)), at + size * width
+            return numbers
+        one = self.reader(element)
+
+        def read(data, at, size):
+            values = []
+            for _ in range(size):
+                value, at = one(data, at)
+                values.append(value)
+            return values, at
+        return read
+
+    def _elements_writer(self, element):
+        """write(out, values) for elements in a row."""
+        sort, order = kind(target(element)), self.order
+        if sort in (OCTET, CHAR):
+            return _write_octets if sort == OCTET else _write_chars
+        if sort in NUMBERS:
+            code, width = CODES[sort], SIZES[CODES[sort]]
+
+            def numbers(out, values):
+                if len(values):
+                    out += b"\0" * (-len(out) % width) + struct.pack("%s%d%s" % (order, len(values), code), *values)
+            return numbers
+        one = self.writer(element)
+
+        def write(out, values):
+            for value in values:
+                one(out, value)
+        return write
+
+    def read_string(self, descriptor):
+        bound = descriptor[1]
+
+        def read(data, at):
+            size, at = self._size(data, at, bound and bound + 1, 1)
+            if size == 0:  # what some ORBs send for an empty one
+                return "", at
+            if data[at + size - 1]:
+                raise Fault("a string without its end")
+            return data[at:at + size - 1].decode("utf-8", "surrogateescape"), at + size
+        return read
+
+    def write_string(self, descriptor):
+        bound = descriptor[1]
+
+        def write(out, value):
+            octets = value.encode("utf-8", "surrogateescape")
+            if b"\0" in octets:
+                raise Fault("a NUL in a string")
+            self._count(out, octets + b"\0", bound and bound + 1)
+            out += octets + b"\0"
+        return write
+
+    def read_wstring(self, descriptor):
+        bound = descriptor[1]
+
+        def read(data, at):
+            size, at = self._size(data, at, 0, 1)
+            text = _utf16(data[at:at + size])
+            if bound and len(text) > bound:
+                raise Fault("%d characters where %d may be" % (len(text), bound))
+            return text, at + size
+        return read
+
+    def write_wstring(self, descriptor):
+        bound = descriptor[1]
+
+        def write(out, value):
+            if bound and len(value) > bound:
+                raise Fault("%d characters where %d may be" % (len(value), bound))
+            if "\0" in value:
+                raise Fault("a NUL in a string")
+            units = b"\xff\xfe" + value.encode("utf-16-le", "surrogatepass") if value else b""  # as omniORB does
+            self._count(out, units, 0)
+            out += units
+        return write
+
+    def read_wchar(self, _):
+        def read(data, at):
+            if at >= len(data) or data[at] not in (2, 4) or at + 1 + data[at] > len(data):
+                raise Fault("a wide character without its size")
+            text, end = _utf16(data[at + 1:at + 1 + data[at]]), at + 1 + data[at]
+            if len(text) != 1 or text > "\uffff":
+                raise Fault("not one UTF-16 unit")
+            return text, end
+        return read
+
+    def write_wchar(self, _):
+        def write(out, value):
+            unit = value.encode("utf-16-be", "surrogatepass")
+            if len(unit) != 2:
+                raise Fault("not one UTF-16 unit")
+            out += b"\2" + unit  # big endian where no mark says otherwise (CORBA 3.0, 15.3.1.6)
+        return write
+
+
+_FORMS = {STRUCT: "struct", UNION: "union", SEQUENCE: "sequence", ARRAY: "array", STRING: "string", WSTRING: "wstring",
+          WCHAR: "wchar"}
+
+
+def _utf16(units):
+    """Text of UTF-16 bytes, with or without their byte order mark."""
+    if len(units) % 2:
+        raise Fault("half a wide character")
+    if units[:2] == b"\xff\xfe":
+        return units[2:].decode("utf-16-le", "surrogatepass")
+    return (units[2:] if units[:2] == b"\xfe\xff" else units).decode("utf-16-be", "surrogatepass")
+
+
+def _write_octets(out, value):
+    out += bytes(value) if not isinstance(value, int) else value  # bytes(n) would make n zeros
+
+
+def _write_chars(out, value):
+    out += value.encode("latin-1")

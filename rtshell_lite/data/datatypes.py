@@ -1,0 +1,243 @@
+"""Data types by their names, and the values of each as bytes.
+
+Where a type is looked for: the standard types; what the user names, IDL files and compiled stubs; what the component offers.
+"""
+import importlib
+import importlib.util
+import json
+import struct
+import sys
+
+from rtshell_lite import errors
+from rtshell_lite.corba import descriptors, orb
+from rtshell_lite.data import cdr, type_json, values
+from rtshell_lite.text import from_wire, printable
+
+STANDARD = ("RTC", "Img")  # the modules of the stubs that come along
+SOURCES = "name its IDL file (--idl FILE) or compiled stubs (-m MODULE -p DIR)"
+REMEDY = SOURCES + ", or look at the bytes (--raw)"
+
+
+class Type:
+    """A data type: `id` (IDL:RTC/TimedLong:1.0), `name` (RTC.TimedLong) and `descriptor`."""
+
+    def __init__(self, descriptor):
+        self.descriptor = descriptor
+        self.id, self.name = descriptors.type_id(descriptor), descriptors.name(descriptor)
+        self._codecs = {}
+
+    def _codec(self, little):
+        found = self._codecs.get(bool(little))
+        if found is None:
+            check(self.descriptor, self.name)
+            found = self._codecs[bool(little)] = cdr.codec(self.descriptor, little)
+        return found
+
+    def decode(self, data, little=True):
+        """The value that the bytes of a data port hold (CDR from byte 0); bytes behind it are left. Raises BadData."""
+        return self.decode_part(data, little)[0]
+
+    def decode_part(self, data, little=True):
+        """(value, number of bytes that it takes): what is behind it belongs to another type or another version of it."""
+        read, _ = self._codec(little)
+        try:
+            return read(data, 0)
+        except struct.error:
+            raise errors.BadData(self.name, "the data end too early, after %d bytes" % len(data))
+        except RecursionError:
+            raise errors.BadData(self.name, "values are nested too deep")
+        except ValueError as e:  # cdr.Fault, and what the codecs of Unicode say
+            raise errors.BadData(self.name, str(e))
+
+    def encode(self, value, little=True):
+        """The bytes of a value, as a data port takes them. Raises BadValue, naming the field that does not fit."""
+        _, write = self._codec(little)
+        out = bytearray()
+        try:
+            write(out, value)
+        except (struct.error, ValueError, TypeError, AttributeError, RecursionError) as e:
+            values.build(self.descriptor, value, self.name)
+            raise errors.BadValue(self.name, printable(str(e)))
+        return bytes(out)
+
+    def to_bytes(self):
+        """The whole type as bytes, for a file that shall need no IDL; `from_bytes` reads them."""
+        return json.dumps(type_json.plain(self.descriptor), separators=(",", ":")).encode("ascii")
+
+
+def from_bytes(data):
+    """The Type that `to_bytes` wrote. Raises BadType for anything else."""
+    return Type(type_json.descriptor(data))
+
+
+def check(descriptor, name):
+    """Raise BadType for a type of which no value can be read: one with an any or a reference in it."""
+    for where, inner in descriptors.walk(descriptor, name):
+        kind = descriptors.kind(inner)
+        if kind not in descriptors.VALUES + descriptors.BUILT:
+            raise errors.BadType(where, "values of %s cannot be read; look at the bytes (--raw)" % descriptors.words(inner))
+
+
+# ---- looking for them -----------------------------------------------------------------------------------------
+
+class Types:
+    """The types that are known: the standard ones, and those that the user named.
+
+    `modules` are names of stubs to import, `path` the directories to look in first, `idl` IDL files, `include` directories
+    of files that these include. Nothing is read before a type is asked for that the standard ones do not have.
+    """
+
+    def __init__(self, modules=(), path=(), idl=(), include=()):
+        self.modules, self.path, self.idl, self.include = list(modules), list(path), list(idl), list(include)
+        self._known, self._users = {}, None
+
+    def load(self):
+        """Read what the user named, so that its faults show before anything else is done. Raises BadIdl, NoSuch."""
+        if self._users is None:
+            self._users = {}
+            if self.idl:
+                from rtshell_lite.data.idl import parser
+                for file in self.idl:
+                    self._users.update(parser.parse_file(file, self.include))
+            for name in self.modules:
+                self._users.update(_of_module(_imported(name, self.path)))
+        return self
+
+    def named(self, name):
+        """The Type of a name: TimedLong, RTC.TimedLong, RTC::TimedLong, IDL:RTC/TimedLong:1.0. Raises NoSuch, BadIdl."""
+        found = self._find(name)
+        if found is None:
+            raise errors.NoSuch(printable(name) or "''", "data type", REMEDY)
+        return found
+
+    def of_port(self, port):
+        """The Type of what flows through a Port: by its name, else as the component itself describes it.
+
+        C++ 1.1 and Java offer a value of the type as the property dataport.data_value (protocol.md 5.1).
+        Raises NoSuch, BadIdl, BadType, Unreachable.
+        """
+        name = port.properties.get("dataport.data_type", "")
+        found = self._find(name)
+        if found is None and "dataport.data_value" in port.properties:
+            found = _offered(port)
+        if found is None:
+            from rtshell_lite.robot import ports
+            raise errors.NoSuch(ports.label(port), "data type known", "%s; %s" % (
+                printable(name) or "none given", SOURCES if port.type == "DataInPort" else REMEDY))
+        return found
+
+    def _find(self, name):
+        if name not in self._known:
+            descriptor = standard(name)
+            if descriptor is None:
+                self.load()
+                descriptor = _best(self._users, name)
+            self._known[name] = descriptor and Type(descriptor)
+        return self._known[name]
+
+
+def _parts(name):
+    """The parts of a type's name in any of its spellings: ['RTC', 'TimedLong']."""
+    if name.startswith("IDL:"):
+        name = name[4:].rpartition(":")[0]
+    return [part for part in name.replace("::", ".").replace("/", ".").split(".") if part]
+
+
+def standard(name):
+    """The descriptor of a standard type by any spelling of its name, None for another."""
+    parts = _parts(name)
+    if not parts or len(parts) > 2 or len(parts) == 2 and parts[0] not in STANDARD:
+        return None
+    orb.import_omniorb()
+    for module in parts[:-1] or STANDARD:
+        if module == "RTC":
+            from rtshell_lite.idl_stubs.data import RTC
+            found = _descriptor_of(RTC, parts[-1])
+        else:
+            from rtshell_lite.idl_stubs.data import Img
+            found = _descriptor_of(Img, parts[-1])
+        if found is not None:
+            return found
+    return None
+
+
+def _descriptor_of(scope, name):
+    """The descriptor of a type in a module of stubs (or an interface's class): that with its name where it has one."""
+    found = getattr(scope, "_ad_" + name, None) or getattr(scope, "_d_" + name, None)
+    return found if isinstance(found, (tuple, int)) else None
+
+
+def _best(known, name):
+    """The descriptor for a name among `known`, {id: descriptor}: that id, or the only one that ends in that name."""
+    if name in known:
+        return known[name]
+    parts = _parts(name)
+    found = [key for key in known if parts and _parts(key)[-len(parts):] == parts]
+    same = [key for key in found if _parts(key) == parts]
+    if len(found) > 1 and len(same) != 1:
+        raise errors.NoSuch(printable(name), "data type for certain", "it may be " + " or ".join(map(printable, sorted(found))))
+    return known[(same or found)[0]] if found else None
+
+
+def _imported(name, path):
+    """The module of stubs that the user named. Raises NoSuch when it cannot be imported."""
+    orb.start()  # without omniORB no stub can be
+    _lend_standard_stubs()
+    own, sys.path[:0] = list(sys.path), path
+    try:
+        return importlib.import_module(name)
+    except (ImportError, SyntaxError, ValueError) as e:
+        where = " in " + ", ".join(map(printable, path)) if path else ""
+        raise errors.NoSuch(printable(name), "module" + where, printable(str(e)))
+    finally:
+        sys.path[:] = own
+
+
+def _lend_standard_stubs():
+    """Stubs import those of the files that theirs included: OpenRTM-aist-Python's where it is installed, else ours."""
+    orb.import_omniorb()
+    from rtshell_lite.idl_stubs import data
+    for name in ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "InterfaceDataTypes_idl", "CameraCommonInterface_idl"):
+        if name not in sys.modules and importlib.util.find_spec(name) is None:
+            sys.modules[name] = importlib.import_module("%s.%s" % (data.__name__, name))
+
+
+def _of_module(module):
+    """{id: descriptor} of the types in a module of stubs, those within its interfaces and modules too."""
+    found, scopes, seen = {}, [module], set()
+    while scopes:
+        scope = scopes.pop()
+        seen.add(id(scope))
+        for name, value in list(vars(scope).items()):
+            if name.startswith(("_d_", "_ad_")) and isinstance(value, tuple) and descriptors.type_id(value):
+                found.setdefault(descriptors.type_id(value), value)
+            elif id(value) not in seen and (hasattr(value, "_NP_RepositoryId") if isinstance(value, type) else
+                                            getattr(value, "__name__", "").startswith(module.__name__ + ".")):
+                scopes.append(value)
+    return {key: descriptors.adopted(value, lambda wanted: found.get(wanted) or orb.descriptor(wanted), classes=True)
+            for key, value in found.items() if descriptors.kind(value) not in (descriptors.OBJECT, descriptors.EXCEPTION)}
+
+
+def _offered(port):
+    """The Type of the value that a component keeps in a port's profile; one more call."""
+    from rtshell_lite.robot import ports
+    found = orb.ask(ports.label(port), port.ref, "get_port_profile")
+    for item in found.properties:
+        if from_wire(item.name) == "dataport.data_value":
+            descriptor = orb.descriptor_of(item.value)
+            return Type(descriptors.adopted(descriptor, orb.descriptor)) if isinstance(descriptor, tuple) else None
+    return None
+
+
+def members(type_id):
+    """The members of a standard data type (`IDL:RTC/TimedLong:1.0`) as (name, type in words), None for a type not known."""
+    descriptor = standard(type_id)
+    if descriptor is None or descriptors.kind(descriptor) != descriptors.STRUCT:
+        return None
+    return [(name, descriptors.words(inner)) for name, inner in descriptors.members(descriptor)]
+
+
+def has_fixed_size(port):
+    """True when all values of a data port are of one, small size, as far as its standard type tells."""
+    known = members(port.properties.get("dataport.data_type", "")) or [("", "any")]
+    return not any(words.startswith(("sequence", "string", "any")) for _, words in known)

@@ -1,0 +1,364 @@
+"""The grammar of the data part of IDL (CORBA 3.0, 3.4), from tokens to descriptors."""
+import re
+
+from rtshell_lite import errors
+from rtshell_lite.corba import descriptors
+from rtshell_lite.corba.descriptors import ALIAS
+from rtshell_lite.data.idl import constants, tokens, types
+from rtshell_lite.data.idl.scopes import DEEPEST, KEYWORDS, Entry, Scope
+from rtshell_lite.text import printable
+
+BRACKETS = {"{": "}", "(": ")", "[": "]"}
+_PRAGMA = re.compile(r"(prefix|ID|version)\s+(.*)", re.DOTALL)
+_QUOTED = re.compile(r'"([^"]*)"\s*\Z')
+
+
+def parse_file(path, include=()):
+    """The types that an IDL file and its includes define: {repository id: descriptor}, typedefs as aliases.
+
+    `include` are directories for #include; the IDL files of OpenRTM's own data types come along and need none.
+    Raises BadIdl with file, line and column, and errors.No for a file that cannot be read.
+    """
+    return Parser(tokens.tokens(path, include)).types()
+
+
+class Parser:
+    """Reads tokens once, from the front, and collects the types that they describe."""
+
+    def __init__(self, tokens):
+        self.tokens, self.at = tokens, 0
+        self.file_scope = self.scope = Scope("", None)
+        self.made = {}  # identity of an Entry → (repository id, descriptor)
+        self.announced, self.prefixes = [], []  # Entries of structs and unions; prefixes of the files around this place
+        self.weights = {}  # identity of a descriptor → (types in it, depth)
+        self.kept = []  # what these identities are of: it must stay as long as they do
+        self._go()
+
+    def types(self):
+        """{repository id: descriptor} of everything that the tokens define. Raises BadIdl."""
+        while self.token.kind != "end":
+            self.definition(0)
+        for entry in self.announced:
+            if entry.hole[0] is None:
+                raise self.fault("%s is announced, but not described" % entry.name, entry.token)
+        return {type_id: descriptor for type_id, descriptor in self.made.values()}
+
+    # ---- tokens -----------------------------------------------------------------------------------------------
+
+    def _go(self):
+        """Stand on the next token that is one of the grammar; pragmas and the ends of files are obeyed on the way."""
+        while True:
+            self.token = self.tokens[self.at]
+            if self.token.kind == "pragma":
+                self._pragma(self.token)
+            elif self.token.kind == "file":
+                self._file(self.token.word)
+            else:
+                return
+            self.at += 1
+
+    def advance(self):
+        """The token that stands here; go past it."""
+        token = self.token
+        if token.kind != "end":
+            self.at += 1
+            self._go()
+        return token
+
+    def fault(self, why, token=None):
+        """The BadIdl that tells what is wrong with a token, or with the one that stands here."""
+        token = token or self.token
+        return errors.BadIdl(printable(token.file), token.line, token.column, why)
+
+    def is_mark(self, *marks):
+        return self.token.kind == "mark" and self.token.word in marks
+
+    def is_word(self, *words):
+        return self.token.kind == "name" and self.token.word in words
+
+    def take(self, word):
+        """Go past this word or mark. Raises BadIdl when something else stands there."""
+        if self.token.kind not in ("mark", "name") or self.token.word != word:
+            raise self.fault("expected %s, not %s" % (word, printable(self.token.word)))
+        return self.advance()
+
+    def _file(self, word):
+        """A prefix ends with the file that sets it (CORBA 3.0, 10.7.5)."""
+        if word == "begin":
+            self.prefixes.append(self.scope.prefix)
+            if self.scope is self.file_scope:
+                self.scope.prefix = ""
+        else:
+            self.scope.prefix = self.prefixes.pop()
+
+    def _pragma(self, token):
+        found = _PRAGMA.match(token.word)
+        if found is None:
+            return  # keylist and others, for other tools
+        name, rest = found.groups()
+        if name == "prefix":
+            quoted = _QUOTED.match(rest)
+            if quoted is None:
+                raise self.fault("#pragma prefix needs a text in quotes", token)
+            self.scope.prefix = quoted.group(1)
+            return
+        word, _, value = rest.strip().partition(" ")
+        quoted = _QUOTED.match(value.strip())
+        if name == "ID" and quoted is None or name == "version" and not re.match(r"\d+\.\d+\Z", value.strip()):
+            raise self.fault("#pragma %s cannot be read" % name, token)
+        entry = self._of_pragma(word)
+        if entry is None:
+            raise self.fault("#pragma %s: not declared: %s" % (name, printable(word)), token)
+        if name == "ID":
+            self._rename(entry, quoted.group(1))
+        elif entry.type_id:
+            self._rename(entry, entry.type_id.rpartition(":")[0] + ":" + value.strip())
+
+    def _of_pragma(self, name):
+        parts = [part for part in name.split("::") if part]
+        found = self.scope.seen(parts[0]) if parts else None
+        for part in parts[1:]:
+            found = found.what.own(part) if found and isinstance(found.what, Scope) else None
+        return found
+
+    def _rename(self, entry, type_id):
+        """Give a declared type another repository id."""
+        entry.type_id = type_id
+        if entry.sort == "type" and id(entry) in self.made:
+            old = entry.what
+            sort = descriptors.kind(old)
+            entry.what = {descriptors.STRUCT: lambda: descriptors.struct(type_id, old[3], descriptors.members(old)),
+                          descriptors.UNION: lambda: descriptors.union(type_id, old[3], old[4], old[6], old[5]),
+                          descriptors.ENUM: lambda: (old[0], type_id, old[2], old[3]),
+                          ALIAS: lambda: (ALIAS, type_id, old[2], old[3])}[sort]()
+            self.weigh(entry.what, *self.weights[id(old)])
+            if entry.hole:
+                entry.hole[0] = entry.what
+            self.made[id(entry)] = (type_id, entry.what)
+
+    # ---- names ------------------------------------------------------------------------------------------------
+
+    def name(self, what):
+        """An identifier being declared; one escaped with _ without it. Raises BadIdl for a keyword."""
+        token = self.token
+        if token.kind != "name":
+            raise self.fault("expected the name of %s, not %s" % (what, printable(token.word)))
+        self.advance()
+        if token.word.startswith("_"):
+            if not token.word[1:2].isalpha():
+                raise self.fault("not a name: %s" % token.word, token)
+            return token.word[1:]
+        if token.word.lower() in KEYWORDS:
+            raise self.fault("a word of IDL cannot be a name: %s" % token.word, token)
+        return token.word
+
+    def declare(self, entry, token):
+        """Put a name into this scope. Raises BadIdl when it is there already, in whatever case."""
+        old = self.scope.names.get(entry.name.lower())
+        if old is not None:
+            raise self.fault("%s is declared already%s" % (entry.name, "" if old.name == entry.name else " as " + old.name), token)
+        if entry.name.lower() == self.scope.name.lower() and self.scope.name:
+            raise self.fault("%s is the name of what is around it" % entry.name, token)
+        self.scope.names[entry.name.lower()] = entry
+        return entry
+
+    def look_up(self):
+        """The Entry of the scoped name that comes next. Raises BadIdl."""
+        start = self.token
+        if self.is_mark("::"):
+            self.advance()
+            found = self.file_scope.own(self.plain())
+        else:
+            found = self.scope.seen(self.plain())
+        written = self._last
+        self._same_case(found, written, start)
+        while self.is_mark("::"):
+            self.advance()
+            if not isinstance(found.what, Scope):
+                raise self.fault("%s holds no names" % written, start)
+            found = found.what.own(self.plain())
+            written += "::" + self._last
+            self._same_case(found, written, start)
+        return found
+
+    def plain(self):
+        """Go past a name without scopes: the name. Raises BadIdl for anything else, keywords included."""
+        token = self.token
+        if token.kind != "name":
+            raise self.fault("expected a name, not %s" % printable(token.word))
+        if token.word.lower() in KEYWORDS:
+            raise self.fault("expected a name, not %s" % token.word)
+        self._last = self.advance().word.lstrip("_")
+        return self._last
+
+    def _same_case(self, found, written, token):
+        last = written.rpartition(":")[2]
+        if found is None:
+            raise self.fault("not declared: %s" % written, token)
+        if found.name != last:
+            raise self.fault("%s is declared as %s" % (written, found.name), token)
+
+    def new_id(self, name):
+        """The repository id of what is declared here under a name (CORBA 3.0, 10.7.1)."""
+        return "IDL:%s:1.0" % "/".join(filter(None, [self.scope.prefix, name]))
+
+    # ---- definitions ------------------------------------------------------------------------------------------
+
+    def definition(self, depth):
+        """One definition with its semicolon."""
+        if depth > DEEPEST:
+            raise self.fault("nested too deep")
+        if self.is_mark(";"):  # one too many, as people write
+            self.advance()
+            return
+        word = self.token.word if self.token.kind == "name" else ""
+        if word in ("module", "interface", "local", "abstract"):
+            self._opening(word, depth)
+        elif word in ("typedef", "const", "native", "exception"):
+            {"typedef": self._typedef, "const": self._const, "native": self._native, "exception": self._exception}[word](depth)
+        elif word in ("struct", "union", "enum"):
+            types.constructed(self, depth)
+        elif word in ("valuetype", "custom", "component", "home", "eventtype"):
+            self._unread()
+        elif word in ("typeprefix", "typeid"):
+            self._typed_pragma(word)
+        elif word == "import":
+            self._skip()
+        else:
+            raise self.fault("expected a definition, not %s" % printable(self.token.word))
+        self.take(";")
+
+    def _opening(self, word, depth):
+        first = self.advance()
+        if word in ("local", "abstract"):
+            if self.is_word("valuetype", "eventtype"):
+                return self._unread()
+            self.take("interface")
+            word = "interface"
+        token = self.token
+        name = self.name("a " + word if word == "module" else "an interface")
+        entry = self.scope.names.get(name.lower())
+        reopened = entry is not None and entry.sort == word and entry.name == name and (
+            word == "module" or not entry.what.names and not entry.what.bases)
+        if not reopened:
+            entry = self.declare(Entry(name, word, Scope(name, self.scope), self.new_id(name), token=first), token)
+        entry.what.prefix = "/".join(filter(None, [self.scope.prefix, name]))
+        if word == "interface" and self.is_mark(";"):
+            return
+        if word == "interface" and self.is_mark(":"):
+            self._bases(entry)
+        self.take("{")
+        outer, self.scope = self.scope, entry.what
+        while not self.is_mark("}"):
+            if self.token.kind == "end":
+                raise self.fault("%s %s has no end" % (word, name), token)
+            if word == "module" or self.is_word("typedef", "const", "exception", "struct", "union", "enum", "native", "typeid",
+                                                "typeprefix") or self.is_mark(";"):
+                self.definition(depth + 1)
+            else:
+                self._skip()
+                self.take(";")
+        self.scope = outer
+        self.take("}")
+
+    def _bases(self, entry):
+        while self.is_mark(":", ","):
+            self.advance()
+            base = self.look_up()
+            if isinstance(base.what, Scope):
+                entry.what.bases.append(base.what)
+
+    def _skip(self):
+        """Go past everything up to the next semicolon outside all brackets."""
+        start, open_marks = self.token, []
+        while open_marks or not self.is_mark(";"):
+            token = self.token
+            if token.kind == "end" or token.kind == "mark" and token.word in "})]" and (not open_marks or open_marks[-1] != token.word):
+                raise self.fault("expected %s, not %s" % (open_marks[-1] if open_marks else ";", printable(token.word)),
+                                 start if token.kind == "end" else token)
+            if token.kind == "mark" and token.word in BRACKETS:
+                open_marks.append(BRACKETS[token.word])
+            elif open_marks and token.kind == "mark" and token.word == open_marks[-1]:
+                open_marks.pop()
+            self.advance()
+
+    def _unread(self):
+        """A valuetype, component or home: only its name is taken."""
+        while self.is_word("custom", "abstract", "valuetype", "component", "home", "eventtype"):
+            self.advance()
+        token = self.token
+        name = self.name("a type")
+        if name.lower() not in self.scope.names:  # it may have been announced
+            self.declare(Entry(name, "unknown"), token)
+        self._skip()
+
+    def _typed_pragma(self, word):
+        self.advance()
+        entry = self.look_up()
+        token = self.token
+        if token.kind != "string":
+            raise self.fault("expected a text in quotes")
+        text = constants.text(self, self.advance())
+        if word == "typeid":
+            self._rename(entry, text)
+        elif isinstance(entry.what, Scope):
+            entry.what.prefix = "/".join(filter(None, [text, entry.name]))
+        else:
+            raise self.fault("%s holds no names" % entry.name, token)
+
+    def _native(self, depth):
+        self.advance()
+        token = self.token
+        self.declare(Entry(self.name("a type"), "unknown"), token)
+
+    def _exception(self, depth):
+        """An exception holds what a struct holds, but is no data."""
+        self.advance()
+        token = self.token
+        name = self.name("an exception")
+        entry = self.declare(Entry(name, "unknown", type_id=self.new_id(name)), token)
+        self.take("{")
+        types.within(self, entry, lambda: types.members(self, depth + 1))
+        self.take("}")
+
+    def _const(self, depth):
+        self.advance()
+        token = self.token
+        descriptor = types.type_spec(self, depth)
+        name_token = self.token
+        name = self.name("a constant")
+        self.take("=")
+        value = constants.check(self, descriptor, constants.expression(self), token)
+        self.declare(Entry(name, "constant", value, self.new_id(name)), name_token)
+
+    def _typedef(self, depth):
+        self.advance()
+        descriptor = types.type_spec(self, depth + 1)
+        while True:
+            token, name, whole = types.declarator(self, descriptor, "a type")
+            made = self.weigh((ALIAS, self.new_id(name), name, whole), *self.weight(whole))
+            entry = self.declare(Entry(name, "type", made, made[1]), token)
+            self.made[id(entry)] = (made[1], made)
+            self.kept.append(entry)
+            if not self.is_mark(","):
+                return
+            self.advance()
+
+    # ---- bounds -----------------------------------------------------------------------------------------------
+
+    def weight(self, descriptor):
+        """(types in it, depth) of a descriptor."""
+        return self.weights.get(id(descriptor), (1, 1)) if isinstance(descriptor, tuple) else (1, 1)
+
+    def weigh(self, descriptor, weight, depth):
+        """The descriptor, its weight noted: that and the depth are of what stands in it. Raises BadIdl."""
+        if weight > descriptors.LARGEST or depth > descriptors.DEEPEST:
+            raise self.fault("a type too large or nested too deep")
+        self.weights[id(descriptor)] = (weight + 1, depth + 1)
+        self.kept.append(descriptor)
+        return descriptor
+
+    def weighed(self, descriptor, inner):
+        """The same for a descriptor of several parts."""
+        weights = [self.weight(each) for each in inner]
+        return self.weigh(descriptor, sum(weight for weight, _ in weights), max(depth for _, depth in weights))

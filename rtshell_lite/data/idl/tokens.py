@@ -1,0 +1,317 @@
+"""IDL text as tokens: comments gone, preprocessor lines obeyed."""
+import collections
+import os
+import re
+
+import rtshell_lite
+from rtshell_lite import errors, files
+from rtshell_lite.text import printable
+
+# kind: name, number, string, char, mark, pragma, file (an included file begins or ends), end; word: as written
+Token = collections.namedtuple("Token", "kind word file line column")
+
+LARGEST = 1 << 22  # bytes of a file
+LONGEST_NUMBER = 100  # characters: long ones take quadratic time
+MOST_TOKENS = 200000
+MOST_FILES = 1000
+DEEPEST = 40  # files within files, conditions within conditions
+MACRO = 1000  # tokens that a macro may grow to
+OWN = os.path.join(os.path.dirname(os.path.abspath(rtshell_lite.__file__)), "idl_stubs", "idl")
+OF_ORBS = ("orb.idl", "omg.idl", "corba.idl")  # what every ORB has built in
+
+_TOKEN = re.compile(r"""
+    (?P<space>[ \t\r\f\v\n\x1a]+|\\\r?\n)
+  | (?P<comment>//[^\n]*|/\*.*?\*/)
+  | (?P<directive>\#(?:\\\r?\n|/\*.*?\*/|(?!/[/*])[^\n])*)
+  | (?P<string>L?"(?:[^"\\\n]|\\.)*")
+  | (?P<char>L?'(?:[^'\\\n]|\\[^\n])[^'\n]{0,8}')
+  | (?P<number>(?:0[xX][0-9a-fA-F]+|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[dD]?)(?![A-Za-z0-9_.]))
+  | (?P<name>[A-Za-z_][A-Za-z0-9_]*)
+  | (?P<mark>::|<<|>>|/(?!\*)|[][(){}<>,;:=+\-*%|&^~])""", re.VERBOSE | re.DOTALL)
+_SKIPPED = re.compile(r"(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<directive>\#(?:\\\r?\n|/\*.*?\*/|(?!/[/*])[^\n])*)|"
+                      r"(?P<string>\"(?:[^\"\\\n]|\\.)*\")|(?P<other>\s+|(?!/\*)\S)", re.DOTALL)
+_COMMENT = re.compile(r"/\*.*?\*/|\\\r?\n", re.DOTALL)
+_DIRECTIVE = re.compile(r"#\s*([A-Za-z]*)\s*(.*)", re.DOTALL)
+_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_CONDITION = re.compile(r"\s*(?:(defined)\s*(?:\(\s*([A-Za-z_]\w*)\s*\)|([A-Za-z_]\w*))|([A-Za-z_]\w*)|(0[xX][0-9a-fA-F]+|\d+)[uUlL]*|"
+                        r"(&&|\|\||==|!=|<=|>=|[!()<>+-]))", re.ASCII)
+
+
+def tokens(path, include=()):
+    """The tokens of an IDL file and of what it includes; the last is of kind `end`. Raises BadIdl, errors.No."""
+    source = _Source(list(include))
+    source.file(path, 0)
+    last = source.found[-1] if source.found else Token("", "", path, 1, 1)
+    return source.found + [last._replace(kind="end", word="the end of the file", column=last.column + len(last.word))]
+
+
+class _Source:
+    def __init__(self, include):
+        self.include, self.macros, self.found = include, {}, []
+        self.files = 0
+
+    def file(self, path, depth):
+        self.files += 1
+        if depth > DEEPEST or self.files > MOST_FILES:
+            raise errors.BadIdl(printable(path), 1, 1, "includes too many files")
+        _File(self, path, _read(path), depth).scan()
+
+
+def _read(path):
+    try:
+        with files.opened(path) as file:
+            data = file.read(LARGEST + 1)
+    except (OSError, ValueError) as e:
+        raise errors.No(printable(path), getattr(e, "strerror", None) or str(e))
+    if len(data) > LARGEST:
+        raise errors.BadIdl(printable(path), 1, 1, "larger than %d bytes" % LARGEST)
+    return (data[3:] if data[:3] == b"\xef\xbb\xbf" else data).decode("latin-1")
+
+
+class _File:
+    """One file on its way to tokens."""
+
+    def __init__(self, source, path, text, depth):
+        self.source, self.path, self.text, self.depth = source, path, text, depth
+        self.at, self.line, self.line_start = 0, 1, 0
+        self.conditions = []  # for each open #if: [taken now, taken once, line, #else seen]
+
+    def fault(self, why):
+        return errors.BadIdl(printable(self.path), self.line, self.at - self.line_start + 1, why)
+
+    def scan(self):
+        found, fresh = self.source.found, True  # fresh: nothing but blanks on this line yet
+        while self.at < len(self.text):
+            active = all(condition[0] for condition in self.conditions)
+            match = (_TOKEN if active else _SKIPPED).match(self.text, self.at)
+            if match is None:
+                raise self.fault(self._unreadable())
+            kind, word = match.lastgroup, match.group()
+            if kind == "directive" and fresh:
+                self._directive(_COMMENT.sub(" ", word), active)
+            elif kind == "directive" and active:
+                raise self.fault("a # within a line")
+            elif active and kind not in ("space", "comment"):
+                self._token(Token(kind, word, self.path, self.line, self.at - self.line_start + 1))
+                fresh = False
+            if kind not in ("space", "comment", "directive") and word.strip():
+                fresh = False
+            lines = word.count("\n")
+            if lines:
+                self.line += lines
+                self.line_start = self.at + word.rindex("\n") + 1
+                fresh = True
+            self.at = match.end()
+            if len(found) > MOST_TOKENS:
+                raise self.fault("too long")
+        if self.conditions:
+            raise errors.BadIdl(printable(self.path), self.conditions[-1][2], 1, "#if without #endif")
+
+    def _unreadable(self):
+        rest = self.text[self.at:self.at + 2]
+        if rest == "/*":
+            return "a comment without its end"
+        if rest[0] in "\"'":
+            return "a string or character without its end"
+        return "cannot be read: " + printable(self.text[self.at:self.at + 12].split("\n")[0])
+
+    def _token(self, token):
+        """Take a token, or what the macro of its name stands for."""
+        if token.kind == "name" and token.word in self.source.macros:
+            self.source.found.extend(self._expanded(token))
+        else:
+            self.source.found.append(token)
+
+    def _expanded(self, token):
+        words, used = [(token.kind, token.word, frozenset())], []
+        while words:
+            kind, word, seen = words.pop(0)
+            body = self.source.macros.get(word) if kind == "name" and word not in seen else None
+            if body is None:
+                used.append(Token(kind, word, token.file, token.line, token.column))
+            elif isinstance(body, str):
+                raise self.fault("a macro with parameters: %s" % word)
+            else:
+                words[:0] = [part + (seen | {word},) for part in body]
+            if len(used) + len(words) > MACRO:
+                raise self.fault("a macro that grows too large: %s" % token.word)
+        return used
+
+    # ---- lines for the preprocessor ---------------------------------------------------------------------------
+
+    def _directive(self, line, active):
+        name, rest = _DIRECTIVE.match(line).groups()
+        rest = rest.strip()
+        if name in ("if", "ifdef", "ifndef", "elif", "else", "endif"):
+            self._condition(name, rest, active)
+        elif active and name in ("include", "define", "undef", "pragma", "error"):
+            getattr(self, "_" + name)(rest)
+        elif active and name not in ("", "line", "ident", "warning"):
+            raise self.fault("not known: #%s" % name)
+
+    def _condition(self, name, rest, active):
+        if name in ("if", "ifdef", "ifndef"):
+            holds = active and self._holds(name, rest)
+            self.conditions.append([holds, holds or not active, self.line, False])
+            if len(self.conditions) > DEEPEST:
+                raise self.fault("conditions within conditions too deep")
+        elif not self.conditions or self.conditions[-1][3] and name != "endif":
+            raise self.fault("#%s without #if" % name)
+        elif name == "endif":
+            self.conditions.pop()
+        else:
+            last = self.conditions[-1]
+            last[0] = not last[1] and (name == "else" or self._holds("if", rest))
+            last[1], last[3] = last[1] or last[0], name == "else"
+
+    def _holds(self, name, rest):
+        if name == "if":
+            return bool(_Condition(self, rest).value())
+        word = _NAME.match(rest)
+        if word is None:
+            raise self.fault("#%s needs a name" % name)
+        return (word.group() in self.source.macros) == (name == "ifdef")
+
+    def _define(self, rest):
+        word = _NAME.match(rest)
+        if word is None:
+            raise self.fault("#define needs a name")
+        body = rest[word.end():]
+        if body[:1] == "(":
+            self.source.macros[word.group()] = "("
+            return
+        parts, at = [], 0
+        while at < len(body):
+            match = _TOKEN.match(body, at)
+            if match is None:
+                raise self.fault("a macro that cannot be read: %s" % word.group())
+            if match.lastgroup not in ("space", "comment"):
+                parts.append((match.lastgroup, match.group()))
+            at = match.end()
+        self.source.macros[word.group()] = parts
+
+    def _undef(self, rest):
+        self.source.macros.pop(rest, None)
+
+    def _error(self, rest):
+        raise self.fault("#error " + printable(rest))
+
+    def _pragma(self, rest):
+        self.source.found.append(Token("pragma", rest, self.path, self.line, self.at - self.line_start + 1))
+
+    def _include(self, rest):
+        match = re.match(r'"([^"]+)"|<([^>]+)>', rest)
+        if match is None:
+            raise self.fault("#include needs a file")
+        name = match.group(1) or match.group(2)
+        path = self._included(name, match.group(1) is not None)
+        if path is None and os.path.basename(name) in OF_ORBS:
+            return
+        if path is None:
+            raise self.fault("no such file to include: %s (-I DIR names where to look)" % printable(name))
+        self.source.found.append(Token("file", "begin", self.path, self.line, 1))
+        self.source.file(path, self.depth + 1)
+        self.source.found.append(Token("file", "end", self.path, self.line, 1))
+
+    def _included(self, name, beside):
+        """The path of a file to include: beside this one, in the directories given, among those that come along."""
+        own = [os.path.join(OWN, part) for part in sorted(os.listdir(OWN))] if os.path.isdir(OWN) else []
+        places = [os.path.dirname(self.path)] * beside + self.source.include + [OWN]
+        for path in [os.path.join(place, name) for place in places] + [os.path.join(o, os.path.basename(name)) for o in own]:
+            if os.path.isfile(path):
+                return path
+        return None
+
+
+class _Condition:
+    """The expression of an #if: numbers, defined(NAME), ! && || comparisons and brackets."""
+
+    def __init__(self, file, text):
+        self.file, self.words, at = file, [], 0
+        while text[at:].strip():
+            match = _CONDITION.match(text, at)
+            if match is None or len(self.words) > 200:
+                raise file.fault("a condition that cannot be read: #if %s" % printable(text[:60]))
+            self.words.append(self._meant(*match.groups()))
+            at = match.end()
+        self.words.reverse()
+
+    def _meant(self, _, bracketed, bare, name, number, mark):
+        """What a word of the condition stands for: itself for a mark, else a number."""
+        macros = self.file.source.macros
+        if mark:
+            return mark
+        if bracketed or bare:
+            return int((bracketed or bare) in macros)
+        try:
+            return whole(number) if number else _of_macro(macros.get(name))
+        except ValueError as e:
+            raise self.file.fault("a condition that cannot be read: %s" % e)
+
+    def value(self):
+        found = self._either(0)
+        if self.words:
+            raise self.file.fault("a condition that cannot be read")
+        return found
+
+    def _next(self, *marks):
+        if self.words and self.words[-1] in marks and isinstance(self.words[-1], str):
+            return self.words.pop()
+        return None
+
+    def _either(self, depth):
+        found = self._both(depth)
+        while self._next("||"):
+            found = int(bool(self._both(depth)) or bool(found))
+        return found
+
+    def _both(self, depth):
+        found = self._comparison(depth)
+        while self._next("&&"):
+            found = int(bool(self._comparison(depth)) and bool(found))
+        return found
+
+    def _comparison(self, depth):
+        found, mark = self._one(depth), self._next("==", "!=", "<=", ">=", "<", ">")
+        if mark is None:
+            return found
+        other = self._one(depth)
+        return int({"==": found == other, "!=": found != other, "<=": found <= other, ">=": found >= other,
+                    "<": found < other, ">": found > other}[mark])
+
+    def _one(self, depth):
+        if depth > DEEPEST or not self.words:
+            raise self.file.fault("a condition that cannot be read")
+        mark = self._next("!", "(", "-", "+")
+        if mark == "(":
+            found = self._either(depth + 1)
+            if not self._next(")"):
+                raise self.file.fault("a condition without its )")
+            return found
+        if mark:
+            found = self._one(depth + 1)
+            return int(not found) if mark == "!" else -found if mark == "-" else found
+        word = self.words.pop()
+        if isinstance(word, str):
+            raise self.file.fault("a condition that cannot be read")
+        return word
+
+
+def _of_macro(body):
+    """The number that a macro stands for in a condition; 0, as in C, when it is none or not defined. Raises ValueError."""
+    word = body[0][1] if isinstance(body, list) and len(body) == 1 and body[0][0] == "number" else "0"
+    return whole(word) if is_whole(word) else 0
+
+
+def is_whole(word):
+    """True for the spelling of a whole number."""
+    return word[:2] in ("0x", "0X") or word.isdigit()
+
+
+def whole(word):
+    """The whole number that a word spells as in C: 10, 0x0a, 012. Raises ValueError."""
+    if len(word) > LONGEST_NUMBER:
+        raise ValueError("too long a number")
+    if word[:2] in ("0x", "0X"):
+        return int(word, 16)
+    return int(word, 8 if word[0] == "0" else 10)

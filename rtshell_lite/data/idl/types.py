@@ -1,0 +1,312 @@
+"""Types of an IDL file as descriptors: the words for basic ones, sequences, structs, unions and enums."""
+from rtshell_lite import errors
+from rtshell_lite.corba import descriptors
+from rtshell_lite.corba.descriptors import FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, WSTRING
+from rtshell_lite.data.idl import constants
+from rtshell_lite.data.idl.scopes import DEEPEST, Entry, Scope
+from rtshell_lite.text import printable
+
+BASIC = {words: kind for kind, words in descriptors.NAMES.items() if kind > 1 and kind != descriptors.PRINCIPAL}
+MOST_DIGITS = 31  # of a number of type fixed
+WORDS = ("unsigned", "short", "long", "float", "double", "char", "wchar", "boolean", "octet", "any")
+
+
+def declarator(parser, descriptor, what):
+    """(token, name, descriptor) of a name with its array bounds."""
+    token = parser.token
+    name, lengths = parser.name(what), []
+    if _incomplete(parser, descriptor):
+        raise parser.fault("of a type that is announced, but not described yet", token)
+    while parser.is_mark("["):
+        parser.advance()
+        lengths.append(_positive(parser))
+        parser.take("]")
+    for length in reversed(lengths):
+        try:
+            descriptor = parser.weigh(descriptors.array(descriptor, length), *parser.weight(descriptor))
+        except errors.BadType as e:
+            raise parser.fault(str(e), token)
+    return token, name, descriptor
+
+
+def _positive(parser):
+    return _within(parser, 1, 2 ** 32 - 1, "above 0")
+
+
+def _within(parser, least, most, words):
+    """The whole number that comes next. Raises BadIdl for one out of range, of which `words` tell."""
+    token = parser.token
+    value = constants.expression(parser)
+    if not constants.is_whole(value) or not least <= value <= most:
+        raise parser.fault("expected a number " + words, token)
+    return value
+
+
+# ---- types ------------------------------------------------------------------------------------------------
+
+
+def type_spec(parser, depth):
+    """The descriptor of the type that comes next."""
+    if depth > DEEPEST:
+        raise parser.fault("nested too deep")
+    token = parser.token
+    if parser.is_word("struct", "union", "enum"):
+        return constructed(parser, depth + 1)
+    if parser.is_word("sequence"):
+        return _sequence(parser, depth + 1)
+    if parser.is_word("string", "wstring"):
+        bound = 0
+        if parser.advance() and parser.is_mark("<"):
+            bound = _bound(parser)
+        return (STRING if token.word == "string" else WSTRING, bound)
+    if parser.is_word("fixed"):
+        return _fixed(parser)
+    if parser.is_word(*WORDS):
+        return _basic(parser)
+    if parser.is_word("Object", "ValueBase"):
+        parser.advance()
+        return (OBJECT, "", token.word)  # without an id, as stubs have it
+    return _named(parser)
+
+
+def _basic(parser):
+    words = parser.advance().word
+    while words.split()[-1] in ("unsigned", "long") and parser.is_word("long", "short", "double"):
+        if words + " " + parser.token.word not in list(BASIC) + ["unsigned long long"]:
+            break
+        words += " " + parser.advance().word
+    if words not in BASIC:
+        raise parser.fault("not a type: %s" % words)
+    return BASIC[words]
+
+
+def _named(parser):
+    token = parser.token
+    if token.kind == "name" and token.word == "CORBA" and parser.scope.seen("CORBA") is None:
+        return _of_corba(parser)
+    entry = parser.look_up()
+    if entry.sort in ("struct", "type"):
+        return entry.what
+    if entry.sort == "interface":
+        return (OBJECT, entry.type_id, entry.name)
+    if entry.sort == "unknown":
+        return (OBJECT, parser.new_id(entry.name), entry.name)
+    raise parser.fault("not a type: %s" % entry.name, token)
+
+
+def _of_corba(parser):
+    """CORBA::TypeCode and the like, which no file declares."""
+    parser.advance()
+    parser.take("::")
+    name = parser.plain()
+    return descriptors.TYPECODE if name == "TypeCode" else (OBJECT, "IDL:omg.org/CORBA/%s:1.0" % name, name)
+
+
+def _bound(parser):
+    """A bound with the bracket behind it; `>>` is a shift there, as omniidl has it."""
+    parser.advance()
+    value = _positive(parser)
+    parser.take(">")
+    return value
+
+
+def _sequence(parser, depth):
+    parser.advance()
+    parser.take("<")
+    element, bound = type_spec(parser, depth), 0
+    if parser.is_mark(","):
+        bound = _bound(parser)
+    else:
+        parser.take(">")
+    return parser.weigh((SEQUENCE, element, bound), *parser.weight(element))
+
+
+def _fixed(parser):
+    """fixed<digits, scale>; omniidl knows the same limits."""
+    parser.advance()
+    parser.take("<")
+    digits = _within(parser, 1, MOST_DIGITS, "from 1 to %d" % MOST_DIGITS)
+    parser.take(",")
+    scale = _within(parser, 0, digits, "from 0 to %d" % digits)
+    parser.take(">")
+    return (FIXED, digits, scale)
+
+
+# ---- structs, unions, enums -------------------------------------------------------------------------------
+
+
+def constructed(parser, depth):
+    """A struct, union or enum: its descriptor, None for one that is only announced."""
+    if depth > DEEPEST:
+        raise parser.fault("nested too deep")
+    word, token = parser.advance().word, parser.token
+    name = parser.name("a " + word if word != "enum" else "an enum")
+    if word == "enum":
+        return _enum(parser, name, token)
+    entry = _announced(parser, name, token)
+    if parser.is_mark(";"):
+        return None
+    if entry.sort == "type":
+        raise parser.fault("%s is declared already" % name, token)
+    if word == "struct" or not parser.is_word("switch"):
+        parser.take("{")
+    made = within(parser, entry, lambda: (_struct if word == "struct" else _union)(parser, entry, name, depth))
+    parser.take("}")
+    entry.sort, entry.what, entry.hole[0] = "type", made, made
+    parser.made[id(entry)] = (made[2], made)
+    return made
+
+
+def _announced(parser, name, token):
+    """The Entry of a struct or union, made when it is seen for the first time; its id is that of now."""
+    entry = parser.scope.names.get(name.lower())
+    if entry is None or entry.name != name or entry.sort not in ("struct", "type") or entry.hole is None:
+        hole = [None]
+        entry = parser.declare(Entry(name, "struct", None, parser.new_id(name), hole, token), token)
+        entry.what = (INDIRECT, hole)
+        parser.announced.append(entry)
+    return entry
+
+
+def within(parser, entry, parse):
+    """What `parse` gives, inside a scope of this name."""
+    outer = parser.scope
+    parser.scope = Scope(entry.name, outer, "/".join(filter(None, [outer.prefix, entry.name])))
+    try:
+        return parse()
+    finally:
+        parser.scope = outer
+
+
+def _struct(parser, entry, name, depth):
+    found = members(parser, depth)
+    if not found:
+        raise parser.fault("a struct without members: %s" % name, entry.token)
+    return parser.weighed(descriptors.struct(entry.type_id, name, found), [inner for _, inner in found])
+
+
+def members(parser, depth):
+    """Read the members of a struct up to its closing brace, which stays: [(name, descriptor)]. Raises BadIdl."""
+    found, names = [], set()
+    while not parser.is_mark("}"):
+        descriptor = type_spec(parser, depth + 1)
+        while True:
+            token, name, whole = declarator(parser, descriptor, "a member")
+            _one_more(parser, name, names, token)
+            found.append((name, whole))
+            if not parser.is_mark(","):
+                break
+            parser.advance()
+        parser.take(";")
+    return found
+
+
+def _one_more(parser, name, names, token):
+    """Add a member's name to the set `names`. Raises BadIdl for a second one of a name, in whatever case.
+
+    A member may be called like a type, which omniidl forbids.
+    """
+    if name.lower() in names:
+        raise parser.fault("a second member of the name %s" % name, token)
+    names.add(name.lower())
+
+
+def _union(parser, entry, name, depth):
+    parser.take("switch")
+    parser.take("(")
+    token = parser.token
+    switch = type_spec(parser, depth + 1)
+    if descriptors.kind(descriptors.target(switch)) not in descriptors.LABELS:
+        raise parser.fault("a union cannot be switched by %s" % descriptors.words(switch), token)
+    parser.take(")")
+    parser.take("{")
+    cases, default, labels, names = [], -1, set(), set()
+    while not parser.is_mark("}"):
+        found = _labels(parser, switch, labels)
+        descriptor = type_spec(parser, depth + 1)
+        token, member, whole = declarator(parser, descriptor, "a member")
+        _one_more(parser, member, names, token)
+        parser.take(";")
+        for label in found:
+            if label is None:
+                default = len(cases)
+            cases.append((label, member, whole))
+    if not cases:
+        raise parser.fault("a union without members: %s" % name, entry.token)
+    if default >= 0:
+        cases[default] = (_unused(parser, switch, labels, entry.token),) + cases[default][1:]
+    return parser.weighed(descriptors.union(entry.type_id, name, switch, cases, default),
+                          [switch] + [case[2] for case in cases])
+
+
+def _labels(parser, switch, labels):
+    """The labels before one member of a union, None for default; they join the set `labels` of those that stood before."""
+    found = []
+    while parser.is_word("case", "default"):
+        token = parser.advance()
+        if token.word == "default":
+            label = None
+        else:
+            label = constants.check(parser, switch, _label(parser, switch), token)
+        if label in labels:
+            raise parser.fault("the same case twice", token)
+        found.append(label)
+        labels.add(label)
+        parser.take(":")
+    if not found:
+        raise parser.fault("expected case or default, not %s" % printable(parser.token.word))
+    return found
+
+
+def _label(parser, switch):
+    """The value of a case label; items of the switch's own enum are seen wherever it was declared."""
+    items = descriptors.target(switch)[3] if descriptors.kind(descriptors.target(switch)) == descriptors.ENUM else ()
+    if parser.token.kind == "name" and parser.scope.seen(parser.token.word) is None:
+        for item in items:
+            if item._n == parser.token.word:
+                parser.advance()
+                return item
+    return constants.expression(parser)
+
+
+def _unused(parser, switch, labels, token):
+    """A label that no case has, for the default; the lowest, as omniidl takes it."""
+    inner = descriptors.target(switch)
+    kind = descriptors.kind(inner)
+    if kind in descriptors.RANGES:
+        low, high = descriptors.RANGES[kind]
+        candidates = range(low, high + 1)
+    elif kind == descriptors.ENUM:
+        candidates = inner[3]
+    else:
+        candidates = (False, True) if kind == descriptors.BOOLEAN else map(chr, range(256))
+    for candidate in candidates:
+        if candidate not in labels:
+            return candidate
+    raise parser.fault("a default that no value is left for", token)
+
+
+def _enum(parser, name, token):
+    parser.take("{")
+    items, tokens = [], []
+    while True:
+        tokens.append(parser.token)
+        items.append(parser.name("an item"))
+        if not parser.is_mark(","):
+            break
+        parser.advance()
+        if parser.is_mark("}"):  # a comma too many
+            break
+    parser.take("}")
+    made = parser.weigh(descriptors.enum(parser.new_id(name), name, items), 1, 1)
+    entry = parser.declare(Entry(name, "type", made, made[1]), token)
+    parser.made[id(entry)] = (made[1], made)
+    parser.kept.append(entry)
+    for item, where in zip(made[3], tokens):
+        parser.declare(Entry(item._n, "item", item), where)
+    return made
+
+
+def _incomplete(parser, descriptor):
+    descriptor = descriptors.plain(descriptor)
+    return descriptors.kind(descriptor) == INDIRECT and descriptor[1][0] is None

@@ -1,0 +1,209 @@
+"""Values as people write them on a command line: `RTC.TimedLong({time}, 42)` as for rtshell, or JSON. Nothing is evaluated.
+
+rtshell hands such text to Python's eval. Here it is read as names, calls, literals, lists and dicts, by a parser that knows
+nothing else; Python's own parser (ast) reads single literals only, for it may crash on text nested deep enough.
+
+    value  = name "(" [argument {"," argument}] ")" | name | literal | "[" … "]" | "(" … ")" | "{" literal ":" value … "}"
+    argument = [identifier "="] value
+    literal = number | string | b"bytes" | True | False | NaN | Infinity | null
+"""
+import json
+import re
+import time
+
+from rtshell_lite import errors
+from rtshell_lite.data import build_value
+from rtshell_lite.data.build_value import Call, Word
+from rtshell_lite.text import literal, printable
+
+DEEPEST = build_value.DEEPEST
+LONGEST_NUMBER = 400  # digits
+TIME = Word("{time}")
+LITERALS = {"True": True, "False": False, "true": True, "false": False, "None": None, "null": None}
+
+_TOKEN = r"""\s*(?:
+    (?P<string>[bBuUrR]{0,2}(?:"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'))
+  | (?P<time>\{time\})
+  | (?P<number>[-+]?\s*(?:0[xX][0-9a-fA-F]+|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?))(?![\w.])
+  | (?P<name>-?[A-Za-z_]\w*(?:(?:\.|::)[A-Za-z_]\w*)*)
+  | (?P<mark>\{\{|\}\}|[][(){},=:])
+  | (?P<end>\Z))"""
+_CALL = r"\s*[A-Za-z_][\w.:]*\s*\("
+
+
+class Expression:
+    """A value that a user wrote down, for one type; `value(now)` makes it as often as it is needed.
+
+    `text` is the constructor form or JSON. `types` are the Types that names are looked up in; `type` is the Type that is
+    wanted, None to take the one that the text names. All faults show here: BadValue, NoSuch.
+    """
+
+    def __init__(self, text, types, type=None):
+        self.written, self.json = parse(text)
+        called = isinstance(self.written, Call) and types is not None
+        if type is None:
+            if not called:
+                raise errors.BadValue(_short(text), "its type is not known; write it as RTC.TimedLong({time}, 42)")
+            type = types.named(self.written.name)
+        elif called and not build_value.fits(self.written.name, build_value.target(type.descriptor)):
+            raise errors.BadValue(types.named(self.written.name).name, "not the type that is wanted, %s" % type.name)
+        self.type = type
+        self.value(0)
+
+    def value(self, now=None):
+        """A fresh value; `now`, in seconds since the epoch, is what {time} and a time left out become (now when None)."""
+        now = time.time() if now is None else now
+        stamp = (int(now), int(now % 1 * 1e9))
+        return build_value.build(self.type.descriptor, self.written, self.type.name, self.json, stamp)
+
+
+def parse(text):
+    """What a text says, for `build_value.build`, and whether it is JSON. Raises BadValue."""
+    if not re.match(_CALL, text, re.ASCII):
+        try:
+            return json.loads(text, parse_constant=lambda word: build_value.NUMBERS[word], parse_int=_whole), True
+        except (ValueError, RecursionError):
+            if text.lstrip()[:1] == "{" and not text.lstrip().startswith("{time}"):
+                raise errors.BadValue(_short(text), "not JSON (%s)" % _fault_of(text))
+    parser = _Parser(text)
+    found = parser.value(DEEPEST)
+    parser.take("end")
+    return found, False
+
+
+def _whole(word):
+    if len(word) > LONGEST_NUMBER:
+        raise ValueError("a number of %d digits" % len(word))
+    return int(word)
+
+
+def _fault_of(text):
+    try:
+        json.loads(text, parse_int=_whole)
+    except ValueError as e:
+        return str(e)
+    except RecursionError:
+        return "nested too deep"
+
+
+def _short(text):
+    return printable(text if len(text) <= 60 else text[:60] + "…") or "''"
+
+
+class _Parser:
+    def __init__(self, text):
+        self.text, self.at = text, 0
+        self.match = re.compile(_TOKEN, re.VERBOSE | re.ASCII | re.DOTALL).match  # rtprint need not pay for it
+        self.advance()
+
+    def advance(self):
+        """Go to the next token: its kind, its word, and where it starts."""
+        found = self.match(self.text, self.at)
+        if found is None:
+            self.kind, self.word = "error", ""
+            self.start = self.at + len(self.text[self.at:]) - len(self.text[self.at:].lstrip())
+            raise self.fault("cannot be read")
+        self.kind, self.word = found.lastgroup, found.group(found.lastgroup)
+        self.start, self.at = found.start(found.lastgroup), found.end()
+
+    def fault(self, why):
+        there = _short(self.text[self.start:self.start + 20]) if self.text[self.start:].strip() else "the end"
+        return errors.BadValue(_short(self.text), "column %d: %s: %s" % (self.start + 1, why, there))
+
+    def is_mark(self, *marks):
+        return self.kind == "mark" and self.word in marks
+
+    def take(self, *marks):
+        """Go past one of the marks, or the end. Raises BadValue when something else stands there."""
+        if not (self.is_mark(*marks) or marks == ("end",) and self.kind == "end"):
+            raise self.fault("expected %s" % (marks[0] if marks[0] != "end" else "the end"))
+        if self.kind != "end":
+            self.advance()
+
+    def value(self, depth):
+        if depth < 0:
+            raise self.fault("nested too deep")
+        kind, word = self.kind, self.word
+        if kind == "name":
+            return self.named(depth)
+        if kind in ("number", "string", "time"):
+            found = TIME if kind == "time" else self.number() if kind == "number" else self.string()
+            self.advance()
+            while kind == "string" and self.kind == "string" and isinstance(found, type(self.string())):  # "a" "b"
+                found += self.string()
+                self.advance()
+            return found
+        if self.is_mark("[", "("):
+            self.advance()
+            return self.listed("]" if word == "[" else ")", depth)
+        if self.is_mark("{", "{{"):
+            return self.mapping("}" if word == "{" else "}}", depth)
+        raise self.fault("expected a value")
+
+    def number(self):
+        word = "".join(self.word.split())
+        if len(word) > LONGEST_NUMBER:
+            raise self.fault("a number of %d digits" % len(word))
+        try:
+            return int(word, 0)
+        except ValueError:
+            return int(word) if word.lstrip("+-").isdigit() else float(word)
+
+    def string(self):
+        try:
+            return literal(self.word)
+        except ValueError as e:
+            raise self.fault(str(e))
+
+    def named(self, depth):
+        name = self.word
+        self.advance()
+        if self.is_mark("("):
+            self.advance()
+            return self.call(name, depth)
+        if name in LITERALS:
+            return LITERALS[name]
+        return Word({"inf": "Infinity", "nan": "NaN", "-inf": "-Infinity"}.get(name, name))
+
+    def call(self, name, depth):
+        positional, keywords = [], {}
+        while not self.is_mark(")"):
+            start, kind, word = self.at, self.kind, self.word
+            if kind == "name" and self.text[start:].lstrip()[:1] == "=":
+                self.advance()
+                self.take("=")
+                if word in keywords:
+                    raise self.fault("%s is given twice" % word)
+                keywords[word] = self.value(depth - 1)
+            elif keywords:
+                raise self.fault("a value without a name behind one with a name")
+            else:
+                positional.append(self.value(depth - 1))
+            if not self.is_mark(")"):
+                self.take(",")
+        self.advance()
+        return Call(name, positional, keywords)
+
+    def listed(self, end, depth):
+        found = []
+        while not self.is_mark(end):
+            found.append(self.value(depth - 1))
+            if not self.is_mark(end):
+                self.take(",")
+        self.advance()
+        return found
+
+    def mapping(self, end, depth):
+        found = {}
+        self.advance()
+        while not self.is_mark(end):
+            if self.kind != "string":
+                raise self.fault("expected the name of a member in quotes")
+            name = self.string()
+            self.advance()
+            self.take(":")
+            found[name] = self.value(depth - 1)
+            if not self.is_mark(end):
+                self.take(",")
+        self.advance()
+        return found

@@ -1,0 +1,222 @@
+"""Data from out ports of components, pushed to us or fetched by us.
+
+    with reading.Reader(port, deliver) as reader: …       `deliver(Message)` for each value, from a thread of the ORB
+
+writing.py goes the other way.
+"""
+import collections
+import sys
+import threading
+import time
+
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.data.connection import GRACE, Connection
+from rtshell_lite.robot import component, connectors, ports
+
+# One value: when it came, in nanoseconds since 1970; CDR bytes without any header (protocol.md 7.1); their byte order.
+Message = collections.namedtuple("Message", "received data little")
+
+QUEUE = 4096  # values the port may queue between two looks while writes are counted
+BUFFER, BUFFER_BYTES = 256, 16 << 20  # what the port may queue for a reader that pauses: values, and their bytes
+POLL = 0.02  # seconds between two looks at a queue
+FEWEST = 4  # values, however large
+ANSWERED = 0.05  # seconds after which a fetch that has been answered is over for the component, too
+QUIET = 0.1  # seconds that the last value is waited for, and in which a new connector is no longer new
+HANDED_OVER = 0.002  # seconds after which a component is done with the value that it has just pushed
+SWITCH = 0.0005  # seconds that a component may have to wait for Python's lock; with Python's own 0.005, 290 MB/s came, not 430
+
+
+class Reader(Connection):
+    """A connector from a DataOutPort that calls deliver(Message) for each value, from a thread of its own.
+
+    dataflow: "push" (the component calls us), "pull" (we ask, POLL seconds apart when there was nothing; for peers that
+    cannot reach us), None for push where the port offers it. subscription, of push: new, flush or periodic; None takes new,
+    in which values wait in the port's buffer and no slow reader delays the component. `properties`, a dict, goes into the
+    connector and wins. `name` is the connector's.
+    """
+
+    kind, side, flows = "DataOutPort", "outport", ("push", "pull")
+
+    def __init__(self, port, deliver, dataflow=None, subscription=None, properties=None, name="rtshell_lite"):
+        Connection.__init__(self, port, name, properties)
+        self.deliver = deliver
+        offer = ports.offer_without(port, "dataport.dataflow_type", "push")
+        self.dataflow = self.given.get("dataport.dataflow_type", "").lower() or dataflow or ("pull" if offer else "push")
+        self.subscription = subscription
+        self.room, self.heaviest = BUFFER, 0  # values that the port may queue; bytes of the largest so far
+        self.idle, self.answered = threading.Event(), 0.0  # set when no fetch is under way; when the last one ended
+        self.idle.set()
+        self.ended, self.came = threading.Event(), threading.Event()  # no more values are wanted; one has come since
+        self.count = self.seen = 0  # values so far, and at the last look
+        self.served = None
+        self.early = []  # values that come before the byte order is known for certain
+
+    def wishes(self):
+        common = {"dataport.buffer.length": str(self.room)}
+        if self.dataflow == "pull":
+            return dict(common, **{"dataport.subscription_type": "new", "dataport.buffer.read.empty_policy": "do_nothing"})
+        from rtshell_lite.corba import servants
+        sys.setswitchinterval(SWITCH)
+        self.served = servants.Served(servants.RECEIVERS[self.interface](self._take))
+        subscription = self.subscription or ports.connection_properties([self.port], {})["dataport.subscription_type"]
+        return dict(common, **{
+            "dataport.subscription_type": subscription or "new", "dataport.publisher.push_policy": "all",
+            "dataport.%s.inport_ior" % self.interface: self.served.ior(self.endpoint)})
+
+    def _open(self):
+        try:
+            Connection._open(self)
+        except errors.Error:
+            self.release()
+            raise
+        with self.lock:
+            for received, data in self.early:
+                self.deliver(Message(received, data, self.little))
+            self.early = None
+        if self.dataflow == "pull":
+            get = fetcher(self)
+            self.idle.clear()  # only now: who cannot fetch has nothing to wait for
+            lanes.start(self._poll, get, self.ended)
+
+    def _take(self, received, data):
+        self.count += 1
+        self.heaviest = max(self.heaviest, len(data))
+        if self.ended.is_set():
+            self.came.set()
+        if self.early is not None:
+            with self.lock:
+                if self.early is not None:
+                    self.early.append((received, data))
+                    return
+        if not self.closing.is_set():
+            self.deliver(Message(received, data, self.little))
+
+    def _poll(self, get, ended):
+        lanes.become_lane(self.endpoint)
+        try:
+            while not ended.is_set():
+                self._fetch(get, ended)
+        except errors.Error as e:
+            self.failure = None if ended.is_set() else e
+        finally:
+            self.idle.set()
+
+    def _fetch(self, get, ended):
+        """Fetch one value, or wait a moment where there is none. Raises errors.Error where there will be none any more."""
+        try:
+            data = get()
+        except errors.Silent as e:
+            self.failure = e
+            return
+        self.failure, self.answered = None, time.monotonic()
+        if data is None:
+            ended.wait(POLL)
+        else:
+            self._take(int(time.time() * 1e9), data)
+
+    def stop(self):
+        if not self.ended.is_set():
+            self.stopped = time.monotonic()
+            self.ended.set()
+
+    def is_at_rest(self):
+        """Wait for a moment in which the component does nothing with the connector; False where there is none.
+
+        A C++ component ends when a connector is removed while it serves a fetch: the last answer is waited for. It may also end
+        when it is just pushing a value. Of C++ 2.1 at 100 Hz, 17 of 2,100 removals soon after the connection ended the process,
+        1 of 600 later ones, and none of 6,000 right after a value had come: so a value is waited for, too. Of many ports a few
+        are closed at a time: those that send nothing are waited for together, and a value that came meanwhile is too old.
+        """
+        self.stop()
+        if self.dataflow == "push":
+            limit = self.stopped + (2 * QUIET if self.came.is_set() else QUIET)
+            self.came.clear()
+            if self.came.wait(max(0, limit - time.monotonic())):
+                time.sleep(HANDED_OVER)
+            return True
+        if not self.idle.wait(0 if isinstance(self.failure, errors.Silent) else lanes.timeout + GRACE):
+            return False
+        time.sleep(max(0, self.answered + ANSWERED - time.monotonic()))
+        return not isinstance(self.failure, errors.Silent)
+
+    def due(self):
+        seen, self.seen = self.seen, self.count
+        if seen != self.count:
+            self.failure = None  # it was silent, but values have come
+        return self.dataflow != "pull" and seen == self.count or self._is_too_heavy()
+
+    def look(self):
+        if self._is_too_heavy():
+            self._reopen()
+        Connection.look(self)
+
+    def _is_too_heavy(self):
+        """Whether so many values as the port may queue would take too much of the component's memory."""
+        return self.heaviest * self.room > BUFFER_BYTES and self.failure is None and "dataport.buffer.length" not in self.given
+
+    def _reopen(self):
+        """Take a connector with a shorter buffer: how large values are is known only when they have come."""
+        with self.changing:
+            if self.closing.is_set():
+                return
+            if not self.is_at_rest():
+                raise errors.Unreachable(self.where, "a fetch is not answered")
+            connector, self.connector = self.connector, None
+            connectors.disconnect(self.port, connector)
+            self.release()
+            self.room, self.early = max(FEWEST, BUFFER_BYTES // self.heaviest), []
+            self.ended, self.came = threading.Event(), threading.Event()
+            self._open()
+
+    def lost(self):
+        if self.dataflow == "push" and not self.count:
+            return ("the connection has been removed; if the component did that, it cannot reach this machine (pull may do), "
+                    "or its values exceed its ORB's giopMaxMsgSize")
+        return Connection.lost(self)
+
+    def release(self):
+        with self.lock:  # who opens and who closes may both do it
+            served, self.served = self.served, None
+        if served:
+            served.withdraw()
+
+    def always_little(self):
+        """C++ from 1.2 on, and RtORB, push little-endian whatever was agreed upon (protocol.md 7.2 and 19)."""
+        if self.dataflow == "pull":
+            return False
+        properties = dict(component.profile(self.port.node).properties)
+        old = properties.get("openrtm.version", "").startswith(("1.0", "1.1"))
+        return properties.get("language", "").startswith("C") and not old
+
+
+def fetcher(reader):
+    """A function that fetches the oldest value of a pull connection as bytes, None when there is none now."""
+    from rtshell_lite.idl_stubs.dataport import RTC, OpenRTM
+    source = reader.remote({"corba_cdr": OpenRTM.OutPortCdr, "data_service": RTC.DataPullService})
+    operation = "get" if reader.interface == "corba_cdr" else "pull"
+
+    def get():
+        try:
+            status, data = orb.ask(reader.where, source, operation)
+        except errors.Gone:
+            raise errors.Unreachable(reader.where, reader.lost())
+        except errors.Refused as e:
+            if e.name == "BAD_PARAM":  # what Python components answer when nothing was written
+                return None
+            raise
+        if str(status) in ("UNKNOWN_ERROR", "PORT_ERROR"):
+            raise errors.Unreachable(reader.where, reader.lost())
+        return data if str(status) == "PORT_OK" else None
+    return get
+
+
+def count_writes(port, seconds):
+    """How many values a DataOutPort is given within `seconds`: (count, seconds between the first and the last look)."""
+    with Reader(port, lambda message: None, "pull", properties={"dataport.buffer.length": str(QUEUE)}) as reader:
+        time.sleep(2 * POLL)  # values from before may be there
+        before, start = reader.count, time.monotonic()
+        time.sleep(seconds)
+        if reader.failure:
+            raise reader.failure
+        return reader.count - before, time.monotonic() - start

@@ -1,0 +1,187 @@
+"""Sending values to in ports at a rate: where they come from, when each is due, and what becomes of it."""
+import math
+import queue
+import select
+import sys
+import threading
+import time
+
+from rtshell_lite import errors, interrupts
+from rtshell_lite.corba import lanes
+from rtshell_lite.data import values, writing
+
+TICK = 0.2  # seconds between two looks at what is not a value
+LATE = 1.0  # seconds that may be caught up; what is later than that stays late
+HURRY = 2  # how many times the rate values may come then: no burst follows a hiccup
+
+
+class Constant:
+    """One value again and again."""
+
+    def __init__(self, text):
+        self.text = text
+
+    def next(self, seconds):
+        """(text of a value, where it stands)"""
+        return self.text, None
+
+    def close(self):
+        """Nothing is open."""
+
+
+class Lines:
+    """The values on stdin. A line is read when it is asked for, by a thread, so that a clock can be kept meanwhile."""
+
+    def __init__(self):
+        if sys.stdin is None:
+            raise errors.Usage("no -c VALUE, and stdin is closed")
+        self.number, self.waiting, self.closed = 0, False, threading.Event()
+        self.asked, self.read = queue.Queue(), interrupts.Mailbox()
+        lanes.start(self._read)
+
+    def next(self, seconds):
+        """The next (text, where it stands); None when none has come within `seconds`. Raises EOFError, OSError."""
+        if not self.waiting:
+            self.waiting = True
+            self.asked.put(True)
+        found = self.read.get(seconds)
+        if found is None:
+            return None
+        self.waiting = False
+        if isinstance(found, Exception):
+            raise found
+        return found
+
+    def _read(self):
+        while self.asked.get():
+            try:
+                self.read.put(self._line())
+            except (EOFError, OSError) as e:
+                self.read.put(e)
+
+    def close(self):
+        """Read no more: what is typed from now on is for the prompt of rtsh."""
+        self.closed.set()
+
+    def _line(self):
+        for line in iter(self._raw_line, b""):
+            self.number += 1
+            text = line.decode("utf-8", "surrogateescape").strip()
+            if text and not text.startswith("#"):
+                return text, "line %d" % self.number
+        raise EOFError()
+
+    def _raw_line(self):
+        while sys.stdin.isatty() and not select.select([sys.stdin], [], [], TICK)[0] and not self.closed.is_set():
+            pass
+        return b"" if self.closed.is_set() else sys.stdin.buffer.readline()
+
+
+class Injection:
+    """Writers, each with the Type of its port; `sent` counts values."""
+
+    def __init__(self, writers, kinds, types):
+        self.writers, self.kinds, self.types = writers, kinds, types
+        self.sent, self.begun, self.ended = 0, 0.0, 0.0
+        self.taken = [0] * len(self.writers)  # values that each port has taken
+        self._ready = {}
+
+    def checked(self, text, where=None):
+        """The values.Expression of `text` for each port. Raises BadValue, NoSuch."""
+        if where is None and text in self._ready:
+            return self._ready[text]
+        try:
+            found = [values.Expression(text, self.types, kind) for kind in self.kinds]
+        except errors.BadValue as e:
+            if where is None:
+                raise
+            raise errors.BadValue("%s: %s" % (where, e.args[0]), e.args[1])
+        if where is None:
+            self._ready[text] = found
+        return found
+
+    def expect(self, number, rate, seconds):
+        """Have the Writers ask for buffers that hold what is to be sent: `number` values (-1: any), `rate` Hz, for `seconds`."""
+        coming = min(seconds, writing.BURST) * rate if rate < math.inf else writing.ROOM
+        for i, writer in enumerate(self.writers):
+            known = [found[i] for found in self._ready.values()]
+            sizes = [len(each.type.encode(each.value(0), writer.little)) for each in known]
+            writer.expect(int(min(coming, number) if number >= 0 else coming), max(sizes, default=writing.TYPICAL_SIZE))
+
+    def run(self, source, number, rate, seconds, look):
+        """Send what `source` gives, `number` values (-1: all), `rate` Hz, for `seconds`; yields each put's error.
+
+        look() is called every TICK. Ends early when no port is left.
+        """
+        end, due = time.monotonic() + seconds, time.monotonic()
+        looked = due
+        while self.sent != number and self.live():
+            found = self._next(source, end, look)
+            if found is None:
+                return
+            expressions = self.checked(*found)
+            if due >= end:
+                return
+            self._wait(max(due, self.ended + 1 / rate / HURRY), look)
+            for error in self._send(expressions):
+                yield error
+            now = time.monotonic()
+            if now - looked >= TICK:
+                looked = now
+                look()
+            due = now if rate == math.inf else due + 1 / rate
+            due = max(due, now - LATE)
+
+    def live(self):
+        """(Writer, its place) of those that can be sent to; silent ones, which hold up all, where there are no others."""
+        found = [(writer, i) for i, writer in enumerate(self.writers) if writer.failure is None]
+        return found or [(writer, i) for i, writer in enumerate(self.writers)
+                         if writer.connector and isinstance(writer.failure, errors.Silent)]
+
+    def _next(self, source, end, look):
+        while time.monotonic() < end:
+            try:
+                found = source.next(max(0, min(TICK, end - time.monotonic())))
+            except EOFError:
+                return None
+            if found:
+                return found
+            look()
+        return None
+
+    def _wait(self, due, look):
+        while True:
+            left = due - time.monotonic()
+            if left <= 0:
+                return
+            time.sleep(min(TICK, left))
+            if left > TICK:
+                look()
+
+    def _send(self, expressions):
+        """Send one value to all ports, with one time; returns the errors."""
+        now = time.time()
+        self.ended = time.monotonic()
+        self.begun = self.begun or self.ended
+        self.sent += 1
+        live = self.live()
+        jobs = []
+        for writer, i in live:
+            data = expressions[i].type.encode(expressions[i].value(now), writer.little)
+            jobs.append(lanes.Job(writer.endpoint, writer.where, lambda writer=writer, data=data: writer.put(data, writer.little)))
+        results = lanes.gather(jobs)
+        for (writer, i), result in zip(live, results):
+            self.taken[i] += not isinstance(result, errors.Error)
+            if isinstance(result, errors.Unreachable):
+                writer.failure = result
+            elif isinstance(writer.failure, errors.Silent):
+                writer.failure = None
+        return [result for result in results if isinstance(result, errors.Error)]
+
+    def useless(self):
+        """The Writers that were given values and took none."""
+        return [writer for writer, taken in zip(self.writers, self.taken) if self.sent and not taken]
+
+    def rate(self):
+        """The rate that was kept, in Hz; None with fewer than two values."""
+        return (self.sent - 1) / (self.ended - self.begun) if self.sent > 1 and self.ended > self.begun else None

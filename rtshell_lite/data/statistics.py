@@ -1,0 +1,152 @@
+"""How values flow over a port: their rate, the gaps between them, bytes, and what their own timestamps tell."""
+import collections
+import math
+import time
+
+LONG, SHORT = 1.5, 0.5  # gaps between timestamps: in so many times the usual one cycles are absent, or the next come close after
+PAUSE, PAUSE_LEAST = 20, 10**9  # a gap of so many usual ones, and of 1 s at least, is a pause, from which all begins anew
+FIRST = 10  # gaps that tell what is usual
+
+
+class Spread:
+    """Least, mean, greatest and standard deviation of numbers, without keeping them."""
+
+    def __init__(self):
+        self.count = 0
+        self.least = self.mean = self.most = None
+        self._squares = 0.0
+
+    def add(self, number):
+        """Welford's method: no cancellation however many there are."""
+        self.count += 1
+        if self.count == 1:
+            self.least = self.mean = self.most = number
+            return
+        self.least, self.most = min(self.least, number), max(self.most, number)
+        step = number - self.mean
+        self.mean += step / self.count
+        self._squares += step * (number - self.mean)
+
+    def deviation(self):
+        return math.sqrt(self._squares / self.count) if self.count else None
+
+
+class Stretch:
+    """What happened within a stretch of time."""
+
+    def __init__(self):
+        self.count = self.bytes = self.absent = self.disordered = self.repeated = 0
+        self.gaps, self.ages = Spread(), Spread()
+
+    def summary(self, seconds, dropped):
+        """A dict of figures: seconds, values, bytes; None for what is not known. `dropped` values came, but were not counted.
+
+        rate        values a second, from the gaps between them
+        gap_…       seconds between two values; jitter is the standard deviation
+        age_…       seconds from a value's own timestamp to its arrival (negative where clocks differ)
+        missing     values known to be lost: those dropped here. Timestamps do not show it: a gap between two of them is
+                    the same whether the source overslept or values were lost on the way
+        absent      cycles that did not come: so many values would fill the long gaps between timestamps, less those that
+                    came close after; for ports that send at regular intervals
+        disordered  values with a timestamp before that of the value before; repeated: with the same
+        """
+        gaps, ages = self.gaps, self.ages
+        return {"seconds": seconds, "values": self.count, "bytes": self.bytes,
+                "rate": 1 / gaps.mean if gaps.mean else None,
+                "gap_min": gaps.least, "gap_mean": gaps.mean, "gap_max": gaps.most, "jitter": gaps.deviation(),
+                "bytes_per_second": self.bytes / seconds if seconds > 0 else None,
+                "age_mean": ages.mean, "age_max": ages.most,
+                "missing": dropped, "dropped": dropped,
+                "absent": self.absent if ages.count else None, "disordered": self.disordered if ages.count else None,
+                "repeated": self.repeated if ages.count else None}
+
+
+class Flow:
+    """The values of one port: those since the last look, and all."""
+
+    def __init__(self):
+        self.total, self.recent = Stretch(), Stretch()
+        self.last = self.stamp = None  # the last arrival and the last timestamp, ns
+        self.stamps = self.since = 0  # gaps between timestamps since a pause, and all of them together
+
+    def add(self, received, size, stamp):
+        """Count a value of `size` bytes that came at `received`, with its own timestamp or None; both in ns since 1970."""
+        if self.last is not None:
+            self._both("gaps", (received - self.last) / 1e9)
+        self.last = received
+        for stretch in (self.total, self.recent):
+            stretch.count += 1
+            stretch.bytes += size
+        if stamp:  # 0, in values of components that do not stamp them, is no time
+            self._both("ages", (received - stamp) / 1e9)
+            self._order(stamp)
+
+    def look(self):
+        """The Stretch since the last look; begins a new one."""
+        recent, self.recent = self.recent, Stretch()
+        return recent
+
+    def _both(self, what, number):
+        getattr(self.total, what).add(number)
+        getattr(self.recent, what).add(number)
+
+    def _order(self, stamp):
+        gap, self.stamp = stamp - self.stamp if self.stamp else None, stamp
+        if gap is None:
+            return
+        if gap <= 0:
+            self._count("disordered" if gap < 0 else "repeated", 1)
+        else:
+            self._gap(gap)
+
+    def _gap(self, gap):
+        usual = self.since / self.stamps if self.stamps else gap  # the mean since the last pause: no hiccup sways that
+        if gap > max(PAUSE * usual, PAUSE_LEAST):
+            self.stamps = self.since = 0
+            return
+        if self.stamps >= FIRST and gap > LONG * usual:
+            self._count("absent", round(gap / usual) - 1)
+        elif gap < SHORT * usual:
+            self._count("absent", -1)
+        self.stamps += 1
+        self.since += gap
+
+    def _count(self, what, number):
+        for stretch in (self.total, self.recent):
+            setattr(stretch, what, max(0, getattr(stretch, what) + number))
+
+
+# ---- the rate of the last seconds -----------------------------------------------------------------------------
+
+WINDOW = 2.0  # seconds over which a rate is taken
+LEAST = 0.2  # seconds below which there is none
+
+# Values and bytes a second, None while not known; `path` is the port's, `failure` an errors.Error or None.
+Rate = collections.namedtuple("Rate", "path values bytes failure")
+
+
+class Meter:
+    """Counts the values of the port at a path; `take` is what its reading.Reader, the `reader`, delivers to."""
+
+    def __init__(self, path, failure=None):
+        self.path, self.failure = path, failure
+        self.reader = None
+        self._values = self._bytes = 0
+        self._looks = collections.deque()  # (when, values, bytes)
+
+    def take(self, message):
+        """Count a reading.Message, on a thread of the ORB."""
+        self._values += 1
+        self._bytes += len(message.data)
+
+    def rate(self):
+        """The Rate over the looks of the last WINDOW seconds."""
+        now = time.monotonic()
+        while len(self._looks) > 1 and now - self._looks[1][0] >= WINDOW:
+            self._looks.popleft()
+        self._looks.append((now, self._values, self._bytes))
+        failure = self.failure or self.reader and self.reader.failure
+        since, values, size = self._looks[0]
+        if failure or now - since < LEAST:
+            return Rate(self.path, None, None, failure)
+        return Rate(self.path, (self._values - values) / (now - since), (self._bytes - size) / (now - since), None)

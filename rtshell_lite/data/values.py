@@ -1,0 +1,266 @@
+"""Values of data types: as text, as JSON, as columns; one field of them; their time; and how a person writes one down.
+
+A value is what stubs make: structs have attributes, unions _d and _v, items of enums _n and _v; sequences are lists, those of
+octets bytes and those of characters text.
+"""
+import base64
+import math
+import re
+import struct
+import sys
+
+from rtshell_lite import errors
+from rtshell_lite.data import build_value, literals
+from rtshell_lite.text import judged, printable
+
+Expression = literals.Expression
+build = build_value.build
+
+SCALARS = ((1, "B", "octet"), (2, "h", "short"), (4, "i", "long"), (4, "f", "float"), (8, "d", "double"))
+SHOWN = 64  # characters of a guessed string
+
+
+# ---- what a value is ------------------------------------------------------------------------------------------
+
+def _sort(value):
+    if isinstance(value, (str, int, float, bytes)) or value is None:
+        return "scalar"
+    if isinstance(value, (list, tuple)):
+        return "list"
+    members = vars(value)
+    return "enum" if "_n" in members else "union" if "_d" in members else "struct"
+
+
+def _case(union):
+    """The name of the member that a union holds, None when it holds none."""
+    found = getattr(type(union), "_d_to_m", {}).get(union._d)
+    return found or getattr(type(union), "_def_m", None)
+
+
+def timestamp(value):
+    """(seconds, nanoseconds) that a value says it is from, its member `tm`; None when it has none."""
+    members = getattr(getattr(value, "tm", None), "__dict__", None)
+    if not members or list(members) != ["sec", "nsec"]:
+        return None
+    stamp = members["sec"], members["nsec"]
+    return stamp if isinstance(stamp[0], int) and isinstance(stamp[1], int) else None
+
+
+def with_timestamp(value, sec, nsec):
+    """A copy of a value with another time in its member `tm`; a value without one as it is."""
+    if timestamp(value) is None:
+        return value
+    members = dict(vars(value), tm=type(value.tm)(sec + nsec // 1000000000, nsec % 1000000000))
+    made = object.__new__(type(value))
+    made.__dict__.update(members)
+    return made
+
+
+def _bounded(function, *args):
+    """What a function gives that goes down into a value. Raises BadValue for one that Python's stack does not hold."""
+    try:
+        return function(*args)
+    except RecursionError:
+        raise errors.BadValue("the value", "nested too deep to show")
+
+
+# ---- as text --------------------------------------------------------------------------------------------------
+
+def text(value, limit=None):
+    """One line for people: `[SEC.NSEC] DATA` for a value with a time, as the rtshell manual promises.
+
+    Of a sequence, octets included, no more than `limit` elements are shown and the others counted; None shows all.
+    """
+    return _bounded(_line, value, limit)
+
+
+def _line(value, limit):
+    if _sort(value) != "struct":
+        return _text(value, limit) if not isinstance(value, str) else printable(value)
+    members = vars(value)
+    stamp = timestamp(value)
+    if stamp is None:
+        return _text(value, limit)
+    if len(members) == 2 and "data" in members:
+        data = members["data"]
+        shown = printable(data) if isinstance(data, str) else _text(data, limit)
+    else:
+        shown = " ".join("%s=%s" % (name, _text(inner, limit)) for name, inner in members.items() if name != "tm")
+    return "[%d.%09d] %s" % (stamp + (shown,))
+
+
+def _text(value, limit):
+    if isinstance(value, (int, float)):
+        return str(value)
+    if isinstance(value, str):
+        return "'%s'" % printable(value).replace("'", "\\'")
+    if isinstance(value, bytes):
+        return "<%s>" % _cut([_hex(value[:limit])] if value else [], len(value), limit, " ", len(value[:limit]))
+    sort = _sort(value)
+    if sort == "list":
+        return "[%s]" % _cut([_text(each, limit) for each in value[:limit]], len(value), limit, ", ", len(value[:limit]))
+    if sort == "struct":
+        return "(%s)" % ", ".join("%s=%s" % (name, _text(inner, limit)) for name, inner in vars(value).items())
+    if sort == "union":
+        case = _case(value)
+        return "(%s=%s)" % (case, _text(value._v, limit)) if case else "(_d=%s)" % _text(value._d, limit)
+    return value._n if sort == "enum" else "None"
+
+
+def _cut(shown, size, limit, between, count):
+    more = size - count
+    return between.join(shown + (["… %d more" % more] if more else []))
+
+
+def _hex(data):
+    if sys.version_info >= (3, 8):
+        return data.hex(" ")
+    return " ".join("%02x" % byte for byte in data)
+
+
+def constructor(value):
+    """A value in the form that rtinject reads, RTC.TimedLong(tm=RTC.Time(sec=1, nsec=2), data=42): `Expression` reads it back."""
+    return _bounded(_constructor, value)
+
+
+def _constructor(value):
+    sort = _sort(value)
+    if isinstance(value, float) and not math.isfinite(value):
+        return "NaN" if math.isnan(value) else "Infinity" if value > 0 else "-Infinity"
+    if isinstance(value, str):
+        return "'%s'" % "".join(c if plain and c not in "\\'{}" else _escaped(c) for c, plain in judged(value))
+    if sort == "scalar":
+        return repr(value)
+    if sort == "list":
+        return "[%s]" % ", ".join(map(_constructor, value))
+    if sort == "enum":
+        return value._n
+    called = build_value.dotted(type(value)._NP_RepositoryId)
+    if sort == "union":
+        return "%s(%s)" % (called, ", ".join(_constructor(part) for part in (value._d, value._v)[:2 if _case(value) else 1]))
+    return "%s(%s)" % (called, ", ".join("%s=%s" % (name, _constructor(inner)) for name, inner in vars(value).items()))
+
+
+def _escaped(c):
+    n = ord(c)
+    return "\\x%02x" % n if n < 256 else "\\u%04x" % n if n < 65536 else "\\U%08x" % n
+
+
+# ---- for programs ---------------------------------------------------------------------------------------------
+
+def json(value):
+    """What `json.dumps` takes: structs as objects, enums by name, octets in base64, unions as {"_d": label, member: value}.
+
+    NaN and the infinities, for which JSON has no numbers, are "NaN", "Infinity" and "-Infinity".
+    """
+    return _bounded(_json, value)
+
+
+def _json(value):
+    if isinstance(value, float) and not math.isfinite(value):
+        return "NaN" if math.isnan(value) else "Infinity" if value > 0 else "-Infinity"
+    if isinstance(value, bytes):
+        return base64.b64encode(value).decode("ascii")
+    sort = _sort(value)
+    if sort == "list":
+        plain = value and (isinstance(value[0], (int, str)) or isinstance(value[0], float) and all(map(math.isfinite, value)))
+        return value if plain else [_json(each) for each in value]
+    if sort == "struct":
+        return {name: _json(inner) for name, inner in vars(value).items()}
+    if sort == "union":
+        case = _case(value)
+        return {"_d": _json(value._d), case: _json(value._v)} if case else {"_d": _json(value._d)}
+    return value._n if sort == "enum" else value
+
+
+def flat(value):
+    """[(column, scalar)] for a table: tm.sec, data[0], data.x; octets in hex, enums by name, a union's label as _d."""
+    return _bounded(_flat, value, "")
+
+
+def _flat(value, column):
+    sort = _sort(value)
+    if isinstance(value, bytes):
+        return [(column, value.hex())]
+    if sort == "list":
+        return [cell for i, each in enumerate(value) for cell in _flat(each, "%s[%d]" % (column, i))]
+    if sort in ("struct", "union"):
+        members = vars(value) if sort == "struct" else {"_d": value._d}
+        if sort == "union" and _case(value):
+            members[_case(value)] = value._v
+        start = column + "." if column else ""
+        return [cell for name, inner in members.items() for cell in _flat(inner, start + name)]
+    return [(column, value._n if sort == "enum" else value)]
+
+
+_STEP = re.compile(r"\.?([A-Za-z_]\w*)|\[(\d{1,9})\]", re.ASCII)
+
+
+def field(value, path):
+    """One part of a value: field(value, "data.points[0].x"). Raises NoSuch, telling what there is."""
+    at, found = 0, value
+    while at < len(path):
+        step = _STEP.match(path, at)
+        if step is None:
+            raise errors.BadPath("%s: not a field; one is written data.points[0].x" % printable(path))
+        found = _step(found, step, path)
+        at = step.end()
+    return found
+
+
+def _step(value, step, path):
+    name, index = step.groups()
+    sort = "list" if isinstance(value, (bytes, str)) else _sort(value)
+    if index is not None:
+        if sort == "list" and int(index) < len(value):
+            return value[int(index)]
+        there = "%d elements" % len(value) if sort == "list" else "it is no sequence"
+    elif sort == "struct":
+        if name in vars(value):
+            return vars(value)[name]
+        there = "there are " + ", ".join(vars(value))
+    elif sort == "union":
+        if name == "_d" or name == _case(value):
+            return value._d if name == "_d" else value._v
+        there = "it holds %s now" % _case(value)
+    else:
+        there = "%s has no fields" % ("a sequence" if sort == "list" else "a plain value")
+    raise errors.NoSuch(printable(path), "field", "%s (%s)" % (step.group().lstrip("."), there))
+
+
+# ---- bytes of no known type -----------------------------------------------------------------------------------
+
+def raw(data, little=True, limit=None):
+    """Lines about bytes whose type is not known: their number, a hex dump, and what they might be, never said for certain."""
+    lines = ["%d bytes" % len(data)]
+    shown = data[:limit]
+    for at in range(0, len(shown), 16):
+        row = shown[at:at + 16]
+        lines.append("%08x  %-48s %s" % (at, _hex(row), "".join(chr(b) if 32 <= b < 127 else "." for b in row)))
+    if len(shown) < len(data):
+        lines.append("… %d more" % (len(data) - len(shown)))
+    return lines + ["maybe: " + guess for guess in _guesses(data, "<" if little else ">")]
+
+
+def _guesses(data, order):
+    """What the bytes might say: a time at the start, the rest behind it as one kind of number or text."""
+    found, start = [], 0
+    if len(data) >= 8:
+        sec, nsec = struct.unpack_from(order + "II", data)
+        if nsec < 1000000000 and (946684800 <= sec < 4102444800 or sec == nsec == 0):  # the years 2000 to 2099
+            found.append("time %d.%09d" % (sec, nsec))
+            start = 8
+    size = len(data) - start
+    for width, code, words in SCALARS:
+        number = struct.unpack_from(order + code, data, start)[0] if size == width else None
+        if number is not None and (isinstance(number, int) or number == 0 or 1e-9 < abs(number) < 1e12):
+            found.append("%s %r" % (words, number))
+    if size >= 5:
+        count, = struct.unpack_from(order + "I", data, start)
+        if count == size - 4 and data[-1:] == b"\0":
+            found.append("string '%s'" % printable(data[start + 4:-1].decode("utf-8", "surrogateescape")[:SHOWN]))
+        for width, words in ((1, "octets"), (2, "shorts"), (4, "longs or floats"), (8, "doubles")):
+            head = start + 4 + (-(start + 4) % width)
+            if count and len(data) == head + count * width:
+                found.append("sequence of %d %s" % (count, words))
+    return found

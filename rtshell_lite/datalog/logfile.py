@@ -1,0 +1,37 @@
+"""Opening a log file, whatever its form."""
+import os
+import stat
+
+from rtshell_lite import errors, files, text
+from rtshell_lite.datalog import blocks
+
+
+def is_text(start):
+    """True for the first bytes of a log of text."""
+    return start.split(b".")[0].isdigit()
+
+
+def load(name, modules=()):
+    """Open a log file of either form, rtlog or simpkl, told apart by content. To be used in a `with` statement.
+
+    `modules` are Python modules whose classes a simpkl file may mention. Raises OSError, errors.No.
+    """
+    where = text.printable(name)
+    if stat.S_ISFIFO(os.stat(name).st_mode):
+        raise errors.No(where, "a pipe; logs are read from files")
+    file = files.opened(name)
+    try:
+        size = os.fstat(file.fileno()).st_size
+        start = file.read(32)
+        if start.startswith(blocks.MAGIC):
+            from rtshell_lite.datalog import reader
+            return reader.Log(file, where, size)
+        if start[:1] == b"\x80" or start[:2] in (b"(F", b"(G"):
+            from rtshell_lite.datalog import simpkl
+            return simpkl.Log(file, where, size, modules)
+        if is_text(start):
+            raise errors.No(where, "a log of text; it is for people, and can be neither played nor inspected")
+        raise errors.No(where, "not a log file" + ("" if size else " (it is empty)"))
+    except (errors.Error, OSError):
+        file.close()
+        raise

@@ -1,0 +1,14 @@
+"""What a log holds: channels, and entries in them."""
+import collections
+
+# A stream in a log: the name it is played by, its data type's id, that type as bytes (b"": unknown), whence it came.
+Channel = collections.namedtuple("Channel", "name type_id typecode sources")
+
+# One message: its number, when it arrived (ns since the epoch), its channel's number, and either its CDR and whether that
+# is little-endian, or (simpkl) its `value` of dicts, lists, text and numbers.
+Entry = collections.namedtuple("Entry", "number received channel little data value")
+
+
+def is_moment(value):
+    """True for what can be a time: nanoseconds since the epoch, in 64 bits as records have it."""
+    return type(value) is int and -1 << 63 <= value < 1 << 63

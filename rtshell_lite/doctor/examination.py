@@ -1,0 +1,92 @@
+"""What rtdoctor does: a system examined from the outside in, without changing it, in bounded time.
+
+Here, the name servers, the references in them, the components, their connections, managers, a profile: each step tells
+Findings and passes on to the next what still stands. Everything of one step is asked in parallel.
+"""
+import time
+
+from rtshell_lite import errors, path
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.doctor import addresses, here, limits, remedies
+from rtshell_lite.doctor.finding import warn
+from rtshell_lite.robot import tree
+
+STEPS = 3  # times the timeout: what takes longer is told as not looked at; a step waits for silence only once
+
+
+def examine(tops=(), compare=None, seconds=0):
+    """Yield lists of Findings, step by step. Without Paths `tops`, or with the root, all name servers are examined.
+
+    compare  (RtsProfile, its file as commands are told it, the state of the components): what the system is to agree with
+    seconds  how long rates are measured, which connects to an out port of each active component and leaves it again; 0: not
+    """
+    lanes.end = time.monotonic() + STEPS * lanes.timeout
+    try:
+        for findings in _steps(tops, compare, seconds):
+            if lanes.shortage:
+                raise lanes.shortage
+            yield findings
+    except errors.Shortage as e:
+        yield [limits.lack(e)]
+    except MemoryError:
+        yield [limits.lack(errors.Shortage("memory", "no more can be had"))]
+    finally:
+        lanes.shortage = None
+        addresses.arrives.cache_clear()
+        lanes.end = None  # other commands may follow in this process
+
+
+def _steps(tops, compare, seconds):
+    found = here.findings()
+    yield found
+    if any(each.check in ("omniORBpy", "ORB", "limit") and each.level == "fail" for each in found):
+        return
+    everything = not tops or path.ROOT in tops
+    for findings in _robot(_name_servers() if everything else tops, seconds, bool(compare)):
+        yield findings
+    if compare:
+        from rtshell_lite.doctor import profile
+        lanes.end = max(lanes.end, time.monotonic() + lanes.timeout)
+        yield profile.findings(*compare)
+
+
+def _name_servers():
+    """The Paths of those name servers whose addresses are addresses; the others have been told."""
+    return [path.parse("/" + address) for address in tree.servers() if not here.fault(address)]
+
+
+def _robot(tops, seconds, stated):
+    from rtshell_lite.doctor import components, composites, connections, managers, references, servers
+    visits = servers.visits(tops)
+    yield [each for visit in visits for each in visit.findings] + _same_server(visits)
+    yield [each for visit in visits for each in references.findings(visit)]
+    nodes = [node for visit in visits for node in visit.nodes]
+    examined = components.examined(nodes)
+    links, managed, lost = connections.findings(examined), managers.findings(nodes), composites.findings(examined)
+    hung = sorted((node for node in nodes if node.kind == "silent"), key=lambda node: str(node.path))
+    yield components.findings(examined, _rates(examined, seconds) if seconds else {}, hung, stated)
+    yield lost
+    yield links
+    yield managed
+
+
+def _rates(examined, seconds):
+    from rtshell_lite.doctor import rates
+    end, lanes.end = lanes.end, None  # what is connected must be disconnected again, whatever the time
+    try:
+        return rates.measured(examined, seconds)
+    finally:
+        lanes.end = end
+
+
+def _same_server(visits):
+    """Two addresses of one name server: everything in it would be listed twice."""
+    found, seen = [], {}
+    for visit in visits:
+        for address in visit.addresses:
+            first = seen.setdefault((address, orb.endpoint(tree.resolve(visit.path).ref)[1]), visit)
+            if first is not visit:
+                found.append(warn("name server", str(visit.path), "the same name server as " + str(first.path),
+                                  remedies.words("one address")))
+                break
+    return found

@@ -1,0 +1,165 @@
+"""Being told what happens to a component: observers of both kinds and loggers, SDO services that we lend to it.
+
+Sources: OpenRTM-aist's ComponentObserver.idl, Logger.idl, and that of FSM4RTC; the hints are those that C++ and Python send.
+"""
+import collections
+import threading
+import time
+import uuid
+
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.robot import component, ports
+from rtshell_lite.text import from_wire
+
+OBSERVER = "IDL:OpenRTM/ComponentObserver:1.0"
+FSM_OBSERVER = "IDL:omg.org/RTC/ComponentObserver:1.0"
+LOGGER = "IDL:OpenRTM/Logger:1.0"
+BEAT = 1.0  # seconds between the heartbeats that we ask for
+
+# What has happened, and when (seconds since 1970) we heard of it. `kind` is one of KINDS; `subject` is a context handle, a
+# port, a configuration set or parameter, or what an event of a state machine is about; `event` says what befell it.
+Event = collections.namedtuple("Event", "time kind subject event")
+# A record of a component's log: `time` is the component's own, `level` one of LEVELS.
+Record = collections.namedtuple("Record", "time logger level message")
+
+LEVELS = ("SILENT", "ERROR", "WARN", "INFO", "NORMAL", "DEBUG", "TRACE", "VERBOSE", "PARANOID")  # by number
+# Kinds of events by the names that rtwatch has for them, and the kinds of status that components know them by.
+KINDS = collections.OrderedDict([
+    ("RTC_STATUS", ("RTC_STATUS",)), ("COMPONENT_PROFILE", ("COMPONENT_PROFILE",)), ("EC_EVENT", ("EC_STATUS",)),
+    ("PORT_EVENT", ("PORT_PROFILE",)), ("CONFIG_EVENT", ("CONFIGURATION",)),
+    ("FSM_EVENT", ("FSM_PROFILE", "FSM_STATUS", "FSM_STRUCTURE", "USER_DEFINED")),
+    ("HEARTBEAT", ("HEARTBEAT", "RTC_HEARTBEAT", "EC_HEARTBEAT"))])
+_KIND_OF = {status: kind for kind, all_of_it in KINDS.items() for status in all_of_it}
+# What an event is called where that is not the word in the hint with the prefix of its kind before it.
+_WORDS = {"UPDATE_CONFIG_SET": "CFG_UPDATE_SET", "UPDATE_CONFIG_PARAM": "CFG_UPDATE_PARAM", "SET_CONFIG_SET": "CFG_SET_SET",
+          "ADD_CONFIG_SET": "CFG_ADD_SET", "REMOVE_CONFIG_SET": "CFG_REMOVE_SET", "ACTIVATE_CONFIG_SET": "CFG_ACTIVATE_SET"}
+_PREFIXES = {"EC_EVENT": "EC_", "PORT_EVENT": "PORT_"}
+
+
+# ---- what is lent to a component ------------------------------------------------------------------------------
+
+def properties(node):
+    """The properties of a component, a dict; its ports are asked before its profile, see `ports.ports`."""
+    ports.ports(node)
+    return dict(component.profile(node).properties)
+
+
+def taken(properties):
+    """The interface types of the SDO services that a component with these properties takes, a list.
+
+    It is never offered another: the wrong kind of observer has ended components of C++ 2.1. Components from before 1.1 say
+    nothing.
+    """
+    told = properties.get("sdo.service.consumer.available_services", "")
+    return [each.strip() for each in told.split(",") if each.strip()]
+
+
+class Loan:
+    """A service of ours that a component calls, from `lend` until `take_back`; both may be called on any lane."""
+
+    remark = ""  # what the user has to know about it
+
+    def __init__(self, node, interface, properties, heard):
+        """`heard` is called with an Event or a Record, on a thread of the ORB."""
+        self.node, self.where, self.interface, self.properties = node, str(node.path), interface, properties
+        self.id = str(uuid.uuid4())
+        self._served = None
+        self._servant = _servant(interface, heard)
+        self._lock = threading.Lock()  # a component must not get what takes it back before what lends it
+        self._over = False
+        self._configuration = None
+
+    def lend(self):
+        """Give it to the component, once more with the same id if it may have lost it. Raises Refused, Unreachable."""
+        with self._lock:
+            if self._over:
+                return
+            if self._configuration is None:
+                self._configuration = self.node.call("get_configuration")
+            if not orb.ask(self.where, self._configuration, "add_service_profile", self._profile()):
+                raise errors.Refused(self.where, "does not take %s" % self.interface)
+
+    def _profile(self):
+        from rtshell_lite.corba import servants
+        from rtshell_lite.idl_stubs.component import SDOPackage
+        if self._served is None:
+            self._served = servants.Served(self._servant)
+        ref = orb.narrow(orb.from_text(self.where, self._served.ior(self.node.endpoint)), SDOPackage.SDOService)
+        return SDOPackage.ServiceProfile(self.id, self.interface, orb.nvlist(self.properties), ref)
+
+    def take_back(self):
+        """Let the component forget it, whatever became of `lend`. Raises Unreachable."""
+        self._over = True
+        with self._lock:
+            if self._configuration is not None:
+                orb.ask(self.where, self._configuration, "remove_service_profile", self.id)
+
+    def forget(self):
+        """The component is gone: there is nothing to take back."""
+        self._over, self._configuration = True, None
+
+    @property
+    def address(self):
+        """Where the component calls us, HOST:PORT; '' before it was lent."""
+        if self._served is None:
+            return ""
+        return "%s:%d" % orb.endpoint(orb.from_text(self.where, self._served.ior(self.node.endpoint)))
+
+
+def observer(node, interface, kinds, heard):
+    """A Loan of an observer of the kind `interface` that is told of `kinds` (of KINDS), and of the component's end."""
+    if len(kinds) == len(KINDS):
+        wanted = "ALL"
+    else:
+        wanted = ",".join(status for kind in KINDS if kind in kinds or kind == "RTC_STATUS" for status in KINDS[kind]
+                          if kind != "HEARTBEAT" and (kind != "FSM_EVENT" or interface == FSM_OBSERVER))
+    beats = {OBSERVER: ["heartbeat"], FSM_OBSERVER: ["rtc_heartbeat"] + ["ec_heartbeat"] * ("HEARTBEAT" in kinds)}[interface]
+    properties = [("observed_status", wanted)]
+    for beat in beats:
+        properties += [(beat + ".enable", "YES"), (beat + ".interval", "%g" % BEAT)]
+    return Loan(node, interface, properties, heard)
+
+
+def logger(node, level, names, heard):
+    """A Loan of a logger that is told records up to `level`, from the sources `names` (none: from all)."""
+    return Loan(node, LOGGER, [("logger.log_level", level), ("logger.filter", ",".join(names) or "ALL")], heard)
+
+
+def _servant(interface, heard):
+    """The CORBA object of a Loan."""
+    orb.start()
+    from rtshell_lite.idl_stubs.observer import RTC__POA, OpenRTM__POA
+    base = {OBSERVER: OpenRTM__POA.ComponentObserver, FSM_OBSERVER: RTC__POA.ComponentObserver,
+            LOGGER: OpenRTM__POA.Logger}[interface]
+
+    class Listener(base):  # type: ignore[misc, valid-type]
+        def update_status(self, kind, hint):
+            heard(event(time.time(), kind._n, from_wire(hint)))
+
+        def publish(self, record):
+            heard(Record(record.time.sec + record.time.nsec / 1e9, from_wire(record.loggername), LEVELS[record.level._v],
+                         from_wire(record.message)))
+
+        def close(self):
+            pass  # whether it ends is found out otherwise
+
+    return Listener()
+
+
+# ---- hints ----------------------------------------------------------------------------------------------------
+
+def event(now, status, hint):
+    """The Event behind the arguments of update_status: the name of a StatusKind and its hint."""
+    kind = _KIND_OF.get(status, status)
+    if kind == "HEARTBEAT":
+        return Event(now, kind, "", status)
+    if kind == "FSM_EVENT":
+        return Event(now, kind, status, hint)
+    word, colon, rest = hint.partition(":")
+    rest = rest.strip()  # hints about the configuration have a blank there
+    if kind == "COMPONENT_PROFILE" or not colon:
+        return Event(now, kind, "", hint)
+    if kind == "PORT_EVENT" and word in ("SEND", "RECEIVE"):  # SEND:OutPort:ConsoleIn0.out
+        rest = rest.partition(":")[2]
+    return Event(now, kind, rest, _WORDS.get(word) or _PREFIXES.get(kind, "") + word)

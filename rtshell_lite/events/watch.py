@@ -1,0 +1,305 @@
+"""Following components for as long as one likes: what they tell, whether they live, when they come back."""
+import collections
+import threading
+import time
+
+from rtshell_lite import errors, interrupts
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.events import observer, polling
+from rtshell_lite.events.observer import BEAT, Event
+from rtshell_lite.robot import component, tree
+
+LATE = 1.5 * BEAT  # after so many seconds without a heartbeat a component is asked whether it lives
+LOST = 3 * BEAT  # and after these its heart has stopped
+LOOK = 1.0  # seconds between questions whether a component lives, or is there again
+RATE = 1 / component.POLL  # Hz
+TICK = 0.1
+MOST = 100000  # what may wait to be printed
+HURRY = 0.1  # seconds that answers get after Ctrl-C: C++ 2.1 removes an observer at once, but answers after a heartbeat, 1 s
+
+LIFE = "LIFE_EVENT"  # the kind of Events that we find out ourselves: DIED EXITED BACK NO_HEARTBEAT NO_ANSWER ANSWERS
+KINDS = list(observer.KINDS) + [LIFE]
+
+
+class Events:
+    """Watch for events of some of KINDS."""
+
+    def __init__(self, kinds):
+        self.kinds = set(kinds)
+
+    def loan(self, node, heard):
+        """The observer to lend to a component, of the first kind that it takes; None for one that takes none."""
+        kinds = [observer.OBSERVER, observer.FSM_OBSERVER]
+        if self.kinds - {LIFE, "HEARTBEAT"} == {"FSM_EVENT"}:  # else OpenRTM's own, which more components were built for
+            kinds.reverse()
+        offered = observer.taken(observer.properties(node))
+        for interface in kinds:
+            if interface in offered:
+                return observer.observer(node, interface, self.kinds - {LIFE}, heard)
+        return None
+
+    def poll(self, node):
+        """Begin to poll a component. Raises Refused when that would show nothing of what is wanted."""
+        if not self.kinds & (polling.SEEN | {LIFE}):
+            wanted = ", ".join(sorted(self.kinds))
+            raise errors.Refused(str(node.path), "offers no observer, and polling does not show %s" % wanted)
+        return polling.Poll(node, self.kinds)
+
+
+class Records:
+    """Watch for log records."""
+
+    kinds = set()
+
+    def __init__(self, level, names):
+        self.level, self.names = level, names
+
+    def loan(self, node, heard):
+        """The logger to lend to a component. Raises Refused for one that takes none."""
+        properties = observer.properties(node)
+        if observer.LOGGER not in observer.taken(properties):
+            raise errors.Refused(str(node.path), "takes no loggers")
+        loan = observer.logger(node, self.level, self.names, heard)
+        if properties.get("language") == "C++":  # LoggerConsumer of 2.1 has no code that would
+            loan.remark = "takes a logger, but components of C++ (up to 2.1) write nothing to it"
+        return loan
+
+
+class Watched:
+    """One component that is being watched; `node` is None while it is gone."""
+
+    def __init__(self, watch, path):
+        self.watch, self.path, self.where = watch, path, str(path)
+        self.name = str(path.names[-1])  # how a line calls it; its path where two have the same
+        self.node = self.loan = self.poll = self.heard = None
+        self.since = self.looked = time.monotonic()
+        self.ending = False  # it has told that it will exit
+        self.lent_again = False
+        self.mute = None  # what was told of its silence
+        self.doubtful = False  # its last answer was lost
+        self.given_up = False
+
+    def begin(self, node):
+        """Start to watch, on a lane. Raises Refused, Unreachable; what was lent is taken back when the watch ends."""
+        self.heard, self.ending, self.lent_again, self.mute, self.poll = None, False, False, None, None
+        self.loan = self.watch.what.loan(node, self.hear)
+        if self.loan is not None and self.watch.lent(self.loan):
+            self.loan.lend()
+            if self.loan.remark:
+                self.watch.note(self, self.loan.remark)
+        if self.loan is None:
+            self.poll = self.watch.what.poll(node)
+            self.watch.note(self, "offers no observer; it is polled (%g Hz), which shows no connections" % RATE)
+        self.since = self.looked = time.monotonic()
+        self.node = node
+
+    def hear(self, item):
+        """What it tells, on a thread of the ORB."""
+        self.heard = time.monotonic()
+        if isinstance(item, Event) and item.event == "FINALIZE":
+            self.ending = True
+        self.watch.put(self, item)
+
+    # ---- a look at it, five times a second, on the thread of its process ----
+
+    def look(self):
+        """See what it does not tell itself."""
+        now = time.monotonic()
+        try:
+            if self.node is None:
+                if now - self.looked >= LOOK:
+                    self.looked = now
+                    self._return()
+                return
+            if self.poll is not None:
+                for each in self.poll.look():
+                    self.watch.put(self, each)
+            elif self._in_doubt(now):
+                self.looked = now
+                orb.is_alive(self.where, self.node.ref)
+            self._answers(now)
+        except (errors.Gone, errors.ConnectionRefused) as e:
+            self._gone(e)
+        except errors.Unreachable as e:
+            if isinstance(e, errors.Silent) or self.doubtful:  # a process that ends loses its connections first
+                self._silent("NO_ANSWER", str(e.args[1]))
+            self.doubtful = True
+        except errors.Refused:
+            pass  # it lives; there will be another look
+
+    def _in_doubt(self, now):
+        """Is it time to ask whether it lives? While its heart beats it is left alone; a logger's component has none."""
+        if self.ending:
+            return True
+        beats = self.loan.interface != observer.LOGGER and now - max(self.heard or 0, self.since) < LATE
+        return not beats and now - self.looked >= LOOK
+
+    def is_heard(self):
+        """True when it has called us a moment ago, or was lent an observer."""
+        return self.mute is None and time.monotonic() - max(self.heard or 0, self.since) < LATE
+
+    def _answers(self, now):
+        """It lives: so much is known. Is it heard, too?"""
+        self.doubtful = False
+        if self.mute == "NO_ANSWER" or self.mute and now - (self.heard or 0) < LATE:
+            self._tell("ANSWERS")
+            self.since, self.mute = now, None
+        beats = self.loan is not None and self.loan.interface != observer.LOGGER
+        if beats and now - max(self.heard or 0, self.since) >= LOST:
+            self._silent("NO_HEARTBEAT", "no heartbeat for %g s" % LOST)
+            self._unheard()
+
+    def _unheard(self):
+        """It lives, but does not call us, any more or at all. It may have lost the observer after a call that failed."""
+        if self.heard is not None and not self.lent_again:
+            self.lent_again, self.since = True, time.monotonic()
+            self.loan.lend()
+            return
+        self.poll = polling.Poll(self.node, self.watch.what.kinds)
+        loan, self.loan, self.mute = self.loan, None, None
+        self.watch.note(self, "cannot call us at %s; it is polled from now on" % loan.address)
+        loan.take_back()  # its calls to an address that it cannot reach would only hold it up
+
+    def _silent(self, word, why):
+        if self.mute != word:
+            self.mute = word
+            self._tell(word)
+            self.watch.note(self, why)
+
+    def _gone(self, error):
+        exited = self.ending or isinstance(error, errors.Gone)
+        if not exited:
+            try:
+                tree.resolve(self.path)
+            except errors.NotFound:
+                exited = True
+            except errors.Error:
+                pass
+        if self.loan is not None:
+            self.loan.forget()
+        self.node = self.loan = self.poll = None
+        self._tell("EXITED" if exited else "DIED")
+
+    def _return(self):
+        """Look whether it is there again."""
+        try:
+            node, = tree.look([tree.component(self.path)])
+            if node.kind == "component":
+                self.begin(node)
+                self._tell("BACK")
+        except errors.Refused as e:
+            self.given_up = True
+            self.watch.note(self, "is back, but %s" % e.args[1])
+        except errors.Error:
+            pass  # not yet
+
+    def _tell(self, word):
+        self.watch.put(self, Event(time.time(), LIFE, "", word))
+
+
+class Watch:
+    """Several components that are being watched; to be closed, whatever happens."""
+
+    def __init__(self, what, note):
+        """`what`: Events or Records. `note` is called with lines about what is no event, on any thread."""
+        self.what, self._note = what, note
+        self.watched, self._loans = [], []
+        self._items = interrupts.Mailbox(MOST)
+        self.dropped = 0
+        self._ended = threading.Event()
+        self._guard = threading.Lock()
+
+    def start(self, paths):
+        """Begin to watch the component at each path; an errors.Error or a Watched for each."""
+        def begin(node):
+            watched = Watched(self, node.path)
+            watched.begin(node)
+            return watched
+        found = tree.on_components(paths, begin)
+        self.watched = [each for each in found if isinstance(each, Watched)]
+        names = [each.name for each in self.watched]
+        for each in self.watched:
+            if names.count(each.name) > 1:
+                each.name = each.where
+        processes = collections.OrderedDict()
+        for each in self.watched:
+            processes.setdefault(each.node.endpoint, []).append(each)
+        for endpoint, group in processes.items():
+            lanes.start(self._look_after, endpoint, group)
+        return found
+
+    def _look_after(self, endpoint, group):
+        """Look at the components of one process, one call at a time, for as long as the watch lasts."""
+        lanes.become_lane(endpoint)
+        while not self._ended.wait(component.POLL):
+            for each in group:
+                if not each.given_up:
+                    each.look()
+
+    def lent(self, loan):
+        """Remember what has to be taken back; False when it is too late to lend anything."""
+        with self._guard:
+            if not self._ended.is_set():
+                self._loans.append(loan)
+            return not self._ended.is_set()
+
+    def put(self, watched, item):
+        """Something has happened, known on any thread. Never waits: what nobody reads is dropped and counted."""
+        if isinstance(item, Event) and item.kind not in self.what.kinds and not self._unknown(item):
+            if item.kind == LIFE and item.event in ("DIED", "EXITED", "BACK", "ANSWERS"):
+                self.note(watched, {"DIED": "its process is gone", "BACK": "is back", "EXITED": "has exited",
+                                    "ANSWERS": "answers again"}[item.event])
+            return
+        if not self._items.put((watched, item)):
+            self.dropped += 1
+
+    def _unknown(self, item):
+        return item.kind not in KINDS and len(self.what.kinds) == len(KINDS)
+
+    def note(self, watched, line):
+        self._note("%s: %s" % (watched.where, line))
+
+    def follow(self, number, seconds, idle):
+        """Yield (Watched, Event or Record) as they come: `number` of them (below 0: without end), for so many seconds.
+
+        `idle` is called a few times a second. Raises No when there were not `number` of them in time.
+        """
+        end, wanted = time.monotonic() + seconds, number
+        while number and self.watched:
+            left = min(TICK, end - time.monotonic())
+            if left <= 0:
+                break
+            idle()
+            found = self._items.get(left)
+            if found is not None:
+                yield found
+                number -= 1
+        if self.dropped:
+            self._note("%d lines dropped: they came faster than they could be printed" % self.dropped)
+        if number > 0 and self.watched:
+            raise errors.No(", ".join(each.where for each in self.watched),
+                            "%d of %d within %gs" % (wanted - number, wanted, seconds))
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, *_):
+        self.close(hurried=kind is not None and not issubclass(kind, Exception))  # a signal
+
+    def close(self, hurried=False):
+        """Take back all that was lent; bounded by the timeout. Reports who did not answer.
+
+        `hurried`: all are asked, and their answers not waited for; who was heard a moment ago will do it.
+        """
+        with interrupts.held():
+            with self._guard:
+                self._ended.set()
+            lanes.end = time.monotonic() + HURRY if hurried else None
+            try:
+                values = lanes.gather([lanes.Job(loan.node.endpoint, loan.where, loan.take_back) for loan in self._loans])
+            finally:
+                lanes.end = None
+        unheard = [each.loan for each in self.watched if not each.is_heard()]
+        for loan, value in zip(self._loans, values):
+            if isinstance(value, errors.Silent) and (loan in unheard or not hurried):
+                self._note("%s: does not answer; it still has our observer, and drops it when it calls us in vain" % loan.where)

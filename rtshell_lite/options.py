@@ -1,0 +1,284 @@
+"""The command line: how it is read (options anywhere, numbers below zero, no abbreviations), and the options that commands share."""
+import argparse
+import math
+import os
+import re
+
+from rtshell_lite import __version__, errors, path, text
+
+EXIT_STATUSES = """exit status:
+  0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
+  4 the peer is dead, silent or garbled, 5 some succeeded and some failed, 6 the peer refused,
+  70 a bug in the tool, 130 Ctrl-C, 141 the reader of the output went away, 129 SIGHUP, 143 SIGTERM"""
+
+
+# ---- reading it ----------------------------------------------------------------------------------------------
+
+class Parser(argparse.ArgumentParser):
+    """argparse with options anywhere, numbers below zero as arguments, no abbreviations, and our errors."""
+
+    def error(self, message):
+        raise errors.Usage(message.replace(": -- ", ": "))
+
+    def parse_args(self, argv):  # type: ignore[override]
+        options, words = self._sorted(argv)
+        return super().parse_args(options + ["--"] + words if words else options)
+
+    def unfinished(self, words):
+        """What the first words of a command line leave open, for completion.
+
+        Returns the words that are no options, the option whose value comes next (None), and whether `--` ended the options.
+        Raises Usage for an unknown option.
+        """
+        others, rest = [], list(words)
+        while rest:
+            word = rest.pop(0)
+            if word == "--":
+                return others + rest, None, True
+            if not self._is_option(word):
+                others.append(word)
+                continue
+            last = not rest
+            action = self._option_string_actions.get(self._option(word, rest)[-1])  # None when a value is glued to it
+            if last and action and action.nargs != 0:
+                return others, action, False
+        return others, None, False
+
+    def _sorted(self, argv):
+        """Separate options with their values from the other words; argparse itself cannot mix them on all Pythons."""
+        options, words, rest = [], [], list(argv)
+        while rest:
+            word = rest.pop(0)
+            if word == "--":
+                words += rest
+                break
+            if self._is_option(word):
+                options += self._option(word, rest)
+            else:
+                words.append(word)
+        return options, words
+
+    def _is_option(self, word):
+        if re.match(r"-\.?[0-9]", word):  # -5 is a number, -0 and -0R are options where there is a -0
+            return word[:2] in self._option_string_actions and not re.search("[0-9.]", word[2:])
+        return word.startswith("-") and word != "-"
+
+    def _option(self, word, rest):
+        """One option as argparse reads it on every Python: clusters (-lR) apart, with its value, which may come from `rest`."""
+        if word.startswith("--"):
+            name, equals, _ = word.partition("=")
+            action = self._known(name, word)
+            return [word] if equals else self._with_value(word, action, rest, "=")
+        action = self._known(word[:2], word)
+        if len(word) == 2:
+            return self._with_value(word, action, rest, "")
+        if action.nargs == 0:
+            return [word[:2]] + self._option("-" + word[2:], rest)
+        return [word]
+
+    def _known(self, name, word):
+        # not left to argparse: it takes abbreviations, and its way to forbid them breaks -n5 before Python 3.8
+        if name not in self._option_string_actions:
+            self.error("unrecognized arguments: " + text.printable(word))
+        return self._option_string_actions[name]
+
+    @staticmethod
+    def _with_value(word, action, rest, glue):
+        if not rest or action.nargs == 0:
+            return [word]
+        # --wait PATH, --shell PATH: a word that cannot be the option's value is not taken for it
+        if action.nargs == "?":
+            fits = rest[0] in action.choices if action.choices else re.match(r"\.?[0-9]+\.?[0-9]*$", rest[0])
+            if not fits:
+                return [word]
+        value = rest.pop(0)
+        return [word + glue + value] if value.startswith("-") else [word, value]  # argparse would take -n -x for two options
+
+
+def parser(arguments, doc, prog):
+    """The parser of the command called `prog`, whose file has these `arguments` and this docstring."""
+    summary, _, details = doc.strip().partition("\n\n")
+    parser = Parser(prog=prog, description=summary, add_help=False,
+                    epilog=(details + "\n\n" if details else "") + EXIT_STATUSES, formatter_class=_formatter)
+    arguments(parser)
+    taken = parser._option_string_actions  # rtcryo has a -v of its own
+    parser.add_argument(*[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
+                        help="tell on stderr what is done")
+    parser.add_argument("-q", "--quiet", action="store_true", help="no notes on stderr, errors only")
+    if "--timeout" in taken:  # how long rtprint, rtinject and rtlog run
+        parser.set_defaults(timeout=_default_timeout())
+    else:
+        parser.add_argument("--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
+                            help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)")
+    parser.add_argument("--version", action="version", version=__version__)
+    parser.add_argument("-h", "--help", action="help", help="show this and exit")
+    return parser
+
+
+def _formatter(prog):
+    # argparse makes one for every option; with its own idea of a width it would import shutil, 2 ms
+    return argparse.RawDescriptionHelpFormatter(prog, width=text.width() - 2)
+
+
+def _default_timeout():
+    value = os.environ.get("RTSHELL_TIMEOUT") or "3"
+    try:
+        return seconds(value)
+    except argparse.ArgumentTypeError as e:
+        raise errors.Usage("RTSHELL_TIMEOUT: %s" % e)
+
+
+def seconds(value):
+    """A positive number of seconds, at most a day: the type of time options."""
+    try:
+        number = float(value)
+    except ValueError:
+        number = 0.0
+    if not 0 < number <= 86400:
+        raise argparse.ArgumentTypeError("not a number of seconds above 0: %s" % text.printable(value))
+    return number
+
+
+def one_of(*words):
+    """A type of options that takes one of some words; argparse's own message differs from one Python to the next."""
+    def check(word):
+        if word not in words:
+            raise argparse.ArgumentTypeError("not one of %s: %s" % (", ".join(words), text.printable(word)))
+        return word
+    check.words = words  # for completion
+    return check
+
+
+# ---- options that commands share ------------------------------------------------------------------------------
+
+def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
+    """The positional arguments `paths`; `metavar` tells completion.py what they are."""
+    return parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)
+
+
+def parsed(words):
+    """What the user typed as paths, before anything is contacted. Raises BadPath."""
+    return [path.parse(word) for word in words]
+
+
+def execution_context(parser):
+    """-e: which execution context."""
+    parser.add_argument("-e", "--exec-context", "--exec_context", type=int, default=0, metavar="N",
+                        help="execution context, counted from 0 over the owned, then the participating ones (default: 0)")
+
+
+def wait(parser, what):
+    """--wait[=SECONDS]: args.wait is None, or how long to wait."""
+    parser.add_argument("--wait", nargs="?", type=seconds, const=5.0, metavar="SECONDS",
+                        help="wait until %s, at most SECONDS (default: 5)" % what)
+
+
+def dry_run(parser):
+    """--dry-run."""
+    parser.add_argument("--dry-run", action="store_true", help="print what would be done, as commands, and change nothing")
+
+
+def json_output(parser):
+    """--json."""
+    parser.add_argument("--json", action="store_true", help="one JSON object a line")
+
+
+def null(parser):
+    """-0."""
+    parser.add_argument("-0", "--null", action="store_true", help="full paths, each ended by a NUL byte (for xargs -0)")
+
+
+def profile_file(parser):
+    """The RtsProfile that a command works with: args.file, - for stdin, args.form as `profile_form` has it, args.map."""
+    parser.add_argument("file", nargs="?", default="-", metavar="FILE", help="an RtsProfile in XML or YAML (default: stdin)")
+    parser.add_argument("-m", "--map", action="append", default=[], metavar="OLD=NEW",
+                        help="where things are now (see rtresurrect); may be repeated")
+    profile_form(parser, "the file is")
+
+
+def profile_form(parser, verb):
+    """-x and -y: args.form is the form of an RtsProfile file, None where the user did not say; the last one counts."""
+    parser.add_argument("-x", "--xml", action="store_const", dest="form", const="xml", help="%s XML" % verb)
+    parser.add_argument("-y", "--yaml", action="store_const", dest="form", const="yaml", help="%s YAML" % verb)
+
+
+# ---- those of commands that stay with ports for a while ------------------------------------------------------
+
+def duration(parser, help):
+    """-t/--timeout SECONDS as with rtshell: args.duration, infinite where not given or negative.
+
+    How long a peer may stay silent is then said by RTSHELL_TIMEOUT alone.
+    """
+    parser.add_argument("-t", "--timeout", dest="duration", type=_duration, default=math.inf, metavar="SECONDS", help=help)
+
+
+def limits(parser, what):
+    """-n and -t: args.number, below 0 where not given, and args.duration, infinite where not given."""
+    parser.add_argument("-n", "--number", type=int, default=-1, metavar="N", help="end after N %s (default: never)" % what)
+    parser.add_argument("-t", dest="duration", type=_duration, default=math.inf, metavar="SECONDS",
+                        help="end after so long; status 1 when there were not N %s by then" % what)
+
+
+def _duration(value):
+    try:
+        if float(value) < 0:
+            return math.inf
+    except ValueError:
+        pass
+    return seconds(value)
+
+
+def hertz(value):
+    """A positive rate in Hz: a type of options."""
+    return _positive(value, "a number of Hz above 0")
+
+
+def factor(value):
+    """A positive number: a type of options."""
+    return _positive(value, "a number above 0")
+
+
+def _positive(value, wanted):
+    try:
+        number = float(value)
+    except ValueError:
+        number = 0.0
+    if not 0 < number < math.inf:
+        raise argparse.ArgumentTypeError("not %s: %s" % (wanted, text.printable(value)))
+    return number
+
+
+def types(parser, *path_options):
+    """Where data types come from: args.modules, args.python_path, args.idl, args.include; all lists."""
+    parser.add_argument("-m", "--mod", action="append", default=[], dest="modules", metavar="MODULE",
+                        help="Python module with data types, made by omniidl; may be repeated")
+    parser.add_argument(*path_options, action="append", default=[], dest="python_path", metavar="DIR",
+                        help="where Python modules are; may be repeated")
+    parser.add_argument("--idl", action="append", default=[], metavar="FILE", help="IDL file with data types; may be repeated")
+    parser.add_argument("-I", "--include", action="append", default=[], metavar="DIR",
+                        help="where #include of IDL files looks; may be repeated")
+
+
+def properties(parser):
+    """--property KEY=VALUE: args.properties, a list of words for `pairs`."""
+    parser.add_argument("--property", action="append", default=[], metavar="KEY=VALUE", dest="properties",
+                        help="a property of the connection, as with rtcon -p; may be repeated")
+
+
+def delivery(parser):
+    """--linger and --anyway: args.linger, seconds or None, and args.anyway."""
+    parser.add_argument("--linger", type=_linger, metavar="SECONDS",
+                        help="stay connected at most so long after the last value (default: until the component can have read all)")
+    parser.add_argument("--anyway", action="store_true", help="send to a component that is not going to read the values now, too")
+
+
+def _linger(value):
+    return 0.0 if value == "0" else seconds(value)
+
+
+def pairs(words):
+    """KEY=VALUE words as a dict. Raises Usage."""
+    for word in words:
+        if not word.partition("=")[0] or "=" not in word:
+            raise errors.Usage("not KEY=VALUE: %s" % text.printable(word))
+    return dict((key, value) for key, _, value in (word.partition("=") for word in words))

@@ -1,0 +1,77 @@
+"""Directories that are bound by several names: naming contexts and managers that are one object, recognised by their references."""
+import socket
+
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, orb
+
+ROOT_KEY = b"NameService"  # of the root of every name server
+
+
+class Known:
+    """The first Path of each naming context and manager that a walk has entered."""
+
+    def __init__(self, nodes=()):
+        self._entered = {}  # (TCP port, object key): [(host, Path)]
+        for node in nodes:
+            self.enter(node)
+
+    def path(self, node):
+        """The Path by which the object of a Node was entered, None when it was not."""
+        host, port, key = orb.identity(node.ref)
+        return next((path for other, path in self._entered.get((port, key), ()) if same_host(host, other)), None)
+
+    def enter(self, node):
+        """Remember a Node; a reference without an IIOP address has no identity, and is not remembered."""
+        host, port, key = orb.identity(node.ref)
+        if key:
+            self._entered.setdefault((port, key), []).append((host, node.path))
+
+
+def within(nodes):
+    """Those of the Nodes of a walk that are not below a naming context of another name server; such a context is `foreign`."""
+    directories, away = {}, None
+    for node in nodes:
+        if away is not None and node.path.server == away.server and node.path.names[:len(away.names)] == away.names:
+            continue
+        away = None
+        if node.kind in ("server", "directory"):
+            directories[node.path] = node
+            above = directories.get(node.path.parent())
+            if above is not None and is_foreign(above, node):
+                node.foreign, away = True, node.path
+        yield node
+
+
+def is_foreign(above, node):
+    """True when the naming context `node` belongs to another name server than the one `above` in which it is bound.
+
+    One call to a name server where a server is addressed otherwise than it publishes itself. A root counts as foreign always.
+    """
+    (host, port, _), (own_host, own_port, key) = orb.identity(above.ref), orb.identity(node.ref)
+    if key == ROOT_KEY or port != own_port:
+        return True
+    if same_host(host, own_host):
+        return False
+    try:  # keys of contexts are made of times and random numbers: who knows one is who made it
+        return not orb.ask(node.path, orb.at(node.ref, host, port), "_is_a", "IDL:omg.org/CosNaming/NamingContext:1.0")
+    except errors.Error:
+        return True
+
+
+def same_host(one, other):
+    """True when two host names or addresses have an IP address in common."""
+    return one == other or not _addresses(one).isdisjoint(_addresses(other))
+
+
+def _addresses(host):
+    try:
+        return lanes.ask(("name of", host), host, lambda: _looked_up(host))
+    except errors.Error:
+        return frozenset()
+
+
+def _looked_up(host):
+    try:
+        return frozenset(found[4][0] for found in socket.getaddrinfo(host, None, 0, socket.SOCK_STREAM))
+    except (OSError, UnicodeError):
+        return frozenset()

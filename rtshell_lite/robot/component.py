@@ -1,0 +1,389 @@
+"""Components: profile, execution contexts, state, and the transitions between states (OMG RTC 1.1, 5.2)."""
+import collections
+import time
+
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.robot import tree
+from rtshell_lite.text import from_wire, shell_word
+
+STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by number
+KINDS = ("Periodic", "Event-driven", "Other")  # RTC::ExecutionKind by number
+ENDING = 1.0  # seconds that a process may take to end
+LEAVING = 2.0  # seconds that an execution context may take, at least, to let go of a component: it does so in its next cycle
+LEAVING_MOST = 60.0  # and at most, whatever rate it claims
+POLL = 0.2  # seconds between looks at a state: monitors that ask more often have disturbed real-time threads
+JITTER = 0.03  # seconds that a cycle of an execution context may come late
+
+# What a transition is called, the operation that asks for it, the state it leads to, the state it starts from.
+Transition = collections.namedtuple("Transition", "name command operation target source")
+ACTIVATE = Transition("activate", "rtact", "activate_component", "Active", "Inactive")
+DEACTIVATE = Transition("deactivate", "rtdeact", "deactivate_component", "Inactive", "Active")
+RESET = Transition("reset", "rtreset", "reset_component", "Inactive", "Error")
+
+# RTC::ComponentProfile as text; `properties` is a list of (name, value) in the component's order.
+Profile = collections.namedtuple("Profile", "instance_name type_name description version vendor category parent properties")
+
+# RTC::ExecutionContextProfile and what else its interface tells. `rate` in Hz, `owner` and `participants` are references.
+Context = collections.namedtuple("Context", "handle ref kind rate running owner participants properties")
+
+
+def until(reached, seconds):
+    """Ask reached() again and again until it says True, for at most so many seconds; returns whether it has."""
+    limit = time.monotonic() + seconds
+    while not reached():
+        if time.monotonic() > limit:
+            return False
+        time.sleep(POLL)
+    return True
+
+
+# ---- profile --------------------------------------------------------------------------------------------------
+
+def profile(node, brief=False):
+    """The Profile of a component. Ask its ports first (`ports.ports`): protocol rule, see `once_more`.
+
+    `brief`: with the first of its properties, which tells that there are any.
+    """
+    found = once_more(lambda: node.call("get_component_profile"))
+    parent = once_more(lambda: orb.ask(node.path, found.parent, "get_sdo_id")) if found.parent else ""
+    texts = [from_wire(s) for s in (found.instance_name, found.type_name, found.description, found.version, found.vendor,
+                                    found.category, parent)]
+    return Profile._make(texts + [orb.properties(found.properties[:1] if brief else found.properties)])
+
+
+def once_more(call, failures=None):
+    """Call again after a failure that is not silence; it is added to the list `failures`, if there is one.
+
+    A profile query makes a component check its connections, and the first one after a peer has died passes that peer's
+    TRANSIENT on to the caller (C++ and Python 2.1).
+    """
+    try:
+        return call()
+    except (errors.Silent, errors.Refused):
+        raise
+    except errors.Unreachable as e:
+        if failures is not None:
+            failures.append(e)
+        return call()
+
+
+# ---- execution contexts ---------------------------------------------------------------------------------------
+
+def context_refs(node):
+    """References of the execution contexts that a component owns, and of those that it takes part in: two lists."""
+    return owned_context_refs(node), participating_context_refs(node)
+
+
+def owned_context_refs(node):
+    """References of the execution contexts that a component owns."""
+    return _refs(node, "get_owned_contexts")
+
+
+def participating_context_refs(node):
+    """References of the execution contexts, of other components, that a component takes part in."""
+    return _refs(node, "get_participating_contexts")
+
+
+def _refs(node, operation):
+    from rtshell_lite.idl_stubs.component import RTC
+    return [orb.narrow(ref, RTC.ExecutionContextService) for ref in node.call(operation) if ref is not None]
+
+
+def context_ref(node, index):
+    """The reference of the execution context number `index`: the owned ones from 0, then the participating ones.
+
+    One call where it is an owned one, which it mostly is.
+    """
+    owned = owned_context_refs(node)
+    if -len(owned) <= index < len(owned):
+        return owned[index]
+    every = owned + participating_context_refs(node)
+    if not 0 <= index < len(every):
+        raise errors.NoSuch(str(node.path), "execution context", "%d (it has %d)" % (index, len(every)))
+    return every[index]
+
+
+def context(node, ref):
+    """All that one execution context tells about itself, a Context."""
+    found = orb.ask(node.path, ref, "get_profile")
+    return Context(handle=node.call("get_context_handle", ref), ref=ref, kind=_by_number(KINDS, found.kind), rate=found.rate,
+                   running=orb.ask(node.path, ref, "is_running"), owner=found.owner, participants=found.participants,
+                   properties=orb.properties(found.properties))
+
+
+def elsewhere(node, ref, ask, otherwise):
+    """ask(), or `otherwise` where `ref`, a context of another process, does not answer: a hung composite hides no member."""
+    try:
+        return ask()
+    except errors.Unreachable:
+        if orb.endpoint(ref) == node.endpoint:
+            raise
+        return otherwise
+
+
+def known_by_handle(node, refs):
+    """A Context behind each reference that has nothing but its handle: one call."""
+    return [Context(node.call("get_context_handle", ref), ref, None, None, None, None, [], []) for ref in refs]
+
+
+def contexts(node, refs):
+    """The Context behind each reference; None for one of another process that does not answer."""
+    return [elsewhere(node, ref, lambda ref=ref: context(node, ref), None) for ref in refs]
+
+
+def _by_number(names, enumerator):
+    return names[enumerator._v] if enumerator._v < len(names) else "Unknown"
+
+
+# ---- state ----------------------------------------------------------------------------------------------------
+
+def state(node):
+    """The state of a component over all its contexts: Error before Active before Inactive before Created, or Unknown."""
+    owned, participating = context_refs(node)
+    return merged(states(node, owned + participating))
+
+
+def states(node, refs):
+    """Its state in each context; Unknown in a context of another process that does not answer."""
+    return [elsewhere(node, ref, lambda ref=ref: state_in(node, ref), "Unknown") for ref in refs]
+
+
+def merged(states):
+    """One state for a component from those in its contexts."""
+    return next((s for s in ("Error", "Active", "Inactive", "Created") if s in states), "Unknown")
+
+
+def state_in(node, ref):
+    """The state of a component in the execution context `ref` (ExecutionContext::get_component_state)."""
+    found = _by_number(STATES, orb.ask(node.path, ref, "get_component_state", node.typed))
+    if found == "Created":
+        known = canonical(node)
+        if known is not None:
+            return _by_number(STATES, orb.ask(node.path, ref, "get_component_state", known))
+    return found
+
+
+def canonical(node):
+    """The reference by which its contexts know a component, None where it is the one that we have.
+
+    A component bound under a rewritten address, or reached by its key, is a stranger to its own contexts.
+    """
+    owned, _ = context_refs(node)
+    owner = orb.ask(node.path, owned[0], "get_profile").owner if owned else None
+    return None if owner is None or orb.same(owner, node.ref) else owner
+
+
+# ---- transitions ----------------------------------------------------------------------------------------------
+
+def change_all(paths, transition, index=0, wait=None, dry_run=False):
+    """`change` for the component at each path, in parallel: a line that says what was done, or an errors.Error, for each.
+
+    With `dry_run` nothing changes, and the line is the command that would change the component, '' where none is needed.
+    """
+    def one(node):
+        if dry_run:
+            now = state_in(node, context_ref(node, index))
+            return "" if now == transition.target else "%s%s %s" % (
+                transition.command, " -e %d" % index if index else "", shell_word(str(node.path)))
+        return "%s: %s" % (node.path, change(node, transition, index, wait))
+    return tree.on_components(paths, one)
+
+
+def _members_first(node, ref, wait):
+    """Deactivate the members of a composite of C++ 1.1 before it: the thread that is to do it would wait for them, in vain."""
+    if not orb.address(ref).type_id.endswith("/ExtTrigExecutionContextService:1.0"):
+        return
+    found = orb.ask(node.path, ref, "get_profile")
+    if not orb.same(found.owner, node.ref) or not found.participants or not node.call("get_owned_organizations"):
+        return
+    for member in found.participants:
+        if _by_number(STATES, orb.ask(node.path, ref, "get_component_state", member)) == "Active":
+            orb.ask(node.path, ref, "deactivate_component", member, seconds=wait)
+
+
+def change(node, transition, index=0, wait=None):
+    """Take a component through a Transition in its execution context number `index`; returns the state reached or asked for.
+
+    `wait` (seconds) polls until the state is there, and Active still a period later. Contexts of 1.1 answer before the state has
+    changed, later ones answer RTC_ERROR when it takes longer than their own limit of 0.5 s and change it all the same: so after
+    RTC_ERROR the state is watched for the timeout. Raises Refused with the reason, Unreachable when the state was not reached in
+    time.
+    """
+    change_in(node, context_ref(node, index), transition, wait, "its execution context %d" % index)
+    return transition.target
+
+
+def change_in(node, ref, transition, wait=None, called="this execution context", stage=lambda name: None):
+    """`change` in the execution context `ref`; returns the state that the component was in before.
+
+    `called` is the context in messages. If the component has to change, stage("asking") is called before it is asked, and
+    stage("told") when it has accepted.
+    """
+    before = state_in(node, ref)
+    if before == transition.target:
+        if wait is not None:
+            stay(node, ref, transition, wait)
+        return before
+    stage("asking")
+    if transition is DEACTIVATE:
+        _members_first(node, ref, wait)
+    code = _request(node, ref, transition, node.typed, wait)
+    if code == "BAD_PARAMETER":
+        known = canonical(node)
+        if known is None:
+            raise errors.Refused(str(node.path), "is not in " + called)
+        code = _request(node, ref, transition, known, wait)
+    if code == "RTC_OK":
+        stage("told")
+    if code == "RTC_OK" and wait is None:
+        return before
+    now = seen(lambda: state_in(node, ref))
+    if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
+        raise errors.Refused(str(node.path), "cannot %s: %s" % (transition.name, _reason(code, before, now, transition)))
+    seconds, start = lanes.timeout if wait is None else wait, time.monotonic()
+    _until(node, ref, transition, now, seconds)
+    if wait is not None:
+        stay(node, ref, transition, start + seconds - time.monotonic())
+    return before
+
+
+def seen(ask):
+    """What ask() tells after a change: who refuses to tell has perhaps done what was asked for. Raises Uncertain."""
+    try:
+        return ask()
+    except errors.Refused as e:
+        raise errors.Uncertain(*e.args)
+
+
+def _request(node, ref, transition, target, wait):
+    # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz: who waits for the state waits for that, too
+    return str(orb.ask(node.path, ref, transition.operation, target, seconds=wait))
+
+
+def _reason(code, before, now, transition):
+    """Why a request was refused: a component that fails in its transition answers as one in a wrong state does."""
+    if code == "PRECONDITION_NOT_MET" and now == "Error":
+        return "it is in Error; reset it first" if before == "Error" else "it went to Error"
+    if code == "PRECONDITION_NOT_MET" and now != transition.source:
+        return "it is %s, not %s" % (now, transition.source)
+    return "%s, it is %s" % (code, now)
+
+
+def stay(node, ref, transition, seconds):
+    """See that a component that is Active still is so a period of its execution context `ref` later, in so many seconds at most.
+
+    Where onActivated fails, a component is Active for one period before it is in Error (all of OpenRTM-aist). Other states are
+    there to stay. Raises Refused, and Unreachable where a period takes longer.
+    """
+    if transition is not ACTIVATE:
+        return
+    rate, start = seen(lambda: orb.ask(node.path, ref, "get_rate")), time.monotonic()
+    end = start + (1 / rate if rate > 0 else 0) + JITTER
+    limit = start + max(seconds, POLL)
+    while time.monotonic() < end:
+        if time.monotonic() > limit:
+            raise errors.Unreachable(str(node.path), "Active, but not yet for a period (%gs) of its execution context" % (1 / rate))
+        time.sleep(max(0, min(POLL, end - time.monotonic())))
+        now = seen(lambda: state_in(node, ref))
+        if now != transition.target:
+            raise errors.Refused(str(node.path), "cannot %s: it went to %s" % (transition.name, now))
+
+
+def _until(node, ref, transition, now, seconds):
+    """Poll until the state is reached, at first more often: most components are there in a few periods."""
+    limit, pause = time.monotonic() + seconds, POLL / 10
+    while now != transition.target:
+        if now == "Error" and transition.source != "Error":
+            raise errors.Refused(str(node.path), "cannot %s: it went to Error" % transition.name)
+        if not orb.ask(node.path, ref, "is_running"):
+            raise errors.Refused(str(node.path), "cannot %s: its execution context is stopped%s" % (
+                transition.name, "; it takes part in others, named with -e (see rtec)" if context_refs(node)[1] else ""))
+        if time.monotonic() > limit:
+            raise errors.Unreachable(str(node.path), "not %s within %gs, still %s" % (transition.target, seconds, now))
+        time.sleep(pause)
+        pause = min(2 * pause, POLL)
+        now = seen(lambda: state_in(node, ref))
+
+
+# ---- exit -----------------------------------------------------------------------------------------------------
+
+def exit_all(paths, wait=None, dry_run=False):
+    """LightweightRTObject::exit of the component at each path: a line or an errors.Error for each.
+
+    With `wait` (seconds) also wait until the name is unbound, which a component's manager does up to a second later.
+    """
+    def one(node):
+        if dry_run:
+            return "rtexit " + shell_word(str(node.path))
+        leave(node)
+        _exit(node)
+        if wait is not None:
+            _until_unbound(node, wait)
+        return str(node.path) + ": exited"
+    return tree.on_components(paths, one)
+
+
+def leave(node):
+    """Let a component that is to exit leave the execution contexts of others, composites say, and wait until it has.
+
+    A context tells a component in its next cycle that it has left. Where that one has exited by then, the context's process ends
+    with it (C++ 2.1). Raises Refused where a context does not let go of it.
+    """
+    asked, seconds = [], LEAVING
+    for ref in participating_context_refs(node):
+        try:
+            rate = orb.ask(node.path, ref, "get_rate")
+            orb.ask(node.path, ref, "remove_component", node.typed)
+        except errors.Error:
+            continue  # it is gone, hangs or refuses
+        asked.append(ref)
+        seconds = max(seconds, min(3 / rate, LEAVING_MOST) if rate > 0 else 0)
+
+    def has_left():
+        return not asked or not any(orb.same(one, ref) for one in participating_context_refs(node) for ref in asked)
+    if not until(has_left, seconds):
+        raise errors.Refused(str(node.path), "an execution context that it takes part in does not let go of it (see rtec); its "
+                             "process could end if this one did")
+
+
+def _exit(node):
+    orb.is_alive(node.path, node.ref)  # to know afterwards that it was this call that ended it
+    try:
+        code = str(node.call("exit"))
+    except (errors.Silent, errors.Refused):
+        raise
+    except errors.Unreachable:
+        if not _has_ended(node):
+            raise
+        return
+    if code != "RTC_OK":
+        raise errors.Refused(str(node.path), "does not exit (%s)" % code)
+
+
+def _has_ended(node):
+    """Look whether a component is gone whose answer was lost: the last one of a process takes the process with it.
+
+    A process that ends may still accept a connection, and lose it, before it refuses the next.
+    """
+    limit = time.monotonic() + ENDING
+    while True:
+        now, = tree.look([node])
+        if now.kind == "zombie":
+            return True
+        if isinstance(now.error, errors.Silent) or time.monotonic() > limit:
+            return False
+        time.sleep(POLL)
+
+
+def _until_unbound(node, wait):
+    if not until(lambda: _is_unbound(node), wait):
+        raise errors.Unreachable(str(node.path), "has exited, but its name is still bound after %gs" % wait)
+
+
+def _is_unbound(node):
+    try:
+        tree.resolve(node.path)
+    except errors.NotFound:
+        return True
+    return False

@@ -1,0 +1,282 @@
+"""Composite components: the organisations that they own and that their members belong to (SDOPackage::Organization).
+
+Organization::get_owner is never asked: a C++ component tells it once in its life, and has no owner to tell for ever after.
+"""
+import collections
+
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.robot import component, configuration, manager, ports, tree
+from rtshell_lite.robot.places import Places
+from rtshell_lite.text import from_wire, printable, shell_word, to_wire
+
+DEFAULT_NAME = "CompositeRTC"  # of a composite
+
+# One organisation: `members` are (instance name, reference), an errors.Error in the place of a name that was not told.
+Organisation = collections.namedtuple("Organisation", "id ref members")
+COMPOSITE = "PeriodicECSharedComposite"
+EXPORTED = "exported_ports"  # parameter of a composite's set `default`: a comma-separated list of INSTANCE.port
+
+
+# ---- asking ---------------------------------------------------------------------------------------------------
+
+def owned(node):
+    """The Organisations that a composite component owns, with their members, each of which is asked for its name."""
+    return [_organisation(node, ref) for ref in owned_refs(node)]
+
+
+def owned_refs(node):
+    """References of the organisations that a component owns: it is a composite if there are any."""
+    return _refs(node, "get_owned_organizations")
+
+
+def belonging_ids(node):
+    """Ids of the organisations that a component is a member of."""
+    return [from_wire(orb.ask(node.path, ref, "get_organization_id"))
+            for ref in _refs(node, "get_organizations")]
+
+
+def _refs(node, operation):
+    try:
+        return [ref for ref in node.call(operation) if ref is not None]
+    except errors.Refused as e:
+        if e.name in ("NO_IMPLEMENT", "BAD_OPERATION"):  # small implementations know no compositions
+            return []
+        raise
+
+
+def _organisation(node, ref):
+    members = [member for member in orb.ask(node.path, ref, "get_members") if member is not None]
+    names = lanes.gather([lanes.Job(orb.endpoint(member), node.path, lambda member=member: from_wire(
+        orb.call(node.path, member, "get_sdo_id"))) for member in members])
+    return Organisation(from_wire(orb.ask(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
+
+
+def member_paths(node, found):
+    """Where the members of an Organisation are bound, as text; `Unknown (…)` for those that are nowhere or dead."""
+    places = Places(node)
+    return [_path_text(places, name, ref) for name, ref in found.members]
+
+
+def _path_text(places, name, ref):
+    if isinstance(name, (errors.Gone, errors.ConnectionRefused)):
+        return "Unknown (it is gone)"
+    if isinstance(name, errors.Error):
+        return "Unknown (%s)" % name.args[-1]
+    path = places.path(name, ref)
+    return str(path) if path else "Unknown (%s)" % printable(name)
+
+
+def composites(node, contexts):
+    """{id of its organisation: (instance name, path as text)} of the composites that a component is a member of.
+
+    They are among the owners of `contexts`, the component.Contexts that it takes part in.
+    """
+    places, found = Places(node), {}
+    for owner in [context.owner for context in contexts if context.owner is not None]:
+        above = tree.Node(node.path, "component", owner)
+        try:
+            name = from_wire(above.call("get_sdo_id"))
+            for ref in owned_refs(above):
+                one = from_wire(orb.ask(node.path, ref, "get_organization_id"))
+                found[one] = (name, _path_text(places, name, owner))
+        except errors.Unreachable:
+            continue  # dead or silent: unknown
+    return found
+
+
+# ---- changing -------------------------------------------------------------------------------------------------
+
+# A member to add or to remove, with the ports of it to export or to hide: `node` is None for one that is gone.
+Member = collections.namedtuple("Member", "instance node ports")
+
+
+def member(path, must_live=True):
+    """The Member that PATH[:PORT,PORT…] names. Raises NoSuch for ports that it lacks, and what `tree.component` raises.
+
+    With `must_live` False a component that is gone is named by its path alone.
+    """
+    wanted = [name for name in (path.port or "").split(",") if name]
+    try:
+        node = tree.component(path.object())
+        instance = from_wire(node.call("get_sdo_id"))
+    except (errors.NotFound, errors.Unreachable):
+        if must_live or not path.names:
+            raise
+        return Member(path.names[-1].id, None, wanted)
+    if must_live and wanted:
+        there = [ports.short_name(each.name, instance) for each in ports.ports(node)]
+        for name in wanted:
+            if name not in there:
+                raise errors.NoSuch(str(path.object()), "port", printable(name))
+    return Member(instance, node, wanted)
+
+
+def together(members):
+    """Live Members, each once with all the ports wanted of it. Raises No for two that a composite could not tell apart."""
+    found = collections.OrderedDict()
+    for m in members:
+        known = found.setdefault(m.instance, m)
+        if not _is(m, known.node.ref):
+            raise errors.No(str(m.node.path), "has the same name as %s; a composite cannot have both" % str(known.node.path))
+        found[m.instance] = known._replace(ports=list(collections.OrderedDict.fromkeys(known.ports + m.ports)))
+    return list(found.values())
+
+
+def the_one(node):
+    """The first Organisation of a composite. Raises WrongKind for a component that is none."""
+    found = owned(node)
+    if not found:
+        raise errors.WrongKind(str(node.path), "composite component", "component")
+    return found[0]
+
+
+def check(node, one, joining, leaving):
+    """Raise No or NoSuch for Members that cannot join the Organisation `one` of a composite, or leave it.
+
+    A dead member cannot leave: the composite calls it, and does not survive that (C++ 2.1: its process ends, at once or when it
+    is activated; Python: its execution context stands still for ever). Its ports can be hidden.
+    """
+    known = {name: ref for name, ref in one.members if not isinstance(name, errors.Error)}
+    for m in joining:
+        if orb.same(m.node.ref, node.ref):
+            raise errors.No(str(node.path), "cannot be a member of itself")
+        if m.instance in known and not _is(m, known[m.instance]):
+            raise errors.No(str(node.path), "has another member called %s" % printable(m.instance))
+    for m in leaving:
+        there = m.instance in known if m.node is None else _is(m, known.get(m.instance))
+        lost = None if m.ports else _lost(one, m.instance)
+        if lost:
+            raise _stays(node, m, lost)
+        if not (m.ports or there):
+            raise errors.NoSuch(str(node.path), "member", printable(m.instance))
+
+
+def _lost(one, instance):
+    """The error of a member of an Organisation that may be the one that is meant by a name, or None.
+
+    A composite takes the first one of the name; one that is dead cannot tell its own.
+    """
+    for name, _ in one.members:
+        if isinstance(name, errors.Error) or name == instance:
+            return name if isinstance(name, errors.Error) else None
+    return None
+
+
+def _stays(node, m, error):
+    """The error for a Member that cannot be removed, because it, or one that may have its name, has failed with `error`."""
+    why = "a member that does not answer" if isinstance(error, errors.Silent) else "a dead member"
+    return errors.No(str(node.path), "cannot remove %s: letting go of %s would end this composite's process or stop its "
+                     "execution context; restart that process" % (printable(m.instance), why))
+
+
+def _is(m, ref):
+    return orb.same(ref, m.node.ref) or orb.same(ref, component.canonical(m.node))
+
+
+def add(node, one, members):
+    """Make Members part of a composite and export their ports; lines that say what was done. Raises Refused."""
+    lines = _export(node, add_ports=["%s.%s" % (m.instance, port) for m in members for port in m.ports])
+    there = [name for name, _ in one.members]
+    new = [m for m in members if m.instance not in there]
+    if new:  # an empty list is refused
+        if not orb.ask(node.path, one.ref, "add_members", [m.node.typed for m in new]):
+            raise errors.Refused(str(node.path), "does not take members")
+        lines += ["added component %s" % str(m.node.path) for m in new]
+    return lines + ["component %s is a member already" % str(m.node.path) for m in members if m not in new]
+
+
+def remove(node, one, members):
+    """Remove Members, or hide their ports where they name some; lines that say what was done. Raises Refused, and No for one
+    that has died since `check`.
+    """
+    going = [m for m in members if not m.ports]
+    hidden = ["%s.%s" % (m.instance, port) for m in members for port in m.ports]
+    lines = _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
+    for m in going:
+        _must_live(node, one, m)
+        if not orb.ask(node.path, one.ref, "remove_member", to_wire(m.instance)):
+            raise errors.Refused(str(node.path), "does not remove member %s" % printable(m.instance))
+        lines.append("removed component %s" % printable(m.instance))
+    return lines
+
+
+def _must_live(node, one, m):
+    for name, ref in one.members:
+        if name == m.instance:
+            try:
+                orb.is_alive(node.path, ref)
+            except errors.Unreachable as e:
+                raise _stays(node, m, e)
+
+
+def _export(node, add_ports=(), hide=(), hide_all_of=()):
+    """Change the list of exported ports and make the composite take it up."""
+    found = configuration.Configuration(node)
+    within = found.set("default")
+    now = [name.strip() for name in within.values.get(EXPORTED, "").split(",") if name.strip()]
+    kept = [name for name in now if name not in hide and name.rpartition(".")[0] not in hide_all_of]
+    wanted = kept + [name for name in add_ports if name not in kept]
+    if wanted != now:
+        found.store({EXPORTED: ",".join(wanted)}, within)
+        found.activate("default")
+    return (["exported port " + printable(name) for name in wanted if name not in now]
+            + ["port %s is exported already" % printable(name) for name in add_ports if name in kept]
+            + ["hid port " + printable(name) for name in now if name not in wanted]
+            + ["port %s is hidden already" % printable(name) for name in hide if name not in now])
+
+
+# ---- rtcomp: find or make a composite on a manager, then change its members ------------------------------------
+
+def compose(target, adding, removing, type_name=COMPOSITE, options="", dry_run=False):
+    """Make or change the composite at `target` (a Path): lines that say what was done, see `cli.report`.
+
+    `adding` and `removing` are Paths whose port part is a comma-separated list. Everything is checked before the first
+    change. Raises WrongKind, NoSuch, Refused, and what `tree.component` raises.
+    """
+    name = target.port or DEFAULT_NAME
+    argument = "%s?instance_name=%s%s" % (type_name, name, "&" + options if options else "")
+    if any(c in name for c in "?&="):
+        raise errors.Usage("a composite cannot be called %s" % printable(name))
+    manager.check_argument(argument)
+    members = together([member(path) for path in adding])
+    leaving = [member(path, must_live=False) for path in collections.OrderedDict.fromkeys(removing)]
+    holder = tree.component(target.object(), or_manager=True)
+    if holder.kind == "component" and target.port is not None:
+        raise errors.WrongKind(str(target), "component or manager", "port")
+    composite = holder if holder.kind == "component" else _of_manager(holder, name)
+    if composite is None and leaving:
+        raise errors.No(str(holder.path), "cannot remove components or ports from a new composite")
+    if composite is not None:
+        check(composite, the_one(composite), members, leaving)
+    if dry_run:
+        return _commands(target, composite, adding, removing, type_name, options)
+    lines = []
+    if composite is None:
+        lines.append("created composite " + manager.create(holder, argument, wait=manager.SETTLE_TIME))
+        composite = _new(holder, name)
+    one = the_one(composite)
+    return lines + add(composite, one, members) + remove(composite, one, leaving)
+
+
+def _new(holder, name):
+    """The composite that has been made; deleted again if its type makes it a component of another kind."""
+    made = _of_manager(holder, name)
+    try:
+        the_one(made)
+    except errors.WrongKind:
+        manager.delete(holder, name)
+        raise
+    return made
+
+
+def _of_manager(holder, name):
+    return dict(manager.components(holder)).get(name)
+
+
+def _commands(target, composite, adding, removing, type_name, options):
+    words = ["rtcomp"] + ["-t", type_name] * (composite is None) + ["-o", options] * bool(options)
+    for option, paths in (("-a", adding), ("-r", removing)):
+        for path in paths:
+            words += [option, str(path)]
+    return [" ".join(shell_word(word) for word in words + [str(target)])]

@@ -1,0 +1,222 @@
+"""Configuration sets of components (SDOPackage::Configuration): read, set, activate, write to text and back, compare."""
+import collections
+import re
+
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.robot import tree
+from rtshell_lite.text import from_wire, printable, shell_word, to_wire, unescaped
+
+# One configuration set: `values` an OrderedDict of texts in the component's order, `active` True for the one in use.
+Set = collections.namedtuple("Set", "id description values active")
+
+
+def hidden(set_id):
+    """True for sets that hold metadata (__widget__, __constraints__, …)."""
+    return set_id.startswith("__") and set_id.endswith("__")
+
+
+class Configuration:
+    """The configuration of the component `node`, read once. Raises what remote calls raise."""
+
+    def __init__(self, node):
+        self.node, self.where = node, str(node.path)
+        self.ref = node.call("get_configuration")
+        self.raw = {from_wire(each.id): each for each in self._call("get_configuration_sets")}
+        self.active = self._active()
+
+    def _call(self, operation, *args):
+        return orb.call(self.where, self.ref, operation, *args)
+
+    def _active(self):
+        """The id of the active set, '' when there is none: so it is after somebody has set values without activating."""
+        try:
+            return from_wire(self._call("get_active_configuration_set").id)
+        except errors.Refused as e:
+            if e.name != "NotAvailable":
+                raise
+            return ""
+
+    def sets(self, with_hidden=False):
+        """The Sets, sorted by name."""
+        return [self._set(set_id) for set_id in sorted(self.raw) if with_hidden or not hidden(set_id)]
+
+    def _set(self, set_id):
+        raw = self.raw[set_id]
+        return Set(set_id, from_wire(raw.description), collections.OrderedDict(orb.properties(raw.configuration_data)),
+                   set_id == self.active)
+
+    def set(self, set_id=None, with_hidden=False):
+        """The Set called `set_id` (None: the active one). Raises NoSuch."""
+        if set_id is None and not self.active:
+            raise errors.Refused(self.where, "has no active configuration set; name one with -s")
+        set_id = self.active if set_id is None else set_id
+        if set_id not in self.raw or hidden(set_id) and not with_hidden:
+            raise errors.NoSuch(self.where, "configuration set", printable(set_id))
+        return self._set(set_id)
+
+    def check(self, values, within):
+        """Raise NoSuch unless the Set `within` has every parameter in `values`."""
+        for name in values:
+            if name not in within.values:
+                raise errors.NoSuch(self.where, "configuration parameter", printable(name))
+
+    def store(self, values, within):
+        """Set `values` (a dict) in the Set `within`. The active set is activated again: a component forgets it otherwise.
+
+        Raises NoSuch before anything is changed, Refused.
+        """
+        self.check(values, within)
+        from rtshell_lite.idl_stubs.component import SDOPackage
+        everything = collections.OrderedDict(within.values, **values)
+        raw = SDOPackage.ConfigurationSet(to_wire(within.id), self.raw[within.id].description,
+                                          orb.nvlist(everything.items()))
+        if not self._call("set_configuration_set_values", raw):
+            raise errors.Refused(self.where, "does not take values for configuration set %s" % printable(within.id))
+        if self.active:
+            self.activate(self.active)
+
+    def check_active(self, set_id):
+        """Raise NoSuch or Refused unless `set_id` can be made the active set."""
+        if set_id not in self.raw:
+            raise errors.NoSuch(self.where, "configuration set", printable(set_id))
+        if hidden(set_id):
+            raise errors.Refused(self.where, "configuration set %s holds metadata and cannot be active" % printable(set_id))
+
+    def activate(self, set_id):
+        """Make `set_id` the active set. Raises NoSuch, Refused."""
+        self.check_active(set_id)
+        try:
+            why = "" if self._call("activate_configuration_set", to_wire(set_id)) else "it says no"
+        except errors.Refused as e:
+            why = e.args[1]
+        if why:
+            raise errors.Refused(self.where, "does not activate configuration set %s (%s)" % (printable(set_id), why))
+
+    def apply(self, wanted, active=""):
+        """Bring sets to the values in `wanted` ({set: {name: value}}), then activate `active`; all is checked first.
+
+        Returns the changes as commands; `steps` gives the same list and changes nothing.
+        """
+        steps = self.steps(wanted, active)
+        for set_id in sorted(wanted):
+            within = self.set(set_id, with_hidden=True)
+            if _changed(within, wanted[set_id]):
+                self.store(wanted[set_id], within)
+        if active and active != self.active:
+            self.activate(active)
+        return steps
+
+    def steps(self, wanted, active=""):
+        """The rtconf commands that `apply` stands for. Raises NoSuch for an unknown set or parameter."""
+        steps = []
+        for set_id in sorted(wanted):
+            within = self.set(set_id, with_hidden=True)
+            self.check(wanted[set_id], within)
+            changed = _changed(within, wanted[set_id])
+            if changed:
+                steps.append(self.command(set_id, "set", *["%s=%s" % item for item in changed.items()]))
+        if active:
+            self.check_active(active)
+        if active and active != self.active:
+            steps.append(self.command(active, "act"))
+        return steps
+
+    def command(self, set_id, *words):
+        """An rtconf command on a set of this component, ready for a shell."""
+        return command(self.where, set_id, *words)
+
+
+def command(where, set_id, *words):
+    """An rtconf command on a set of the component at the path `where`, ready for a shell."""
+    options = ["-a"] * hidden(set_id) + ["-s", set_id] + ["--"] * any(word.startswith("-") for word in words)
+    return " ".join(["rtconf"] + [shell_word(word) for word in [where] + options + list(words)])
+
+
+def _changed(within, values):
+    return collections.OrderedDict((n, v) for n, v in values.items() if within.values.get(n) != v)
+
+
+# ---- as text --------------------------------------------------------------------------------------------------
+
+def dumped(configuration, with_hidden=False):
+    """The sets of a Configuration as lines: `[set]`, `[set] active`, `name=value`, control characters escaped."""
+    lines = ["# configuration of %s" % configuration.where]
+    for each in configuration.sets(with_hidden):
+        lines.append("[%s]%s" % (_spelt(each.id, "]"), " active" if each.active else ""))
+        lines += ["%s=%s" % (_spelt(name, "=#["), _end_seen(printable(value))) for name, value in each.values.items()]
+    return lines
+
+
+def _end_seen(s):
+    """`s` such that an editor that strips blanks from the ends of lines does no harm."""
+    return s[:-1] + "\\x20" if s.endswith(" ") else s
+
+
+def _spelt(s, more):
+    return "".join("\\" + c if c in more else c for c in printable(s))
+
+
+_SET = re.compile(r"\[((?:[^\]\\]|\\.)*)\]( +active)? *\Z")
+_VALUE = re.compile(r"((?:[^=\\]|\\.)*)=(.*)\Z")
+
+
+def parsed(lines, file_name):
+    """Read what `dumped` wrote: ({set: {name: value}}, active set or ''). Raises errors.No with the line's number."""
+    wanted, active, current = collections.OrderedDict(), "", None
+    for number, line in enumerate(lines, 1):
+        line = line.rstrip("\r\n")
+        if not line.strip() or line.startswith("#"):
+            continue
+        try:
+            if line.startswith("["):
+                set_id, is_active = _set_line(line)
+                if is_active and active not in ("", set_id):
+                    raise ValueError("a second active set")
+                current, active = wanted.setdefault(set_id, collections.OrderedDict()), set_id if is_active else active
+            else:
+                _take_value(line, current)
+        except ValueError as e:
+            raise errors.No("%s:%d" % (printable(file_name), number), e)
+    return wanted, active
+
+
+def _set_line(line):
+    found = _SET.match(line)
+    if not found:
+        raise ValueError("not [set] or [set] active")
+    return unescaped(found.group(1)), bool(found.group(2))
+
+
+def _take_value(line, values):
+    found = _VALUE.match(line)
+    if not found:
+        raise ValueError("neither [set] nor name=value")
+    if values is None:
+        raise ValueError("name=value before any [set]")
+    name = unescaped(found.group(1))
+    if name in values:
+        raise ValueError("%s has a value already" % printable(name))
+    values[name] = unescaped(found.group(2))
+
+
+def differences(left, right, with_hidden=False):
+    """Rows (set, parameter, left value, right value) where two Configurations differ; None for what is missing.
+
+    The row of the active sets has None for the first two.
+    """
+    rows = []
+    sets = [{each.id: each.values for each in side.sets(with_hidden)} for side in (left, right)]
+    for set_id in sorted(set(sets[0]) | set(sets[1])):
+        values = [side.get(set_id, {}) for side in sets]
+        for name in sorted(set(values[0]) | set(values[1])):
+            if values[0].get(name) != values[1].get(name):
+                rows.append((set_id, name, values[0].get(name), values[1].get(name)))
+    if left.active != right.active:
+        rows.append((None, None, left.active or None, right.active or None))
+    return rows
+
+
+def read(paths):
+    """The Configuration of the component at each path; an errors.Error in the place of what failed."""
+    return tree.on_components(paths, Configuration)

@@ -1,0 +1,124 @@
+"""Execution contexts from outside: rate, start and stop, who takes part (OMG RTC 1.1, 5.2.2.5)."""
+import collections
+
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.robot import component
+from rtshell_lite.text import from_wire, shell_word
+
+SETTLE_TIME = 2.0  # seconds: a component leaves at the context's next cycle, in 0.3 s as a rule
+
+# One line of rtec: `index` as -e counts, a component.Context, the component's state in it, names of owner and participants.
+Entry = collections.namedtuple("Entry", "index context state owner participants")
+
+
+def entries(node, only=None):
+    """An Entry for each execution context of a component, the owned ones first; `only`: for the context number `only`.
+
+    The Context of an Entry is None where it belongs to another component, which does not answer.
+    """
+    owned, participating = component.context_refs(node)
+    chosen = list(enumerate(owned + participating))
+    if only is not None:
+        chosen = [(only, component.context_ref(node, only))]
+    found = []
+    for index, ref in chosen:
+        context, = component.contexts(node, [ref])
+        if context is None:
+            found.append(Entry(index, None, "Unknown", "", []))
+            continue
+        found.append(Entry(index, context, component.states(node, [ref])[0], _name(node, context.owner),
+                           [_name(node, each) for each in context.participants]))
+    return found
+
+
+def _name(node, ref):
+    if ref is None:
+        return ""
+    try:
+        return from_wire(orb.ask(str(node.path), ref, "get_sdo_id"))
+    except errors.Error:
+        return "Unknown"
+
+
+# ---- changing -------------------------------------------------------------------------------------------------
+
+def set_rate(node, index, rate):
+    """Set the rate (Hz) of a context and check that it took it. Raises Refused."""
+    ref, where = component.context_ref(node, index), str(node.path)
+    code = str(orb.ask(where, ref, "set_rate", rate))
+    now = component.seen(lambda: orb.ask(where, ref, "get_rate"))
+    if code != "RTC_OK" or not same_rate(now, rate):
+        raise errors.Refused(where, "does not take a rate of %g Hz (%s; it is %g Hz)" % (rate, code, now))
+    return "%s: %g Hz" % (node.path, now)
+
+
+def same_rate(now, wanted):
+    """True where a context keeps the rate that was asked of it: implementations round its period."""
+    return abs(now - wanted) <= 0.01 * wanted
+
+
+def start(node, index):
+    """Start a context. Raises Refused."""
+    return _run(node, index, "start", True)
+
+
+def stop(node, index):
+    """Stop a context: its components keep their states, and none of them is executed. Raises Refused."""
+    return _run(node, index, "stop", False)
+
+
+def _run(node, index, operation, wanted):
+    ref, where = component.context_ref(node, index), str(node.path)
+    code = str(orb.ask(where, ref, operation))  # PRECONDITION_NOT_MET where it is so already
+    if bool(component.seen(lambda: orb.ask(where, ref, "is_running"))) != wanted:
+        raise errors.Refused(where, "its execution context does not %s (%s)" % (operation, code))
+    return "%s: %s" % (node.path, "running" if wanted else "stopped")
+
+
+def one_by_one(change, node, index, others):
+    """`attach` or `detach` for each component, in their order; an errors.Error in the place of what failed."""
+    results = []
+    for other in others:
+        try:
+            results.append(other if isinstance(other, errors.Error) else change(node, index, other))
+        except errors.Error as e:
+            results.append(e)
+    return results
+
+
+def attach(node, index, other):
+    """Let the component `other` take part in a context. Raises No, Refused, and what tells that `other` is gone."""
+    ref, where = component.context_ref(node, index), str(node.path)
+    orb.is_alive(str(other.path), other.ref)
+    found = orb.ask(where, ref, "get_profile")
+    if orb.same(found.owner, other.ref):
+        raise errors.No(where, "%s owns this execution context" % str(other.path))
+    if not _takes_part(found, other):
+        code = str(orb.ask(where, ref, "add_component", other.typed))
+        if code != "RTC_OK" or not _takes_part(component.seen(lambda: orb.ask(where, ref, "get_profile")), other):
+            raise errors.Refused(where, "its execution context does not take %s (%s)" % (str(other.path), code))
+    return "%s: %s takes part" % (node.path, other.path)
+
+
+def detach(node, index, other):
+    """Let the component `other` leave a context, which happens at its next cycle. Raises NoSuch, Refused."""
+    ref, where = component.context_ref(node, index), str(node.path)
+    found = orb.ask(where, ref, "get_profile")
+    if not _takes_part(found, other):
+        raise errors.NoSuch(where, "participant", str(other.path))
+    code = str(orb.ask(where, ref, "remove_component", other.typed))
+    seconds = max(SETTLE_TIME, 3 / found.rate if found.rate > 0 else 0)
+    if not component.until(lambda: not _takes_part(component.seen(lambda: orb.ask(where, ref, "get_profile")), other), seconds):
+        raise errors.Refused(where, "its execution context does not let go of %s (%s)" % (str(other.path), code))
+    return "%s: %s left" % (node.path, other.path)
+
+
+def _takes_part(found, other):
+    return any(orb.same(each, other.ref) for each in found.participants)
+
+
+def command(node, index, *words):
+    """An rtec command for a context of a component, ready for a shell. Raises NoSuch."""
+    component.context_ref(node, index)
+    return " ".join(["rtec"] + (["-e", str(index)] if index else []) + [shell_word(w) for w in (str(node.path),) + words])

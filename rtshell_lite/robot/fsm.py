@@ -1,0 +1,86 @@
+"""State machines of FSM4RTC: the SDO service RTC::ExtendedFsmService of a component."""
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.text import from_wire, printable, shell_word, to_wire
+
+SERVICE = "IDL:omg.org/RTC/ExtendedFsmService:1.0"
+
+
+class Machine:
+    """The state machine of the component `node`. Raises NoSuch where it has none.
+
+    The service is taken from the list of all: get_sdo_service, which gives it by its id, ends components of C++ 2.1.
+    """
+
+    def __init__(self, node):
+        from rtshell_lite.idl_stubs.fsm import RTC
+        self.where = str(node.path)
+        found = [profile.service for profile in node.call("get_service_profiles")
+                 if SERVICE in (profile.interface_type, profile.id) and profile.service is not None]
+        if not found:
+            raise errors.NoSuch(self.where, "SDO service", "ExtendedFsmService (it is no state machine of FSM4RTC)")
+        self.ref = orb.narrow(found[0], RTC.ExtendedFsmService)
+
+    def state(self):
+        """The name of the current state."""
+        return from_wire(orb.ask(self.where, self.ref, "get_current_state"))
+
+    def _raw(self):
+        code, structure = orb.ask(self.where, self.ref, "get_fsm_structure")
+        if str(code) != "RTC_OK":
+            raise errors.Refused(self.where, "does not tell its structure (%s)" % code)
+        return structure
+
+    def structure(self):
+        """Its structure as a dict: name, structure (SCXML), event_profiles (pairs name, data type), properties (pairs)."""
+        found = self._raw()
+        return {"name": from_wire(found.name), "structure": from_wire(found.structure),
+                "event_profiles": _pairs(found), "properties": orb.properties(found.properties)}
+
+    def set_structure(self, content, dry_run=False):
+        """Replace the text of its structure; True when that changes, or with `dry_run` would change, anything."""
+        def change(structure):
+            structure.structure = to_wire(content)
+        return self._set(change, lambda structure: from_wire(structure.structure), content, dry_run)
+
+    def set_event_profiles(self, pairs, dry_run=False):
+        """Replace its event profiles by `pairs` of name and data type; True as `set_structure` returns it."""
+        from rtshell_lite.idl_stubs.fsm import RTC
+
+        def change(structure):
+            structure.event_profiles = [RTC.FsmEventProfile(to_wire(name), to_wire(kind)) for name, kind in pairs]
+        return self._set(change, _pairs, pairs, dry_run)
+
+    def _set(self, change, read, wanted, dry_run):
+        """Change one part of the structure and read it again: RTC_OK alone proves nothing."""
+        structure = self._raw()
+        if read(structure) == wanted:
+            return False
+        if dry_run:
+            return True
+        change(structure)
+        code = str(orb.ask(self.where, self.ref, "set_fsm_structure", structure))
+        if code != "RTC_OK" or read(self._raw()) != wanted:
+            why = code + (" but unchanged" if code == "RTC_OK" else "")
+            raise errors.Refused(self.where, "does not take it (%s)" % why)
+        return True
+
+
+def _pairs(structure):
+    return [(from_wire(each.name), from_wire(each.data_type)) for each in structure.event_profiles]
+
+
+def event_profiles(word):
+    """Pairs of name and data type from `NAME:TYPE,NAME:TYPE`. Raises Usage."""
+    pairs = []
+    for part in word.split(","):
+        name, _, kind = part.strip().partition(":")
+        if not name or not kind:
+            raise errors.Usage("seteventprofiles: not NAME:TYPE: %s" % (printable(part.strip()) or "''"))
+        pairs.append((name, kind))
+    return pairs
+
+
+def command(path, name, argument):
+    """An rtfsm command, ready for a shell."""
+    return " ".join(["rtfsm", shell_word(str(path)), name, shell_word(argument)])

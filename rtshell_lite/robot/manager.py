@@ -1,0 +1,372 @@
+"""Managers (RTM::Manager): modules, components made and deleted, configuration, shut-down.
+
+A manager's word is not enough: load_module answers RTC_OK for files that do not exist, set_configuration for everything. So
+each change is followed by a look at what has really happened.
+"""
+import posixpath
+import re
+
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.path import Path, parse, split_address
+from rtshell_lite.robot import component, ports, tree
+from rtshell_lite.text import from_wire, printable, to_wire
+
+DEFAULT_PORT = 2810  # corba.master_manager
+CREATE_TIME = 15.0  # seconds: a master may have to start a slave process first
+MODULES_TIME = 60.0  # seconds: looking for modules runs a helper process a file, 0.5 s each
+SETTLE_TIME = 3.0  # seconds: lists follow a deletion up to 1 s later
+END_TIME = 5.0  # seconds: a process ends 0.5 to 1.5 s after its shut-down, those of slow execution contexts later
+
+_CORBALOC = re.compile(r"corbaloc:(?:iiop)?:(?:1\.[0-9]@)?(?P<address>\[[^\]]*\](?::\d+)?|[^/:]+(?::\d+)?)(?:/(?P<key>.+))?\Z")
+
+
+class Address(str):
+    """A corbaloc in the place of a Path, for what is reached without a name server."""
+
+    names = ()
+
+    def child(self, name):
+        """What a manager's component or slave is called."""
+        return Path(str(self), (name,), None, False)
+
+
+# ---- which manager --------------------------------------------------------------------------------------------
+
+def find(word):
+    """The Node of the manager that `word` names: a path, or corbaloc:[iiop]:HOST[:PORT][/KEY] without a name server.
+
+    Raises BadPath before anything is contacted, what `tree.resolve` raises, WrongKind, Gone, Silent.
+    """
+    direct = word.startswith("corbaloc:")
+    node, = tree.look([tree.Node(Address(word), "unsure", reference(word)) if direct else _bound(parse(word))])
+    if node.kind == "manager":
+        return node
+    if direct and isinstance(node.error, errors.Gone):
+        raise errors.NoSuch(word, "object", _key(word))
+    if direct and isinstance(node.error, errors.ConnectionRefused):
+        raise errors.NoManager(word)
+    raise node.error or errors.WrongKind(str(node.path), "manager", node.what)
+
+
+def _bound(path):
+    if path.port is not None:
+        raise errors.WrongKind(str(path), "manager", "port")
+    return tree.resolve(path)
+
+
+def check(word):
+    """Raise BadPath for what cannot name a manager; contacts nobody."""
+    if not word.startswith("corbaloc:"):
+        parse(word)
+    elif not _CORBALOC.match(word) or split_address(_CORBALOC.match(word).group("address"))[1] is None:
+        raise errors.BadPath("%s: not corbaloc:iiop:HOST[:PORT][/KEY]" % printable(word))
+
+
+def check_argument(argument):
+    """Raise Usage for a wrong argument of `create`; contacts nobody.
+
+    Managers know no escaping: they refuse a second ? and leave out what is not KEY=VALUE, both without a word.
+    """
+    module, mark, pairs = argument.partition("?")
+    if not module or "?" in pairs or any(pair and pair.count("=") != 1 for pair in pairs.split("&")):
+        raise errors.Usage("not MODULE[?KEY=VALUE&KEY=VALUE…]: %s" % printable(argument))
+
+
+def reference(word):
+    """The reference that a corbaloc of a manager stands for; contacts nobody. Raises BadPath."""
+    check(word)
+    return orb.corbaloc(word, _CORBALOC.match(word).group("address"), _key(word), DEFAULT_PORT)
+
+
+def _key(word):
+    return _CORBALOC.match(word).group("key") or "manager"
+
+
+# ---- what it has ----------------------------------------------------------------------------------------------
+
+def components(node):
+    """(instance name, Node) of each component that lives; a master tells those of its slaves, too."""
+    return [(each.path.names[-1].id, each) for each in tree.managed(node) if each.kind == "component"]
+
+
+def profiles(node, wanted=lambda each: True):
+    """(Node, component.Profile) of its components, each asked in the order that harms none; an errors.Error for what failed.
+
+    Those that are gone are left out, although managers may go on listing them, and those that are not `wanted`.
+    """
+    def one(each):
+        ports.ports(each)
+        return each, component.profile(each)
+    found = sorted((each for each in tree.managed(node) if each.kind != "zombie" and wanted(each)),
+                   key=lambda each: str(each.path))
+    return tree.on_nodes([each.error or each for each in found], one)
+
+
+def configuration(node):
+    """Its configuration as a list of (key, value) texts."""
+    return orb.properties(node.call("get_configuration"))
+
+
+def profile(node):
+    """Its profile (RTM::ManagerProfile) as a list of (key, value) texts."""
+    return orb.properties(node.call("get_profile").properties)
+
+
+def modules(node, operation="get_loadable_modules"):
+    """Profiles of modules as dicts: get_loadable_modules, get_loaded_modules or get_factory_profiles.
+
+    Sorted, and each once. What slaves have loaded, a master can create: some masters tell of that, those of C++ 2.1 do not.
+    """
+    found = _modules(node, operation)
+    if operation != "get_loadable_modules":
+        for answer in tree.on_nodes(_slaves(node), lambda slave: _modules(slave, operation)):
+            found += [] if isinstance(answer, errors.Error) else answer
+    distinct = {tuple(sorted(each.items())): each for each in found}
+    return sorted(distinct.values(), key=lambda each: (component_id(each), each.get("file_path", "")))
+
+
+def _modules(node, operation):
+    seconds = MODULES_TIME if operation == "get_loadable_modules" else None
+    return [dict(orb.properties(each.properties)) for each in node.call(operation, seconds=seconds)]
+
+
+def _loaded(node):
+    return [each.get("file_path", "") for each in _modules(node, "get_loaded_modules")]
+
+
+def component_id(properties):
+    """RTC:vendor:category:implementation:language:version of a module's properties, as create_component takes it."""
+    return ":".join(["RTC"] + [properties.get(key, "") for key in (
+        "vendor", "category", "implementation_id", "language", "version")])
+
+
+# ---- changing -------------------------------------------------------------------------------------------------
+
+def create(node, argument, wait=None):
+    """Create a component and return its instance name. `argument` is MODULE[?key=value[&key=value…]].
+
+    `wait` (seconds): until it is initialised and the manager lists it. Raises Refused with what can be told of the reason.
+    """
+    before = components(node)
+    wanted = dict(pair.split("=", 1) for pair in argument.partition("?")[2].split("&") if "=" in pair).get("instance_name")
+    if wanted in [name for name, _ in before]:
+        # not refused by managers: two components of one name crash their process later (C++ 1.x)
+        raise errors.Refused(str(node.path), "has a component %s already" % printable(wanted))
+    refs = (node.call("create_component", to_wire(spelt), seconds=CREATE_TIME) for spelt in _spellings(argument))
+    ref = next((ref for ref in refs if ref is not None), None)
+    if ref is None:
+        raise errors.Refused(str(node.path), "does not create %s (%s)" % (printable(argument), _why_not(node, argument)))
+    made = tree.Node(node.path, "component", ref)
+    name = from_wire(component.seen(lambda: made.call("get_sdo_id")))
+    if any(orb.same(ref, other.ref) for _, other in before):
+        raise errors.Refused(str(node.path), "made nothing new: it gave back %s, which was there" % printable(name))
+    if name in [other for other, _ in before]:
+        raise errors.Refused(str(node.path), _same_name(node, made, printable(name)))
+    if wait is not None:
+        _until(wait, lambda: _is_ready(node, name, made), str(node.path), "%s is not ready" % printable(name))
+    return name
+
+
+def _same_name(node, made, name):
+    """What has become of a creation that gave back a new component under a name that one had before.
+
+    A factory of Python keeps the last name that it was given, makes another component of that name, and lists it nowhere.
+    """
+    if component.seen(lambda: _lists(node, made.ref)):
+        return "made a second component called %s: only one of them is found by that name; delete one" % name
+    return "made nothing of use: it gave back the name %s, which was there; give another one: ?instance_name=…" % name
+
+
+def _spellings(argument):
+    """The argument, and its other form: an identity has no language in it with C++ 1.1, one with all later versions."""
+    ident, mark, rest = argument.partition("?")
+    fields = ident.split(":")
+    yield argument
+    if fields[0] == "RTC" and len(fields) == 6:
+        yield ":".join(fields[:4] + fields[5:]) + mark + rest
+    elif fields[0] == "RTC" and len(fields) == 5:
+        yield ":".join(fields[:4] + [""] + fields[4:]) + mark + rest
+
+
+def _why_not(node, argument):
+    """What can be told of the reason: managers give none."""
+    ident = argument.partition("?")[0]
+    wanted = ident.split(":")[3] if ident.count(":") > 3 else ident
+    there = modules(node, "get_factory_profiles")
+    alike = [each for each in there if each.get("implementation_id") == wanted]
+    if not alike:
+        known = sorted({each.get("implementation_id", "") for each in there})
+        return "no factory %s; there are: %s" % (printable(wanted), printable(", ".join(known)) or "none")
+    if ident != wanted and ident not in map(component_id, alike):
+        return "there is " + printable(", ".join(map(component_id, alike)))
+    most = alike[0].get("max_instance", "0")
+    return "a wrong argument, %sor its own initialisation failed" % (
+        "its max_instance of %s is reached, " % printable(most) if most != "0" else "")
+
+
+def _is_ready(node, name, made):
+    return name in [each for each, _ in components(node)] and component.state(made) not in ("Created", "Unknown")
+
+
+def delete(node, instance):
+    """Delete a component of this manager or of one of its slaves, and wait until it is listed no longer.
+
+    Raises NoSuch, Refused, Unreachable.
+    """
+    found = [each for name, each in components(node) if name == instance]
+    if len(found) != 1:
+        raise errors.NoSuch(str(node.path), "component" if not found else "single component (its slaves have several)",
+                            printable(instance))
+    # a master says BAD_PARAMETER to the name of a slave's component, or RTC_OK and does nothing (C++ 1.1)
+    holder = next((slave for slave in _slaves(node) if _lists(slave, found[0].ref)), node)
+    component.leave(found[0])
+    code = str(holder.call("delete_component", to_wire(instance), seconds=CREATE_TIME))
+    if code != "RTC_OK":
+        raise errors.Refused(str(node.path), "does not delete %s (%s)" % (printable(instance), code))
+    _until(SETTLE_TIME, lambda: not _lists(node, found[0].ref), str(node.path), "still lists %s" % printable(instance))
+
+
+def _slaves(node):
+    return [slave for slave in tree.slaves(node) if slave.kind == "manager"]
+
+
+def _lists(node, ref):
+    return any(orb.same(each, ref) for each in node.call("get_components"))
+
+
+def load(node, file_path, function):
+    """Load a module; `function` is its initialisation function. Raises Refused when it is not there afterwards.
+
+    Returns how many factories there are that were not there before.
+    """
+    before, known = _loaded(node), len(_modules(node, "get_factory_profiles"))
+    code = str(node.call("load_module", to_wire(file_path), to_wire(function), seconds=CREATE_TIME))
+    after = _loaded(node)
+    if code != "RTC_OK" or not meant(file_path, after) and len(after) <= len(before):
+        raise errors.Refused(str(node.path), "did not load %s (it says %s)" % (printable(file_path), code))
+    return len(_modules(node, "get_factory_profiles")) - known
+
+
+def meant(word, paths):
+    """Those of the loaded modules' paths that a word means: a path as it is listed, or what such a module is loaded by.
+
+    That is a path below a directory of the manager's load path, with ./ or // in it, a variable of the manager's environment
+    ($DIR/Camera.so), and for Python without its .py.
+    """
+    exact = sorted({path for path in paths if path == word})
+    tail = re.sub(r"^(\.\./)*", "", _plain(re.sub(r"^.*\$[^/]*/", "", word)))
+    whole = {path: _plain(path) for path in paths}
+
+    def ends(path):
+        return path == tail or path.endswith("/" + tail.lstrip("/"))
+    return (exact or sorted(path for path, plain in whole.items() if ends(plain))
+            or sorted(path for path, plain in whole.items() if ends(posixpath.splitext(plain)[0])))
+
+
+def _plain(path):
+    """A path without ./, // and detours, with / even where it is one of Windows."""
+    return re.sub("^//", "/", posixpath.normpath(path.replace("\\", "/")))
+
+
+def unload(node, word):
+    """Unload the module that `word` means, see `meant`. Raises NoSuch, No while a component of it lives, Refused.
+
+    A master is asked to unload its own, else the slave that has it. Returns the name under which the manager still offers to
+    create what its code is gone for, '' if none: that would end its process (C++ 2.1).
+    """
+    slaves = _slaves(node)
+    loaded = [(each, _loaded(each)) for each in [node] + slaves]
+    paths = meant(word, [path for _, found in loaded for path in found])
+    if len(paths) != 1:
+        raise errors.NoSuch(str(node.path), "loaded module" if not paths else "single loaded module", printable(word))
+    path, code = paths[0], ""
+    for each, found in loaded:
+        if path not in found:
+            continue
+        _must_be_unused(each, path)
+        try:  # a master may tell of its slaves' modules, but refuses to unload them
+            code = str(each.call("unload_module", to_wire(path)))
+        except errors.Refused as e:
+            code = e.args[1]
+            continue
+        if code == "RTC_OK" and _loaded(each).count(path) < found.count(path):
+            return _still_offered(each, path)
+    raise errors.Refused(str(node.path), "did not unload %s (it says %s)" % (printable(path), code))
+
+
+def _must_be_unused(node, path):
+    """Raise No where a component of a compiled module lives: its code would vanish under it, and end its process (C++ 2.1)."""
+    for answer in profiles(node, lambda each: each.endpoint == node.endpoint):
+        if not isinstance(answer, errors.Error) and _is_of(path, dict(answer[1].properties)):
+            raise errors.No(str(node.path), "%s is in use by %s, whose process would end; delete it first" % (
+                printable(path), printable(answer[1].instance_name)))
+
+
+def _still_offered(node, path):
+    return next((each["implementation_id"] for each in _modules(node, "get_factory_profiles") if _is_of(path, each)), "")
+
+
+def _is_of(path, properties):
+    """Whether a component or factory is of a compiled module, which is called as its implementation, as a rule."""
+    name = posixpath.splitext(posixpath.basename(path.replace("\\", "/")))[0]
+    return properties.get("implementation_id") == name and properties.get("language") != "Python"
+
+
+def set_configuration(node, key, value):
+    """Set a configuration value; many are read only when a manager starts. Raises Refused when it did not take."""
+    code = str(node.call("set_configuration", to_wire(key), to_wire(value)))
+    now = dict(configuration(node)).get(key)
+    if code != "RTC_OK" or now != value:
+        raise errors.Refused(str(node.path), "did not set %s (it says %s; the value is %s)" % (
+            printable(key), code, "missing" if now is None else printable(now) or "empty"))
+
+
+def shut_down(node, wait=None, above=()):
+    """End the processes of a manager's slaves, then its own; lines and errors.Errors, see `cli.report`.
+
+    A master that ends leaves its slaves alone: nobody leads to them any more. So it is left, too, where one of them stays. Each
+    process may take `wait` seconds, or END_TIME; only that nobody listens there any more shows that it has ended.
+    """
+    known = [node.ref] + list(above)
+    slaves = [each for each in tree.slaves(node) if each.kind != "zombie" and not any(orb.same(each.ref, ref) for ref in known)]
+    parts = tree.on_nodes([each.error or each for each in slaves], lambda each: shut_down(each, wait, known))
+    results = [result for part in parts for result in ([part] if isinstance(part, errors.Error) else part)]
+    left = [each for each, part in zip(slaves, parts) if isinstance(part, errors.Error) or not all(_done(one) for one in part)]
+    if left:
+        return results + [errors.NotTried(str(node.path), "its slave %s still runs, and nobody else leads to it" % str(left[0].path))]
+    return results + [_ended(node, END_TIME if wait is None else wait)]
+
+
+def _done(result):
+    return not isinstance(result, errors.Error)
+
+
+def _ended(node, seconds):
+    """End the process of one manager: a line, or an errors.Error."""
+    try:
+        code = str(node.call("shutdown"))
+        if code != "RTC_OK":
+            return errors.Refused(str(node.path), "does not shut down (%s)" % code)
+    except (errors.Silent, errors.Refused) as e:
+        return e
+    except errors.Unreachable:
+        pass  # it may have ended before it answered
+    if not component.until(lambda: _is_over(node), seconds):
+        return errors.Unreachable(str(node.path), "its process has not ended within %gs" % seconds)
+    return "shut down %s" % (node.path,)
+
+
+def _is_over(node):
+    try:
+        orb.ask(node.path, node.ref, "_non_existent")
+    except errors.ConnectionRefused:
+        return True
+    except errors.Error:
+        pass
+    return False
+
+
+def _until(limit, reached, where, otherwise):
+    if not component.until(lambda: component.seen(reached), limit):
+        raise errors.Unreachable(where, "%s after %gs" % (otherwise, limit))

@@ -1,0 +1,187 @@
+"""Taking names out of name servers (CosNaming::NamingContext): unbind and destroy, and what must never go by mistake."""
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.path import Path
+from rtshell_lite.robot import aliases, tree
+from rtshell_lite.text import printable, shell_word
+
+
+def delete(path, note, zombie_only=False, recursive=False, dry_run=False):
+    """Unbind what `path` names; yields a line (see `cli.report`) for each name, deepest first.
+
+    note         called with a line on each naming context that has another name, and loses only this one
+    zombie_only  refuse all but zombies, each verified twice
+    recursive    a naming context with all that is below; without it only an empty one goes
+    Raises what `tree.resolve` raises, WrongKind, Refused.
+    """
+    if path.port is not None or not path.names:
+        raise errors.WrongKind(str(path), "name that can be deleted", "port" if path.port is not None
+                               else "name server" if path.server else "root directory")
+    node = tree.resolve(path)
+    above = tree.resolve(path.parent())
+    if above.kind == "manager":
+        raise errors.WrongKind(str(path.parent()), "directory with names in it", "manager; rtmgr deletes its components")
+    if zombie_only:
+        yield _delete_zombie(_dead(node), dry_run)
+    elif node.kind == "directory":
+        yield from _Deletion(path, recursive, dry_run, note).lines(above, node)
+    else:
+        yield _unbind(node.path, dry_run)
+
+
+def zombies(top):
+    """The zombies at and below the Node `top`, federated name servers aside: (zombies, Nodes whose listing failed)."""
+    nodes = list(aliases.within(tree.walk(top, managers=False)))
+    return [node for node in tree.look(nodes) if node.kind == "zombie"], [node for node in nodes if node.error is not None]
+
+
+def delete_zombies(found, dry_run=False):
+    """`_delete_zombie` for each: lines, an errors.Error in the place of what failed. What lives after all just stays."""
+    results = []
+    for node in found:
+        try:
+            results.append(_delete_zombie(node, dry_run))
+        except errors.WrongKind:
+            results.append("")
+        except errors.Error as e:
+            results.append(e)
+    return results
+
+
+def _delete_zombie(node, dry_run):
+    """Look a second time: the component may have been started again under its name since."""
+    try:
+        again = tree.resolve(node.path)
+    except errors.NotFound:
+        return ""
+    return _unbind(_dead(again).path, dry_run, zombie=True)
+
+
+def _dead(node):
+    """Look at a node and return the zombie that it is. Raises WrongKind, or Silent for one that does not tell."""
+    node, = tree.look([node])
+    if node.kind == "silent":
+        raise node.error
+    if node.kind != "zombie":
+        raise errors.WrongKind(str(node.path), "zombie", node.what)
+    return node
+
+
+def _unbind(path, dry_run, zombie=False):
+    if dry_run:
+        return "rtdel %s%s" % ("-z " if zombie else "", shell_word(str(path)))
+    server = tree.resolve(Path(path.server, (), None, False))
+    try:
+        server.call("unbind", orb.naming_name(path.names))
+    except errors.Refused as e:
+        if e.name == "NotFound":
+            raise errors.NotFound(str(path))
+        raise
+    return str(path) + ": deleted"
+
+
+# ---- naming contexts ------------------------------------------------------------------------------------------
+
+class _Bindings:
+    """By which names the naming contexts of all name servers can be reached, and what is left of that without one name."""
+
+    def __init__(self, path):
+        """`path` names the naming context that is to go; its name server and those of RTCTREE_NAMESERVERS are walked."""
+        self.known, self._names, self._roots = aliases.Known(), {}, set()
+        places = {}  # Path of a directory: the Path by which it is known
+        for node in tree.walk_servers(_servers(path), managers=False):
+            if node.kind not in ("server", "directory"):
+                continue
+            place = self.known.path(node) or places.get(node.alias)
+            if place is None:
+                self.known.enter(node)
+                place = node.path
+            places[node.path] = place
+            if node.kind == "server":
+                self._roots.add(place)
+            else:
+                self._bind(places, node, place)
+        self._without((self.known.path(tree.resolve(path.parent())), path.names[-1]))
+
+    def _bind(self, places, node, place):
+        above = places[node.path.parent()]
+        self._names[above, node.path.names[-1]] = place, node.path
+
+    def _without(self, gone):
+        """Find all that is reached without one name, a pair (Path of the directory, Name)."""
+        self._left, todo = {}, [(root, root) for root in self._roots]  # {Path of a directory: a path that leads there}
+        below = {}
+        for (above, name), (place, _) in self._names.items():
+            if (above, name) != gone:
+                below.setdefault(above, []).append((place, name))
+        while todo:
+            place, leads = todo.pop(0)
+            if place not in self._left:
+                self._left[place] = leads
+                todo += [(each, leads.child(name)) for each, name in below.get(place, ())]
+
+    def elsewhere(self, node):
+        """A Path by which a naming context can still be reached, or None."""
+        return self._left.get(self.known.path(node))
+
+
+def _servers(path):
+    """The name servers to look at: the one that `path` begins with, and all that are known."""
+    found = []
+    for address in [path.server] + [each for each in tree.servers() if each != path.server]:
+        try:
+            found.append(tree.resolve(Path(address, (), None, False)))
+        except errors.BadPath:
+            pass  # one of RTCTREE_NAMESERVERS that is no address
+    return found
+
+
+class _Deletion:
+    """The deletion of a naming context; `note` is called with a line on each name that is only another name of what stays."""
+
+    def __init__(self, path, recursive, dry_run, note):
+        self.recursive, self.dry_run, self.note = recursive, dry_run, note
+        self.bindings, self._entered = _Bindings(path), aliases.Known()
+
+    def lines(self, above, node):
+        """Delete the naming context `node`, bound in `above`, what is below it first; yields a line for each name.
+
+        One that is bound elsewhere, too, or belongs to another name server, loses only this name, as does one that is met a
+        second time: it is bound inside itself.
+        """
+        if len(node.path.names) > tree.DEPTH:
+            raise errors.Refused(str(node.path), "more than %d directories deep" % tree.DEPTH)
+        if self._is_alias(above, node) or self._entered.path(node):
+            yield _unbind(node.path, self.dry_run)
+            return
+        below = tree.children(node)
+        if below and not self.recursive:
+            raise errors.Refused(str(node.path), "not empty (%d name%s); delete it with --recursive"
+                                 % (len(below), "s" if len(below) > 1 else ""))
+        self._entered.enter(node)
+        for child in below:
+            if child.kind == "directory":
+                yield from self.lines(node, child)
+            else:
+                yield _unbind(child.path, self.dry_run)
+        if not self.dry_run:
+            _destroy(node)
+        yield _unbind(node.path, self.dry_run)
+
+    def _is_alias(self, above, node):
+        other = self.bindings.elsewhere(node)
+        if other is None and not aliases.is_foreign(above, node):
+            return False
+        what = "another name of " + str(other) if other else "a directory of the name server at %s:%d" % node.endpoint
+        self.note("%s: %s; only this name is deleted" % (node.path, printable(what)))
+        return True
+
+
+def _destroy(node):
+    """Let the server forget an empty context. It refuses when a name has come into it since, which stops the deletion."""
+    try:
+        node.call("destroy")
+    except errors.Refused as e:
+        if e.name == "NotEmpty":
+            raise errors.Refused(str(node.path), "not empty any more")
+        raise

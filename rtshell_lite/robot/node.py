@@ -1,0 +1,220 @@
+"""The objects of the RTC Tree: what each is, told by its reference, and whether it lives, told by itself."""
+import functools
+import time
+
+from rtshell_lite import cli, errors
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.path import Name
+from rtshell_lite.text import LONGEST, from_wire
+
+MOST = 50000  # names in one context: an iterator may say for ever that there is more
+PATIENCE = 3  # times the timeout, in which all names of a context have to come
+DIRECTORIES = ("root", "server", "directory", "manager")
+
+_COMPONENTS = ("IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0", "IDL:omg.org/RTC/RTObject:1.0",
+               "IDL:openrtm.aist.go.jp/OpenRTM/FiniteStateMachineComponent:1.0")
+_RTOBJECT = "IDL:omg.org/RTC/RTObject:1.0"
+_MANAGER = "IDL:RTM/Manager:1.0"
+_CONTEXTS = ("IDL:omg.org/CosNaming/NamingContext:1.0", "IDL:omg.org/CosNaming/NamingContextExt:1.0")
+
+
+class Node:
+    """One object of the tree.
+
+    path   its Path
+    kind   root, server, directory, component, manager; zombie, whose object is gone; silent, a component or manager whose
+           process does not answer; unknown, any other object; unsure, one that has to be asked (`look`) because its
+           reference does not tell
+    ref    its object reference; None at the root and for a nil reference
+    error  for kind `silent` and `zombie`: the errors.Error that tells why; for others: why what is below could not be listed
+    alias  the Path of the same directory where a walk entered it before; such a Node is not entered again; else None
+    foreign  True for a naming context of another name server than that where it is bound; see `aliases.within`
+    """
+
+    __slots__ = ("path", "kind", "ref", "error", "alias", "foreign", "_endpoint", "_is_typed",
+                 "__weakref__")  # there may be 20,000
+
+    def __init__(self, path, kind, ref=None, error=None):
+        self.path, self.kind, self.ref, self.error = path, kind, ref, error
+        self.alias, self.foreign = None, False
+        self._endpoint, self._is_typed = None, False
+
+    @property
+    def name(self):
+        """How a listing shows it: the last name of its path, spelt for the terminal."""
+        return str(self.path.names[-1]) if self.path.names else str(self.path)[1:] or "/"
+
+    @property
+    def endpoint(self):
+        """(host, port) of its process."""
+        if self._endpoint is None:
+            self._endpoint = orb.endpoint(self.ref)
+        return self._endpoint
+
+    @property
+    def what(self):
+        """Its kind in the words of an error: it is a …"""
+        if self.kind in ("unknown", "unsure"):
+            return "nil reference" if self.ref is None else "CORBA object of unknown kind"
+        words = {"root": "root directory", "server": "name server", "silent": "component that does not answer"}
+        return words.get(self.kind, self.kind)
+
+    @property
+    def typed(self):
+        """`ref` as a reference of the interface that its kind implies; the stubs are imported only here."""
+        if not self._is_typed:
+            self.ref, self._is_typed = self._narrowed(), True  # in place of the other: each takes 800 bytes
+        return self.ref
+
+    def _narrowed(self):
+        if self.kind in ("server", "directory"):
+            return orb.context(self.ref)
+        if self.kind == "manager":
+            from rtshell_lite.idl_stubs.manager import RTM
+            return orb.narrow(self.ref, RTM.Manager)
+        from rtshell_lite.idl_stubs.component import OpenRTM
+        return orb.narrow(self.ref, OpenRTM.DataFlowComponent)
+
+    def call(self, operation, *args, **more):
+        """Call an operation of its object; errors name its path."""
+        try:
+            if lanes.lane_of(self.endpoint):
+                return orb.call(self.path, self.typed, operation, *args, **more)
+            return lanes.ask(self.endpoint, self.path, lambda: orb.call(self.path, self.typed, operation, *args, **more))
+        except errors.ConnectionRefused as e:
+            raise (errors.NoNameServer if self.kind in ("server", "directory") else errors.ProcessGone)(*e.args)
+        except errors.Gone as e:
+            raise no_name_server(self) if self.kind == "server" else e
+
+    def __repr__(self):
+        return "<%s %s>" % (self.kind, self.path)
+
+
+def no_name_server(node):
+    """The error for an object that answers at the address of a name server, and is none."""
+    return errors.WrongKind(str(node.path), "name server", "CORBA process of another kind")
+
+
+def classified(path, ref, is_context=False):
+    """The Node for a reference found under `path`, by the type its IOR tells: no remote call.
+
+    `is_context`: it is bound as a naming context. The root of another name server, bound by federation, has no type.
+    """
+    if ref is None:
+        return Node(path, "unknown")
+    address = orb.address(ref)
+    kind = "directory" if is_context and not address.type_id else _kind(address.type_id, path.names[-1])
+    node = Node(path, kind, ref)
+    node._endpoint = address[1:3]
+    return node
+
+
+def unusable(path, error):
+    """The Node for a name that is bound to a reference which must not be used, given the Garbled that says why."""
+    return Node(path, "silent", None, errors.Garbled(str(path), error.args[1]))
+
+
+def _kind(type_id, name):
+    """What an object is, by the type and the Name that it was bound with."""
+    if type_id in _CONTEXTS:
+        return "directory"
+    if type_id in _COMPONENTS:
+        return "component"
+    if type_id == _MANAGER:
+        return "manager"
+    return "unsure" if name.kind in ("rtc", "mgr") or not type_id else "unknown"
+
+
+# ---- liveness -------------------------------------------------------------------------------------------------
+
+def look(nodes):
+    """Find out which of `nodes` live, in parallel, one call each; returns new nodes in the same order.
+
+    A component or manager that is gone becomes `zombie`, one that does not answer `silent`. `_non_existent` is the
+    question: a profile can end a component whose connection has died (protocol of OpenRTM-aist 2.1).
+    """
+    # a manager with an error has answered: to another question than that which it did not answer
+    objects = [node for node in nodes if node.kind in ("component", "manager", "unsure") and node.error is None]
+    answers = dict(zip(objects, on_nodes(objects, _looked_at)))
+    return [judged(node, answers[node]) if node in answers else node for node in nodes]
+
+
+def judged(node, answer):
+    """The Node that `node` turns out to be, given what it answered: itself, or zombie or silent after an errors.Error."""
+    if not isinstance(answer, errors.Error):
+        return answer
+    zombie = isinstance(answer, (errors.Gone, errors.ConnectionRefused))
+    return Node(node.path, "zombie" if zombie else "silent", node.ref, answer)
+
+
+def _looked_at(node):
+    orb.is_alive(node.path, node.ref)
+    return _sure(node) if node.kind == "unsure" else node
+
+
+def _sure(node):
+    """Ask an object that does not say what it is; a refusal to tell makes it unknown."""
+    try:
+        for kind, type_id in (("component", _RTOBJECT), ("manager", _MANAGER), ("directory", _CONTEXTS[0])):
+            if orb.call(node.path, node.ref, "_is_a", type_id):
+                return Node(node.path, kind, node.ref)
+    except errors.Refused:
+        pass
+    return Node(node.path, "unknown", node.ref)
+
+
+def on_nodes(nodes, function):
+    """Call function(node) for each Node, in parallel by the process that answers; an errors.Error stays in its place."""
+    return list(on_nodes_in_turn(nodes, function))
+
+
+def on_nodes_in_turn(nodes, function):
+    """`on_nodes`, but yields the values as lanes.in_turn does."""
+    values = lanes.in_turn(lanes.Job(node.endpoint, node.path, functools.partial(function, node)) for node in nodes
+                           if isinstance(node, Node))
+    return (next(values) if isinstance(node, Node) else node for node in nodes)
+
+
+# ---- what a naming context holds ------------------------------------------------------------------------------
+
+def name_server_error(node, e):
+    """The error for a Refused from what should be a name server or a naming context."""
+    return no_name_server(node) if e.name in ("BAD_OPERATION", "NO_IMPLEMENT", "INTF_REPOS") else e
+
+
+def bound(node):
+    """The bindings of a naming context, however many there are, each its Name and whether it is a naming context.
+
+    One call for all but the largest contexts; [] for other directories. Names above MOST, those that have not come in PATIENCE,
+    and those that no command line can hold are left out, which is reported.
+    """
+    if node.kind not in ("server", "directory"):
+        return []
+    size = 10000
+    try:
+        bindings, iterator = node.call("list", size)
+    except errors.Refused as e:
+        raise name_server_error(node, e)
+    if iterator is not None:
+        bindings = _iterated(node, iterator, bindings, size)
+    names = [(each.binding_name[0], each.binding_type._v == 1) for each in bindings if each.binding_name]  # 1: ncontext
+    found = [(Name(from_wire(name.id), from_wire(name.kind)), is_context) for name, is_context in names
+             if len(name.id) + len(name.kind) < LONGEST]
+    if len(found) < len(names):
+        cli.left_out("%s: %d of %d names are left out: they are longer than %d characters" % (
+            node.path, len(names) - len(found), len(names), LONGEST))
+    return found
+
+
+def _iterated(node, iterator, bindings, size):
+    """The bindings that came, and those of an iterator, as far as it has an end."""
+    end, more = time.monotonic() + PATIENCE * lanes.timeout, True
+    try:
+        while more and len(bindings) < MOST and time.monotonic() < end:
+            more, batch = orb.call(str(node.path), iterator, "next_n", size)
+            bindings += batch
+    finally:
+        orb.call(str(node.path), iterator, "destroy")
+    if more:
+        cli.left_out("%s: only its first %d names are taken; its list of them does not end" % (node.path, len(bindings[:MOST])))
+    return bindings[:MOST]

@@ -1,0 +1,258 @@
+"""Ports of components and their connectors: what they are, and why two ports do not match. connectors.py changes them."""
+import collections
+
+from rtshell_lite import cli, errors
+from rtshell_lite.corba import orb
+from rtshell_lite.robot import component, tree
+from rtshell_lite.text import cut, from_wire, printable
+
+# One port. `name` is the full name (ConsoleIn0.out), `type` DataInPort, DataOutPort, CorbaPort or Port, `properties` a dict,
+# `owner` the reference of its component or None, `node` the Node it was found on.
+Port = collections.namedtuple("Port", "node name type properties interfaces connectors ref owner")
+Interface = collections.namedtuple("Interface", "instance_name type_name polarity")  # polarity: Provided or Required
+Connector = collections.namedtuple("Connector", "id name ports properties")  # ports: references; properties: pairs
+
+DATA = ("DataInPort", "DataOutPort")
+# What rtcon asks for where the user says nothing; the data type is the first port's.
+DEFAULTS = (("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
+            ("dataport.subscription_type", "new"))
+
+RATES = ("dataport.publisher.push_rate", "dataport.push_rate", "dataport.outport.publisher.push_rate",
+         "dataport.outport.push_rate")  # where components look for the rate of a periodic connection
+MOST_PORTS, MOST_PARTS, MOST_ENDS = 1000, 1000, 16  # of a component, of a port, of a connector; nobody means well with more
+
+ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push
+
+
+# ---- asking ---------------------------------------------------------------------------------------------------
+
+def ports(node, brief=False):
+    """The Ports of a component in its own order: one call for the list and one a port; for `brief` see `port`."""
+    return [port(node, ref, brief=brief) for ref in refs(node)]
+
+
+def in_system(found):
+    """The Ports `found` without their connectors of one port only: these are of tools, ours or others, not of the system."""
+    return [each._replace(connectors=[one for one in each.connectors if len(one.ports) > 1]) for each in found]
+
+
+def refs(node):
+    """References of the ports of a component."""
+    from rtshell_lite.idl_stubs.component import RTC
+    found = cli.first(MOST_PORTS, node.call("get_ports"), node.path, "ports")
+    return [orb.narrow(ref, RTC.PortService) for ref in found if ref is not None]
+
+
+def port(node, ref, failures=None, brief=False):
+    """The Port behind a reference (PortService::get_port_profile); for `failures` see `component.once_more`.
+
+    `brief`: without interfaces, and with no property but its type. Most of a port are these, and 1,000 ports are many.
+    """
+    try:
+        found = component.once_more(lambda: orb.ask(node.path, ref, "get_port_profile"), failures)
+    except (errors.Gone, errors.ConnectionRefused):
+        if orb.endpoint(ref) == node.endpoint:
+            raise
+        why = "the process of one of its ports is gone; if that is a member's, restart this composite's process " \
+              "(until then, rtcomp -r MEMBER:PORT hides the port)"
+        raise errors.LostMember(str(node.path), why)
+    properties = dict(orb.properties(nv for nv in found.properties if not brief or nv.name == "port.port_type"))
+    kind = properties.get("port.port_type")
+    interfaces = [] if brief else cli.first(MOST_PARTS, found.interfaces, node.path, "interfaces of a port")
+    connectors = cli.first(MOST_PARTS, found.connector_profiles, node.path, "connectors of a port")
+    return Port(node, cut(from_wire(found.name)), kind if kind in DATA + ("CorbaPort",) else "Port", properties,
+                [_interface(i) for i in interfaces], [connector(c, node.path) for c in connectors], ref,
+                orb.one_of(found.owner, node.ref))
+
+
+def _interface(found):
+    polarity = ("Provided", "Required")[found.polarity._v]
+    return Interface(cut(from_wire(found.instance_name)), cut(from_wire(found.type_name)), polarity)
+
+
+def connector(found, where):
+    """The Connector that a ConnectorProfile describes."""
+    ends = cli.first(MOST_ENDS, found.ports, where, "ends of a connector")
+    return Connector(from_wire(found.connector_id), cut(from_wire(found.name)), ends, orb.properties(found.properties))
+
+
+def short_name(name, instance):
+    """A port's name without the `INSTANCE.` that components put before it."""
+    return name[len(instance) + 1:] if instance and name.startswith(instance + ".") else name
+
+
+def label(port):
+    """The path of a port as a user would type it, spelt for the terminal."""
+    return str(port.node.path.with_port(short_name(port.name, port.node.path.names[-1].id)))
+
+
+def find(paths):
+    """The Port that each path names, found in parallel, one call a port of its component.
+
+    An errors.Error stands in the place of what failed: NoSuch with what there is, and what `tree.component` raises.
+    """
+    listed = tree.on_components([path.object() for path in paths], ports)
+    return [found if isinstance(found, errors.Error) else named(path, found) for path, found in zip(paths, listed)]
+
+
+def named(path, found):
+    """That one of the Ports `found` which `path` names, or the error NoSuch."""
+    instance = path.names[-1].id
+    exact = [each for each in found if each.name in (path.port, instance + "." + path.port)]
+    # the instance name may differ from the bound one
+    same_end = [each for each in found if each.name.endswith("." + path.port)]
+    if exact or len(same_end) == 1:  # several: of members of a composite
+        return (exact or same_end)[0]
+    there = ", ".join(printable(short_name(each.name, instance)) for each in found) or "none"
+    return errors.NoSuch(str(path.object()), "port", "%s (its ports: %s)" % (printable(path.port), there))
+
+
+# ---- matching -------------------------------------------------------------------------------------------------
+
+def between(found):
+    """What an error about several ports names: `a.rtc:out to b.rtc:in`."""
+    return " to ".join(label(each) for each in found)
+
+
+def mismatches(found, properties):
+    """Why the Ports `found` cannot be connected with these properties (a dict): a list of reasons, empty when they can.
+
+    Components check next to nothing of this themselves (they connect a TimedLong with a TimedDouble and say RTC_OK).
+    """
+    if len({orb.identity(each.ref) for each in found}) < len(found):
+        return ["a port is named twice"]  # C++ 2.1 deadlocks for good on it
+    types = [each.type for each in found]
+    if all(t == "CorbaPort" for t in types):
+        return _service_mismatches(found, properties)
+    if all(t in DATA for t in types):
+        return _data_mismatches(found, types, properties)
+    if any(t in DATA for t in types) and "CorbaPort" in types:
+        return ["a data port and a service port do not go together"]
+    return []
+
+
+def _data_mismatches(found, types, properties):
+    if len(set(types)) == 1:
+        return ["%s a %s; a connection needs an in port and an out port"
+                % ("it is" if len(found) == 1 else "each is", types[0])]
+    reasons = []
+    data_types = [each.properties.get("dataport.data_type", "") for each in found]
+    if not all(same_type(data_types[0], other) for other in data_types[1:]):
+        reasons.append("data types differ (%s)" % ", ".join(printable(_short_type(t)) for t in data_types))
+    for key, value in sorted(properties.items()):
+        reasons += _not_offered(found, key, value)
+    for key, _ in DEFAULTS:
+        if key not in properties and _chosen(found, key, None) == "":
+            reasons.append("no %s in common (%s)" % (_short_key(key), "; ".join(
+                printable(",".join(_choices(each, key) or ["any"])) for each in found)))
+    return reasons
+
+
+def _not_offered(found, key, value):
+    """Why some of the ports do not take this value of a property."""
+    lacking = [(each, offer_without(each, key, value)) for each in found]
+    lacking = [(each, offer) for each, offer in lacking if offer is not None]
+    what = "%s %s" % (_short_key(key), printable(value))
+    if len(lacking) == len(found) > 1 and len({offer for _, offer in lacking}) == 1:
+        return ["no port has %s (all have: %s)" % (what, lacking[0][1])]
+    return ["%s has no %s (it has: %s)" % (label(each), what, offer) for each, offer in lacking]
+
+
+def offer_without(port, key, value):
+    """What a port offers for a property, spelt for the terminal, when `value` is not among it; else None."""
+    offer = _choices(port, key)
+    return None if offer is None or value in offer else printable(", ".join(offer))
+
+
+def _short_key(key):
+    return key[len("dataport."):] if key.startswith("dataport.") else key
+
+
+def _short_type(type_id):
+    """RTC/TimedLong of IDL:RTC/TimedLong:1.0."""
+    name = type_id[4:] if type_id.startswith("IDL:") else type_id
+    return name.rpartition(":")[0] or name
+
+
+def same_type(one, other):
+    """Repository ids name one type when their last parts agree and, where both have modules, the modules too."""
+    one, other = (_short_type(t).split("/") for t in (one, other))
+    if "any" in (one[-1].lower(), other[-1].lower()) or [""] in (one, other):
+        return True
+    return one == other if len(one) > 1 and len(other) > 1 else one[-1] == other[-1]
+
+
+def _choices(port, key):
+    """The values that a port allows for a property, None where it allows any or does not say."""
+    listed = port.properties.get(key)
+    if listed is None or key == "dataport.data_type":
+        return None
+    values = [value.strip() for value in listed.split(",")]
+    if key in ANY_CASE:
+        values = [value.lower() for value in values]
+    return None if any(value.lower() == "any" for value in values) else values
+
+
+def _chosen(found, key, preferred):
+    """The preferred value when all ports allow it, else the first that they have in common, else ''."""
+    lists = [choices for choices in (_choices(each, key) for each in found) if choices is not None]
+    if not lists or all(preferred in choices for choices in lists):
+        return preferred
+    return next((value for value in lists[0] if all(value in choices for choices in lists)), "")
+
+
+def _service_mismatches(found, properties):
+    reasons, (first, *others) = [], found
+    for interface in first.interfaces:
+        for other in others:
+            if any(word.endswith("." + interface.instance_name) for item in properties.items() for word in item):
+                continue  # mapped by hand to an interface of another name
+            named = [i for i in other.interfaces if i.instance_name == interface.instance_name]
+            if not named:
+                reasons.append("%s has no interface %s" % (label(other), printable(interface.instance_name)))
+            elif all(i.polarity == interface.polarity for i in named):
+                reasons.append("both have interface %s %s" % (printable(interface.instance_name), interface.polarity.lower()))
+    return reasons
+
+
+def connection_properties(found, given):
+    """The properties to connect with: those given (a dict), and defaults that all of the ports allow."""
+    properties = dict(given)
+    if found[0].type == "CorbaPort":
+        properties.setdefault("port.port_type", "CorbaPort")
+    elif found[0].type in DATA:
+        for key, preferred in DEFAULTS:
+            properties.setdefault(key, _chosen(found, key, preferred))
+        properties.setdefault("dataport.data_type", found[0].properties.get("dataport.data_type", ""))
+    return properties
+
+
+def joining(found):
+    """The connectors of the first port that join it with any of the others."""
+    others = [orb.identity(each.ref) for each in found[1:]]
+    return [c for c in found[0].connectors if any(orb.identity(ref) in others for ref in c.ports if ref is not None)]
+
+
+def check(found, given):
+    """Raise Refused with the reasons when the Ports `found` do not match, with these properties (a dict)."""
+    reasons = mismatches(found, given) or without_rate(found, connection_properties(found, given))
+    if reasons:
+        raise errors.Refused(between(found), "; ".join(reasons))
+
+
+def without_rate(found, properties):
+    """Why a connection with these properties lacks a rate that it needs: a list of one reason, or [].
+
+    C++ answers a bare RTC_ERROR then. The rate may be a property of the port, too.
+    """
+    subscription, flow = [properties.get("dataport." + key, "").lower() for key in ("subscription_type", "dataflow_type")]
+    if subscription != "periodic" or flow == "pull" or not any(each.type == "DataOutPort" for each in found):
+        return []
+    rates = [each[key] for each in [properties] + [port.properties for port in found] for key in RATES if key in each]
+    if not rates:
+        return ["a periodic connection needs a rate: %s=HZ" % RATES[0]]
+    try:
+        positive = 0 < float(rates[0]) < float("inf")
+    except ValueError:
+        positive = False
+    return [] if positive else ["a periodic connection needs a rate in Hz above 0, not %s" % printable(rates[0])]

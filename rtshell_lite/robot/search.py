@@ -1,0 +1,70 @@
+"""Finding objects in the RTC Tree: by name, kind and state."""
+import collections
+import re
+
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes
+from rtshell_lite.robot import component, tree
+
+POLL = 0.5  # seconds between two searches of --wait
+
+# What is looked for: `names` a list of functions name → bool (any of them; empty: all names), `kinds` a set (empty: all),
+# `state` in lower case or None, `depth` levels or None.
+Wanted = collections.namedtuple("Wanted", "names kinds state depth")
+
+# What those may turn out to be whose name is bound to them.
+CAN_BE = {"component": {"component", "silent", "zombie"}, "manager": {"manager", "silent", "zombie"}}
+
+
+def patterns(exact, any_case):
+    """Functions for shell patterns, in which `*` is any text and `?` any character, on the whole of a name."""
+    return [re.compile(_expression(p), re.DOTALL).match for p in exact] + [
+        re.compile(_expression(p), re.DOTALL | re.IGNORECASE).match for p in any_case]
+
+
+def _expression(pattern):
+    parts = {"*": ".*", "?": "."}
+    return "".join(parts.get(c) or re.escape(c) for c in pattern) + r"\Z"
+
+
+def find(paths, wanted):
+    """The Nodes at and below `paths` that are Wanted, in the order of the tree, and a list of the errors met."""
+    nodes, failures = [], []
+    jobs = [lanes.Job(tree.lane(path), str(path), lambda path=path: _below(path, wanted)) for path in paths]
+    for found in lanes.gather(jobs):
+        if isinstance(found, errors.Error):
+            failures.append(found)
+        else:
+            nodes += found
+    failures += [node.error for node in nodes if node.error is not None and node.kind != "zombie"]
+    nodes = [node for node in nodes if not wanted.names or any(match(node.name) for match in wanted.names)]
+    if wanted.kinds:
+        nodes = [node for node in nodes if node.kind == "unsure" or wanted.kinds & CAN_BE.get(node.kind, {node.kind})]
+    if wanted.kinds or wanted.state:  # only then does it matter who lives
+        nodes = tree.look(nodes)
+    if wanted.kinds:
+        nodes = [node for node in nodes if node.kind in wanted.kinds]
+    if wanted.state:
+        nodes, more = _in_state(nodes, wanted.state.capitalize())
+        failures += more
+    return nodes, failures + [node.error for node in nodes if node.kind == "silent"]
+
+
+def _below(path, wanted):
+    if path.port is not None:
+        raise errors.WrongKind(str(path), "directory", "port")
+    top = tree.resolve(path)
+    if path.directory and top.kind not in tree.DIRECTORIES:
+        raise errors.WrongKind(str(path), "directory", top.what)
+    found = list(tree.walk(top, wanted.depth))
+    if top.error is not None:
+        raise top.error
+    return found
+
+
+def _in_state(nodes, state):
+    silent = [node.error for node in nodes if node.kind == "silent"]
+    components = [node for node in nodes if node.kind == "component"]
+    states = tree.on_nodes(components, component.state)
+    return ([node for node, found in zip(components, states) if found == state],
+            silent + [found for found in states if isinstance(found, errors.Error)])

@@ -1,0 +1,356 @@
+"""The RTC Tree: name servers as a file system of directories, components, managers and ports.
+
+Resolution is lazy: only what a path names is asked. As a library:
+
+    from rtshell_lite.robot import tree
+    for node in tree.walk(tree.resolve("/localhost")):
+        print(node.path, node.kind)
+"""
+import collections
+import functools
+import itertools
+import os
+import re
+
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.robot import aliases
+from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_address
+# other modules use these as tree.look, tree.Node …
+from rtshell_lite.robot.node import (DIRECTORIES, Node, bound, classified, judged, look, name_server_error, on_nodes,
+                                     on_nodes_in_turn, unusable)
+from rtshell_lite.text import from_wire, printable
+
+AT_ONCE = 1000  # names whose objects are asked for at a time: what has to be noted for each takes memory
+DEPTH = 64  # contexts can be bound inside themselves by another name
+
+
+# ---- name servers ---------------------------------------------------------------------------------------------
+
+def servers():
+    """Addresses of the name servers of RTCTREE_NAMESERVERS (separated by semicolons), else localhost."""
+    listed = [address for address in os.environ.get("RTCTREE_NAMESERVERS", "").split(";") if address.strip()]
+    return list(collections.OrderedDict.fromkeys(address.strip() for address in listed or ["localhost"]))
+
+
+def tops(words):
+    """Paths of what a command looks at as a whole; a bare host:2809, 192.0.2.1 or [::1] is a name server, and so is a bare
+    word without a dot, as names of components have one. Raises BadPath, Usage.
+    """
+    return [_top(word) for word in words]
+
+
+def _top(word):
+    if word and "/" not in word and _is_server(word):
+        return parse("/" + word)
+    top = parse(word)
+    if top.port is not None:
+        raise errors.Usage("%s: a port is looked at with its component" % printable(word))
+    return top
+
+
+def _is_server(word):
+    host, port = split_address(word)
+    if word in servers() or ":" in word and port is not None:
+        return True
+    return host == word and ("." not in word and "\\" not in word or re.match(r"[0-9]+(\.[0-9]+){3}$", word) is not None)
+
+
+def _server(path):
+    """The node of the name server that `path` begins with; contacts nobody."""
+    return Node(Path(path.server, (), None, False), "server", _reference(path.server))
+
+
+@functools.lru_cache(maxsize=64)
+def _reference(server):
+    return orb.corbaloc(str(Path(server, (), None, False)), server, "NameService", DEFAULT_PORT)
+
+
+def lane(path):
+    """The endpoint of the name server that `path` begins with, for a lanes.Job; None at the root."""
+    return _server(path).endpoint if path.server is not None else None
+
+
+# ---- from a path to a node ------------------------------------------------------------------------------------
+
+def resolve(path):
+    """The Node at `path` (a Path or text; its port is left out). One call to the name server, none to a component.
+
+    A component or manager comes back unasked: `look` tells whether it lives. Raises NotFound, Misspelt, WrongKind, and
+    Unreachable or Silent when the name server does not answer.
+    """
+    path = (parse(path) if isinstance(path, str) else path).object()
+    if path.server is None:
+        return Node(ROOT, "root")
+    return _resolved(_server(path), path)
+
+
+def _resolved(server, path):
+    if not path.names:
+        return server
+    for size, name in enumerate(path.names[:-1], 1):
+        if name.kind in ("rtc", "mgr"):  # or the name server asks this object whether it is a naming context
+            above = _directory(_resolved(server, path._replace(names=path.names[:size])))
+            if above.kind == "manager":
+                return _descend(above, path.names[size:])
+    try:
+        ref = server.call("resolve", orb.naming_name(path.names))
+    except errors.Garbled as e:
+        return unusable(path, e)
+    except errors.Refused as e:
+        if e.name in ("NotFound", "CannotProceed", "InvalidName"):
+            raise _why_not_found(path)
+        raise name_server_error(server, e)
+    except errors.Unreachable as e:
+        raise e if isinstance(e, errors.Silent) else _broken_off(server, path, e)
+    node = classified(path, ref)
+    if ref is not None and not orb.address(ref).type_id:  # how it is bound tells more
+        node = classified(path, ref, (path.names[-1], True) in bound(_resolved(server, path.parent())))
+    return node
+
+
+def _broken_off(server, path, failure):
+    """The error for a path that leads through several name servers, of which one cannot be reached: which one."""
+    node = server
+    try:
+        for size, name in enumerate(path.names[:-1], 1):
+            ref = node.call("resolve", orb.naming_name([name]))
+            node = classified(path._replace(names=path.names[:size]), ref, True)
+        node.call("resolve", orb.naming_name(path.names[-1:]))
+    except errors.Unreachable as e:
+        return e
+    except errors.Refused:
+        pass
+    return failure
+
+
+def _descend(node, names):
+    """The Node below a manager that `names` lead to."""
+    for name in names:
+        below = children(_directory(node))
+        found = [child for child in below if child.path.names[-1] == name]
+        if not found:
+            raise _near_miss(node.path.child(name), _by_id(child.path.names[-1] for child in below))
+        node = found[0]
+    return node
+
+
+def _directory(node):
+    if node.kind == "unsure":
+        node, = look([node])
+    if node.kind not in DIRECTORIES:
+        raise errors.WrongKind(str(node.path), "directory", node.what)
+    return node
+
+
+def _why_not_found(path):
+    """The error for a path that does not resolve, with a near miss where a listing of its directory offers one."""
+    try:
+        above = _directory(resolve(path.parent()))
+        names = _by_id(name for name, _ in bound(above))
+    except (errors.NotFound, errors.WrongKind) as e:
+        return e
+    return _near_miss(path, names)
+
+
+def _by_id(names):
+    return {name.id: name for name in names}
+
+
+def _near_miss(path, names):
+    import difflib
+    close = difflib.get_close_matches(path.names[-1].id, names, 1)  # the kinds, all .rtc, would make any two names alike
+    return errors.Misspelt(str(path), str(names[close[0]])) if close else errors.NotFound(str(path))
+
+
+def component(path, or_manager=False):
+    """The component (`or_manager`: or the manager) at `path` (a Path or text). Asks it nothing.
+
+    Raises as `resolve` does, WrongKind (for a port, too), Gone for a zombie.
+    """
+    path = parse(path) if isinstance(path, str) else path
+    if path.port is not None:
+        raise errors.WrongKind(str(path), "component", "port")
+    node = resolve(path)
+    if node.kind == "unsure":
+        node, = look([node])
+    if node.kind == "zombie":
+        raise errors.Gone(str(node.path))
+    if node.kind == "silent":
+        raise node.error
+    if node.kind == "manager" and or_manager:
+        return node
+    if node.kind != "component":
+        raise errors.WrongKind(str(node.path), "component or manager" if or_manager else "component", node.what)
+    if path.directory:
+        raise errors.WrongKind(str(path), "directory", "component")
+    return node
+
+
+def on_components(paths, function, or_managers=False):
+    """Call function(node) for the component at each path, in parallel; values in order, an errors.Error for what failed.
+
+    With `or_managers`, managers are taken as well.
+    """
+    return list(on_components_in_turn(paths, function, or_managers))
+
+
+def on_components_in_turn(paths, function, or_managers=False):
+    """`on_components`, but yields the values as lanes.in_turn does."""
+    orb.start()  # its failures are not the failure of a path
+
+    def resolved(path):
+        return lanes.Job(lane(path), str(path), lambda: component(path, or_managers))
+    nodes = lanes.gather([resolved(path) for path in paths])
+    return on_nodes_in_turn(nodes, function)
+
+
+# ---- listing --------------------------------------------------------------------------------------------------
+
+def children(node):
+    """The nodes in a directory, sorted by name: one call for the names, one to the name server for each object.
+
+    Nobody but the name server is asked (use `look` on the result). At the root: the name servers. In a manager: its slaves
+    and components, which have to be asked for their names. Raises WrongKind for what is no directory, and Unreachable.
+    """
+    if node.kind == "root":
+        return _sorted(_server(parse("/" + address)) for address in servers())
+    if node.kind == "manager":
+        return _sorted(slaves(node) + managed(node))
+    if node.kind not in ("server", "directory"):
+        raise errors.WrongKind(str(node.path), "directory", node.what)
+    context, server = node.typed, node.endpoint
+    names, found = bound(node), []
+    while names:
+        some, names = [(node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]], names[:-AT_ONCE]
+        lanes.alive()  # where this is itself a call to the name server: that has answered all that it was asked so far
+        for child in lanes.gather(lanes.Job(server, path, functools.partial(_child, context, path, is_context))
+                                  for path, is_context in some):
+            if isinstance(child, Node):
+                found.append(child)
+            elif not isinstance(child, errors.Refused):  # unbound since the list was made
+                raise child
+    return _sorted(found)
+
+
+def _child(context, path, is_context):
+    """The Node that the last name of `path` is bound to in a naming context."""
+    try:
+        return classified(path, orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])), is_context)
+    except errors.Garbled as e:  # it costs its own line only
+        return unusable(path, e)
+
+
+def _sorted(nodes):
+    return sorted(nodes, key=lambda node: str(node.path))
+
+
+# ---- below a manager ------------------------------------------------------------------------------------------
+
+def slaves(node):
+    """Nodes of a manager's slaves. Those of one name are told apart by their instance names, or process ids: manager_4711."""
+    try:
+        refs = [ref for ref in node.call("get_slave_managers") if ref is not None]
+    except errors.Refused as e:
+        if e.name == "BAD_OPERATION":  # managers of RtORB have no slaves
+            return []
+        raise
+    asked = [Node(node.path.child(Name("slave%d" % i, "")), "manager", ref) for i, ref in enumerate(refs)]
+    answers = on_nodes(asked, lambda slave: dict(orb.properties(slave.call("get_profile").properties)))
+    return [judged(each, answer) if isinstance(answer, errors.Error)
+            else Node(node.path.child(Name(name, "")), "manager", each.ref)
+            for each, answer, name in zip(asked, answers, _told_apart(answers))]
+
+
+def _told_apart(profiles):
+    """A name for each slave. A dead one has none of its own."""
+    profiles = [{"name": "slave%d" % i} if isinstance(found, errors.Error) else found for i, found in enumerate(profiles)]
+    names = [found.get("name") or "slave%d" % i for i, found in enumerate(profiles)]
+    for key, form in (("instance_name", "{1}"), ("pid", "{0}_{1}")):
+        names = [form.format(name, found[key]) if names.count(name) > 1 and found.get(key) else name
+                 for name, found in zip(names, profiles)]
+    return [name if name not in names[:i] else "%s_%d" % (name, i) for i, name in enumerate(names)]
+
+
+def managed(node):
+    """Nodes of a manager's components; a master tells those of its slaves, too."""
+    refs = [ref for ref in node.call("get_components") if ref is not None]
+    asked = [Node(node.path.child(Name("unknown%d" % i, "rtc")), "component", ref) for i, ref in enumerate(refs)]
+    names = on_nodes(asked, lambda each: from_wire(each.call("get_sdo_id")))
+    return [judged(each, name) if isinstance(name, errors.Error)  # dead or silent: it cannot tell its name
+            else Node(node.path.child(Name(name, "rtc")), "component", each.ref) for each, name in zip(asked, names)]
+
+
+# ---- walking --------------------------------------------------------------------------------------------------
+
+def walk(node, depth=None, managers=True):
+    """Yield `node` and everything below it, depth first, sorted.
+
+    A naming context or manager that is bound by several names is entered by the first of them in this order; by the others it
+    is yielded with that Path as its `alias`. At most `depth` levels (None: DEPTH) are entered, managers unless `managers` is
+    False, and the contexts of other name servers where they are bound. A directory that cannot be listed is yielded with its
+    `error` set, a manager that does not answer as `zombie` or `silent`. Components are not asked whether they live.
+    """
+    depth = DEPTH if depth is None else min(depth, DEPTH)
+    if node.kind != "root":
+        return _walk(node, depth, managers, aliases.Known())
+    return itertools.chain([node], walk_servers(children(node), depth - 1, managers) if depth else [])
+
+
+def walk_servers(servers, depth=DEPTH, managers=True):
+    """`walk` several name servers, Nodes, in parallel, as some may be silent; what two of them have is an alias in the second."""
+    parts = lanes.gather([lanes.Job(server.endpoint, str(server.path), lambda server=server: list(
+        _walk(server, depth, managers, aliases.Known(servers)))) for server in servers])
+    known = aliases.Known(servers)
+    for server, part in zip(servers, parts):
+        if isinstance(part, errors.Error):
+            server.error, part = part, [server]
+        hidden = None
+        for node in part:
+            if hidden is not None and node.path.names[:len(hidden)] == hidden:
+                continue
+            hidden = None
+            if node.kind in ("directory", "manager"):
+                node.alias = known.path(node) or node.alias
+                if node.alias:
+                    hidden = node.path.names
+                elif len(node.path.names) < depth:
+                    known.enter(node)
+            yield node
+
+
+def _walk(node, depth, managers, known):
+    if node.kind in ("directory", "manager"):
+        node.alias = known.path(node)
+    below = []
+    if node.kind in DIRECTORIES and node.alias is None and depth > 0:
+        known.enter(node)
+        if managers or node.kind != "manager":
+            below = _below(node)
+    yield node
+    for child in below:
+        yield from _walk(child, depth - 1, managers, known)
+
+
+def _below(node):
+    """The children of a directory; [] for one that cannot be listed, which has its `error` set then."""
+    if node.kind == "manager":
+        return _below_manager(node)
+    try:
+        return children(node)
+    except errors.Error as e:
+        node.error = e
+        return []
+
+
+def _below_manager(node):
+    """The children of a manager; a master whose slave does not answer may not answer then, and is no less alive for it."""
+    found = None
+    try:
+        found = slaves(node)
+        return _sorted(found + managed(node))
+    except errors.Error as e:
+        node.error = e
+        if found is None and not isinstance(e, errors.Refused):
+            node.kind = judged(node, e).kind
+    return _sorted(found or [])

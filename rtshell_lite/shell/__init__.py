@@ -1,0 +1,1 @@
+"""What a shell needs: set-up, completion, rtsh, installing and unpacking, manual pages."""

@@ -1,0 +1,133 @@
+"""Many commands in one process, with one ORB and open connections: how rtsh reads them and runs them."""
+import contextlib
+import difflib
+import io
+import os
+import re
+import shlex
+import sys
+
+from rtshell_lite import cli, errors
+from rtshell_lite.shell import installation
+from rtshell_lite.text import printable
+
+# One word as sh reads it, one operator, or a comment; blanks before it.
+_TOKEN = re.compile(r"""\s*(?: (?P<word> (?: [^\s;&|<>()'"\\\#] | \\. | '[^']*' | "(?:[^"\\]|\\.)*" )
+                                        (?: [^\s;&|<>()'"\\] | \\. | '[^']*' | "(?:[^"\\]|\\.)*" )* )
+                        | (?P<end> ; | \Z | \#.* ) | (?P<operator> &&? | \|\|? | <<? | >>? | [()] ) )""", re.VERBOSE | re.DOTALL)
+
+
+LONGEST = 4 << 20  # characters of a line
+
+
+class Left(Exception):
+    """`exit` was said; its argument is the exit status."""
+
+
+def split(line):
+    """The commands of a line, each a list of words, quoted as in sh. Raises BadLine for what only a real shell can do."""
+    if "\0" in line:  # no shell could pass it on, so no command expects one
+        raise errors.BadLine("a NUL character: " + printable(line.strip()))
+    commands, words, at = [], [], 0
+    while at < len(line):
+        found = _TOKEN.match(line, at)
+        if not found:
+            raise errors.BadLine("a quote or a backslash without its other half: " + printable(line[at:].strip()))
+        if found.group("operator"):
+            raise errors.BadLine("%s: only a real shell has that; quote it if it belongs to a word" % found.group("operator"))
+        if found.group("word"):
+            words.append(_unquoted(found.group("word")))
+        elif words:
+            commands.append(words)
+            words = []
+        at = found.end() if found.end() > at else len(line)
+    return commands + [words] if words else commands
+
+
+def _unquoted(word):
+    """A word without its quotes and backslashes. (shlex.split needs half a minute for a word of 1 MB.)"""
+    pieces = re.findall(r"""'([^']*)'|"((?:[^"\\]|\\.)*)"|\\(.)|([^'"\\]+)""", word, re.DOTALL)
+    return "".join(single + re.sub(r'\\([$`"\\])', r"\1", double) + escaped + plain
+                   for single, double, escaped, plain in pieces)
+
+
+def lines(read):
+    """(number of its first line, text) for each line that read() gives, '' at the end; a backslash at the end joins two."""
+    number, first, text = 0, 1, ""
+    while True:
+        line = read()
+        number += 1
+        if not line and not text:
+            return
+        part = line.lstrip("\ufeff").rstrip("\r\n")
+        backslashes = len(part) - len(part.rstrip("\\"))
+        if line and backslashes % 2 and len(text) <= LONGEST:
+            text += part[:-1]
+            continue
+        yield first, text + part
+        first, text = number + 1, ""
+
+
+class Interpreter:
+    """Runs commands; `status` is the exit status of the last one, `stop` says whether a failure is the end of all."""
+
+    def __init__(self, stop=False):
+        self.stop, self.status = stop, 0
+        self.files = {name: path for name, path in installation.commands().items() if name != "rtsh"}
+        self._modules = {}
+
+    def name(self, word):
+        """The command that a word means, with or without its `rt`. Raises BadLine."""
+        for name in ({"cd": "rtcwd"}.get(word, word), "rt" + word):
+            if name in self.files:
+                return name
+        near = difflib.get_close_matches(word, sorted(self.files), 1)
+        raise errors.BadLine("%s: no such command%s" % (printable(word) or "''", "; did you mean %s?" % near[0] if near else ""))
+
+    def run_line(self, line):
+        """Run the commands of one line. Raises BadLine, Left (`exit`, or a failure that is the end of all)."""
+        for words in split(line):
+            cli.detail(" ".join(map(shlex.quote, words)))
+            if words[0] == "exit":
+                raise Left(_status(words[1:], self.status))
+            self.status = self.run(words)
+            if self.status and self.stop or self.status == 141:
+                raise Left(self.status)
+
+    def run(self, words):
+        """Run one command, given as its words, and return its exit status."""
+        try:
+            name = self.name(words[0])
+        except errors.BadLine as e:
+            return cli.complain(e)
+        if name == "rtcwd" and not re.match("-h$|--help$|--version$|--shell", " ".join(words[1:2])):
+            return self._change_directory(name, words[1:])
+        return self._run(name, words[1:])
+
+    def _run(self, name, words):
+        if name not in self._modules:
+            self._modules[name] = installation.load(self.files[name], "rtshell_lite " + name)
+        module, before = self._modules[name], sys.argv
+        sys.argv = [self.files[name]] + words
+        try:
+            status = cli.command(module.arguments, module.run, module.__doc__, words)
+            sys.stdout.flush()
+            return status
+        finally:
+            sys.argv = before
+
+    def _change_directory(self, name, words):
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            status = self._run(name, words)
+        if not status:
+            os.environ["RTCSH_CWD"] = printed.getvalue().rstrip("\n")
+        return status
+
+
+def _status(words, last):
+    """The exit status that `exit WORDS` asks for."""
+    if not words:
+        return last
+    if len(words) > 1 or not re.match(r"\d+$", words[0]):
+        raise errors.BadLine("exit: not a status: %s" % printable(" ".join(words)))
+    return int(words[0]) & 255

@@ -1,0 +1,184 @@
+"""Manual pages, made from what is written elsewhere: `python3 -m rtshell_lite.shell.manpages`, in a checkout, writes them below man/
+and lists them in setup.cfg.
+
+The page of a command says what its docstring and its parser say; rtshell_lite(7) what README.md says, its Japanese version
+what README.ja.md says. tests/test_manpages.py fails when one of them is out of date.
+"""
+import argparse
+import os
+import re
+
+from rtshell_lite import __version__, files, options
+from rtshell_lite.shell import installation
+
+ROOT = os.path.dirname(installation.PACKAGE)
+# The parts of the READMEs that make rtshell_lite(7), and the headings of its first and its last section.
+SECTIONS = {
+    "README.md": ("NAME", "DESCRIPTION", ["Commands", "Paths", "Environment", "Exit status", "Scripts"], "SEE ALSO"),
+    "README.ja.md": ("名前", "説明", ["コマンド", "パス", "環境変数", "終了ステータス", "スクリプト"], "関連項目"),
+}
+SUMMARIES = {"README.md": "shell commands for robots built from OpenRTM-aist components",
+             "README.ja.md": "OpenRTM-aist のコンポーネントで作られたロボットのためのシェルコマンド"}
+WIDEST = 76
+
+
+def pages():
+    """All pages: {path below man/: text}."""
+    commands = installation.commands()
+    found = {"man1/%s.1" % name: _command_page(name, path) for name, path in commands.items()}
+    found["man7/rtshell_lite.7"] = _overview("README.md", commands)
+    found["ja/man7/rtshell_lite.7"] = _overview("README.ja.md", commands)
+    return found
+
+
+def main():
+    """Write the pages of a checkout, and remove those of commands that are gone."""
+    wanted, top = pages(), os.path.join(ROOT, "man")
+    for directory, _, names in list(os.walk(top)):
+        for name in names:
+            if os.path.relpath(os.path.join(directory, name), top) not in wanted:
+                os.remove(os.path.join(directory, name))
+    for name, text in wanted.items():
+        os.makedirs(os.path.dirname(os.path.join(top, name)), exist_ok=True)
+        files.write(os.path.join(top, name), text)
+    config = os.path.join(ROOT, "setup.cfg")
+    files.write(config, packaged(files.read(config), wanted))
+
+
+def packaged(config, names):
+    """The text of setup.cfg, with pages of these names as its data files."""
+    lines = []
+    for directory in sorted({os.path.dirname(name) for name in names}):
+        lines += ["share/man/%s =" % directory]
+        lines += ["    man/" + name for name in sorted(names) if os.path.dirname(name) == directory]
+    return re.sub(r"(?<=\n\[options.data_files\]\n)(?:[^\n\[].*\n)*", "\n".join(lines) + "\n", config)
+
+
+# ---- a command ------------------------------------------------------------------------------------------------
+
+def _command_page(name, path):
+    module = installation.load(path, "rtshell_lite command")
+    parser = options.parser(module.arguments, module.__doc__, name)
+    shown = [action for action in parser._actions if action.help is not argparse.SUPPRESS]
+    summary, _, rest = module.__doc__.strip().partition("\n\n")
+    details, _, examples = ("\n" + rest).partition("\nexamples:\n")
+    lines = [_header(name, 1), ".SH NAME", "%s \\- %s" % (name, _text(summary.rstrip(".").replace("\n", " "))),
+             ".SH SYNOPSIS", ".B " + name,
+             " ".join(["[\\fIoption\\fR ...]"] + [_argument(action) for action in shown if not action.option_strings])]
+    if details.strip():
+        lines += [".SH DESCRIPTION"] + _paragraphs(details.strip("\n"))
+    lines += [".SH OPTIONS"]
+    for action in sorted(shown, key=lambda action: bool(action.option_strings)):
+        lines += [".TP", _label(action), _text(parser._get_formatter()._expand_help(action))]
+    statuses = options.EXIT_STATUSES.partition("\n")[2]
+    lines += [".SH EXAMPLES"] + _literal(examples.rstrip().split("\n"))
+    lines += [".SH EXIT STATUS"] + _paragraphs("\n".join(line.strip() for line in statuses.split("\n")))
+    lines += [".SH ENVIRONMENT", "See", ".BR rtshell_lite (7).", ".SH SEE ALSO", ".BR rtshell_lite (7)"]
+    return "\n".join(lines) + "\n"
+
+
+def _header(name, section):
+    return '.\\" Written by python3 -m rtshell_lite.shell.manpages\n.TH %s %d "" "rtshell_lite %s" "rtshell_lite"\n.nh\n.ad l' % (
+        name.upper() if section == 1 else name, section, __version__)
+
+
+def _argument(action):
+    """A positional argument in the synopsis."""
+    word = "\\fI%s\\fR" % _text(action.metavar or action.dest.upper())
+    return {None: word, "?": "[%s]" % word, "*": "[%s ...]" % word, "+": "%s ..." % word}[action.nargs]
+
+
+def _label(action):
+    """An argument or option with its value, as the heading of what it does."""
+    value = _text(action.metavar or action.dest.upper())
+    if not action.option_strings:
+        return "\\fI%s\\fR" % value
+    names = ", ".join("\\fB%s\\fR" % _text(name) for name in action.option_strings)
+    if action.nargs == 0:
+        return names
+    return names + (" [\\fI%s\\fR]" if action.nargs == "?" else " \\fI%s\\fR") % value
+
+
+def _paragraphs(text):
+    """Paragraphs of a docstring; indented ones are kept as they are."""
+    lines = []
+    for number, paragraph in enumerate(re.split("\n{2,}", text)):
+        block = paragraph.split("\n")
+        if all(line.startswith("  ") for line in block):
+            lines += _literal(block)
+        else:
+            lines += [".PP"] * bool(number) + [_prose(" ".join(block))]
+    return lines
+
+
+# ---- the overview ---------------------------------------------------------------------------------------------
+
+def _overview(readme, commands):
+    name, description, titles, see_also = SECTIONS[readme]
+    text = files.read(os.path.join(ROOT, readme))
+    sections = dict(re.findall(r"^#+ (.*)\n((?:```(?:.*\n)*?```\n|(?!#+ ).*\n)*)", text, re.MULTILINE))
+    lines = [_header("rtshell_lite", 7), ".SH " + name, "rtshell_lite \\- " + _text(SUMMARIES[readme]), ".SH " + description]
+    lines += _markdown(sections["rtshell_lite"])
+    for title in titles:
+        lines += [".SH " + title.upper()] + _markdown(sections[title])
+    links = ["\\fB%s\\fR(1)" % command for command in sorted(commands)]
+    return "\n".join(lines + [".SH " + see_also, ", ".join(links)]) + "\n"
+
+
+def _markdown(text):
+    """The little Markdown of our READMEs: paragraphs, code, tables whose first column names what the others tell of."""
+    lines = []
+    for block in re.findall(r"```.*\n(?:.*\n)*?```|(?:(?!```).+\n?)+", text):
+        rows = block.rstrip("\n").split("\n")
+        if rows[0].startswith("```"):
+            lines += _literal(["  " + row for row in rows[1:-1]])
+        elif rows[0].startswith("    "):
+            lines += _literal([row[2:] for row in rows])
+        elif rows[0].startswith("|"):
+            for row in rows[2:]:
+                first, *others = [cell.strip() for cell in row.strip("|").split(" | ")]
+                lines += [".TP", _prose(first.strip()), _prose(" ".join(others))]
+        else:
+            lines += [".PP", _prose(_joined(rows))]
+    return lines
+
+
+def _joined(rows):
+    """Lines of one paragraph; between Japanese characters a new line is no blank."""
+    text = rows[0].strip()
+    for row in rows[1:]:
+        text += ("" if _wide(text[-1]) and _wide(row.strip()[0]) else " ") + row.strip()
+    return text
+
+
+# ---- troff ----------------------------------------------------------------------------------------------------
+
+def _text(s):
+    """Plain text for troff; what is not ASCII is written such that any terminal and any troff can show it."""
+    s = s.replace("\\", "\\e").replace("-", "\\-")
+    s = "".join(c if c < "\x80" or _wide(c) else "\\[u%04X]" % ord(c) for c in s)
+    # Japanese has no blanks to break lines at: they may break between any two characters but before 、。 and brackets' ends
+    s = re.sub("([\u3000-\u9fff\uff00-\uffef])(?=[\u3010-\u9fff])", r"\1\\:", s)
+    return "\\&" + s if s[:1] in (".", "'") else s
+
+
+def _wide(c):
+    return "\u3000" <= c <= "\uffef"
+
+
+def _prose(s):
+    """Text with `code` in bold and [links](elsewhere) as their text."""
+    s = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", s)
+    pieces = s.split("`")
+    return "".join("\\fB%s\\fR" % _text(piece) if i % 2 else _text(piece) for i, piece in enumerate(pieces))
+
+
+def _literal(lines):
+    """Lines that stay as they are, each indented by two blanks or more; remarks beside them go below where it gets too wide."""
+    if max(map(len, lines)) > WIDEST:
+        lines = [part for line in lines for part in re.sub(r"(?<=\S) {2,}", "\n        ", line, 1).split("\n")]
+    return [".PP", ".RS 2", ".nf"] + [_text(line[2:]) or "\\&" for line in lines] + [".fi", ".RE"]
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,148 @@
+"""Lay rtshell_lite and other wheels out under a directory, ready to run: for robots without pip.
+
+DIR/bin holds the commands, DIR/lib what they import, DIR/share/man their manual pages, where `man` looks for commands of
+DIR/bin. A wheel's own shared libraries are found because the linker looks for them beside the module that needs them
+($ORIGIN), as it does in site-packages.
+"""
+import ast
+import compileall
+import os
+import re
+import sys
+import sysconfig
+import zipfile
+import zlib
+
+from rtshell_lite import errors
+from rtshell_lite.files import create, umask
+from rtshell_lite.shell import installation
+
+# Relative to the command, so that the whole directory can be moved or copied to the robot.
+FIND_LIBRARY = """import os, sys  # these two lines were added by --unpack
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__))), "lib"))
+"""
+
+
+def unpack(directory, wheels):
+    """Write everything under a directory; returns where the commands are. Raises Error, leaving commands whole."""
+    files = Files(os.path.abspath(directory))
+    own = installation.wheel()
+    if own:
+        files.add_wheel(own)
+    else:
+        files.add_package(installation.PACKAGE)
+    for name, path in sorted(installation.commands().items()):
+        files.add("bin/" + name, _command(installation.read(path)), True)
+    for name, path in installation.manual_pages().items():
+        files.add("share/man/" + name, installation.read(path))
+    for path in wheels:
+        _check_tags(path)
+        files.add_wheel(path)
+    files.write()
+    compileall.compile_dir(os.path.join(files.directory, "lib"), quiet=2)  # 20 ms a command where it cannot be done later
+    return os.path.join(files.directory, "bin")
+
+
+class Files:
+    """What is to be written: all is read and checked before the first byte is."""
+
+    def __init__(self, directory):
+        self.directory = directory
+        self.contents = {}  # path below the directory → (bytes, whether it is a program)
+
+    def add(self, name, content, program=False):
+        if name in self.contents:
+            raise errors.Error("%s: comes twice in what is to be laid out" % name)
+        self.contents[name] = content, program
+
+    def add_package(self, package):
+        above = os.path.dirname(package)
+        for directory, subdirectories, names in os.walk(package):
+            subdirectories[:] = [name for name in subdirectories if name != "__pycache__"]
+            for path in [os.path.join(directory, name) for name in names if not name.endswith((".pyc", ".tmp"))]:
+                with open(path, "rb") as file:
+                    self.add("/".join(["lib"] + os.path.relpath(path, above).split(os.sep)), file.read())
+
+    def add_wheel(self, path):
+        """All that a wheel has to import; other wheels' scripts, headers and data are left out."""
+        try:
+            with zipfile.ZipFile(path) as wheel:
+                for member in wheel.infolist():
+                    target = _target(path, member.filename)
+                    if target:
+                        self.add(target, wheel.read(member), bool(member.external_attr >> 16 & 0o111))
+        except OSError as e:
+            raise errors.Error("%s: %s" % (path, e.strerror or e))
+        except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError, ValueError) as e:
+            raise errors.Error("%s: not a wheel, or a damaged one (%s)" % (path, e))
+
+    def write(self):
+        """Write beside the targets, flush the disk, then rename: the commands last, so that they find what they import."""
+        order = sorted(self.contents, key=lambda name: (name.startswith("bin/"), name))
+        temporaries = []
+        try:
+            for name in order:
+                temporaries.append(self._write_temporary(name))
+            os.sync()
+            for name, temporary in zip(order, temporaries):
+                os.rename(temporary, os.path.join(self.directory, *name.split("/")))
+        except OSError as e:
+            raise errors.Error("%s: %s" % (self.directory, e.strerror))
+        finally:
+            for temporary in filter(os.path.lexists, temporaries):
+                os.unlink(temporary)
+
+    def _write_temporary(self, name):
+        content, program = self.contents[name]
+        directory, _, last = os.path.join(self.directory, *name.split("/")).rpartition(os.sep)
+        os.makedirs(directory, exist_ok=True)
+        temporary = os.path.join(directory, ".%s.%s.tmp" % (last[:50], os.urandom(8).hex()))
+        file = create(temporary, 0o600)
+        try:
+            with file:
+                file.write(content)
+                os.fchmod(file.fileno(), (0o777 if program else 0o666) & ~umask())
+        except OSError:
+            os.unlink(temporary)
+            raise
+        return temporary
+
+
+def _target(wheel, name):
+    """Where a wheel's member goes, or None; a name that leads out of the directory refuses the whole wheel."""
+    if name.endswith("/"):
+        return None
+    if re.search(r"[\\:\0]|^/|(^|/)(\.{0,2})(/|$)", name):
+        raise errors.Error("%s: refused: it holds a file named %r" % (wheel, name))
+    data = re.match(r"[^/]+\.data/([^/]+)/(.*)", name)
+    if data is None:
+        return "lib/" + name
+    return "lib/" + data.group(2) if data.group(1) in ("purelib", "platlib") else None
+
+
+def _check_tags(path):
+    """Refuse a wheel for another Python or machine: it would be found, and fail to import."""
+    match = re.match(r"[^-]+-[^-]+(?:-\d[^-]*)?-([^-]+)-([^-]+)-([^-]+)\.whl$", os.path.basename(path))
+    if match is None:
+        raise errors.Error("%s: not the name of a wheel" % path)
+    pythons, abis, platforms = (tags.split(".") for tags in match.groups())
+    minor = sys.version_info[1]
+    fitting = {"py3", "py3%d" % minor, "cp3%d" % minor}
+    if "abi3" in abis:
+        fitting.update("cp3%d" % older for older in range(2, minor))
+    if not fitting.intersection(pythons):
+        raise errors.Error("%s: made for %s, but this Python is cp3%d" % (path, ".".join(pythons), minor))
+    machine = "_" + sysconfig.get_platform().rpartition("-")[2]
+    if "any" not in platforms and not any(platform.endswith(machine) for platform in platforms):
+        raise errors.Error("%s: made for %s, but this machine is %s" % (path, ".".join(platforms), machine[1:]))
+
+
+def _command(source):
+    """A command's file with the running Python in its first line, and the way to DIR/lib behind its docstring."""
+    python = sys.executable or "/usr/bin/env python3"
+    if sys.executable and (re.search(r"\s", python) or len(os.fsencode(python)) > 120):
+        raise errors.Error("%s: cannot be named in the first line of a script (blanks, or too long)" % python)
+    lines = source.decode("utf-8").replace(FIND_LIBRARY, "").splitlines(True)
+    first = ast.parse("".join(lines)).body[1].lineno - 1  # the docstring is statement 0
+    text = "".join(["#!%s\n" % python] + lines[1:first] + [FIND_LIBRARY] + lines[first:])
+    return text.encode("utf-8")

@@ -1,0 +1,246 @@
+"""Carries out a list of steps.
+
+Each is looked at first, done only if it is not so, and looked at again, so that what is reported is what there is. Steps that
+concern one component are done one by one, in their order where that matters, others at the same time.
+"""
+import time
+
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes
+from rtshell_lite.robot import tree
+from rtshell_lite.system import steps
+
+DONE, SO, FAILED, UNTRIED = "done", "already so", "failed", "not tried"
+UNSURE = "uncertain"  # a call was lost, and the look after it, too
+UNDONE, STUCK = "undone", "not undone"
+
+
+class Outcome:
+    """What has become of a step: its `status`, one of the above, and the errors.Error that tells why."""
+
+    def __init__(self, step, status=UNTRIED, error=None):
+        self.step, self.status, self.error = step, status, error
+        self.before = self.after = None  # the answers to its step's jobs, before it was done and after
+        self.flying = False  # True while it is being done
+        self.likely = False  # True for one that is so now, and that an earlier step may change
+
+    @property
+    def pending(self):
+        """True for a step that is still to be done."""
+        return self.status == UNTRIED and self.error is None
+
+    @property
+    def failed(self):
+        """True for a step that has not brought about what it should, or perhaps not."""
+        return self.status in (FAILED, UNSURE, STUCK)
+
+    def fail(self, error, status=FAILED):
+        """Note why the step has failed."""
+        self.status, self.error = status, error
+
+    def as_dict(self):
+        """For JSON."""
+        step = self.step
+        return {"step": step.kind, "path": step.where, "required": step.required, "command": step.command or None,
+                "result": "already" if self.status == SO else self.status,
+                "error": str(self.error) if self.error is not None else None}
+
+
+def check(outcomes):
+    """Look at pending steps without doing any: those that are so, or that cannot be done, are pending no longer.
+
+    What an earlier step may change stays pending.
+    """
+    _look(outcomes)
+    _bury(outcomes)
+    changing = set()
+    for each in outcomes:
+        sites = {id(site) for site in each.step.sites}
+        if each.status == SO and sites & changing:
+            each.status, each.likely = UNTRIED, True
+        if each.pending:
+            changing |= sites
+
+
+def carry_out(outcomes, all_or_nothing=False):
+    """Do the pending steps. `all_or_nothing`: if anything required fails, or it is interrupted, undo it all."""
+    over = False
+    try:
+        for level in _levels([each for each in outcomes if each.pending]):
+            if all_or_nothing and _spoilt(outcomes):
+                break
+            _carry_out(level, outcomes)
+        over = True
+    finally:
+        if all_or_nothing and (not over or _spoilt(outcomes)):
+            _roll_back(outcomes)
+
+
+def _spoilt(outcomes):
+    return any(each.failed and each.step.required for each in outcomes)
+
+
+def _roll_back(outcomes):
+    """Undo what has been done, the last first."""
+    limit = time.monotonic() + lanes.timeout + lanes.GRACE
+    while any(each.flying for each in outcomes) and time.monotonic() < limit:  # what is done later could not be undone
+        time.sleep(lanes.TICK)
+    for each in reversed([each for each in outcomes if each.status in (DONE, UNSURE)]):
+        each.fail(errors.No(each.step.where, "interrupted while it was undone"), STUCK)
+        if each.after is None:  # it was interrupted before it was looked at again
+            each.after = _answers([each])[0]
+        failure = _tried(each, lambda: each.step.undo(each.before, each.after))
+        try:
+            undone = not each.step.so(_answers([each])[0])
+        except errors.Error as e:
+            undone, failure = isinstance(e, errors.Gone), failure or e
+        if undone and not each.flying:
+            each.status, each.error = UNDONE, None
+        else:
+            each.fail(failure or errors.Refused(each.step.where, "is as it was made"), STUCK)
+
+
+def _levels(outcomes):
+    """Lists of outcomes, one after the other, such that no two of a list share a Site.
+
+    The order of those that share one is kept, but among steps that are `free`: connections of one component after another
+    to the next would make a list each.
+    """
+    ends, taken, levels = {}, {}, []  # by id of a Site: the level that ends those in order, and all levels in use
+    for each in outcomes:
+        keys = [id(site) for site in each.step.sites]
+        level = max([ends.get(key, 0) for key in keys] or [0])
+        if each.step.free:
+            while any(level in taken.get(key, ()) for key in keys):
+                level += 1
+        else:
+            level = max([level] + [max(taken[key]) + 1 for key in keys if key in taken])
+            ends.update((key, level + 1) for key in keys)
+        for key in keys:
+            taken.setdefault(key, set()).add(level)
+        levels += [[] for _ in range(level + 1 - len(levels))]
+        levels[level].append(each)
+    return levels
+
+
+# ---- looking ----------------------------------------------------------------------------------------------------
+
+def _answers(outcomes):
+    """For each outcome the list of answers to its step's jobs; an errors.Error in the place of what failed."""
+    asked = []  # type: list
+    for each in outcomes:
+        try:
+            asked.append([job for _, job in each.step.jobs()])
+        except errors.Error as e:
+            asked.append(e)
+    values = iter(lanes.gather([job for jobs in asked if isinstance(jobs, list) for job in jobs]))
+    return [[next(values) for _ in jobs] if isinstance(jobs, list) else [jobs] for jobs in asked]
+
+
+def _look(outcomes):
+    """Ask how things are, and return those outcomes that are still to be done."""
+    ready, todo = [], []
+    for each in outcomes:
+        dead = next((site.error for site in each.step.sites if site.error is not None), None)
+        if dead is not None and not each.step.tolerant:
+            each.error = dead
+        else:
+            ready.append(each)
+    for each, answers in zip(ready, _answers(ready)):
+        each.before = answers
+        try:
+            if each.step.so(answers):
+                each.status = SO
+            else:
+                todo.append(each)
+        except errors.Error as e:
+            each.fail(e)
+    return todo
+
+
+def _bury(outcomes, others=()):
+    """Note at the Sites which of their components have died or fallen silent meanwhile: nothing more is asked of them."""
+    lost = [answer for each in outcomes for answer in (each.before or []) + (each.after or []) + [each.error]]
+    if not any(isinstance(answer, errors.Unreachable) for answer in lost):
+        return
+    sites = {id(site): site for each in list(outcomes) for site in each.step.sites if site.node is not None and site.error is None}
+    endpoints = {site.node.endpoint for site in sites.values()}
+    for each in others:
+        sites.update((id(site), site) for site in each.step.sites
+                     if site.node is not None and site.error is None and site.node.endpoint in endpoints)
+    nodes = tree.look([site.node for site in sites.values()])
+    lost = [type(node.error) is errors.Unreachable for node in nodes]  # a connection, which may have been an old one
+    again = iter(tree.look([site.node for site, unsure in zip(sites.values(), lost) if unsure]))
+    for site, node, unsure in zip(sites.values(), nodes, lost):
+        site.error = next(again).error if unsure else node.error
+
+
+# ---- doing ------------------------------------------------------------------------------------------------------
+
+def _carry_out(level, outcomes):
+    """Do the steps of one level."""
+    todo = _look(level)
+    results = lanes.gather([_job(each, lambda each=each: _act(each)) for each in todo])
+    for each, result in zip(todo, results):
+        if isinstance(result, errors.Silent):
+            # one call was lost; whether the process answers others decides what is reported
+            lanes.silent.pop(each.step.endpoint, None)
+    for each, answers in zip(todo, _answers(todo)):
+        each.after = answers
+    lost = [each for each in todo if not each.step.tolerant and _lost(each.after) and not _lost(each.after, errors.Silent)]
+    for each, answers in zip(lost, _answers(lost)):  # one more look: what was done has to be known
+        each.after = answers
+    _bury(level, outcomes)
+    for each, result in zip(todo, results):
+        _judge(each, result if isinstance(result, errors.Error) else None)
+    for each in level:
+        if each.error is not None:
+            each.step.give_up(each.error)
+
+
+def _act(each):
+    """Do a step, and note what is known of it if we are interrupted before it is judged."""
+    interrupted = errors.No(each.step.where, "interrupted while it was done")
+    each.fail(interrupted, UNSURE)
+    each.flying = True
+    try:
+        each.step.act(each.before)
+        if each.error is interrupted:  # else it was given up, and has been judged
+            each.status, each.error = DONE, None
+    finally:
+        each.flying = False
+
+
+def _job(each, call):
+    return lanes.Job(each.step.endpoint, each.step.where, call)
+
+
+def _tried(each, call):
+    """Call something of a step in the lane of its process: the errors.Error that came of it, or None."""
+    try:
+        value, = lanes.gather([_job(each, call)])
+    except errors.Error as e:  # there is no process to ask
+        return e
+    return value if isinstance(value, errors.Error) else None
+
+
+def _lost(answers, kind=errors.Error):
+    """The first failure of that kind among the answers to a look, or None."""
+    return next((answer for answer in answers if isinstance(answer, kind)), None)
+
+
+def _judge(each, failure):
+    """Tell by the look after a step what has become of it. `failure` is what the step itself said."""
+    try:
+        if each.step.so(each.after):
+            each.status, each.error = DONE, None
+            return
+        why = failure or errors.Refused(each.step.where, "was said to be done, but is not so")
+    except errors.Error as e:
+        e = next((site.error for site in each.step.sites if steps.is_gone(site.error)), e)
+        why = e if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Silent) else failure or e
+        if (_lost(each.after) is e or each.step.tolerant) and not steps.is_gone(e):
+            each.fail(errors.Unreachable(each.step.where, "%s; whether it was done is not known" % e.args[-1]), UNSURE)
+            return
+    each.fail(why)
+    _tried(each, lambda: each.step.tidy(each.after))

@@ -1,0 +1,336 @@
+"""A system as a value: components, connections and configuration, asked of what is running, in the shape of an RtsProfile."""
+import collections
+import functools
+import re
+
+from rtshell_lite import errors, path
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.robot import component, composites, configuration, places, ports, tree
+from rtshell_lite.text import printable
+from rtshell_lite.xmlprofile import model, rtsprofile
+
+PATH_ID = "COMPONENT_PATH_ID"  # the property by which rtshell and RTSystemEditor tell where the component of an end is bound
+# Fields of a model.DataPortConnector that stand for properties `dataport.…` of the connection.
+DATA_FIELDS = ("data_type", "interface_type", "dataflow_type", "subscription_type")
+
+# What is asked of one component. `owned` are Contexts, `states` {handle: state} over all of its contexts, None if not asked,
+# `sets` configuration.Sets, hidden ones too, `members` (name, reference) of those that it is composed of.
+Found = collections.namedtuple("Found", "node ports owned states sets active members profile")
+
+# `found` has the Found of each component of the RtsProfile `profile`, `unused` those that were left out because nothing is
+# connected to them, `failures` are errors, `notes` lines on what else is left out.
+System = collections.namedtuple("System", "profile found unused failures notes")
+
+# Object references, some of them in the names of 1.1 to 2.1: they say where a port is today, and mislead tomorrow.
+_REFERENCE = re.compile(r"dataport\.corba_cdr\.(?:in|out)port_(?:ior|ref)\Z")
+
+
+# ---- asking ---------------------------------------------------------------------------------------------------
+
+def ask(node, brief=False, states=True):
+    """The Found of a component. Its ports come before its profile (protocol rule: see `component.once_more`).
+
+    `brief`: of properties and references only those that go into a file or are compared with one, a quarter of the memory.
+    """
+    found = ports.in_system(ports.ports(node, brief))
+    contexts = [component.context(node, ref) for ref in component.owned_context_refs(node)]
+    in_contexts = _states(node, contexts) if states else None
+    if brief:
+        contexts = [context._replace(ref=None, owner=None, participants=[], properties=[]) for context in contexts]
+    sets, active = _configuration(node)
+    owned_members = [member for one in composites.owned(node) for member in one.members]
+    return Found(node, found, contexts, in_contexts, sets, active, owned_members, component.profile(node, brief))
+
+
+def _states(node, owned):
+    states = {context.handle: component.state_in(node, context.ref) for context in owned}
+    for ref in component.participating_context_refs(node):
+        states[node.call("get_context_handle", ref)] = component.state_in(node, ref)
+    return states
+
+
+def _configuration(node):
+    try:
+        found = configuration.Configuration(node)
+    except errors.Refused:  # small implementations have none
+        return [], ""
+    return found.sets(with_hidden=True), found.active
+
+
+def component_id(profile):
+    """The id of a component in an RtsProfile, from its Profile."""
+    return "RTC:%s:%s:%s:%s" % (profile.vendor, profile.category, profile.type_name, profile.version)
+
+
+def path_uri(node):
+    """Where a component is bound, as an RtsProfile has it: its path without the first slash."""
+    return str(node.path)[1:]
+
+
+def is_reference(name, value):
+    """True for a property of a connection that holds an object reference."""
+    return bool(_REFERENCE.match(name) or (value or "").startswith("IOR:"))
+
+
+# ---- capturing ------------------------------------------------------------------------------------------------
+
+def capture(tops=(), all_components=False, with_states=False):
+    """The System below the Paths `tops` (none: all name servers), sorted; only what is connected, or a composite of it."""
+    nodes, failures, notes = components(tops)
+    found, silent = [], set()
+    for node, answer in zip(nodes, tree.on_nodes(nodes, functools.partial(ask, brief=True, states=with_states))):
+        if not isinstance(answer, errors.Error):
+            found.append(answer)
+        elif _is_zombie(node, answer):
+            notes.append("%s: zombie, left out" % str(node.path))
+        else:
+            failures.append(answer)
+            silent.add(node.endpoint)
+    connectors = _connectors(found, silent, notes)
+    found, unused = (found, []) if all_components else _in_use(found)
+    found.sort(key=lambda each: path_uri(each.node))
+    profile = model.RtsProfile(components=[_component(each, found, notes) for each in found])
+    for connector in connectors:
+        data = isinstance(connector, model.DataPortConnector)
+        (profile.data_port_connectors if data else profile.service_port_connectors).append(connector)
+    return System(profile, found, unused, failures, notes)
+
+
+def components(tops=()):
+    """(component nodes, each object once, by its first path; errors; notes) below the Paths (none: all name servers).
+
+    Components below managers are passed over: they are bound in a name server, too.
+    """
+    orb.start()
+    parts = lanes.gather([lanes.Job(tree.lane(top), str(top), lambda top=top: list(tree.walk(tree.resolve(top), managers=False)))
+                          for top in tops or [path.ROOT]])
+    walked, failures = [], [part for part in parts if isinstance(part, errors.Error)]
+    for part in parts:
+        walked += part if isinstance(part, list) else []
+    failures += [node.error for node in walked if node.kind in ("server", "directory") and node.error is not None]
+    unsure = [node for node in walked if node.kind == "unsure"]
+    sure = dict(zip(unsure, tree.look(unsure)))
+    nodes, notes, seen = [], [], {}
+    for node in sorted([sure.get(node, node) for node in walked], key=lambda node: str(node.path)):
+        if node.kind == "silent":
+            failures.append(node.error)
+        if node.kind != "component":
+            continue
+        before = seen.setdefault(orb.identity(node.ref), node)
+        if before is node:
+            nodes.append(node)
+        elif before.path != node.path:
+            notes.append("%s: the same component as %s" % (node.path, before.path))
+    return nodes, failures, notes
+
+
+def _is_zombie(node, failure):
+    """Look whether a component that failed with `failure` is gone itself, and not something behind it."""
+    if not isinstance(failure, (errors.Gone, errors.ConnectionRefused)):
+        return False
+    now, = tree.look([node])
+    return now.kind == "zombie"
+
+
+def _in_use(found):
+    """Those of the Found that have a connection, that are composites of such, or their members; and the others."""
+    used = {id(each) for each in found if any(port.connectors for port in each.ports)}
+    for each in found:
+        members = [_member(ref, found) for _, ref in each.members]
+        family = [each] + [member for member in members if member is not None]
+        if len(family) > 1 and any(id(one) in used for one in family):
+            used |= {id(one) for one in family}
+    return [each for each in found if id(each) in used], [each for each in found if id(each) not in used]
+
+
+def _member(ref, found):
+    return next((each for each in found if orb.same(each.node.ref, ref)), None)
+
+
+# ---- one component --------------------------------------------------------------------------------------------
+
+def _component(each, found, notes):
+    """The model.Component of a Found."""
+    instance = each.profile.instance_name
+    made = model.Component(
+        id=component_id(each.profile), path_uri=path_uri(each.node), active_configuration_set=each.active,
+        instance_name=instance, is_required=True, location=model.Location())
+    for kind in ("DataInPort", "DataOutPort"):
+        names = sorted(ports.short_name(port.name, instance) for port in each.ports if port.type == kind)
+        made.data_ports += [model.DataPort(name=name) for name in names]
+    names = sorted(ports.short_name(port.name, instance) for port in each.ports if port.type == "CorbaPort")
+    made.service_ports = [model.ServicePort(name=name) for name in names]
+    made.configuration_sets = [model.ConfigurationSet(id=one.id, configuration_data=[
+        model.ConfigurationData(name=name, data=value) for name, value in one.values.items()]) for one in each.sets]
+    made.execution_contexts = [model.ExecutionContext(id=str(one.handle), kind=one.kind.upper(), rate=one.rate)
+                               for one in each.owned]
+    if each.members:
+        kind = each.profile.category.rpartition("composite.")[2]
+        made.composite_type = model.COMPOSITE_TYPES.get(kind.lower(), "PeriodicECShared")
+    for name, ref in each.members:
+        member = _member(ref, found)
+        if member is not None:
+            made.participants.append(model.Participant(component=_target(model.TargetComponent, member)))
+            continue
+        name = "that does not answer" if isinstance(name, errors.Error) else printable(name)
+        notes.append("%s: its member %s is not in the system, left out" % (each.node.path, name))
+    made.participants.sort(key=lambda one: one.component.instance_name)
+    return made
+
+
+def _target(kind, each, **more):
+    """A reference to a component inside a profile."""
+    return kind(component_id=component_id(each.profile), instance_name=each.profile.instance_name,
+                properties=[model.Property(name=PATH_ID, value=path_uri(each.node))], **more)
+
+
+# ---- connections ----------------------------------------------------------------------------------------------
+
+def _connectors(found, silent, notes):
+    """The model's connectors, each once, with all its ends; what ends outside the system is told in `notes`.
+
+    `silent` are the endpoints of processes that did not answer before: they are not asked again.
+    """
+    ends = {}  # identity of a port: its Found and Port
+    for each in found:
+        for port in each.ports:
+            key = orb.identity(port.ref)
+            if key not in ends or _owns(each, port):  # a composite shows ports of its members as its own
+                ends[key] = (each, port)
+    connectors = collections.OrderedDict()
+    for each in found:
+        for port in each.ports:
+            for one in port.connectors:
+                refs = [ref for ref in one.ports if ref is not None]
+                connectors.setdefault((one.id, frozenset(orb.identity(ref) for ref in refs)), (each.node, port, one, refs))
+    outside = _outside(connectors.values(), ends, silent)
+    made = []
+    for node, port, one, refs in connectors.values():
+        known = [ends[orb.identity(ref)] for ref in refs if orb.identity(ref) in ends]
+        strange = [outside(node, ref) for ref in refs if orb.identity(ref) not in ends]
+        for name in strange:
+            notes.append("connection %s of %s: its end %s is not in the system, left out" % (
+                printable(one.id), ports.label(port), name))
+        if len(known) > 1:
+            made.append(_connector(one, known))
+    return sorted(made, key=lambda one: ([_end_key(end) for end in one.ends], one.connector_id, one.name))
+
+
+def _owns(each, port):
+    return port.owner is not None and orb.same(port.owner, each.node.ref) or \
+        port.name.startswith(each.profile.instance_name + ".")
+
+
+def _end_key(end):
+    return (end.property(PATH_ID), end.port_name)
+
+
+def _outside(connectors, ends, silent):
+    """A function (node, reference) → what to call a port that no component of the system has."""
+    wanted = collections.OrderedDict()  # by the node that tells of the connection
+    for node, port, one, refs in connectors:
+        refs = [ref for ref in refs if orb.identity(ref) not in ends and orb.endpoint(ref) not in silent]
+        if refs:
+            wanted.setdefault(node, []).append(port._replace(connectors=[one._replace(ports=refs)]))
+    namers = dict(zip(wanted, tree.on_nodes(list(wanted), lambda node: places.far_ends(node, wanted[node]))))
+
+    def name(node, ref):
+        if orb.endpoint(ref) in silent:
+            return "in the process at %s:%d, which does not answer," % orb.endpoint(ref)
+        namer = namers[node]
+        return namer if isinstance(namer, errors.Error) else namer(ref)
+    return name
+
+
+def _connector(one, known):
+    """The model's connector of a ports.Connector with (Found, Port) as ends, an out port and an in port first."""
+    data = any(port.type in ports.DATA for _, port in known)
+    if data:
+        first = [next((end for end in known if end[1].type == kind), None) for kind in ("DataOutPort", "DataInPort")]
+        first = [end for end in first if end is not None]
+        known = first + [end for end in known if end not in first]
+    ends = [_target(model.TargetPort, each, port_name="%s.%s" % (
+        each.profile.instance_name, ports.short_name(port.name, each.profile.instance_name))) for each, port in known]
+    properties = [(name, value) for name, value in sorted(one.properties) if not is_reference(name, value)]
+    if data:
+        given = dict(properties)
+        made = model.DataPortConnector(**{key: given.get("dataport." + key, "") for key in DATA_FIELDS})
+    else:
+        made = model.ServicePortConnector()
+    made.connector_id, made.name, made.ends = one.id, one.name, ends
+    made.properties = [model.Property(name=name, value=value) for name, value in properties]
+    return made
+
+
+# ---- files ----------------------------------------------------------------------------------------------------
+
+def path_of(each):
+    """The Path of a component of a profile. Raises BadPath."""
+    return path.parse("/" + each.path_uri.lstrip("/"))
+
+
+def shown_path(each):
+    """Where the file says that a component is bound, as commands take it, or, where that is no path, spelt for the terminal."""
+    try:
+        return str(path_of(each))
+    except errors.BadPath:
+        return "/" + printable(each.path_uri.lstrip("/"))
+
+
+def read(name, form=None):
+    """The profile in a file (`-`: stdin). Raises OSError, BadProfile."""
+    from rtshell_lite import files
+    return rtsprofile.load(files.read(name), name, form)
+
+
+def locator(profile, strict=False):
+    """A function: the Component of a profile that an end, a participant or a target of an action names, or None.
+
+    `strict`: by id, instance name and path together; else files may disagree with themselves where it is clear what is meant.
+    """
+    by_path = {each.path_uri.lstrip("/"): each for each in profile.components}
+    by_both, by_instance = {}, {}
+    for each in profile.components:
+        by_both.setdefault((each.id, each.instance_name), each)
+        by_instance.setdefault(each.instance_name, []).append(each)
+
+    def locate(target):
+        named = by_path.get((target.property(PATH_ID) or "").lstrip("/"))
+        if strict:
+            wanted = (target.component_id, target.instance_name)
+            return named if named is not None and (named.id, named.instance_name) == wanted else None
+        both = by_both.get((target.component_id, target.instance_name))
+        if named is not None and (both is None or named.instance_name == target.instance_name):
+            return named
+        alike = by_instance.get(target.instance_name, [])
+        return both or (alike[0] if len(alike) == 1 else None)
+    return locate
+
+
+def port_of(end):
+    """The name of the port that an end means, without the instance name before it."""
+    return ports.short_name(end.port_name, end.instance_name)
+
+
+# ---- what is running of a profile -----------------------------------------------------------------------------
+
+def look(profile, function=ask):
+    """function(node) for each component of a profile; an errors.Error in the place of one that is not there or fails."""
+    paths = []
+    for each in profile.components:
+        try:
+            paths.append(path_of(each))
+        except errors.BadPath as e:
+            paths.append(errors.No("/" + printable(each.path_uri), e))
+    answers = iter(tree.on_components([one for one in paths if not isinstance(one, errors.Error)], function))
+    return [one if isinstance(one, errors.Error) else next(answers) for one in paths]
+
+
+def states(profile):
+    """The state of each component of a profile, as `look` gives it."""
+    return look(profile, component.state)
+
+
+def state(found):
+    """One state of a Found over all its contexts."""
+    return component.merged(found.states.values())

@@ -1,0 +1,323 @@
+"""The order in which a system starts and stops: a section of an RtsProfile as a plan, and who may go when.
+
+What the conditions mean is what rtshell means by them (rtshell 4.2, plan.py). Components without a condition come first, all
+at once. Those that have a sequence number alone follow by number, each number when the one before is through. Then the clock
+starts for all others: they wait for their time (Wait), until another component is in its state (Sync), until another one has
+been told (After); what they wait for may take as long as its timeout. Nothing here asks anybody, or knows what time it is.
+"""
+import collections
+
+from rtshell_lite import errors
+from rtshell_lite.system import capture
+from rtshell_lite.text import printable
+
+# One component to be taken through a transition in one of its contexts. `context` is the context's id in the file, and
+# `place` its place there; `path` the component's, spelt for the terminal. Of its conditions: `order`, the smallest sequence
+# number (None: it has no condition), `wait` (milliseconds, None: it has none), `after` (Afters), `texts` as they are shown.
+Action = collections.namedtuple("Action", "number component context place path required order wait after texts")
+
+# That an action waits for the action `number`: with `sync` until that has reached its state, else until it has been told.
+# `timeout` in milliseconds, 0: as long as it takes.
+After = collections.namedtuple("After", "number sync timeout text")
+
+# `actions` in the order of their numbers, from 1; `notes` are lines on what is odd in the file, and harmless.
+Plan = collections.namedtuple("Plan", "actions notes")
+
+# What became of an action. What is gone has been stopped, in a way: nothing has to wait for it.
+DONE, ALREADY, GONE, FAILED, UNCERTAIN, NOT_TRIED = "done", "already", "gone", "failed", "uncertain", "not tried"
+REACHED = (DONE, ALREADY, GONE)
+
+
+# ---- from a profile to a plan ---------------------------------------------------------------------------------
+
+def make(profile, section, name, start=True):
+    """The Plan of the `section` (activation, deactivation) of a profile; `name` is its file in messages.
+
+    Where the plan is to `start` a system, the required components come first, and what waits for one depends on it. Raises
+    errors.No with all that is wrong: circles, names of what the file does not have, contradictions.
+    """
+    actions = _actions(profile, start)
+    targets = _Targets(profile, actions)
+    found = {action.number: [] for action in actions}
+    sending = getattr(profile, section)
+    for condition in sending.targets if sending is not None else []:
+        for number in targets.of(condition.target):
+            found[number].append(condition)
+    notes = []
+    planned = [_with_conditions(action, found[action.number], targets, notes) for action in actions]
+    contradictions = [line for action in planned for line in _contradictions(action, found[action.number])]
+    problems = targets.problems + contradictions + list(_circles(planned))
+    if problems:
+        raise errors.No(printable(name), "%s: %s" % (section.capitalize(), "; ".join(_once(problems))))
+    if start:
+        notes += _optional_before_required(planned)
+    return Plan(planned, _once(notes))
+
+
+def _actions(profile, start):
+    """An Action without conditions for each context of each component; a component that tells none has one."""
+    components = sorted(profile.components, key=lambda each: not each.is_required) if start else profile.components
+    found = []
+    for each in components:
+        contexts = [context.id or str(place) for place, context in enumerate(each.execution_contexts)] or ["0"]
+        for place, context in enumerate(contexts):
+            found.append(Action(len(found) + 1, each, context, place, capture.shown_path(each), start and each.is_required,
+                                None, None, (), ()))
+    return found
+
+
+class _Targets:
+    """Finds the actions that a condition means; `problems` are lines on what could not be found."""
+
+    def __init__(self, profile, actions):
+        self.problems = []
+        self._locate = capture.locator(profile)
+        self._actions, self._alike = {}, {}
+        for action in actions:
+            self._actions.setdefault(id(action.component), []).append(action)
+        for each in profile.components:
+            self._alike.setdefault((each.id, each.instance_name), []).append(each)
+
+    def of(self, target):
+        """Numbers of the actions: one, or all of a component whose context is not named; [] after a problem."""
+        component = self._locate(target)
+        called = "%s (%s)" % (printable(target.instance_name), printable(target.component_id))
+        if component is None:
+            self.problems.append("%s is not in the file" % called)
+            return []
+        alike = self._alike.get((target.component_id, target.instance_name), [])
+        if len(alike) > 1 and not target.property(capture.PATH_ID):
+            paths = " or ".join(capture.shown_path(each) for each in alike)
+            self.problems.append("%s may be %s (the property %s tells)" % (called, paths, capture.PATH_ID))
+            return []
+        actions = self._actions[id(component)]
+        found = [action.number for action in actions if target.id in ("", action.context)]
+        if not found:
+            self.problems.append("%s has no execution context %s in the file" % (actions[0].path, printable(target.id)))
+        return found
+
+
+def _with_conditions(action, conditions, targets, notes):
+    """An Action with what the conditions aimed at it say."""
+    waits, after, texts = [], [], []
+    for one in conditions:
+        order = "Order %d" % one.sequence
+        said = []
+        if one.wait_time is not None:
+            waits.append(one.wait_time.wait_time)
+            said.append("%s/Wait %dms" % (order, one.wait_time.wait_time))
+        if one.preceding is not None:
+            sync = one.preceding.sending_timing.upper() == "SYNC"
+            for target in one.preceding.preceding_components:
+                text = ("Sync to %s" if sync else "After %s's action") % printable(target.instance_name)
+                after += [After(number, sync, one.preceding.timeout, text) for number in targets.of(target)]
+                said.append("%s/%s" % (order, text))
+        texts += said or [order]
+    for text in _once(text for text in texts if texts.count(text) > 1):
+        notes.append("%s in execution context %s has a condition twice: %s" % (action.path, printable(action.context), text))
+    return action._replace(order=min([one.sequence for one in conditions], default=None), wait=max(waits, default=None),
+                           after=tuple(_once(after)), texts=tuple(_once(texts)))
+
+
+def _contradictions(action, conditions):
+    """Lines on conditions of one action that cannot be meant together."""
+    where = "%s in execution context %s: " % (action.path, printable(action.context))
+    plain = {one.sequence for one in conditions if one.wait_time is None and
+             (one.preceding is None or not one.preceding.preceding_components)}
+    waits = {one.wait_time.wait_time for one in conditions if one.wait_time is not None}
+    times = waits | {after.timeout for after in action.after}
+    twice = collections.OrderedDict()
+    for after in action.after:
+        twice.setdefault(after.number, []).append("%s within %dms" % (after.text, after.timeout))
+    for texts in [["Order %d" % one for one in sorted(plain)], ["Wait %dms" % one for one in sorted(waits)]] + \
+            list(twice.values()):
+        if len(texts) > 1:
+            yield where + " contradicts ".join(texts)
+    for time in sorted(time for time in times if time < 0):
+        yield where + "%dms is no time" % time
+
+
+def _circles(actions):
+    """A line for each circle of actions that wait for each other."""
+    waiting = {action.number: {after.number for after in action.after} for action in actions}
+    while True:
+        _remove_free(waiting)
+        if not waiting:
+            return
+        way = [min(waiting)]
+        while way[-1] not in way[:-1]:
+            way.append(min(number for number in waiting[way[-1]] if number in waiting))
+        circle = way[way.index(way[-1]):]
+        yield "these wait for each other: " + " for ".join(actions[number - 1].path for number in circle)
+        for number in circle[1:]:
+            del waiting[number]
+
+
+def _remove_free(waiting):
+    """Take out, again and again, what waits for nothing in `waiting`, {number: numbers that it waits for}."""
+    waited_for = {}
+    for number, others in waiting.items():
+        for other in others:
+            waited_for.setdefault(other, []).append(number)
+    free = [number for number in waiting if not any(other in waiting for other in waiting[number])]
+    while free:
+        gone = free.pop()
+        del waiting[gone]
+        for number in waited_for.get(gone, []):
+            if number in waiting and not any(other in waiting for other in waiting[number]):
+                free.append(number)
+
+
+def _optional_before_required(actions):
+    return ['action {%d} depends on an optional action: "%s"' % (action.number, after.text) for action in actions
+            if action.required for after in action.after if not actions[after.number - 1].required]
+
+
+def _once(items):
+    return list(collections.OrderedDict.fromkeys(items))
+
+
+# ---- showing a plan -------------------------------------------------------------------------------------------
+
+def checks(profile):
+    """What is looked at before a system starts, a line for each required component."""
+    return ['Check for required component "%s", "%s" at path %s (Required)' % (
+        printable(each.id), printable(each.instance_name), capture.shown_path(each))
+        for each in profile.components if each.is_required]
+
+
+def lines(actions, verb):
+    """The actions as rtshell shows a plan; `verb` is Activate or Deactivate. An empty line stands for an empty plan."""
+    return ["{%d} %s%s" % (action.number, "[%s] " % ", ".join(action.texts) if action.texts else "",
+                           plain_line(action, verb)) for action in in_order(actions)] or [""]
+
+
+def plain_line(action, verb):
+    """An action without its number and its conditions."""
+    return "%s %s in execution context %s%s" % (verb, action.path, printable(action.context),
+                                                " (Required)" if action.required else "")
+
+
+def in_order(actions):
+    """The actions as they are likely to go: in their steps, then those that wait."""
+    return [action for step in _steps(actions) for action in step] + sorted(
+        (action for action in actions if _waits(action)), key=lambda action: action.order)
+
+
+def _waits(action):
+    return action.wait is not None or bool(action.after)
+
+
+def _steps(actions):
+    """Lists of the actions that go one after the other; a composite before its members, which it takes along."""
+    members = {(one.component.component_id, one.component.instance_name)
+               for action in actions for one in action.component.participants}
+    steps = {}
+    for action in actions:
+        if not _waits(action):
+            is_member = (action.component.id, action.component.instance_name) in members
+            steps.setdefault((-1 if action.order is None else action.order, is_member), []).append(action)
+    return [steps[key] for key in sorted(steps)]
+
+
+# ---- carrying it out, without doing anything ------------------------------------------------------------------
+
+class Schedule:
+    """Who may go when. It is told what happens and what time it is (seconds, of any clock), and says what to start.
+
+    ended    {number: one of DONE … NOT_TRIED}
+    """
+
+    def __init__(self, actions, target):
+        """`target` is the state that the actions lead to, for reasons."""
+        self.actions = {action.number: action for action in actions}
+        self.ended = collections.OrderedDict()
+        self.target = target
+        self.armed = None  # when the clock of those that wait was started
+        self._steps = collections.deque(_steps(actions))
+        self._step = []
+        self._waiting = [action for action in in_order(actions) if _waits(action)]
+        self._told, self._started = set(), set()
+        self._failed = []  # required actions in steps that failed, with an order
+
+    def told(self, number):
+        """A component has accepted."""
+        self._told.add(number)
+
+    def end(self, number, outcome):
+        """An action has ended."""
+        action = self.actions[number]
+        self.ended[number] = outcome
+        if outcome not in REACHED and action.required and action.order is not None and not _waits(action):
+            self._failed.append(action)
+
+    def is_over(self):
+        """True when every action has ended, or will not be tried."""
+        return len(self.ended) == len(self.actions)
+
+    def due(self, now):
+        """What is to be done at the time `now`: (Action, None) to start it, (Action, reason) when it will not be tried."""
+        found = []
+        while self._step is not None and all(action.number in self.ended for action in self._step):
+            if not self._steps:
+                self._step, self.armed = None, now
+                break
+            self._step = self._steps.popleft()
+            found += [self._judged(action, self._obstacle(action)) for action in self._step]
+        while self.armed is not None:
+            judged = [(action, self._verdict(action, now)) for action in self._waiting]
+            self._waiting = [action for action, verdict in judged if verdict == "wait"]
+            new = [self._judged(action, verdict) for action, verdict in judged if verdict != "wait"]
+            found += new
+            if all(reason is None for _, reason in new):  # what will not be tried stops others
+                break
+        return found
+
+    def _judged(self, action, reason):
+        if reason is None:
+            self._started.add(action.number)
+        else:
+            self.end(action.number, NOT_TRIED)
+        return action, reason
+
+    def _verdict(self, action, now):
+        """None when an action that waits may go, "wait", or the reason why it will never go."""
+        reason = self._obstacle(action)
+        if reason is not None:
+            return reason
+        open_ones = [after for after in action.after if not self._holds(after)]
+        for after in open_ones:
+            if after.timeout and now >= self.armed + after.timeout / 1000:
+                return "%s: not %s within %dms" % (after.text, self.target if after.sync else "told", after.timeout)
+        return "wait" if open_ones or now < self.armed + (action.wait or 0) / 1000 else None
+
+    def _holds(self, after):
+        outcome = self.ended.get(after.number)
+        if after.sync:
+            return outcome in REACHED
+        return after.number in self._told or outcome is not None  # a failure that stops nothing has been an action, too
+
+    def _obstacle(self, action):
+        """Why an action cannot go: the failure of one that it depends on."""
+        for other in self._failed:
+            if action.order is not None and other.order < action.order:
+                return self._reason("comes after", other)
+        for after in action.after:
+            other, outcome = self.actions[after.number], self.ended.get(after.number)
+            stops = after.sync or other.required or outcome == NOT_TRIED
+            if outcome is not None and outcome not in REACHED and stops:
+                return self._reason("waits for", other)
+        return None
+
+    def _reason(self, how, other):
+        failed = "was not tried" if self.ended[other.number] == NOT_TRIED else "failed"
+        return "it %s %s, which %s" % (how, other.path, failed)
+
+    def next_time(self, now):
+        """The next time after `now` at which something may be due by itself, None if there is none."""
+        if self.armed is None:
+            return None
+        times = [action.wait or 0 for action in self._waiting]
+        times += [after.timeout for action in self._waiting for after in action.after
+                  if after.timeout and not self._holds(after)]
+        return min((self.armed + time / 1000 for time in times if self.armed + time / 1000 > now), default=None)

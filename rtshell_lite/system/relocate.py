@@ -1,0 +1,197 @@
+"""--map OLD=NEW: where the components of a profile are now, when they are elsewhere than they were."""
+import re
+
+from rtshell_lite import errors, path
+from rtshell_lite.robot import composites
+from rtshell_lite.system import capture
+from rtshell_lite.text import printable
+from rtshell_lite.xmlprofile import model
+
+MANAGER = "MANAGER"  # an extended property of a component: path of the manager that can create it
+PATHS = (capture.PATH_ID, MANAGER)  # extended properties that hold a path
+LISTS = ("members", composites.EXPORTED)  # parameters of composites that list names of instances and of their ports
+TARGETS = (model.TargetComponent, model.TargetPort, model.TargetExecutionContext)
+
+
+def read(name, form=None, words=()):
+    """The profile in a file (`-`: stdin), its components where the `words` OLD=NEW have them.
+
+    Raises Usage for what is no such word, or fits nothing in the file, OSError, BadPath, BadProfile.
+    """
+    maps = [Map(word) for word in words]
+    profile = capture.read(name, form)
+    if maps:
+        _move(profile, maps)
+    for each in maps:
+        if not each.used:
+            raise errors.Usage("--map %s: nothing in the file is there" % printable(each.word))
+    return profile
+
+
+def _move(profile, maps):
+    """Change paths, and the names of instances that are bound under another name now, wherever the profile has them."""
+    locate = capture.locator(profile)
+    targets = [(each, locate(each)) for each in _elements(profile) if isinstance(each, TARGETS)]
+    members = {id(each): [locate(one.component) for one in each.participants] for each in profile.components}
+    names = _move_components(profile.components, maps)
+    _refuse_unclear(targets, profile.components, names)
+    within = {key: dict(names[id(one)] for one in some if one is not None) for key, some in members.items()}
+    for each in profile.components:
+        _rename([each] + each.data_ports + each.service_ports, names[id(each)], within[id(each)])
+        if within[id(each)]:
+            _rename_lists(each, within[id(each)])
+    for target, component in targets:
+        if component is not None:
+            _rename([target], names[id(component)], within[id(component)])
+    for each in _elements(profile):
+        if isinstance(each, model.Property) and each.name in PATHS and each.value:
+            each.value = _moved(each.value, maps)
+
+
+def _move_components(components, maps):
+    """Change their paths; returns {id of a component: the names of its instance, before and now}. Raises No: two at one place."""
+    names, taken = {}, {}
+    for each in components:
+        before, each.path_uri = path_in(each.path_uri), _moved(each.path_uri, maps)
+        now = path_in(each.path_uri)
+        if now.names and taken.setdefault(now, before) != before:
+            raise errors.No(str(now), "the file has two components here")
+        is_bound_so = before.names and now.names and before.names[-1].id == each.instance_name
+        names[id(each)] = each.instance_name, now.names[-1].id if is_bound_so else each.instance_name
+    return names
+
+
+def _refuse_unclear(targets, components, names):
+    """Raise No for a target that may mean several components, of which only some have another name now."""
+    called = {}  # what a target says of a component: the names that those have now
+    for each in components:
+        called.setdefault((each.id, each.instance_name), set()).add(names[id(each)][1])
+    for target, _ in targets:
+        key = target.component_id, target.instance_name
+        if not target.property(capture.PATH_ID) and len(called.get(key, ())) > 1:
+            raise errors.No("%s (%s)" % (printable(key[1]), printable(key[0])),
+                            "there are several, of which --map renames some (the property %s tells which is meant)" % capture.PATH_ID)
+
+
+def _elements(element):
+    """An element of a profile and all below it."""
+    yield element
+    for field in element.FIELDS:
+        value = getattr(element, field.name)
+        for each in value if isinstance(value, list) else [value]:
+            if isinstance(each, model.Element):
+                yield from _elements(each)
+
+
+def _rename(elements, own, within):
+    """Elements that have the name of an instance, or ports that begin with it: `own` is that name, before and now.
+
+    `within` {before: now} are the names of a composite's members, with which the ports begin that it exports.
+    """
+    old, new = own
+    for each in elements:
+        if getattr(each, "instance_name", None) == old:
+            each.instance_name = new
+        for field in ("name", "port_name"):
+            port = getattr(each, field, None)
+            if port is not None:
+                is_own = port.startswith(old + ".")
+                rest = _renamed(port[len(old) + 1:] if is_own else port, within)
+                setattr(each, field, new + "." + rest if is_own else rest)
+
+
+def _rename_lists(composite, within):
+    """What the configuration of a composite says of its members: it would lose its ports with their former names."""
+    for each in composite.configuration_sets:
+        for item in each.configuration_data:
+            if item.name in LISTS and item.data:
+                item.data = re.sub(r"[^,\s](?:[^,]*[^,\s])?", lambda found: _renamed(found.group(), within), item.data)
+
+
+def _renamed(word, names):
+    """The name of an instance, or of its port INSTANCE.port, with the name that `names` {before: now} have for it."""
+    for name, dot, rest in ((word, "", ""), word.partition("."), word.rpartition(".")):  # names and ports may have dots
+        if name and name in names:
+            return names[name] + dot + rest
+    return word
+
+
+def _moved(text, maps):
+    """A path of a profile, without the first slash as they are there, as the Maps have it; what is no path stays."""
+    where = path_in(text)
+    if where.server is None or text.startswith("corbaloc:"):
+        return text
+    now = mapped(where, maps)
+    return text if now == where else str(now)[1:]
+
+
+def path_in(text):
+    """The Path that a text of a profile stands for, which has no slash in front there; the root where it is none."""
+    try:
+        return path.parse("/" + text.lstrip("/"))
+    except errors.BadPath:
+        return path.ROOT
+
+
+class Map:
+    """OLD=NEW: whole elements of paths and what stands for them here; anywhere, or, with a slash before OLD, at the start.
+
+    Raises Usage for what is no such thing, BadPath.
+    """
+
+    def __init__(self, word):
+        found = re.match(r"((?:[^=\\]|\\.)+)=(.+)\Z", word, re.DOTALL)
+        if not found or not all(side.strip("/") for side in found.groups()):
+            raise errors.Usage("not OLD=NEW: %s" % printable(word))
+        self.word, self.used = word, False
+        old, new = found.groups()
+        self.anchored = old.startswith("/")
+        self.top, self.names = self._elements(old)
+        self.new_top, self.new_names = self._elements(new)
+
+    @staticmethod
+    def _elements(word):
+        """(server, names) for the start of a path, and names, or None where it cannot stand elsewhere."""
+        word = word.strip("/")
+        top = path.parse("/" + word)
+        if top.server is None:
+            raise errors.Usage("a map knows no . or ..: %s" % printable(word))
+        if top.port is not None:
+            raise errors.Usage("a map knows no ports: %s" % printable(word))
+        try:
+            below = path.parse("/x/" + word)
+        except errors.BadPath:
+            below = top  # a server with a port
+        return top.object(), below.names if below.port is None and below.server == "x" else None
+
+    def at_start(self, where):
+        """How many names behind the server of a Path it replaces; None where it does not fit."""
+        count = len(self.top.names)
+        same = path.split_address(self.top.server) == path.split_address(where.server)
+        return count if same and where.names[:count] == self.top.names else None
+
+    def fits(self, names):
+        """True where it replaces the first of these names."""
+        return not self.anchored and self.names is not None and self.new_names is not None \
+            and names[:len(self.names)] == self.names
+
+
+def mapped(where, maps):
+    """A Path as the Maps have it: each element is replaced once, by the longest that fits."""
+    if where.server is None:
+        return where
+    for each in maps:
+        each.used = each.used or each.at_start(where) is not None or any(each.fits(where.names[i:]) for i in range(len(where.names)))
+    fitting = [(each.at_start(where), each) for each in maps if each.at_start(where) is not None]
+    server, at, names = where.server, 0, ()
+    if fitting:
+        at, first = max(fitting, key=lambda pair: pair[0])
+        server, names = first.new_top.server, first.new_top.names
+    while at < len(where.names):
+        fitting = [each for each in maps if each.fits(where.names[at:])]
+        if not fitting:
+            names, at = names + where.names[at:at + 1], at + 1
+            continue
+        one = max(fitting, key=lambda each: len(each.names))
+        names, at = names + one.new_names, at + len(one.names)
+    return where._replace(server=server, names=names)

@@ -1,0 +1,239 @@
+"""Starting and stopping a system: a plan carried out on running components, in parallel where nothing orders them."""
+import collections
+import time
+
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.robot import component, ports
+from rtshell_lite.system import capture, plan
+from rtshell_lite.text import printable
+
+TICK = 1.0  # seconds that the main thread sleeps at most
+
+# What became of an action: `outcome` is one of plan.DONE …, `error` an errors.Error that tells why, None where all is well.
+Result = collections.namedtuple("Result", "action outcome error")
+
+# The execution contexts in which a component is to be changed: {handle: reference}, and those that it owns, in its order.
+_Contexts = collections.namedtuple("_Contexts", "by_handle by_place")
+
+_MISSING = (errors.NotFound, errors.Gone, errors.ProcessGone)
+
+
+class Run:
+    """A plan being carried out."""
+
+    def __init__(self, actions, transition, progress, wait=None):
+        """`progress` is told as it goes, on the thread that calls: starting(action, line), ended(Result), passed_over(Result).
+
+        `wait`: how long a component may take to reach its state, in seconds (default: the timeout).
+        """
+        self.actions, self.transition, self.progress = actions, transition, progress
+        self.wait = wait or lanes.timeout
+        self._found = {}  # for each component of the profile, by its id(): (node, _Contexts or None) or an error
+        self._asked = set()  # numbers of the actions whose component may have been asked to change
+        self._calls = lanes.Calls()
+        self._schedule = plan.Schedule(actions, transition.target)
+
+    # ---- before anything is changed ----
+
+    def check(self, profile, tell=lambda line: None):
+        """Find the components and their contexts, and see that they are what the profile says.
+
+        Returns the errors of the required ones: with any of these, nothing is to be started. `tell` gets a line for each.
+        """
+        failures = []
+        for each, answer in zip(profile.components, self._look(profile, _ask)):
+            if each.is_required:
+                tell("Checking for required component %s with ID \"%s\" and instance name \"%s\"" % (
+                    capture.shown_path(each), printable(each.id), printable(each.instance_name)))
+            try:
+                self._found[id(each)] = self._checked(each, answer)
+            except errors.Error as e:
+                self._found[id(each)] = e
+                failures += [e] if each.is_required else []
+        return failures
+
+    def refuse(self):
+        """Tell of each action what `check` has found: that it fails, or that another one does, which is required."""
+        for action in self.actions:
+            found = self._found[id(action.component)]
+            if isinstance(found, errors.Error):
+                self.progress.ended(Result(action, plan.FAILED, found))
+            else:
+                error = errors.NotTried(action.path, "something that is required failed")
+                self.progress.passed_over(Result(action, plan.NOT_TRIED, error))
+
+    def _checked(self, each, answer):
+        """(node, _Contexts) of a component of the profile. Raises what is wrong with it."""
+        if isinstance(answer, errors.Error):
+            raise answer
+        node, profile, contexts = answer
+        named, found = each.instance_name, profile.instance_name
+        if found != named:
+            raise errors.WrongKind(str(node.path), *["component named " + printable(name) for name in (named, found)])
+        found = capture.component_id(profile)
+        if found != each.id:
+            raise errors.WrongKind(str(node.path), printable(each.id), printable(found))
+        for action in self.actions:
+            if action.component is each:
+                _context(node, contexts, action)
+        return node, contexts
+
+    def find(self, profile):
+        """Find the components, and leave what else there is to know about them until it is their turn."""
+        for each, answer in zip(profile.components, self._look(profile, lambda node: node)):
+            self._found[id(each)] = answer if isinstance(answer, errors.Error) else (answer, None)
+
+    def _look(self, profile, function):
+        """capture.look; when an exception interrupts it, all actions are told not to be tried."""
+        interrupted = True
+        try:
+            answers = capture.look(profile, function)
+            interrupted = False
+        except errors.Error:  # nobody can be asked at all
+            interrupted = False
+            raise
+        finally:
+            if interrupted:
+                self._leave()
+        return answers
+
+    # ---- doing it ----
+
+    def carry_out(self):
+        """Do it all. When an exception interrupts it, nothing more begins, and what has not ended is told all the same."""
+        try:
+            while not self._schedule.is_over():
+                now = time.monotonic()
+                for action, reason in self._schedule.due(now):
+                    if reason is None:
+                        self._start(action)
+                    else:
+                        self.progress.ended(Result(action, plan.NOT_TRIED, errors.NotTried(action.path, reason)))
+                self._listen(self._schedule.next_time(now))
+        finally:
+            self._leave()
+
+    def _start(self, action):
+        found = self._found[id(action.component)]
+        if isinstance(found, errors.Error):
+            self._begin(action)
+            self._end(self._failed(action, found))
+            return
+        node, contexts = found
+        self._calls.start(node.endpoint, action.number, lambda: self._change(action, node, contexts))
+
+    def _begin(self, action):
+        self.progress.starting(action, plan.plain_line(action, self.transition.name.capitalize()))
+
+    def _listen(self, until):
+        """Wait for something to happen, and take note of it; no longer than `until`."""
+        seconds = TICK if until is None else min(TICK, max(0, until - time.monotonic()))
+        while not self._schedule.is_over():
+            event = self._calls.ended(seconds)
+            if event is None:
+                return
+            number, value = event
+            if isinstance(value, Result):
+                self._end(value)
+            elif value == "begun":
+                self._begin(self._schedule.actions[number])
+            elif value == "told":
+                self._schedule.told(number)
+            seconds = 0  # what has happened as well by now
+
+    def _end(self, result):
+        self._schedule.end(result.action.number, result.outcome)
+        self.progress.ended(result)
+
+    def _leave(self):
+        """Tell of all that has not ended."""
+        begun = self._calls.close()
+        if not self._schedule.is_over():
+            self._listen(time.monotonic())
+        for action in self.actions:
+            if action.number in self._schedule.ended:
+                continue
+            if action.number in begun & self._asked:
+                error = errors.Uncertain(action.path, "interrupted")
+                self._end(Result(action, plan.UNCERTAIN, error))
+            else:
+                self._end(Result(action, plan.NOT_TRIED, errors.NotTried(action.path, "interrupted")))
+
+    # ---- one action, on a thread of lanes.Calls ----
+
+    def _change(self, action, node, contexts):
+        """Take a component through the transition, and return the Result."""
+        def change():
+            ref = _context(node, contexts or _contexts(node), action)
+            called = "execution context " + printable(action.context)
+            before = component.change_in(node, ref, self.transition, self.wait, called, stage)
+            return plan.ALREADY if before == self.transition.target else plan.DONE
+
+        def stage(name):
+            self._asked.add(action.number)
+            self._calls.post(action.number, name)
+        self._calls.post(action.number, "begun")
+        try:
+            return Result(action, lanes.ask(node.endpoint, str(node.path), change), None)
+        except errors.Unreachable as e:
+            if action.number in self._asked:
+                return self._seen(action, node, contexts, e)
+            return self._failed(action, e)
+        except errors.Error as e:
+            return self._failed(action, e)
+
+    def _seen(self, action, node, contexts, failure):
+        """The Result of an action whose answer did not come: the component may have changed all the same, so look."""
+        def state():
+            ref = _context(node, contexts or _contexts(node), action)
+            found = component.seen(lambda: component.state_in(node, ref))
+            if found == self.transition.target:
+                component.stay(node, ref, self.transition, self.wait)
+            return found
+        where = failure.args[0]
+        why = str(failure)[len(where) + 2:]
+        try:
+            now = lanes.ask(node.endpoint, str(node.path), state)
+        except (errors.Gone, errors.ConnectionRefused, errors.Refused) as e:
+            return self._failed(action, e)
+        except errors.Error:
+            return Result(action, plan.UNCERTAIN, errors.Uncertain(where, why))
+        if now == self.transition.target:
+            return Result(action, plan.DONE, None)
+        if now not in why:
+            failure = errors.Unreachable(where, "%s; it is %s now" % (why, now))
+        return self._failed(action, failure)
+
+    def _failed(self, action, error):
+        gone = self.transition is component.DEACTIVATE and isinstance(error, _MISSING)
+        return Result(action, plan.GONE if gone else plan.FAILED, error)
+
+
+# ---- asking ---------------------------------------------------------------------------------------------------
+
+def _ask(node):
+    """(node, Profile, _Contexts). Its ports are asked before its profile (protocol rule: see `component.once_more`)."""
+    ports.ports(node)
+    return node, component.profile(node), _contexts(node)
+
+
+def _contexts(node):
+    """The _Contexts of a component. A member of a composite has a stopped one; that of the composite counts instead."""
+    owned, participating = component.context_refs(node)
+    handles = [node.call("get_context_handle", ref) for ref in owned + participating]
+    if participating:
+        owned = [ref if orb.ask(str(node.path), ref, "is_running") else participating[0] for ref in owned]
+    return _Contexts(dict(zip(handles, owned + participating)), owned)
+
+
+def _context(node, contexts, action):
+    """The reference of the execution context that an action means. Raises NoSuch."""
+    if action.context.isdigit():
+        ref = contexts.by_handle.get(int(action.context))
+    else:  # some files give names to contexts
+        ref = contexts.by_place[action.place] if action.place < len(contexts.by_place) else None
+    if ref is None:
+        handles = ", ".join(str(handle) for handle in sorted(contexts.by_handle)) or "none"
+        raise errors.NoSuch(str(node.path), "execution context", "%s (it has %s)" % (printable(action.context), handles))
+    return ref

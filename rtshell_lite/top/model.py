@@ -1,0 +1,316 @@
+"""A whole system, looked at again and again: what rttop shows, as plain values that are there without waiting.
+
+At most IN_FLIGHT remote calls are made at one time, to all processes together. Each look asks a component for its state; its
+contexts, rates and connections, which change less often and cost more, are asked for now and then.
+"""
+import collections
+import threading
+import time
+
+from rtshell_lite import errors, path as paths
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.robot import component, places, ports, tree
+from rtshell_lite.top.rows import Row
+from rtshell_lite.views import describe
+
+IN_FLIGHT = 4  # monitors that ask more at a time have disturbed real-time threads
+DOUBTFUL = 2  # of these, how many may go to processes that have not answered, or not yet: they must not take all
+WALK = 5.0  # seconds between looks at what is bound
+CONTEXTS = 5.0  # seconds between looks at execution contexts and their rates
+PORTS = 10.0  # seconds between looks at connections: each makes a component see whether the far ends are there
+PORTS_SILENT = 60.0  # the same, for one that does not answer that question
+REST = 5.0  # seconds for which what is dead or silent is left alone
+
+
+# ---- one component --------------------------------------------------------------------------------------------
+
+class _Context:
+    """An execution context as it was seen last. `deaf` is when it may be asked again, if its process did not answer."""
+
+    def __init__(self, ref):
+        self.ref, self.rate, self.running, self.deaf = ref, None, None, 0.0
+
+
+class _Entry:
+    """A component that is looked at, by the thread of its group."""
+
+    def __init__(self, node):
+        self.node = node
+        self.group = node.endpoint
+        self.kind, self.state, self.failure = "component", None, None
+        self.ports = self.connections = None
+        self.contexts = []
+        self.looked = False  # whether it, or its failure, is known
+        self.silenced = 0.0  # when it was silent last
+        self._again = self._contexts_due = self._ports_due = 0.0
+
+    def hurry(self):
+        """Something has been done to it: look at everything anew."""
+        self._again = self._contexts_due = self._ports_due = 0.0
+
+    def look(self):
+        """See how it is; False when it was not asked. Raises Silent."""
+        now = time.monotonic()
+        if now < self._again:
+            return False
+        try:
+            self._look(now)
+        except errors.Silent:
+            raise
+        except errors.Error as e:  # of the component, or of something behind it?
+            self._again = now + REST
+            node, = tree.look([self.node])
+            if node.kind == "silent" and isinstance(node.error, errors.Silent):
+                raise node.error
+            self.fail("silent" if node.kind == "component" else node.kind, node.error or e)
+        return True
+
+    def _look(self, now):
+        if now >= self._contexts_due:
+            self._look_at_contexts()
+            self._contexts_due = now + CONTEXTS
+        state = component.merged([self._of(each, lambda each=each: component.state_in(self.node, each.ref), "Unknown")
+                                  for each in self.contexts])
+        self.kind, self.state, self.failure = "component", state, None
+        if now >= self._ports_due:
+            self._look_at_ports()
+        self.looked = True
+
+    def _look_at_contexts(self):
+        owned, participating = component.context_refs(self.node)
+        known = {orb.identity(each.ref): each for each in self.contexts}
+        contexts = [known.get(orb.identity(ref)) or _Context(ref) for ref in owned + participating]
+        for each in contexts:
+            each.rate, each.running = self._of(each, lambda each=each: self._run(each.ref), (None, None))
+        self.contexts = contexts
+
+    def _run(self, ref):
+        where = str(self.node.path)
+        return orb.ask(where, ref, "get_rate"), bool(orb.ask(where, ref, "is_running"))
+
+    def _of(self, context, ask, otherwise):
+        """ask(), or `otherwise` where a context of another process does not answer; that is left alone for a while."""
+        if time.monotonic() < context.deaf:
+            return otherwise
+        found = component.elsewhere(self.node, context.ref, ask, None)
+        if found is None:
+            context.deaf = time.monotonic() + REST
+        return otherwise if found is None else found
+
+    def _look_at_ports(self):
+        pause = PORTS
+        try:
+            found = ports.ports(self.node)
+            self.ports = len(found)
+            self.connections = len({connector.id for port in found for connector in port.connectors})
+        except errors.Error as e:  # it has just told its state: the ports are what is wrong
+            self.ports = self.connections = None
+            pause = PORTS_SILENT if isinstance(e, errors.Silent) else PORTS
+        self._ports_due = time.monotonic() + pause
+
+    def fail(self, kind, failure):
+        """It is dead, or does not answer; what was known of it does not count any more."""
+        self.kind, self.state, self.failure = kind, "-" if kind == "zombie" else "?", failure
+        self.ports = self.connections = None
+        self.contexts = []
+        self._contexts_due = self._ports_due = 0.0
+        self.looked = True
+
+    def row(self, path, name):
+        """Its Row."""
+        contexts = list(self.contexts)
+        first = next((each for each in contexts if each.running), contexts[0] if contexts else None)
+        running = any(each.running for each in contexts) if contexts else None
+        return Row(path, name, self.kind, self.state, first and first.rate, running, self.ports, self.connections,
+                   self.failure)
+
+
+# ---- the system -----------------------------------------------------------------------------------------------
+
+class Top:
+    """What is below the Paths `tops` (none: all name servers), looked at every `delay` seconds; to be closed."""
+
+    def __init__(self, tops, delay):
+        orb.start()
+        lanes.slots = lanes.Slots(IN_FLIGHT)
+        self.delay = delay
+        self._ended = threading.Event()
+        self._lock = threading.Lock()
+        self._gate = threading.Semaphore(DOUBTFUL)
+        self._calls = lanes.Calls()
+        self._tops = list(collections.OrderedDict.fromkeys(_each_server(tops)))
+        self._found = {}  # by top: {path: identity of a component}
+        self._failed = {}  # by top: {path: errors.Error} of what cannot be listed
+        self._entries = {}  # by identity
+        self._groups = set()
+        for top in self._tops:
+            self._calls.start(("walk", top), ("walk", top), lambda top=top: self._follow(top))
+
+    def close(self):
+        """Look no more. What is in flight ends by its own deadline."""
+        self._ended.set()
+        self._calls.close()
+        lanes.slots = lanes.Slots()  # what is still to be done, disconnecting say, does not wait for the hung
+
+    # ---- what is bound ----
+
+    def _follow(self, top):
+        """Walk through a part of the tree again and again."""
+        while True:
+            nodes, failed = _walk(top)
+            with self._lock:
+                lost = any(isinstance(each, errors.Unreachable) for each in failed.values())
+                found = dict(self._found.get(top, {})) if lost else {}  # they may well live: their name server does not
+                for node in nodes:
+                    found[str(node.path)] = orb.identity(node.ref)
+                    self._entries.setdefault(orb.identity(node.ref), _Entry(node))
+                self._found[top], self._failed[top] = found, failed
+                wanted = {identity for places in self._found.values() for identity in places.values()}
+                self._entries = {identity: each for identity, each in self._entries.items() if identity in wanted}
+                self._look_after_all()
+            if self._ended.wait(WALK):
+                return
+
+    # ---- looking ----
+
+    def _look_after_all(self):
+        """Have a thread for each group of components: those of one process, and any that hangs while its process does not."""
+        for each in self._entries.values():
+            if each.group not in self._groups:
+                self._groups.add(each.group)
+                self._calls.start(("look", each.group), ("look", each.group),
+                                  lambda group=each.group, endpoint=each.node.endpoint: self._look_after(group, endpoint))
+
+    def _look_after(self, group, endpoint):
+        lanes.become_lane(endpoint)
+        trusted = False
+        while True:
+            with self._lock:
+                mine = [each for each in self._entries.values() if each.group == group]
+                if not mine:
+                    self._groups.discard(group)
+                    return
+            if trusted:
+                trusted = self._look(mine)
+            else:
+                with self._gate:
+                    trusted = self._look(mine)
+            if self._ended.wait(self.delay if trusted else REST):
+                return
+
+    def _look(self, mine):
+        """Look at components of one process, one call at a time; False when it did not answer.
+
+        Two silent ones, or the only one, tell that the process hangs: the rest is not asked.
+        """
+        heard, silent = False, []
+        for each in sorted(mine, key=lambda each: each.silenced):
+            if self._ended.is_set():
+                return True
+            try:
+                heard = each.look() or heard
+            except errors.Silent as e:
+                each.silenced = time.monotonic()
+                each.fail("silent", e)
+                silent.append(each)
+                if heard or len(silent) == 2:
+                    break
+        if heard and silent:
+            with self._lock:
+                for each in silent:
+                    each.group = orb.identity(each.node.ref)
+                self._look_after_all()
+        elif silent:
+            for each in mine:
+                each.fail("silent", errors.Silent(str(each.node.path), silent[-1].failure.args[1]))
+        return heard or not silent
+
+    # ---- what it looks like ----
+
+    def wait(self, seconds):
+        """Wait until everything has been looked at, at most for so long."""
+        end = time.monotonic() + seconds
+        while not self._complete() and time.monotonic() < end:
+            time.sleep(0.02)  # waits for events are not for the main thread, see interrupts.py
+
+    def _complete(self):
+        with self._lock:
+            return len(self._found) == len(self._tops) and all(each.looked for each in self._entries.values())
+
+    def rows(self):
+        """A Row for each component, and for each part of the tree that cannot be listed, sorted by name."""
+        with self._lock:
+            paths_of, failed = {}, {}
+            for top in self._found:
+                for path, identity in sorted(self._found[top].items()):
+                    paths_of.setdefault(identity, path)  # the first, if it is bound twice
+                failed.update(self._failed[top])
+            entries = [(path, self._entries[identity]) for identity, path in paths_of.items()]
+        counts = collections.Counter(each.node.name for _, each in entries)
+        rows = [each.row(path, each.node.name if counts[each.node.name] == 1 else path) for path, each in entries]
+        rows += [Row(path, path, "unknown", "?", None, None, None, None, failure) for path, failure in failed.items()]
+        return sorted(rows, key=lambda row: (row.name, row.path))
+
+    # ---- acting ----
+
+    def change(self, path, transition):
+        """Take the component at a path (text) through a component.Transition; `news` tells the state that it is then in."""
+        self._on(path, transition.command, lambda node: component.change(node, transition))
+
+    def show(self, path):
+        """Ask the component at a path (text) for all that rtcat -l shows; `news` has the lines."""
+        self._on(path, "rtcat", _description)
+
+    def _on(self, path, command, function):
+        with self._lock:
+            entry = next((self._entries[places[path]] for places in self._found.values() if path in places), None)
+        if entry is None:
+            self._calls.post((command, path), errors.NotFound(path))
+            return
+
+        def act():
+            try:
+                return lanes.ask(entry.node.endpoint, path, lambda: function(entry.node))
+            finally:
+                entry.hurry()
+        self._calls.start((command, path), (command, path), act)
+
+    def news(self):
+        """What has come of `change` and `show` since the last time: ((command, path), value or errors.Error)."""
+        news = []
+        while True:
+            ended = self._calls.ended(0)
+            if ended is None:
+                return news
+            if ended[0][0] not in ("walk", "look"):
+                news.append(ended)
+
+
+def _walk(top):
+    """(component nodes below a path, {path: errors.Error} of what cannot be listed)."""
+    try:
+        start = tree.resolve(top)
+        walked = list(tree.walk(start, managers=start.kind == "manager"))
+    except errors.Error as e:
+        return [], {str(top): e}
+    unsure = [node for node in walked if node.kind == "unsure"]
+    sure = dict(zip(unsure, tree.look(unsure)))
+    nodes = [sure.get(node, node) for node in walked]
+    failed = {str(node.path): node.error for node in nodes
+              if node.error and (node.kind in tree.DIRECTORIES or node.ref is None)}
+    return [node for node in nodes if node.kind in ("component", "zombie", "silent") and node.ref is not None], failed
+
+
+def _each_server(tops):
+    """Paths, with the name servers themselves in the place of the root."""
+    for top in tops or [paths.ROOT]:
+        if top.server is None:
+            for address in tree.servers():
+                yield paths.parse("/" + address)
+        else:
+            yield top
+
+
+def _description(node):
+    found = describe.collect(node, 1)
+    return list(describe.lines(found, 1, places.far_ends(node, found.ports), lambda word, role=None: word))

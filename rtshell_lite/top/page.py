@@ -1,0 +1,325 @@
+"""The live page of rttop. curses draws it, and so sends to a terminal only the cells that have changed."""
+import contextlib
+import curses
+import locale
+import os
+import sys
+import time
+
+from rtshell_lite import text
+from rtshell_lite.data.watcher import Watcher
+from rtshell_lite.robot import component
+from rtshell_lite.top import rows
+
+TICK = 0.1  # seconds without a key after which the page sees what else has happened
+ESCAPE = "\x1b"
+ENTER = ("\n", "\r", curses.KEY_ENTER)
+BACKSPACE = ("\x08", "\x7f", curses.KEY_BACKSPACE)
+HINTS = "? keys  q end  / filter  s sort  a activate  d deactivate  r reset  c cat"
+
+HELP = """\
+up down j k   select a component; also PgUp PgDn Home End
+a             activate the selected component, as rtact does
+d             deactivate it, as rtdeact
+r             reset it, as rtreset
+c Enter       show all about it, as rtcat -l
+s             sort by the next of: %s
+/             filter: words of paths, or states, all of which have to match;
+              Enter keeps it, Esc drops it
+h ?           these keys
+Ctrl-L        draw everything anew
+q             end; here, and in what c shows: go back
+
+STATE is ? of what does not answer, - of a zombie. RATE is the execution
+context's, in Hz. CONN counts connections.\
+""" % ", ".join(rows.SORTS)
+
+# curses colours of states: (number of the pair, foreground, background, attributes); -1 is the terminal's own
+COLOURS = {"Active": (1, curses.COLOR_GREEN, -1, curses.A_BOLD), "Inactive": (2, curses.COLOR_BLUE, -1, curses.A_BOLD),
+           "Error": (3, curses.COLOR_WHITE, curses.COLOR_RED, curses.A_BOLD), "?": (4, curses.COLOR_RED, -1, curses.A_BOLD)}
+
+
+# ---- the terminal ---------------------------------------------------------------------------------------------
+
+def impossible():
+    """Why there can be no page on this terminal; '' if there can."""
+    try:
+        curses.setupterm(os.environ.get("TERM") or "unknown", sys.stdout.fileno())
+    except curses.error:
+        return "the terminal %s is not known here" % text.printable(os.environ.get("TERM") or "(TERM is not set)")
+    return "" if curses.tigetstr("cup") else "the terminal %s has no pages" % text.printable(os.environ["TERM"])
+
+
+@contextlib.contextmanager
+def screen():
+    """The terminal as a curses window, and afterwards as it was before."""
+    locale.setlocale(locale.LC_CTYPE, "")
+    os.environ.setdefault("ESCDELAY", "200")  # ms that Esc waits for the rest of a key; the default is a second
+    for name in "LINES", "COLUMNS":  # readline sets them in rtsh; the terminal knows better
+        os.unsetenv(name)
+    try:
+        window = curses.initscr()
+        curses.noecho()
+        curses.cbreak()
+        window.keypad(True)
+        window.timeout(int(TICK * 1000))
+        with contextlib.suppress(curses.error):  # terminals without
+            curses.curs_set(0)
+        yield window
+    finally:
+        with contextlib.suppress(curses.error):  # nobody is there any more
+            curses.endwin()
+
+
+def _attributes():
+    """curses attributes of states."""
+    if not text.colour_wanted() or not _has_colours():
+        return {"Error": curses.A_BOLD, "?": curses.A_BOLD}
+    for number, foreground, background, _ in COLOURS.values():
+        curses.init_pair(number, foreground, background)
+    return {state: curses.color_pair(number) | attributes for state, (number, _, _, attributes) in COLOURS.items()}
+
+
+def _has_colours():
+    try:
+        curses.start_color()
+        curses.use_default_colors()
+    except curses.error:
+        return False
+    return curses.has_colors()
+
+
+def _clipped(line, columns):
+    """As much of a line as fits."""
+    if len(line) > columns:  # no character is narrower than nothing, and lines may be long
+        line = line[:4 * columns]
+    while text.cells(line) > columns:
+        line = line[:-1]
+    return line
+
+
+def _wrapped(line, columns):
+    """A line as lines that fit, broken at blanks where that leaves none too short."""
+    lines = []
+    while line or not lines:
+        part = _clipped(line, columns) or line[:1]
+        blank = part.rfind(" ") + 1
+        if part != line and blank > len(part) / 2:
+            part = part[:blank]
+        lines.append(part)
+        line = line[len(part):]
+    return lines
+
+
+# ---- the page -------------------------------------------------------------------------------------------------
+
+class Page:
+    """Shows a top.Top on a curses window until the user has seen enough."""
+
+    def __init__(self, window, looking, meters, sort, wanted):
+        """`meters`: statistics.Meters; `sort` one of rows.SORTS, and `wanted` the filter, to begin with."""
+        self.window, self.looking, self.meters = window, looking, meters
+        self.sort, self.wanted = sort, wanted
+        self.attributes = _attributes()
+        self.rows = []  # those that match
+        self.selected = None  # the path of a Row
+        self.number = self.first = self.room = 0  # of the selected one, of the first one shown, how many can be shown
+        self.message = ""
+        self.typing = False  # the filter
+        self.over = None  # lines that are shown instead of the rows: what rtcat says, the keys
+        self.over_first = 0
+        self.ended = False
+
+    def follow(self):
+        """Show the page and obey keys until q. Raises BrokenPipeError when the terminal is gone."""
+        watcher, due = Watcher([]), 0.0
+        while not self.ended:
+            fresh = self._fit() | self._hear()
+            if fresh or time.monotonic() >= due:
+                self._draw()
+                due = time.monotonic() + self.looking.delay
+            watcher.look()
+            key = self._key()
+            if key is not None:
+                self._obey(key)
+                due = 0.0
+
+    def _key(self):
+        """A character, or a number for other keys, or None after TICK."""
+        try:
+            return self.window.get_wch()
+        except curses.error:
+            time.sleep(0)  # lets a signal be heard
+            return None
+
+    def _fit(self):
+        """Take on the size of the terminal; True if it has changed. In rtsh, its signal goes to readline, not to curses."""
+        with contextlib.suppress(OSError):
+            width, height = os.get_terminal_size(sys.stdout.fileno())
+            if min(width, height) > 0 and curses.is_term_resized(height, width):
+                curses.resizeterm(height, width)
+                return True
+        return False
+
+    def _hear(self):
+        """Take what has come of actions; True if there was something."""
+        news = self.looking.news()
+        for (command, path), value in news:
+            if isinstance(value, Exception):
+                self.message = "%s: %s" % (command, value)
+            elif command == "rtcat":
+                self.message, self.over, self.over_first = "", value, 0
+            else:
+                self.message = "%s: %s: %s" % (command, path, value)
+        return bool(news)
+
+    # ---- keys ----
+
+    def _obey(self, key):
+        if key == curses.KEY_RESIZE:
+            return
+        if key == "\x0c":
+            self.window.redrawwin()
+        elif self.typing:
+            self._type(key)
+        elif self.over is not None:
+            self._obey_over(key)
+        else:
+            self.message = ""
+            self._obey_rows(key)
+
+    def _type(self, key):
+        if key in ENTER:
+            self.typing = False
+        elif key == ESCAPE:
+            self.typing, self.wanted = False, ""
+        elif key in BACKSPACE:
+            self.wanted = self.wanted[:-1]
+        elif isinstance(key, str) and key.isprintable():
+            self.wanted += key
+
+    def _obey_over(self, key):
+        step = self._step(key)
+        if step is not None:
+            self.over_first += step
+        elif key in ("q", "c", "h", "?", ESCAPE) + ENTER:
+            self.over = None
+
+    def _obey_rows(self, key):
+        step = self._step(key)
+        if step is not None:
+            self._select(self.number + step)
+        elif key == "q":
+            self.ended = True
+        elif key in ("h", "?"):
+            self.over, self.over_first = HELP.split("\n"), 0
+        elif key == "s":
+            self.sort = rows.SORTS[(rows.SORTS.index(self.sort) + 1) % len(rows.SORTS)]
+            self.message = "sorted by " + self.sort
+        elif key == "/":
+            self.typing = True
+        elif key == ESCAPE:
+            self.wanted = ""
+        else:
+            self._act(key)
+
+    def _step(self, key):
+        """How many lines a key goes down; None for one that does not."""
+        page, all_of_them = max(self.room - 1, 1), 10**9
+        return {curses.KEY_DOWN: 1, "j": 1, curses.KEY_UP: -1, "k": -1, curses.KEY_NPAGE: page, curses.KEY_PPAGE: -page,
+                curses.KEY_HOME: -all_of_them, curses.KEY_END: all_of_them}.get(key)
+
+    def _select(self, number):
+        self.number = max(0, min(number, len(self.rows) - 1))
+        self.selected = self.rows[self.number].path if self.rows else None
+
+    def _act(self, key):
+        transition = {"a": component.ACTIVATE, "d": component.DEACTIVATE, "r": component.RESET}.get(key)
+        if (transition is None and key != "c" and key not in ENTER) or self.selected is None:
+            return
+        if transition:
+            self.message = "%s: %s …" % (transition.command, self.selected)
+            self.looking.change(self.selected, transition)
+        else:
+            self.message = "rtcat: %s …" % self.selected
+            self.looking.show(self.selected)
+
+    # ---- drawing ----
+
+    def _draw(self):
+        height, width = self.window.getmaxyx()
+        every = self.looking.rows()
+        self.rows = rows.arranged(every, self.sort, self.wanted)
+        paths = [row.path for row in self.rows]
+        self._select(paths.index(self.selected) if self.selected in paths else self.number)
+        self.window.erase()
+        top = self._draw_head(every, height, width)
+        foot = self._foot(width)[:max(height - top - 1, 1)]
+        self.room = max(height - top - len(foot), 0)
+        if self.over is None:
+            self._draw_rows(top)
+        else:
+            self._draw_over(top, width)
+        for i, line in enumerate(foot):
+            self._put(height - len(foot) + i, line)
+        self.window.refresh()
+
+    def _draw_head(self, every, height, width):
+        """The summary, the flow of ports, the head of the columns; returns the number of lines."""
+        self._put(0, "%s%s" % (rows.summary(every), "; those with: " + self.wanted if self.wanted else ""), curses.A_BOLD)
+        rates = [rows.rate_line(meter.rate()) for meter in self.meters]
+        most = max(height // 3, 1)
+        if len(rates) > most:
+            rates[most - 1:] = ["%d more ports" % (len(rates) - most + 1)]
+        for i, line in enumerate(rates, 1):
+            self._put(i, line)
+        head = rows.HEAD if self.over is None else ""
+        self._put(1 + len(rates), text.padded(head, max(width, len(head))), curses.A_REVERSE)
+        return 2 + len(rates)
+
+    def _draw_rows(self, top):
+        last = min(self.first, self.number, max(len(self.rows) - self.room, 0))
+        self.first = max(last, self.number - self.room + 1)
+        for y, row in enumerate(self.rows[self.first:self.first + self.room], top):
+            chosen = curses.A_REVERSE if row.path == self.selected else 0
+            self._put(y, rows.line(row), chosen)
+            self._put(y, row.state or "", chosen or self.attributes.get(row.state, 0))
+
+    def _draw_over(self, top, width):
+        lines = [part for line in self.over for part in _wrapped(self._spelt(line), max(width, 1))]
+        self.over_first = max(0, min(self.over_first, len(lines) - self.room))
+        for y, line in enumerate(lines[self.over_first:self.over_first + self.room], top):
+            self._put(y, line)
+
+    def _foot(self, width):
+        """The last lines: what is typed, what has been done, what is wrong with the selected one, or what can be done."""
+        row = self.rows[self.number] if self.rows else None
+        if self.typing:
+            line = "/" + self.wanted + "_"
+        elif self.message:
+            line = text.safe(self.message)
+        elif self.over is not None:
+            line = "q back  up down PgUp PgDn"
+        elif row and row.failure:
+            line = "%s: %s" % (row.path, rows.reason(row.path, row.failure))
+        else:
+            line = HINTS
+        return _wrapped(self._spelt(line), max(width, 1))
+
+    def _put(self, y, line, attributes=0):
+        height, width = self.window.getmaxyx()
+        if y >= height:
+            return
+        with contextlib.suppress(curses.error):  # the cursor cannot go behind the last cell; it is written all the same
+            self.window.addstr(y, 0, _clipped(self._spelt(line), width), attributes)
+
+    def _spelt(self, line):
+        """What the terminal's character set has no sign for is escaped."""
+        coding = self.window.encoding
+        return text.safe(line).encode(coding, "backslashreplace").decode(coding)
+
+
+def show(looking, meters, sort, wanted):
+    """Show the page on the terminal until the user ends it; the terminal is as it was before, whatever ends it."""
+    with screen() as window:
+        Page(window, looking, meters, sort, wanted).follow()

@@ -1,0 +1,81 @@
+"""What rttop shows of a system, as lines and as JSON; rows of components in the order and the choice that are wanted."""
+import collections
+
+from rtshell_lite import text
+
+SORTS = ("name", "state", "rate", "connections")
+STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)  # the order by state: trouble first
+
+# One component. `name` tells it from the others; `kind` is component, zombie or silent, or unknown: a part of the tree that
+# cannot be listed. `state` is ? for what does not answer and - for a zombie; `rate` in Hz, of the first context that runs, else
+# of the first one; `running` whether any does; `ports` and `connections` are counts. What is not known (yet) is None. `failure`
+# is an errors.Error or None.
+Row = collections.namedtuple("Row", "path name kind state rate running ports connections failure")
+
+HEAD = "STATE         RATE  CONN  COMPONENT"
+
+
+def arranged(rows, sort="name", wanted=""):
+    """The Rows that match all words of `wanted`, in the order of one of SORTS.
+
+    A word matches a path that it is a part of, or a state that it is, in capitals or not.
+    """
+    words = wanted.lower().split()
+    rows = [row for row in rows if all(word in row.path.lower() or word == (row.state or "").lower() for word in words)]
+    keys = {"name": lambda row: 0, "state": lambda row: STATES.index(row.state),
+            "rate": lambda row: -(row.rate or 0), "connections": lambda row: -(row.connections or 0)}
+    return sorted(rows, key=keys[sort])
+
+
+def summary(rows):
+    """How many there are, and in which states: 3 components: 1 Error, 2 Active."""
+    counts = collections.Counter(row.state for row in rows if row.kind != "unknown")
+    total = sum(counts.values())
+    words = {"-": "zombie", "?": "silent", None: "not asked yet"}
+    states = ", ".join("%d %s" % (counts[state], words.get(state, state)) for state in STATES if counts[state])
+    return "%d component%s%s" % (total, "" if total == 1 else "s", ": " + states if states else "")
+
+
+def line(row):
+    """A Row as a line below HEAD; it begins with the state."""
+    rate = "-" if row.rate is None else "stopped" if row.running is False else "%g" % row.rate
+    connections = "-" if row.connections is None else str(row.connections)
+    mark = {"zombie": "*", "silent": "?"}.get(row.kind, "")
+    why = ": " + reason(row.path, row.failure) if row.failure else ""
+    return "%-8s  %8s  %4s  %s" % (row.state or "", rate, connections, mark + row.name + why)
+
+
+def rate_line(rate):
+    """A statistics.Rate as a line."""
+    if rate.failure:
+        return "%8s Hz  %11s  %s" % ("?", "?", text.safe(str(rate.failure)))
+    if rate.values is None:
+        return "%8s Hz  %11s  %s" % ("-", "-", rate.path)
+    return "%8.1f Hz  %11s  %s" % (rate.values, _size(rate.bytes), rate.path)
+
+
+def _size(bytes_per_second):
+    for factor, unit in ((1e9, "GB/s"), (1e6, "MB/s"), (1e3, "kB/s")):
+        if bytes_per_second >= factor:
+            return "%.1f %s" % (bytes_per_second / factor, unit)
+    return "%.0f B/s" % bytes_per_second
+
+
+def reason(path, failure):
+    """Why something failed, in one line for the terminal, without the path that stands before it."""
+    words = text.safe(str(failure))
+    return words[len(path) + 2:] if words.startswith(path + ": ") else words
+
+
+def as_dict(row, now):
+    """The JSON object of a Row; `now` in seconds since 1970."""
+    fields = {"time": now, "path": row.path, "name": row.name, "kind": row.kind, "state": row.state, "rate": row.rate,
+              "running": row.running, "ports": row.ports, "connections": row.connections}
+    return dict(fields, error=str(row.failure)) if row.failure else fields
+
+
+def rate_as_dict(rate, now):
+    """The JSON object of a statistics.Rate."""
+    fields = {"time": now, "path": rate.path, "kind": "port", "values_per_second": rate.values and round(rate.values, 3),
+              "bytes_per_second": rate.bytes and round(rate.bytes, 1)}
+    return dict(fields, error=str(rate.failure)) if rate.failure else fields

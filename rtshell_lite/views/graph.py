@@ -1,0 +1,223 @@
+"""A system as a picture: boxes for components, with their connected ports, and lines between them; as DOT for Graphviz."""
+import collections
+import re
+
+from rtshell_lite.system import capture
+from rtshell_lite.text import printable
+from rtshell_lite.xmlprofile import model
+
+# A picture. `edges` are (from box, from port, to box, to port, True for a service) with indexes of boxes, and port names;
+# `tops` are indexes of the boxes that are no members of a composite.
+Graph = collections.namedtuple("Graph", "boxes edges tops")
+
+COLOURS = {"Inactive": "lightblue", "Active": "palegreen", "Error": "salmon", "Created": "white", "Unknown": "lightgrey"}
+INDENTED = 50  # levels: nobody reads more
+_KEYWORDS = {"node", "edge", "graph", "digraph", "subgraph", "strict"}
+_COMPASS = {"n", "ne", "e", "se", "s", "sw", "w", "nw", "c", "_"}
+
+
+class Box:
+    """A component: what is written on it, its ports in use on either side, indexes of its members.
+
+    `state` is None where nobody asked. `missing` marks one that connections name and the profile does not have.
+    """
+
+    def __init__(self, name, state=None, missing=False):
+        self.name, self.state, self.missing = name, state, missing
+        self.left, self.right, self.members = [], [], []
+
+    def use(self, port, side):
+        """Note a port in use; it stays on the side where it was seen first."""
+        if port not in self.left + self.right:
+            side.append(port)
+
+
+# ---- from a profile -------------------------------------------------------------------------------------------
+
+def of(profile, states=None):
+    """The Graph of an RtsProfile. `states` gives those of its components, by path_uri."""
+    states = states or {}
+    boxes = [Box(each.instance_name, states.get(each.path_uri)) for each in profile.components]
+    numbers = {id(each): number for number, each in enumerate(profile.components)}
+    locate, strangers = capture.locator(profile), {}
+
+    def box_of(end):
+        each = locate(end)
+        if each is not None:
+            return numbers[id(each)]
+        key = (end.component_id, end.instance_name)
+        if key not in strangers:
+            strangers[key] = len(boxes)
+            boxes.append(Box(end.instance_name, missing=True))
+        return strangers[key]
+
+    edges = []
+    for connector in profile.connectors:
+        edges += _edges(connector, isinstance(connector, model.ServicePortConnector), boxes, box_of)
+    tops = _compose(profile, boxes, numbers, locate)
+    return Graph(boxes, list(collections.OrderedDict.fromkeys(edges)), tops)
+
+
+def _edges(connector, service, boxes, box_of):
+    """Lines from the first end to each other one."""
+    ends = [(box_of(end), capture.port_of(end)) for end in connector.ends]
+    for number, (box, port) in enumerate(ends):
+        boxes[box].use(port, boxes[box].left if number else boxes[box].right)
+    return [ends[0] + end + (service,) for end in ends[1:]]
+
+
+def _compose(profile, boxes, numbers, locate):
+    """Put members into their composites, each into one and none into itself; returns the boxes that are left outside."""
+    parents = {}
+    for each in profile.components:
+        for participant in each.participants:
+            member = locate(participant.component)
+            if member is None or id(member) in parents:
+                continue
+            above = id(each)
+            while above in parents and above != id(member):
+                above = parents[above]
+            if above != id(member):
+                parents[id(member)] = id(each)
+                boxes[numbers[id(each)]].members.append(numbers[id(member)])
+    inside = {numbers[member] for member in parents}
+    return [number for number in range(len(boxes)) if number not in inside]
+
+
+# ---- what drawings share --------------------------------------------------------------------------------------
+
+def heads(graph, number):
+    """What is written at the top of a box, a text for each line: name, state, composites around it; its members."""
+    box = graph.boxes[number]
+    words = [printable(box.name)]
+    if box.missing:
+        words.append("(not in the profile)")
+    if box.state is not None:
+        words.append(box.state)
+    words += ["(in %s)" % printable(each.name) for each in graph.boxes if number in each.members]
+    made = ["made of " + ", ".join(printable(graph.boxes[member].name) for member in box.members)] if box.members else []
+    return ["  ".join(words)] + made
+
+
+def in_order(graph):
+    """Numbers of the boxes such that data flows downwards where it can; as they come where it goes round in a circle."""
+    waiting, order = collections.OrderedDict.fromkeys(range(len(graph.boxes))), []
+    above = {number: set() for number in waiting}
+    for one, _, other, _, service in graph.edges:
+        if one != other and not service:
+            above[other].add(one)
+    below = {number: [other for other in above if number in above[other]] for number in waiting}
+    left = {number: len(above[number]) for number in waiting}
+    ready = collections.deque(number for number in waiting if not left[number])
+    while waiting:
+        number = ready.popleft() if ready else next(iter(waiting))
+        if number not in waiting:
+            continue
+        del waiting[number]
+        order.append(number)
+        for other in reversed(below[number]):
+            left[other] -= 1
+            if not left[other]:
+                ready.appendleft(other)
+    return order
+
+
+# ---- DOT ------------------------------------------------------------------------------------------------------
+
+def dot(graph):
+    """Lines of DOT."""
+    names = _told_apart([_word(box.name) for box in graph.boxes])
+    yield "digraph rtsprofile {"
+    yield "  rankdir=LR;"
+    yield "  node [shape=Mrecord];"
+    ports = []
+    for name, box in zip(names, graph.boxes):
+        ids = _port_ids(box)
+        ports.append(ids)
+        if not box.members or box.left or box.right:
+            yield "  %s [%s];" % (_node_id(name), ", ".join(_attributes(box, ids)))
+    for line in _clusters(graph, names):
+        yield line
+    for service in (False, True):
+        for one, out, other, into, is_service in graph.edges:
+            if is_service == service:
+                yield "  %s:%s -> %s:%s%s;" % (_node_id(names[one]), ports[one][out], _node_id(names[other]),
+                                               ports[other][into], ' [arrowhead="odot"]' if service else "")
+    yield "}"
+
+
+def _attributes(box, ids):
+    cells = ["|".join("<%s>%s" % (ids[port], _label(port)) for port in side) for side in (box.left, box.right)]
+    attributes = ['label="{{%s}|%s|{%s}}"' % (cells[0], _label(box.name), cells[1])]
+    if box.missing:
+        attributes.append("style=dashed")
+    elif box.state is not None:
+        attributes.append("style=filled, fillcolor=%s" % COLOURS.get(box.state, "lightgrey"))
+    return attributes
+
+
+def _clusters(graph, names):
+    """Composites around their members, however deep; one with ports of its own stands inside, too."""
+    levels = [(None, iter(graph.tops))]  # composites around this place, and what is still to come in each
+    while levels:
+        composite, rest = levels[-1]
+        number = next(rest, None)
+        if number is None:
+            levels.pop()
+            if levels:
+                yield _indent(levels) + "}"
+        elif number == composite or not graph.boxes[number].members:
+            if composite is not None:
+                yield "%s%s;" % (_indent(levels), _node_id(names[number]))
+        else:
+            box = graph.boxes[number]
+            yield "%ssubgraph %s {" % (_indent(levels), _node_id("cluster_" + names[number]))
+            levels.append((number, iter([number] * bool(box.left or box.right) + box.members)))
+            yield '%slabel="%s";' % (_indent(levels), _label(box.name))
+            if box.state is not None:
+                yield "%sbgcolor=%s;" % (_indent(levels), COLOURS.get(box.state, "lightgrey"))
+
+
+def _indent(levels):
+    return "  " * min(len(levels), INDENTED)
+
+
+def _word(name):
+    """A component's name as rtshell spells it in DOT."""
+    for character, word in ((".", "_dot_"), ("/", "_slash_"), ("(", "_lpar_"), (")", "_rpar_")):
+        name = name.replace(character, word)
+    return printable(name) or "_"
+
+
+def _told_apart(names):
+    """The names, numbers behind those that were there before."""
+    seen, told = set(), []
+    for name in names:
+        number, wanted = 1, name
+        while wanted in seen:
+            number, wanted = number + 1, "%s_%d" % (name, number + 1)
+        seen.add(wanted)
+        told.append(wanted)
+    return told
+
+
+def _node_id(name):
+    if re.match(r"[A-Za-z_][A-Za-z_0-9]*\Z", name) and name.lower() not in _KEYWORDS:
+        return name
+    return '"%s"' % name.replace("\\", "\\\\").replace('"', '\\"')
+
+
+def _port_ids(box):
+    """An identifier for each port of a box: the part of its name behind the last dot, a number where that will not do."""
+    ids = {}
+    for number, port in enumerate(box.left + box.right, 1):
+        short = port.rpartition(".")[2]
+        plain = re.match(r"[A-Za-z_][A-Za-z_0-9]*\Z", short) and short.lower() not in _KEYWORDS and short not in _COMPASS
+        ids[port] = short if plain and short not in ids.values() else "port%d" % number
+    return ids
+
+
+def _label(name):
+    """`name` inside a record label: brackets, bars and blanks mean something there, and so does an entity."""
+    spelt = printable(name).replace("\\", "\\\\").replace("&", "&amp;").replace('"', '\\"')
+    return re.sub(r"([{}|<> ])", r"\\\1", spelt)

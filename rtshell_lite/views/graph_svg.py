@@ -1,0 +1,205 @@
+"""A system as SVG: boxes in columns as the data goes, from left to right, and lines between their ports.
+
+The layout is the usual one for such graphs, in its simplest form (Sugiyama, Tagawa, Toda 1981): a column for each box by the
+longest way to it, places within a column by those of its neighbours, and lines around below for what goes back or far.
+"""
+import collections
+
+from rtshell_lite.text import cells, printable
+from rtshell_lite.views import graph
+
+_CELL, _ROW = 9, 20  # pixels: width of a character, height of a line of text
+_BESIDE, _BELOW = 90, 24  # pixels between columns, and between boxes in one
+_MARGIN = 40
+_LANE = 10  # pixels between lines around below
+_FAR = 8  # columns; lines that cross more of them go around
+_SWEEPS = 4  # times that the places are improved, there and back
+
+_HEAD = ('<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" font-family="monospace" font-size="14">\n'
+         '<defs><marker id="arrow" markerWidth="8" markerHeight="8" refX="7" refY="4" orient="auto">'
+         '<path d="M0,0 L8,4 L0,8 z"/></marker><marker id="dot" markerWidth="9" markerHeight="9" refX="7" refY="4">'
+         '<circle cx="4" cy="4" r="3" fill="white" stroke="black"/></marker></defs>\n'
+         '<rect width="100%%" height="100%%" fill="white"/>')
+
+
+class _Item:
+    """What has a place in a column: a box, or a line that passes there (`box` is None). x, y: its upper left corner."""
+
+    def __init__(self, box=None, heads=()):
+        self.box, self.heads = box, heads
+        self.x = self.y = self.place = 0
+        self.before, self.behind = [], []  # Items in the columns to the left and right that lines lead to
+        self.width = self.height = 0
+        if box is not None:
+            sides = [max([cells(printable(port)) for port in side] or [0]) for side in (box.left, box.right)]
+            self.width = (max([sum(sides) + 3] + [cells(head) for head in heads]) + 1) * _CELL
+            self.height = (len(heads) + max(len(box.left), len(box.right))) * _ROW + _ROW // 2
+
+    @property
+    def middle(self):
+        return self.y + self.height / 2
+
+    def port(self, name):
+        """(x, y, 1 on the right side and -1 on the left) of a port."""
+        right = name in self.box.right
+        row = len(self.heads) + (self.box.right if right else self.box.left).index(name)
+        return self.x + self.width * right, self.y + row * _ROW + 15, 1 if right else -1
+
+
+def lines(picture):
+    """The lines of an SVG file that shows a graph.Graph; boxes are coloured by their states."""
+    boxes = [_Item(box, graph.heads(picture, number)) for number, box in enumerate(picture.boxes)]
+    columns, ways = _columns(picture, boxes)
+    _sort(columns)
+    _place(columns)
+    around = [edge for edge, way in zip(picture.edges, ways) if way is None]
+    bottom = max([item.y + item.height for item in boxes] or [0]) + _MARGIN
+    width = max([item.x + item.width for item in boxes] or [0]) + _MARGIN + (_LANE * 4 if around else 0)
+    yield _HEAD % (width, bottom + len(around) * _LANE)
+    for item in boxes:
+        for line in _drawn(item):
+            yield line
+    lane = bottom - _MARGIN // 2
+    for edge, way in zip(picture.edges, ways):
+        yield _line(edge, boxes, way, lane)
+        lane += _LANE * (way is None)
+    yield "</svg>"
+
+
+# ---- where things stand ---------------------------------------------------------------------------------------
+
+def _columns(picture, boxes):
+    """(columns, lists of Items; for each edge the Items that it passes, None for one that goes around)."""
+    order = graph.in_order(picture)
+    rank = {number: place for place, number in enumerate(order)}
+    sources = collections.defaultdict(list)
+    for one, _, other, _, _ in picture.edges:
+        if rank[one] < rank[other]:
+            sources[other].append(one)
+    column = {}
+    for number in order:
+        column[number] = max([column[one] + 1 for one in sources[number]] or [0])
+    columns = [[] for _ in range(max(list(column.values()) or [0]) + 1)]
+    used = {number for edge in picture.edges for number in (edge[0], edge[2])}
+    for number in order:
+        if number in used:
+            columns[column[number]].append(boxes[number])
+    for number in order:
+        if number not in used:  # it may stand anywhere
+            min(columns, key=lambda items: sum(item.height + _BELOW for item in items)).append(boxes[number])
+    ways = []
+    for one, _, other, _, _ in picture.edges:
+        if rank[one] >= rank[other] or column[other] - column[one] > _FAR:
+            ways.append(None)
+            continue
+        ways.append([_Item() for _ in range(column[one] + 1, column[other])])
+        stops = [boxes[one]] + ways[-1] + [boxes[other]]
+        for place, passing in enumerate(ways[-1], column[one] + 1):
+            columns[place].append(passing)
+        for left, right in zip(stops, stops[1:]):
+            left.behind.append(right)
+            right.before.append(left)
+    return columns, ways
+
+
+def _sort(columns):
+    """Order each column by where its neighbours stand in theirs, so that few lines cross."""
+    for items in columns:
+        _number(items)
+    for _ in range(_SWEEPS):
+        for items in columns[1:]:
+            items.sort(key=lambda item: _mean([other.place for other in item.before], item.place))
+            _number(items)
+        for items in reversed(columns[:-1]):
+            items.sort(key=lambda item: _mean([other.place for other in item.behind], item.place))
+            _number(items)
+
+
+def _number(items):
+    for place, item in enumerate(items):
+        item.place = place
+
+
+def _mean(values, otherwise):
+    return sum(values) / len(values) if values else otherwise
+
+
+def _place(columns):
+    """Set x and y of all Items: each where its neighbours are, as far as there is room."""
+    x = _MARGIN
+    for items in columns:
+        width = max([item.width for item in items] or [0])
+        for item in items:
+            item.x, item.width = x, item.width if item.box is not None else width
+        x += width + _BESIDE
+        _stack(items, [0] * len(items))
+    for _ in range(_SWEEPS):
+        for items in columns[1:]:
+            _stack(items, [_wanted(item, item.before) for item in items])
+        for items in reversed(columns[:-1]):
+            _stack(items, [_wanted(item, item.behind) for item in items])
+    top = min([item.y for items in columns for item in items] or [0])
+    for item in (item for items in columns for item in items):
+        item.y += _MARGIN - top
+
+
+def _wanted(item, others):
+    return _mean([other.middle for other in others], item.middle) - item.height / 2
+
+
+def _stack(items, wanted):
+    """Put Items below each other, so that together they are as near to the wanted y as can be."""
+    free = -float("inf")
+    for item, y in zip(items, wanted):
+        item.y = max(y, free)
+        free = item.y + item.height + _BELOW
+    shift = _mean([y - item.y for item, y in zip(items, wanted)], 0)
+    for item in items:
+        item.y = int(item.y + shift)
+
+
+# ---- drawing --------------------------------------------------------------------------------------------------
+
+def _drawn(item):
+    """The lines for a box."""
+    box = item.box
+    colour = graph.COLOURS.get(box.state, "white" if box.state is None else "lightgrey")
+    yield '<rect x="%d" y="%d" width="%d" height="%d" rx="5" fill="%s" stroke="black"%s/>' % (
+        item.x, item.y, item.width, item.height, colour, ' stroke-dasharray="4"' if box.missing else "")
+    for row, head in enumerate(item.heads):
+        yield _text(item.x + item.width // 2, item.y + row * _ROW + 19, "middle", head)
+    for port in box.left + box.right:
+        x, y, side = item.port(port)
+        yield _text(x - 6 * side, y + 5, "end" if side > 0 else "start", printable(port))
+
+
+def _text(x, y, anchor, text):
+    return '<text x="%d" y="%d" text-anchor="%s">%s</text>' % (x, y, anchor, _escaped(text))
+
+
+def _escaped(text):
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
+def _line(edge, boxes, way, lane):
+    """The line for an edge; a browser tells what it connects where the mouse points at it. `lane`: y of one that goes around."""
+    one, out, other, into, service = edge
+    (x, y, side), (to_x, to_y, to_side) = boxes[one].port(out), boxes[other].port(into)
+    if way is None:
+        beside = _LANE + lane % (4 * _LANE)
+        path = "M%d,%d H%d V%d H%d V%d H%d" % (x, y, x + side * beside, lane, to_x + to_side * beside, to_y, to_x)
+    else:
+        path = "M%d,%d" % (x, y)
+        for item in way:
+            path += _curve(x, y, side, item.x, item.middle, -1) + " H%d" % (item.x + item.width)
+            x, y, side = item.x + item.width, item.middle, 1
+        path += _curve(x, y, side, to_x, to_y, to_side)
+    looks = 'stroke-dasharray="5,3" marker-end="url(#dot)"' if service else 'marker-end="url(#arrow)"'
+    name = "%s:%s to %s:%s" % tuple(map(printable, (boxes[one].box.name, out, boxes[other].box.name, into)))
+    return '<path d="%s" fill="none" stroke="black" %s><title>%s</title></path>' % (path, looks, _escaped(name))
+
+
+def _curve(x, y, side, to_x, to_y, to_side):
+    """From where one is to a port, leaving and arriving straight."""
+    bend = max(_BESIDE // 2, abs(to_x - x) // 2)
+    return " C%d,%d %d,%d %d,%d" % (x + side * bend, y, to_x + to_side * bend, to_y, to_x, to_y)

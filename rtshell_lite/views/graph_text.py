@@ -1,0 +1,101 @@
+"""A system drawn in the terminal: boxes below each other, as the data goes, and a lane for each out port beside.
+
+    ┌────────────┐
+    │ ConsoleIn0 │
+    │        out ├─┐
+    ├────────────┤ │
+    │ ConsoleOut0│ │
+    │ in         │<┘
+    └────────────┘
+
+Where lines meet they are joined; a line that only passes is drawn over the other.
+"""
+import collections
+
+from rtshell_lite.text import cells, printable
+from rtshell_lite.views.graph import heads, in_order
+
+# A row of the stack of boxes: text between its borders, and the borders.
+Row = collections.namedtuple("Row", "left text right")
+
+# What lies between the ports of one connection: the rows it joins, the row where it starts, whether it is a service.
+Net = collections.namedtuple("Net", "rows start service")
+
+# Joints by (goes up, goes down, goes on to the right); they all come from the left.
+_JOINTS = {(0, 1, 0): "┐╗", (1, 0, 0): "┘╝", (1, 1, 0): "┤╣",
+           (0, 1, 1): "┬╦", (1, 0, 1): "┴╩", (1, 1, 1): "┼╬"}
+_ASCII = {ord(c): "+" for c in "┌┐└┘├┤┬┴┼╗╝╣╦╩╬╞"}
+_ASCII.update({ord("─"): "-", ord("│"): "|", ord("═"): "=", ord("║"): ":"})
+
+
+def lines(picture, ascii_only=False):
+    """The lines of the drawing of a graph.Graph; with `ascii_only` nothing but ASCII."""
+    rows, at = _stack(picture)
+    nets = _nets(picture, at)
+    lanes = _lanes(nets)
+    wide = max([cells(row.text) for row in rows] or [0])
+    for number, row in enumerate(rows):
+        beside, border = _beside(number, nets, lanes)
+        fill = "─" if row.left in "┌├└" else " "
+        text = row.text + fill * (wide - cells(row.text)) if row.right != ">" else \
+            " " * (wide - cells(row.text)) + row.text
+        right = "│" if row.right == ">" else row.right
+        line = (row.left + text + (border or right) + beside).rstrip()
+        yield line.translate(_ASCII).encode("ascii", "backslashreplace").decode() if ascii_only else line
+
+
+def _stack(picture):
+    """(Rows of all boxes, {(box, port): number of its row}). The right border `>` marks text that goes to the right."""
+    rows, at = [], {}
+    for place, number in enumerate(in_order(picture)):
+        box = picture.boxes[number]
+        rows.append(Row("├", "", "┤") if place else Row("┌", "", "┐"))
+        rows += [Row("│", " %s " % head, "│") for head in heads(picture, number)]
+        for side, mark in ((box.left, "│"), (box.right, ">")):
+            for port in side:
+                at[number, port] = len(rows)
+                rows.append(Row("│", " %s " % printable(port), mark))
+    return rows + [Row("└", "", "┘")] * bool(rows), at
+
+
+def _nets(picture, at):
+    """The Nets: one for each port that connections start at, and kind."""
+    rows = collections.OrderedDict()
+    for one, out, other, into, service in picture.edges:
+        rows.setdefault((at[one, out], service), set()).update([at[one, out], at[other, into]])
+    return [Net(joined, start, service) for (start, service), joined in rows.items() if len(joined) > 1]
+
+
+def _lanes(nets):
+    """The lane of each Net, counted from the boxes: short ones first, no two in one lane beside the same row."""
+    taken, lanes = [], [0] * len(nets)
+    for number in sorted(range(len(nets)), key=lambda n: (max(nets[n].rows) - min(nets[n].rows), nets[n].start)):
+        span = (min(nets[number].rows), max(nets[number].rows))
+        lane = next((i for i, spans in enumerate(taken) if all(span[1] < low or high < span[0] for low, high in spans)), None)
+        if lane is None:
+            lane = len(taken)
+            taken.append([])
+        taken[lane].append(span)
+        lanes[number] = lane
+    return lanes
+
+
+def _beside(row, nets, lanes):
+    """(what is drawn beside a row, the border of its box where a line starts or '')."""
+    passing = {lane: net for net, lane in zip(nets, lanes) if min(net.rows) <= row <= max(net.rows)}
+    joined = {lane: net for lane, net in passing.items() if row in net.rows}
+    far = max(joined) if joined else -1
+    service = int(any(net.service for net in joined.values()))
+    arrives = any(row != net.start for net in joined.values())
+    drawn = []
+    for lane in range(max(passing) + 1 if passing else 0):
+        drawn.append("<" if lane == 0 and arrives else "─═"[service] if lane <= far else " ")
+        if lane in joined:
+            net = joined[lane]
+            drawn.append(_JOINTS[int(min(net.rows) < row), int(row < max(net.rows)), int(lane < far)][net.service])
+        elif lane in passing:
+            drawn.append("│║"[passing[lane].service])
+        else:
+            drawn.append("─═"[service] if lane < far else " ")
+    border = "├╞"[service] if joined and not arrives else ""
+    return "".join(drawn), border

@@ -1,0 +1,144 @@
+"""What rtls and rtfind show of nodes: their kind at a glance, a row of figures, or JSON."""
+import collections
+
+from rtshell_lite import errors, text
+from rtshell_lite.corba import lanes
+from rtshell_lite.robot import tree
+
+MARKS = {"zombie": "*", "silent": "?"}
+
+# The figures of a component: its state, and how many ports of each kind it has and how many of them are connected.
+Figures = collections.namedtuple("Figures", "state counts")
+COUNTED = (("ports", None), ("in_ports", "DataInPort"), ("out_ports", "DataOutPort"), ("service_ports", "CorbaPort"))
+
+
+def all_blocks(paths, recurse, typed):
+    """`blocks` for each path, in parallel by name server; an errors.Error for what failed. `typed` is for the headers."""
+    return lanes.gather([lanes.Job(tree.lane(path), str(path), lambda path=path, shown=shown: blocks(path, recurse, text.safe(shown)))
+                         for path, shown in zip(paths, typed)])
+
+
+def blocks(path, recurse=False, shown="."):
+    """What there is to list at `path`, as a list of (header, [Node, …]); the header is None for a single object.
+
+    With `recurse`, a block for every directory below, its header relative to `shown` as in ls -R; of a directory bound by
+    several names, for the first. One that cannot be listed is in its parent's block with its `error` set. Raises what
+    `tree.resolve` raises, and WrongKind.
+    """
+    if path.port is not None:
+        raise errors.WrongKind(str(path), "directory or component", "port; rtcat shows it")
+    top = tree.resolve(path)
+    if top.kind not in tree.DIRECTORIES:
+        if path.directory:
+            raise errors.WrongKind(str(path), "directory", top.what)
+        return [(None, [top])]
+    if not recurse:
+        return [(shown + ":", tree.children(top))]
+    found = collections.OrderedDict()
+    for node in tree.walk(top):
+        if node.kind in tree.DIRECTORIES and node.alias is None:
+            below = str(node.path)[len(str(top.path)):].strip("/")
+            found[node.path] = (shown.rstrip("/") + ("/" + below if below else "") + ":", [])
+        if node is not top:
+            found[node.path.parent()][1].append(node)
+    if top.error is not None:
+        raise top.error
+    return list(found.values())
+
+
+def look(nodes, long=False):
+    """(Node, Figures or None) of each node: one liveness call a component, with `long` its figures instead.
+
+    The figures of a component take 4 calls (its contexts, state, ports) and one a port.
+    """
+    if not long:
+        return [(node, None) for node in tree.look(nodes)]
+    nodes = [tree.look([node])[0] if node.kind == "unsure" else node for node in nodes]
+    asked = [node for node in nodes if node.kind == "component"]
+    answers = dict(zip(asked, tree.on_nodes(asked, _asked_once)))
+    others = dict(zip([n for n in nodes if n not in answers], tree.look([n for n in nodes if n not in answers])))
+    rows = []
+    for node in nodes:
+        answer = answers.get(node)
+        if isinstance(answer, errors.Error):
+            node, answer = tree.judged(node, answer), None
+        rows.append((others.get(node, node), answer))
+    return rows
+
+
+def _asked_once(node):
+    """The Figures of a component whose reference is needed no more: 20,000 of them take 16 MB."""
+    try:
+        return figures(node)
+    finally:
+        node.ref = None
+
+
+def figures(node):
+    """The Figures of one component."""
+    from rtshell_lite.robot import component, ports  # not needed, and not loaded, for names alone
+    owned, participating = component.context_refs(node)  # tells whether the component itself is there
+    try:
+        state = component.merged(component.states(node, owned + participating))
+        found = ports.ports(node, brief=True)
+    except (errors.Gone, errors.ConnectionRefused) as e:
+        # a port or context passed on that something behind it is gone; the component has answered
+        why = "one of them is gone" if isinstance(e, errors.Gone) else "connection refused"
+        raise errors.Unreachable(str(node.path), "does not tell its ports or states (%s)" % why)
+    counts = []
+    for _, kind in COUNTED:
+        of_kind = [each for each in found if kind in (None, each.type)]
+        counts.append((len(of_kind), sum(bool(each.connectors) for each in of_kind)))
+    return Figures(state, counts)
+
+
+def short(node, paint, name=None):
+    """(what is printed for a node without -l, its width): directories end in a slash, zombies and silent ones are marked."""
+    name = name or node.name
+    if node.kind in tree.DIRECTORIES:
+        return paint(name, "directory") + "/" + first_name(node), name + "/" + first_name(node)
+    role = {"zombie": "zombie", "unknown": "zombie", "silent": "?"}.get(node.kind)
+    return MARKS.get(node.kind, "") + paint(name, role), MARKS.get(node.kind, "") + name
+
+
+def first_name(node):
+    """` -> PATH` for a directory that a walk has entered by another name, else ''."""
+    return " -> " + str(node.alias) if node.alias else ""
+
+
+def row(node, found, paint, name=None):
+    """The columns of a node with -l: state, connected ports of four kinds, name; `-` for what is no component."""
+    name = name or node.name
+    if found is None:
+        cells = [paint("?") if node.kind == "silent" else "-"] + ["-"] * len(COUNTED)
+        role = "directory" if node.kind in tree.DIRECTORIES else "zombie" if node.kind in ("zombie", "unknown") else None
+        return cells + [MARKS.get(node.kind, "") + paint(name, role) + first_name(node)]
+    return [paint(found.state)] + [paint(str(count), "bold") + "/%d" % linked for count, linked in found.counts] + [name]
+
+
+def place(node):
+    """The JSON object that says where a node is; `alias` is the first path of a directory bound by several names."""
+    fields = {"path": str(node.path), "kind": node.kind}
+    if node.alias is not None:
+        fields["alias"] = str(node.alias)
+    return fields
+
+
+def as_dict(node, found):
+    """The JSON object for a node."""
+    fields = dict(place(node), name=node.name)
+    if node.error is not None:
+        fields["error"] = str(node.error)
+    if found is not None:
+        fields["state"] = found.state
+        for (label, _), (count, connected) in zip(COUNTED, found.counts):
+            fields[label], fields[label + "_connected"] = count, connected
+    return fields
+
+
+def silent_ones(nodes):
+    """The line that tells how many of `nodes` did not answer, '' when all did."""
+    silent = [node.name for node in nodes if node.kind == "silent"]
+    names = ", ".join(silent[:5] + ["…"] * (len(silent) > 5))
+    objects = [node for node in nodes if node.kind in ("component", "manager", "silent", "zombie")]
+    return "%d of %d did not answer (%s)" % (len(silent), len(objects), names) if silent else ""

@@ -1,0 +1,201 @@
+"""What rtprint shows of the values that come from ports: lines, JSON, bytes, or figures on their flow."""
+import importlib
+import math
+import os
+import struct
+import sys
+import time
+
+from rtshell_lite import errors, text
+from rtshell_lite.data import datatypes, statistics, values
+
+TICK = 0.2  # seconds between two looks at what is not a value: dead ports, the end of the time
+PORTION = 1 << 16  # characters that are written at once
+LONG = 8  # elements of a sequence that are shown on a terminal
+USER_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)  # what a formatter may well raise
+
+
+# ---- channels -------------------------------------------------------------------------------------------------
+
+class Channel:
+    """One port that is read, and how its values are shown; `type` is None when they are shown as bytes."""
+
+    def __init__(self, found, type, formatter=None, field=None):
+        self.label, self.type, self.formatter, self.field = found.label, type, formatter, field
+        self.path = str(found.port.node.path.with_port(found.port.name.rpartition(".")[2]))
+        self.type_id = found.port.properties.get("dataport.data_type", "")
+        members = datatypes.members(self.type_id) if type else None
+        self.stamped = bool(members) and members[0] == ("tm", "Time")
+        self.flow = statistics.Flow()
+        self.shown = self.failed = False  # whether any of its values could be shown, and whether any could not
+
+    def value(self, message):
+        """The Python value of a Message, or the member of it that is asked for. Raises errors.Error."""
+        try:
+            value = self.type.decode(message.data, message.little)
+        except errors.BadData as e:
+            raise errors.BadData(self.path, "%s: %s" % e.args)
+        return values.field(value, self.field) if self.field else value
+
+    def line(self, message):
+        """A Message as a line for people; its bytes are several lines."""
+        if self.type is None:
+            limit = 4 * LONG if sys.stdout.isatty() else None
+            return "\n".join(text.safe(line) for line in values.raw(message.data, message.little, limit))
+        value = self.value(message)
+        if self.formatter is None:
+            return values.text(value, LONG if sys.stdout.isatty() else None)
+        try:
+            return str(self.formatter(value))
+        except USER_ERRORS as e:
+            raise errors.No(self.label, "the formatter fails (%s: %s)" % (type(e).__name__, e))
+
+    def record(self, message):
+        """A Message as a dict for JSON."""
+        fields = {"path": self.path, "received": message.received / 1e9, "type": self.type_id}
+        if self.type is None:
+            return dict(fields, size=len(message.data), little_endian=message.little, hex=message.data.hex())
+        return dict(fields, value=values.json(self.value(message)))
+
+    def count(self, message):
+        """Count a Message for the figures."""
+        self.flow.add(message.received, len(message.data), self.stamp(message))
+
+    def stamp(self, message):
+        """The time in a Message's value, in ns since 1970, or None."""
+        if self.stamped:  # big values need not be decoded for that
+            if len(message.data) < 8:
+                return None
+            sec, nsec = struct.unpack_from("<LL" if message.little else ">LL", message.data)
+            return sec * 10**9 + nsec
+        found = values.timestamp(self.type.decode(message.data, message.little)) if self.type else None
+        return found and found[0] * 10**9 + found[1]
+
+
+def formatter(name, directories=()):
+    """The function `module.function` that turns a value into what is printed; directories to look in first. Raises NoSuch.
+
+    `rtshell.rawpy`, as with rtshell, is Python's own spelling.
+    """
+    if name == "rtshell.rawpy":
+        return repr
+    module, _, function = name.rpartition(".")
+    before = list(sys.path)
+    sys.path[:0] = [os.path.abspath(directory) for directory in directories]
+    try:
+        found = getattr(importlib.import_module(module), function, None) if module else None
+    except (ImportError, SyntaxError) as e:
+        raise errors.No("#" + name, "cannot import %s (%s)" % (module, e))
+    finally:
+        sys.path[:] = before
+    if not callable(found):
+        raise errors.NoSuch("#" + name, "formatter", "module.function is wanted, with one argument")
+    return found
+
+
+# ---- as they come ---------------------------------------------------------------------------------------------
+
+def batches(box, opened, look, seconds=math.inf, rate=None):
+    """Yield lists of (key, Message) from an Inbox, as they come; until `seconds` are over or no connection of `opened` is left.
+
+    With a rate, so many times a second, and of each key only the newest. Every TICK there is a list, maybe empty, and look()
+    is called.
+    """
+    end, looked = time.monotonic() + seconds, 0.0
+    while True:
+        now = time.monotonic()
+        if now - looked >= TICK:
+            look()
+            looked = now
+        last = now >= end or not opened.live()
+        left = 0 if last else min(end - now, 1 / rate if rate else TICK)
+        if rate:
+            time.sleep(left)
+        batch = box.get(0 if rate else left)
+        yield sorted(dict(batch).items()) if rate else batch
+        if last:
+            return
+
+
+def portions(lines):
+    """Lines put together to strings of some length: many small writes cost time, a large one memory."""
+    some, size = [], 0
+    for line in lines:
+        some.append(line)
+        size += len(line)
+        if size >= PORTION:
+            yield "".join(some)
+            some, size = [], 0
+    yield "".join(some)
+
+
+# ---- figures --------------------------------------------------------------------------------------------------
+
+class Board:
+    """Figures for each Channel: in place on a terminal, else a line each time, or JSON; and all in all at the end."""
+
+    def __init__(self, channels, box, json):
+        self.channels, self.box, self.json = channels, box, json
+        self.dropped = [0] * len(channels)
+        self.in_place = not json and sys.stdout.isatty()
+        self.lines = 0
+
+    def show(self, seconds):
+        """The figures since the last time, which was `seconds` ago."""
+        found = []
+        for key, channel in enumerate(self.channels):
+            dropped, self.dropped[key] = self.box.dropped[key] - self.dropped[key], self.box.dropped[key]
+            found.append(channel.flow.look().summary(seconds, dropped))
+        self._write(found, "")
+
+    def end(self, seconds):
+        """The figures since the beginning."""
+        self._write([channel.flow.total.summary(seconds, self.box.dropped[key]) for key, channel in enumerate(self.channels)],
+                    "all in all: ")
+
+    def _write(self, found, prefix):
+        if self.json:
+            lines = [text.json_line(dict(each, path=channel.path, total=bool(prefix)))
+                     for channel, each in zip(self.channels, found)]
+        else:
+            lines = [prefix + (channel.label + ": " if len(found) > 1 else "") + text.safe(figure_line(each))
+                     for channel, each in zip(self.channels, found)]
+        if self.in_place:
+            width = text.width() - 1
+            sys.stdout.write("\x1b[%dA" % self.lines if self.lines else "")
+            lines = ["\x1b[2K" + line[:width] for line in lines]
+            self.lines = len(lines)
+        sys.stdout.write("".join(line + "\n" for line in lines))
+        sys.stdout.flush()
+
+
+def figure_line(each):
+    """One port's figures in words; what cannot be told is left out."""
+    if not each["values"]:
+        return "no values"
+    words = ["%d values" % each["values"]]
+    if each["rate"] is not None:
+        words += ["%.1f Hz" % each["rate"], "gap %s/%s/%s ms" % tuple(_ms(each[k]) for k in ("gap_min", "gap_mean", "gap_max")),
+                  "jitter %s ms" % _ms(each["jitter"])]
+    if each["bytes_per_second"] is not None:
+        words.append(_bytes(each["bytes_per_second"]) + "/s")
+    if each["age_mean"] is not None:
+        words.append("age %s ms" % _ms(each["age_mean"]))
+    if each["absent"]:
+        words.append("%d cycle%s did not come" % (each["absent"], "" if each["absent"] == 1 else "s"))
+    for what in ("disordered", "repeated", "dropped"):
+        if each[what]:
+            words.append("%s %d" % (what, each[what]))
+    return ", ".join(words)
+
+
+def _ms(seconds):
+    return "%.3g" % (seconds * 1000) if abs(seconds) < 1 else "%.0f" % (seconds * 1000)
+
+
+def _bytes(number):
+    for unit in ("B", "kB", "MB"):
+        if number < 1000:
+            return "%.3g %s" % (number, unit)
+        number /= 1000.0
+    return "%.3g GB" % number

@@ -1,0 +1,75 @@
+"""A YAML document while it is read: its text and where one is in it, its nodes within limits, and the error."""
+import re
+
+from rtshell_lite import errors
+from rtshell_lite.xmlprofile.yaml.scalars import BREAK, TAB
+
+MOST_NODES = 500000  # with aliases replaced; a system of 1,000 components and 2,000 connections has 200,000
+DEEPEST = 150  # levels; 64 of XML become twice as many at worst, and Python's stack holds 1,000 calls
+
+_SPACE = re.compile("[ %s]*(#)?" % BREAK)
+_COMMENT = re.compile("[^%s\0]*" % BREAK)
+_MARKER = re.compile(r"(?:---|\.\.\.)(?=[ \0%s])" % BREAK)
+
+
+class Node:
+    """A value and where it stands: str, list of Node, or dict of str to Node. `tag`: how text was meant, None for plain."""
+
+    __slots__ = "value", "pos", "tag", "height"
+
+    def __init__(self, value, pos, tag=None):
+        self.value = value
+        self.pos = pos
+        self.tag = tag
+        self.height = 0  # levels of collections in it, once that is known
+
+
+class Document:
+    """The text that is read, what was anchored in it so far, and the error."""
+
+    def __init__(self, text, name):
+        self.name = name
+        self.text = text
+        self.other_breaks = ""
+        self.nodes = 0
+        self.anchors = {}  # name: (node, number of nodes in it)
+
+    def fail(self, pos, reason):
+        start = self.text.rfind("\n", 0, pos) + 1
+        raise errors.BadProfile(self.name, self.text.count("\n", 0, pos) + 1, pos - start + 1, reason)
+
+    def node(self, value, pos, depth, tag=None):
+        """A new node, if there may be one more."""
+        self.nodes += 1
+        if self.nodes > MOST_NODES:
+            self.fail(pos, "more than %d values" % MOST_NODES)
+        if depth > DEEPEST:
+            self.fail(pos, "more than %d levels" % DEEPEST)
+        return Node(value, pos, tag)
+
+    def column(self, pos):
+        start = self.text.rfind("\n", 0, pos) + 1
+        for other in self.other_breaks:
+            start = max(start, self.text.rfind(other, start, pos) + 1)
+        return pos - start
+
+    def skip(self, pos):
+        """Where the next token stands, behind blanks, comments and ends of lines."""
+        while True:
+            found = _SPACE.match(self.text, pos)
+            if not found.group(1):
+                break
+            pos = _COMMENT.match(self.text, found.end()).end()
+        if self.text[found.end()] == "\t":
+            self.fail(found.end(), TAB)
+        return found.end()
+
+    def next_token(self, pos):
+        """Where the next token stands, and its column; -1 at the end of the document."""
+        pos = self.skip(pos)
+        return pos, self.here(pos)
+
+    def here(self, pos):
+        """The column of the token at `pos`; -1 at the end of the document."""
+        column = self.column(pos)
+        return -1 if self.text[pos] == "\0" or column == 0 and _MARKER.match(self.text, pos) else column

@@ -1,0 +1,235 @@
+"""RtsProfile files in YAML: from the nodes of reader.py to the model, and from the model to plain data.
+
+A file is one mapping with the key rtsProfile. What only XML knows stands under keys of its own:
+
+    xml::attributes: {'{namespace}name': text}
+    xml::elements: [{element: '{namespace}name', attributes: {...}, content: [text or element]}]
+"""
+import re
+
+from rtshell_lite.xmlprofile import fields, model, names, values
+from rtshell_lite.xmlprofile.yaml import document, reader, scalars, writer
+
+ROOT = "rtsProfile"
+DEEPEST_XML = 64  # elements below elements: a profile that is read here can be written as XML and read again
+
+_DATE = re.compile(r"(\d{4})-(\d\d)-(\d\d)T(\d\d):(\d\d):(\d\d)(\.\d+)?(Z|[-+]\d\d:\d\d)?\Z", re.ASCII)
+_DATE_KEYS = ("year", "month", "day", "hour", "minute", "second")
+
+
+def read(text, name):
+    """The profile that a YAML file, str or bytes, holds. Raises BadProfile; `name` is for messages."""
+    doc, root = reader.parse(text, name)
+    if not isinstance(root.value, dict) or ROOT not in root.value:
+        doc.fail(root.pos, "not an RtsProfile: the key %s is missing" % ROOT)
+    profile = _element(doc, root.value[ROOT], model.RtsProfile, 1)
+    if profile.version == "0.1":
+        profile.version = "0.2"  # its spellings are understood; what stands elsewhere in 0.1, only XML ever had
+    return profile
+
+
+def write(profile):
+    """The text of a YAML file."""
+    return writer.write({ROOT: _data(profile)})
+
+
+# ---- reading ----------------------------------------------------------------------------------------------------
+
+def _element(doc, node, cls, depth):
+    if _is_null(node):
+        node = document.Node({}, node.pos)  # `startUp:` alone
+    if not isinstance(node.value, dict):
+        doc.fail(node.pos, "a mapping is needed here")
+    if depth > DEEPEST_XML:
+        doc.fail(node.pos, "more than %d levels of elements" % DEEPEST_XML)
+    table = names.table(cls)
+    found, others = {}, []
+    for key, value in _pairs(doc, node, table):
+        field = table.keys.get(key)
+        if field:
+            _set(doc, found, field, value, depth)
+        else:
+            others.append((key, value))
+    for key, value in others:
+        field = table.loose_keys.get(key)
+        if field and field.name not in found:
+            _set(doc, found, field, value, depth)
+        elif key == names.ATTRIBUTES:
+            _foreign(found).attributes.update(_attributes(doc, value, table))
+        elif key == names.ELEMENTS:
+            _foreign(found).elements += _elements(doc, value, table, depth + 1)
+        elif field:
+            doc.fail(value.pos, "%s was given before, spelt otherwise" % values.shown(key))
+        else:
+            _foreign(found).keys[key] = _plain(doc, value)
+    element = cls(**found)
+    fault = element.fault(found)
+    if fault:
+        doc.fail(node.pos, "%s: %s" % (cls.__name__, fault))
+    return element
+
+
+def _pairs(doc, node, table):
+    """Keys and values of a mapping, and of those in it that only wrap some of its fields."""
+    for key, value in node.value.items():
+        if key not in table.wrappers:
+            yield key, value
+        elif isinstance(value.value, dict):
+            for inner in value.value.items():
+                if inner[0] in node.value:
+                    doc.fail(inner[1].pos, "%s stands here and one level above" % values.shown(inner[0]))
+                yield inner
+        elif not _is_null(value):
+            doc.fail(value.pos, "a mapping is needed here")
+
+
+def _is_null(node):
+    return node.tag in (None, "null") and node.value in scalars.NULLS
+
+
+def _set(doc, found, field, node, depth):
+    """Put what `node` says for a field into `found`; nothing if it is null."""
+    if field.many:
+        if _is_null(node):
+            return
+        if not isinstance(node.value, list):
+            doc.fail(node.pos, "a list is needed here")
+        found[field.name] = [_text(doc, item) if field.kind == fields.TEXT else _element(doc, item, field.kind, depth + 1)
+                             for item in node.value]
+    elif field.child:
+        if not _is_null(node) or field.kind is model.MessageSending:
+            found[field.name] = _element(doc, node, field.kind, depth + 1)
+    elif field.kind == fields.DATE and isinstance(node.value, dict):
+        found[field.name] = _date(doc, node)
+    elif not _is_null(node):
+        found[field.name] = _value(doc, field, node)
+
+
+def _value(doc, field, node):
+    """What a field that holds a single value has; text as it is spelt: `id: 010` and `name: no` are text here."""
+    text = _text(doc, node)
+    try:
+        if field.kind in (fields.BOOLEAN, fields.INTEGER, fields.NUMBER):
+            value = scalars.plain(node)
+            if isinstance(value, (bool, int, float)):
+                return values.from_number(field, value)
+        return values.from_text(field, text)
+    except ValueError as e:
+        doc.fail(node.pos, str(e))
+
+
+def _text(doc, node):
+    if not isinstance(node.value, str):
+        doc.fail(node.pos, "text or a number is needed here")
+    if node.tag == "binary":
+        value = _plain(doc, node)
+        return value.decode("utf-8", "surrogateescape")
+    return node.value
+
+
+def _plain(doc, node):
+    try:
+        return scalars.plain(node)
+    except ValueError as e:
+        doc.fail(node.pos, str(e))
+
+
+def _date(doc, node):
+    """The text of a date that is a mapping; rtsprofile knows six whole numbers, we also keep fraction and zone."""
+    parts = {key: _plain(doc, value) for key, value in node.value.items()}
+    numbers = [parts.pop(key, 0) for key in _DATE_KEYS]
+    rest = "".join(str(parts.pop(key, "")) for key in ("fraction", "zone"))
+    for key, value in zip(_DATE_KEYS, numbers):
+        if not isinstance(value, int) or not 0 <= value <= (9999 if key == "year" else 99):
+            doc.fail(node.pos, "not a date: %s is %s" % (key, values.shown(value)))
+    text = "%04d-%02d-%02dT%02d:%02d:%02d" % tuple(numbers) + rest
+    if parts or not _DATE.match(text):
+        doc.fail(node.pos, "not a date of year, month, day, hour, minute, second")
+    return text
+
+
+# ---- reading what only XML knows --------------------------------------------------------------------------------
+
+def _foreign(found):
+    if "foreign" not in found:
+        found["foreign"] = fields.Foreign()
+    return found["foreign"]
+
+
+def _attributes(doc, node, table=None):
+    if not isinstance(node.value, dict):
+        doc.fail(node.pos, "a mapping is needed here")
+    for name, value in node.value.items():
+        if not names.is_clark(name) or table and (names.raw(name) in table.attributes or names.raw(name) == names.TYPE):
+            doc.fail(value.pos, "%s cannot be an attribute here" % values.shown(name))
+    return {name: _text(doc, value) for name, value in node.value.items()}
+
+
+def _elements(doc, node, table, depth):
+    """Elements that the schema does not know; `table`, that of the element around them, says what it knows."""
+    if not isinstance(node.value, list):
+        doc.fail(node.pos, "a list is needed here")
+    return fields.tidy([_foreign_element(doc, item, table, depth) for item in node.value])
+
+
+def _foreign_element(doc, node, table, depth):
+    parts = dict(node.value) if isinstance(node.value, dict) else {}
+    tag = parts.pop("element", None)
+    tag, at = (_text(doc, tag), tag) if tag else ("", node)
+    attributes = _attributes(doc, parts.pop("attributes")) if "attributes" in parts else {}
+    content = parts.pop("content", None)
+    if not names.is_clark(tag) or parts or depth > DEEPEST_XML or content and not isinstance(content.value, list):
+        doc.fail(at.pos, "an element is needed here: its name, attributes and content")
+    known = table and table.children.get(names.raw(tag))
+    if known and known.kind != fields.TEXT:
+        doc.fail(at.pos, "%s is no foreign element" % values.shown(tag))
+    items = [_foreign_element(doc, item, None, depth + 1) if isinstance(item.value, dict) else _text(doc, item)
+             for item in (content.value if content else [])]
+    return fields.ForeignElement(tag, attributes, fields.tidy(items))
+
+
+# ---- writing ----------------------------------------------------------------------------------------------------
+
+def _data(element):
+    data = {}
+    for field in element.FIELDS:
+        value = getattr(element, field.name)
+        target = data if field.within is None else data.setdefault(field.within, {})
+        if field.many:
+            if value:
+                target[field.key] = [item if field.kind == fields.TEXT else _data(item) for item in value]
+        elif field.child:
+            if value is not None:
+                target[field.key] = _data(value)
+        elif value is not None and (field.always or value != field.default):
+            target[field.key] = _date_data(value) if field.kind == fields.DATE else \
+                float(value) if field.kind == fields.NUMBER else value
+    if element.foreign:
+        data.update(element.foreign.keys)
+        if element.foreign.attributes:
+            data[names.ATTRIBUTES] = element.foreign.attributes
+        if element.foreign.elements:
+            data[names.ELEMENTS] = [_foreign_data(item) for item in element.foreign.elements]
+    return data
+
+
+def _date_data(text):
+    """A date as rtsprofile has it; other text as it is."""
+    found = _DATE.match(text)
+    if not found:
+        return text
+    data = {key: int(part) for key, part in zip(_DATE_KEYS, found.groups())}
+    if found.group(7):
+        data["fraction"] = found.group(7)
+    if found.group(8):
+        data["zone"] = found.group(8)
+    return data
+
+
+def _foreign_data(element):
+    data = {"element": element.tag}
+    if element.attributes:
+        data["attributes"] = element.attributes
+    if element.content:
+        data["content"] = [item if isinstance(item, str) else _foreign_data(item) for item in element.content]
+    return data

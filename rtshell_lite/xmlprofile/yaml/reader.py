@@ -1,0 +1,377 @@
+"""Reads a subset of YAML 1.1: all that PyYAML writes for plain data, and what people write by hand.
+
+Read: block and flow collections, plain, quoted, literal and folded text, comments, `? ` keys, anchors and aliases, tags of
+plain types, %YAML, one document. Refused with line and column: anything else, and what is legal but a trap: keys and
+anchors given twice, merge keys, several documents. Nothing is ever evaluated.
+
+Most functions take a document and a position and return where they ended and a node: (doc, pos) -> (pos, Node). Those of
+block style end at the next token, which is what tells them from flow style.
+"""
+import re
+
+from rtshell_lite.xmlprofile.yaml import scalars
+from rtshell_lite.xmlprofile.yaml.document import Document, Node
+from rtshell_lite.xmlprofile.yaml.scalars import BREAK
+
+MOST_CHARACTERS = 16 << 20
+MOST_LINES = 1000000  # two for each of the values that there may be
+
+_BLANKS = re.compile(" *")
+_END_OF_LINE = re.compile(" *(?:#|[%s\0])" % BREAK)
+_DASH = re.compile("-(?=[ \0%s])" % BREAK)
+_QUESTION = re.compile(r"\?(?=[ \0%s])" % BREAK)
+_COLON = re.compile(" *:(?=[ \0%s])" % BREAK)
+_ANCHOR = re.compile(r"([&*])([\w-]+)", re.ASCII)
+_TAG = re.compile(r"!(?:<tag:yaml\.org,2002:(\w+)>|!(\w+)|(?=[ \0%s]))" % BREAK, re.ASCII)
+_FORBIDDEN = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
+# What most lines of a profile are, `key: value` or `key:` alone; reading such a line at once saves two thirds of the time.
+_SIMPLE = re.compile(r"([A-Za-z][\w:]*):( (?:([\w/.+][!\"$-~]*(?<!:))|'([^'%s\t]*)'))?\n( *)(?=[!-\"$-~])" % BREAK, re.ASCII)
+_DIRECTIVE = re.compile(r"%%YAML +1\.\d+ *(?:#[^%s]*)?[%s]" % (BREAK, BREAK))
+
+
+def parse(text, name):
+    """A YAML document, str or bytes: (Document, its root node). Raises BadProfile; `name` is for messages."""
+    doc = Document("", name)
+    if len(text) > MOST_CHARACTERS:
+        doc.fail(0, "more than %d MiB" % (MOST_CHARACTERS >> 20))
+    if isinstance(text, bytes):
+        text = _decoded(doc, text)
+    text = text[1:] if text.startswith("\ufeff") else text
+    doc.text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\x85", "\n")
+    if doc.text.count("\n") > MOST_LINES:
+        doc.fail(0, "more than %d lines" % MOST_LINES)
+    bad = _FORBIDDEN.search(doc.text)
+    if bad:
+        doc.fail(bad.start(), "a character that YAML does not allow (U+%04X)" % ord(bad.group()))
+    doc.other_breaks = [c for c in BREAK[1:] if c in doc.text]
+    doc.text += "\0"  # so that a token always has something behind it
+    return doc, _document(doc)
+
+
+def _decoded(doc, data):
+    encoding = "utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8"
+    try:
+        return data.decode(encoding)
+    except UnicodeDecodeError as e:
+        doc.text = data[:e.start].decode(encoding, "replace")
+        doc.fail(len(doc.text), "not %s (%s)" % (encoding.upper(), e.reason))
+
+
+def _document(doc):
+    pos, column = doc.next_token(0)
+    directive = doc.text[pos] == "%"
+    if directive:
+        found = _DIRECTIVE.match(doc.text, pos)
+        pos, column = doc.next_token(found.end() if found else pos)
+    begins = column < 0 and doc.text.startswith("---", pos)
+    if directive and not begins:
+        doc.fail(pos, "a directive other than one %YAML 1.1, or no --- behind it")
+    if column < 0 and doc.text[pos] == ".":
+        doc.fail(pos, "the end of a document that has not begun")
+    pos, node = _value(doc, pos + 3, -1, 0, False) if begins else _value(doc, pos, -1, 0, True)
+    while doc.text.startswith("...", pos) and doc.here(pos) < 0:
+        pos = _line_end(doc, pos + 3)
+    if doc.text[pos] != "\0":
+        doc.fail(pos, "a second document" if doc.here(pos) < 0 else "this does not belong to what stands above")
+    return node
+
+
+def _line_end(doc, pos):
+    """Check that nothing follows on this line; where the next token stands."""
+    if not _END_OF_LINE.match(doc.text, pos):
+        pos = _BLANKS.match(doc.text, pos).end()
+        doc.fail(pos, {":": "a colon and a blank inside text: put quotes around it, or mend the indentation", "\t": scalars.TAB}
+                 .get(doc.text[pos], "this does not belong to the value before it"))
+    return doc.next_token(pos)[0]
+
+
+# ---- block style ------------------------------------------------------------------------------------------------
+
+def _value(doc, pos, indent, depth, compact, dashes=False):
+    """The value behind `key:`, `- ` or `? ` at column `indent`, and the next token.
+
+    compact: another collection may begin on the same line. dashes: a list may stand at the column of its key.
+    """
+    start = pos
+    pos, anchor, tag = _properties(doc, pos)
+    if not _END_OF_LINE.match(doc.text, pos):
+        if compact and not (anchor or tag):
+            return _block(doc, _BLANKS.match(doc.text, pos).end(), indent, depth)
+        if compact and _is_key(doc, pos):  # the anchor is the key's
+            return _block(doc, _BLANKS.match(doc.text, start).end(), indent, depth)
+        return _anchored(doc, anchor, doc.nodes, _inline(doc, pos, indent, depth, tag))
+    pos, column = doc.next_token(pos)
+    _check_below(doc, pos, column, indent, anchor, tag)
+    count = doc.nodes
+    pos, node = _below(doc, pos, column, indent, depth, dashes)
+    return _anchored(doc, anchor, count, (pos, _tagged(doc, start, node, tag)))
+
+
+def _check_below(doc, pos, column, indent, anchor, tag):
+    """Refuse a second anchor or tag of a node whose first ones end their line: the one that is missing may stand below."""
+    while (anchor or tag) and column > indent and not _is_key(doc, pos):
+        end, second_anchor, second_tag = _properties(doc, pos)
+        if anchor and second_anchor or tag and second_tag:
+            doc.fail(pos, "a second anchor or tag")
+        if not (second_anchor or second_tag) or not _END_OF_LINE.match(doc.text, end):
+            return
+        anchor, tag = anchor or second_anchor, tag or second_tag
+        pos, column = doc.next_token(end)
+
+
+def _below(doc, pos, column, indent, depth, dashes=True):
+    """The value whose first token stands below its key or dash at column `indent`: at `pos`, in `column`."""
+    if column > indent:
+        return _block(doc, pos, indent, depth)
+    if dashes and column == indent and _DASH.match(doc.text, pos):
+        return _sequence(doc, pos, column, depth)
+    return pos, doc.node("", pos, depth)
+
+
+def _block(doc, pos, indent, depth):
+    """What begins with the token at `pos`: a collection, or a value."""
+    if doc.text[pos] == "-" and _DASH.match(doc.text, pos):
+        return _sequence(doc, pos, doc.column(pos), depth)
+    if _is_key(doc, pos):
+        return _mapping(doc, pos, doc.column(pos), depth)
+    return _value(doc, pos, indent, depth, False)
+
+
+def _sequence(doc, pos, column, depth):
+    items = []
+    node = doc.node(items, pos, depth)
+    here = column
+    while here == column and _DASH.match(doc.text, pos):
+        if _SIMPLE.match(doc.text, pos + 2):
+            pos, item = _mapping(doc, pos + 2, column + 2, depth + 1)
+        else:
+            pos, item = _value(doc, pos + 1, column, depth + 1, True)
+        items.append(item)
+        here = doc.here(pos)
+    _check_column(doc, pos, column)
+    return pos, node
+
+
+def _mapping(doc, pos, column, depth):
+    items = {}
+    node = doc.node(items, pos, depth)
+    here = column
+    while here == column and not _DASH.match(doc.text, pos):
+        simple = _SIMPLE.match(doc.text, pos)
+        if simple and simple.group(1) not in items:
+            key, line, value, quoted, blanks = simple.groups()
+            if not line:
+                pos, items[key] = _below(doc, simple.end(), len(blanks), column, depth + 1)
+                here = doc.here(pos)
+                continue
+            if len(blanks) <= column:
+                items[key] = doc.node(quoted or "" if value is None else value, simple.start(2) + 1, depth + 1,
+                                      "str" if value is None else None)
+                pos = simple.end()
+                here = len(blanks) or doc.here(pos)
+                continue
+        start, explicit = pos, _QUESTION.match(doc.text, pos)
+        pos, key = _key(doc, pos, column, depth)
+        if key in items:
+            doc.fail(start, "this key was given before")
+        colon = _COLON.match(doc.text, pos)
+        if colon and (not explicit or doc.column(pos) == column):
+            pos, items[key] = _value(doc, colon.end(), column, depth + 1, bool(explicit), True)
+        else:
+            items[key] = doc.node("", pos, depth)
+        here = doc.here(pos)
+    _check_column(doc, pos, column)
+    return pos, node
+
+
+def _check_column(doc, pos, column):
+    if doc.here(pos) > column:
+        doc.fail(pos, "indented by more than what it belongs to")
+
+
+def _is_key(doc, pos):
+    """Whether a key of a mapping begins here: text with a colon on the same line, or a question mark."""
+    if _QUESTION.match(doc.text, pos):
+        return True
+    end = scalars.key_end(doc, _BLANKS.match(doc.text, _properties(doc, pos)[0]).end())
+    return bool(end and _COLON.match(doc.text, end))
+
+
+def _key(doc, pos, column, depth):
+    """A key, and where its colon stands."""
+    if _QUESTION.match(doc.text, pos):
+        pos, node = _value(doc, pos + 1, column, depth + 1, True)
+        if isinstance(node.value, str):
+            return pos, node.value
+        doc.fail(pos, "a key that is a list or a mapping")
+    if not _is_key(doc, pos):
+        end = scalars.key_end(doc, pos) or pos
+        tab = doc.text.startswith(":\t", end)
+        doc.fail(end + 1 if tab else pos, scalars.TAB if tab else "a key and a colon are needed here")
+    start, (pos, anchor, tag) = pos, _properties(doc, pos)
+    if doc.text.startswith("<<", pos) and _COLON.match(doc.text, pos + 2):
+        doc.fail(pos, "merge keys are not supported here")
+    count = doc.nodes
+    pos, node = _anchored(doc, anchor, count, _scalar(doc, pos, depth, tag, key=True))
+    if not isinstance(node.value, str):
+        doc.fail(start, "a key that is a list or a mapping")
+    return pos, node.value
+
+
+def _inline(doc, pos, indent, depth, tag):
+    """A value that stands, or begins, on this line; the next token."""
+    pos = _BLANKS.match(doc.text, pos).end()
+    c = doc.text[pos]
+    if c in "|>":
+        end, text = scalars.block(doc, pos, indent)
+        return doc.next_token(end)[0], doc.node(text, pos, depth, tag or "str")
+    if c in "[{":
+        end, node = _flow(doc, pos, depth, tag)
+    else:
+        if _DASH.match(doc.text, pos) or _QUESTION.match(doc.text, pos):
+            doc.fail(pos, "a list or a mapping may not begin here")
+        end, node = _scalar(doc, pos, depth, tag, indent=indent)
+    return _line_end(doc, end), node
+
+
+# ---- what both styles have --------------------------------------------------------------------------------------
+
+def _properties(doc, pos):
+    """An anchor and a tag in front of a node: (pos, anchor, tag). The tag is a name such as str, or "!"."""
+    anchor = tag = None
+    while True:
+        start = _BLANKS.match(doc.text, pos).end()
+        c = doc.text[start]
+        found = _ANCHOR.match(doc.text, start) if c == "&" and not anchor else \
+            _TAG.match(doc.text, start) if c == "!" and not tag else None
+        if not found:
+            if c in "&!":
+                doc.fail(start, "a tag that is not supported here" if c == "!" else "an anchor without a name, or a second one")
+            return pos, anchor, tag
+        if c == "&":
+            anchor = found.group(2)
+        else:
+            tag = found.group(1) or found.group(2) or "!"
+            if tag not in scalars.TAGS:
+                doc.fail(start, "a tag that is not supported here")
+        pos = found.end()
+
+
+def _anchored(doc, anchor, count, result):
+    """Remember `result`, (pos, node), by its anchor; it was begun when there were `count` nodes."""
+    if anchor:
+        if anchor in doc.anchors:
+            doc.fail(result[1].pos, "the anchor &%s was given before" % anchor)
+        _measure(result[1])
+        doc.anchors[anchor] = (result[1], doc.nodes - count)
+    return result
+
+
+def _measure(node):
+    """Set the height of a node; each is visited once, however often it is used."""
+    if not node.height:
+        children = node.value.values() if isinstance(node.value, dict) else node.value
+        node.height = 1 + (0 if isinstance(children, str) else max([_measure(child) for child in children] or [0]))
+    return node.height
+
+
+def _alias(doc, pos, depth):
+    found = _ANCHOR.match(doc.text, pos)
+    name = found.group(2) if found else ""
+    if name not in doc.anchors:
+        doc.fail(pos, "an alias of nothing that was anchored before")
+    node, count = doc.anchors[name]
+    doc.nodes += count  # as often as it is used: ten lines of aliases can stand for 10 ** 9 nodes
+    doc.node("", pos, depth + node.height)
+    return found.end(), node
+
+
+def _tagged(doc, pos, node, tag):
+    """`node` with a tag that stands before it."""
+    wanted = "map" if isinstance(node.value, dict) else "seq" if isinstance(node.value, list) else None
+    if not tag or tag in (wanted, "!"):
+        return node
+    if wanted or tag in ("map", "seq"):
+        doc.fail(pos, "the tag !!%s does not fit" % tag)
+    return Node(node.value, node.pos, tag)
+
+
+def _scalar(doc, pos, depth, tag, indent=-1, key=False, flow=False):
+    """Text in quotes or without, or an alias; (pos behind it, node)."""
+    pos = _BLANKS.match(doc.text, pos).end()
+    c = doc.text[pos]
+    if c == "*":
+        if tag:
+            doc.fail(pos, "an alias with a tag")
+        return _alias(doc, pos, depth)
+    quotes = c in "'\""
+    if quotes:
+        end, text = scalars.quoted(doc, pos)
+    else:
+        end, text = scalars.bare(doc, pos, indent, flow, key)
+    if tag in ("map", "seq"):
+        doc.fail(pos, "the tag !!%s does not fit" % tag)
+    if tag == "!":
+        tag, quotes = None, False  # PyYAML's reading of a tag without a name
+    return end, doc.node(text, pos, depth, tag or ("str" if quotes else None))
+
+
+# ---- flow style -------------------------------------------------------------------------------------------------
+
+def _flow(doc, pos, depth, tag):
+    """[...] or {...}; (pos behind it, node)."""
+    mapping = doc.text[pos] == "{"
+    items = {} if mapping else []
+    node = doc.node(items, pos, depth)
+    _tagged(doc, pos, node, tag)
+    start, pos = pos, doc.skip(pos + 1)
+    while doc.text[pos] != ("}" if mapping else "]"):
+        if doc.text[pos] == "\0":
+            doc.fail(start, "this bracket is never closed")
+        if doc.text[pos] == ",":
+            doc.fail(pos, "a value is needed here")
+        if mapping:
+            pos = _flow_pair(doc, pos, depth, items)
+        else:
+            pos, item = _flow_node(doc, pos, depth + 1)
+            items.append(item)
+        pos = doc.skip(pos)
+        if doc.text[pos] == ",":
+            pos = doc.skip(pos + 1)
+        elif doc.text[pos] not in "]}\0":
+            doc.fail(pos, "a comma or a closing bracket is needed here")
+        elif doc.text[pos] == ("]" if mapping else "}"):
+            doc.fail(pos, "the wrong closing bracket")
+    return pos + 1, node
+
+
+def _flow_pair(doc, pos, depth, items):
+    start = pos
+    if _QUESTION.match(doc.text, pos):
+        pos = doc.skip(pos + 1)
+    pos, key = _flow_node(doc, pos, depth + 1)
+    if not isinstance(key.value, str):
+        doc.fail(start, "a key that is a list or a mapping")
+    if key.value == "<<" and key.tag is None:
+        doc.fail(start, "merge keys are not supported here")
+    if key.value in items:
+        doc.fail(start, "this key was given before")
+    pos = doc.skip(pos)
+    if doc.text[pos] == ":":
+        pos, items[key.value] = _flow_node(doc, doc.skip(pos + 1), depth + 1)
+    else:
+        items[key.value] = doc.node("", pos, depth + 1)
+    return pos
+
+
+def _flow_node(doc, pos, depth):
+    count = doc.nodes
+    pos, anchor, tag = _properties(doc, pos)
+    pos = doc.skip(pos)
+    if doc.text[pos] in "[{":
+        result = _flow(doc, pos, depth, tag)
+    elif doc.text[pos] in ",]}":
+        result = pos, doc.node("", pos, depth, tag)
+    else:
+        result = _scalar(doc, pos, depth, tag, flow=True)
+    return _anchored(doc, anchor, count, result)

@@ -1,0 +1,87 @@
+"""Writes plain data as YAML, as PyYAML writes it by default: block style, keys sorted, ASCII; lines are not folded."""
+import binascii
+import re
+
+from rtshell_lite.xmlprofile.yaml import scalars
+
+_PLAIN = re.compile(r"(?=[!-~])(?:[^-?:,\[\]{}#&*!|>'\"%@`]|[-?:](?=[!-~]))[ -~]*\Z")
+_UNSAFE = re.compile(r": | #|:\Z| \Z|\A(?:---|\.\.\.)")
+_DOUBLE = re.compile(r'[^ !#-\[\]-~]')
+_ESCAPES = {"\0": "0", "\a": "a", "\b": "b", "\t": "t", "\n": "n", "\v": "v", "\f": "f", "\r": "r", "\x1b": "e",
+            '"': '"', "\\": "\\", "\x85": "N", "\xa0": "_", "\u2028": "L", "\u2029": "P"}
+_LONGEST_KEY = 1000  # PyYAML reads longer ones only behind a question mark
+
+
+def write(data):
+    """The text of a YAML document."""
+    lines = []
+    _node(lines, "", "", data)
+    return "\n".join(lines) + "\n"
+
+
+def _node(lines, head, indent, data):
+    """Append a value: `head` is what stands before it on its line, `indent` what stands before further lines of it."""
+    if isinstance(data, dict) and data:
+        for key in sorted(data):
+            name = scalar(key)
+            if len(name) > _LONGEST_KEY:
+                lines.append("%s? %s" % (head, name))
+                name = indent
+            else:
+                name = head + name
+            _pair(lines, name, indent, data[key])
+            head = indent
+    elif isinstance(data, list) and data:
+        for item in data:
+            _node(lines, head + "- ", indent + "  ", item)
+            head = indent
+    else:
+        lines.append(head + scalar(data))
+
+
+def _pair(lines, name, indent, value):
+    if isinstance(value, dict) and value:
+        lines.append(name + ":")
+        _node(lines, indent + "  ", indent + "  ", value)
+    elif isinstance(value, list) and value:
+        lines.append(name + ":")
+        _node(lines, indent, indent, value)
+    else:
+        lines.append("%s: %s" % (name, scalar(value)))
+
+
+def scalar(value):
+    """A value on one line."""
+    if value is None:
+        return "null"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float):
+        return _float(value)
+    if isinstance(value, str):
+        return _text(value)
+    if isinstance(value, bytes):
+        return '!!binary "%s"' % binascii.b2a_base64(value).decode("ascii").strip()
+    if isinstance(value, int):
+        digits = str(value)
+        return digits if len(digits) <= scalars.LONGEST_NUMBER else hex(value)  # which is how it was read
+    return "{}" if isinstance(value, dict) else "[]"
+
+
+def _float(value):
+    text = {"inf": ".inf", "-inf": "-.inf", "nan": ".nan"}.get(repr(value), repr(value))
+    return text.replace("e", ".0e", 1) if "e" in text and "." not in text else text  # 1e20 would be text
+
+
+def _text(value):
+    if _PLAIN.match(value) and not _UNSAFE.search(value) and scalars.is_text(value):
+        return value
+    if value.isprintable() and all(c < "\x7f" for c in value):
+        return "'" + value.replace("'", "''") + "'"
+    return '"' + _DOUBLE.sub(_escape, value) + '"'
+
+
+def _escape(found):
+    c = found.group()
+    n = ord(c)
+    return "\\" + (_ESCAPES.get(c) or ("x%02X" % n if n < 0x100 else "u%04X" % n if n < 0x10000 else "U%08X" % n))
