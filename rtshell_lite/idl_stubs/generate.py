@@ -2,7 +2,7 @@
 
 idl/PACKAGE/FILE.idl becomes PACKAGE/FILE_idl.py (what a client needs) and PACKAGE/FILE_poa.py (skeletons, for those who
 serve objects); PACKAGE/MODULE.py and PACKAGE/MODULE__POA.py gather the files that contribute to an IDL module. To add an
-interface, edit or drop in an .idl file, run this command and commit everything; tests/test_idl_stubs.py fails until then.
+interface, edit or drop in an .idl file, run this command and commit everything; tests/unit/test_idl_stubs.py fails until then.
 DIR is where the packages are written, by default beside this file.
 
 It needs omniidl with its back end for Python (pip install jeteve-omniorb); 4.2.5 and 4.3.3 write the same bytes, which run on

@@ -2,7 +2,7 @@
 and lists them in setup.cfg.
 
 The page of a command says what its docstring and its parser say; rtshell_lite(7) what README.md says, its Japanese version
-what README.ja.md says. tests/test_manpages.py fails when one of them is out of date.
+what README.ja.md says. tests/unit/test_manpages.py fails when one of them is out of date.
 """
 import argparse
 import os

@@ -1,6 +1,6 @@
 """What the commands cost, beside the floor under each (floors.py): medians and ratios of one run. Nothing is asserted.
 
-    python3 -m tests.bench [--sizes 1,10,100,1000] [--rounds N] [--only WORD] [--peers] [SECTION ...]
+    python3 -m tests.bench [--sizes 1,10,100,1000] [--rounds N] [--only WORD] [--rtshell] [SECTION ...]
 
 sections: commands   CPU, wall, peak memory and remote calls of every command, for 1, 10, 100 and 1,000 components
           hung       how long a listing takes beside processes that hang
@@ -8,7 +8,7 @@ sections: commands   CPU, wall, peak memory and remote calls of every command, f
           profiles   loading and saving a large RtsProfile, restoring and checking a system of 200 components
           logs       rtlog: rates, CPU, memory            ports   rtprint, rtinject: rates
 
-Both of a pair run by turns, so that another load on the machine hits both. --peers also runs the real rtshell, where pip can
+Both of a pair run by turns, so that another load on the machine hits both. --rtshell also runs the real rtshell, where pip can
 install it (into a directory of its own); a status in place of its figures: it does not do this, or not so.
 """
 import argparse
@@ -24,8 +24,8 @@ import venv
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-sys.path[:0] = [ROOT, os.path.join(ROOT, "tests")]
-import mocks  # noqa: E402: the path first
+sys.path[:0] = [ROOT, os.path.join(ROOT, "tests", "support")]
+import worlds  # noqa: E402: the path first
 
 SECTIONS = ("commands", "hung", "sessions", "profiles", "logs", "ports")
 ROUNDS = {1: 15, 10: 15, 100: 7, 1000: 3}
@@ -99,17 +99,17 @@ class Bench:
 
     def __init__(self, rounds, only, peer):
         self.rounds, self.only, self.peer = rounds, only, peer
-        mocks.start_name_server()
+        worlds.start_name_server()
         self.meter, self.directory = Meter(), tempfile.TemporaryDirectory()
-        self.place = "127.0.0.1:%d" % mocks.Server.port
-        known = {name: value for name, value in mocks.ENVIRONMENT.items() if name not in (
+        self.place = "127.0.0.1:%d" % worlds.Server.port
+        known = {name: value for name, value in worlds.ENVIRONMENT.items() if name not in (
             "PYTHONDONTWRITEBYTECODE", "PYTHONUNBUFFERED")}  # nobody's robot compiles at every start
         self.environment = dict(known, RTCTREE_NAMESERVERS=self.place, RTCSH_CWD="/%s/test.host_cxt" % self.place)
 
     def close(self):
         self.meter.close()
         self.directory.cleanup()
-        mocks.Server.stop()
+        worlds.Server.stop()
 
     def words(self, text, size, bare=False):
         """The words of a command or, `bare`, of a floor."""
@@ -125,14 +125,14 @@ class Bench:
         return words
 
     def ours(self, words):
-        return self.meter.run([sys.executable, os.path.join(mocks.COMMANDS, words[0])] + words[1:], self.environment)
+        return self.meter.run([sys.executable, os.path.join(worlds.COMMANDS, words[0])] + words[1:], self.environment)
 
     def theirs(self, words):
         environment = dict(self.environment, PYTHONPATH=sysconfig.get_path("platlib"))  # our omniORBpy
         return self.meter.run([os.path.join(self.peer, words[0])] + words[1:], environment)
 
     def floor(self, name, words):
-        program = [sys.executable, os.path.join(HERE, "floors.py"), name, str(mocks.Server.port)]
+        program = [sys.executable, os.path.join(HERE, "floors.py"), name, str(worlds.Server.port)]
         return self.meter.run(program + words, self.environment)
 
     def compare(self, world, size, command, floor, told, undo):
@@ -177,12 +177,12 @@ class Bench:
         for size in sizes:
             rows = GROWING + (SINGLE if size == 10 or sizes == [size] else [])
             rows = [row for row in rows if not self.only or row[0].split()[0] in self.only]
-            world = mocks.World("many", str(size))
-            beside = [mocks.World(*words + ["--context", "beside.host_cxt/%n.rtc"]) for words in BESIDE if "beside" in str(rows)]
+            world = worlds.World("many", str(size))
+            beside = [worlds.World(*words + ["--context", "beside.host_cxt/%n.rtc"]) for words in BESIDE if "beside" in str(rows)]
             try:
                 self.ours(self.words("rtcryo --all -o {file} {dir}", size))
                 for row in rows:
-                    if os.path.exists(os.path.join(mocks.COMMANDS, row[0].split()[0])):
+                    if os.path.exists(os.path.join(worlds.COMMANDS, row[0].split()[0])):
                         costs[row[0], size] = self.compare(world, size, *row)
             finally:
                 for each in [world] + beside:
@@ -199,9 +199,9 @@ class Bench:
                 print("%-50s each component more: %.2f ms, floor %.2f ms, ratio %.2f" % (command, own, floor, own / floor))
 
     def hung(self):
-        live = mocks.World("two")
+        live = worlds.World("two")
         for count in (0, 1, 4, 16):
-            worlds = [mocks.World("these", "ConsoleIn:Hung%d" % number) for number in range(count)]
+            worlds = [worlds.World("these", "ConsoleIn:Hung%d" % number) for number in range(count)]
             for world in worlds:
                 world.process.send_signal(signal.SIGSTOP)
             for words in (["rtls", "--timeout", "1", "."], ["rtls", "-l", "--timeout", "1", "."],
@@ -215,8 +215,8 @@ class Bench:
 
     def sessions(self, count=100):
         """`ls -l` so many times, and ten times as many, in one rtsh, beside a process each."""
-        world = mocks.World("two")
-        shell = dict(self.environment, PATH=mocks.COMMANDS + os.pathsep + self.environment["PATH"])
+        world = worlds.World("two")
+        shell = dict(self.environment, PATH=worlds.COMMANDS + os.pathsep + self.environment["PATH"])
         apart = self.meter.run(["sh", "-c", "for i in $(seq %d); do rtls -l; done" % count], shell)[0] / count
         print("rtls -l, a process each:        %6.2f ms of CPU" % (apart * 1000), flush=True)
         for many in (count, 10 * count):
@@ -251,7 +251,7 @@ def options():
     parser.add_argument("--sizes", default=",".join(map(str, SIZES)))
     parser.add_argument("--rounds", type=int, help="default: 15 of small systems, 3 of large ones")
     parser.add_argument("--only", action="append", metavar="COMMAND", help="may be repeated")
-    parser.add_argument("--peers", action="store_true")
+    parser.add_argument("--rtshell", action="store_true")
     args = parser.parse_args()
     for section in args.section:
         if section not in SECTIONS:
@@ -263,7 +263,7 @@ def main():
     args = options()
     wanted = args.section or SECTIONS
     with tempfile.TemporaryDirectory() as directory:
-        peer = real_rtshell(directory) if args.peers else None
+        peer = real_rtshell(directory) if args.rtshell else None
         if {"commands", "hung", "sessions"}.intersection(wanted):
             bench = Bench(args.rounds, args.only, peer)
             try:

@@ -10,7 +10,7 @@ import sys
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path[:0] = [ROOT, os.path.join(ROOT, "tests")]
+sys.path[:0] = [ROOT, os.path.join(ROOT, "tests", "support")]
 HERE = os.path.abspath(__file__)
 MB = 1000000
 
@@ -107,10 +107,10 @@ def measure(what, command, source, environment, number):
 
 
 def main():
-    import mocks
-    mocks.start_name_server()
-    server = "127.0.0.1:%d" % mocks.Server.port
-    environment = dict(mocks.ENVIRONMENT, RTCTREE_NAMESERVERS=server, PYTHONDONTWRITEBYTECODE="1")
+    import worlds
+    worlds.start_name_server()
+    server = "127.0.0.1:%d" % worlds.Server.port
+    environment = dict(worlds.ENVIRONMENT, RTCTREE_NAMESERVERS=server, PYTHONDONTWRITEBYTECODE="1")
     source = subprocess.Popen([sys.executable, HERE, "sender", server], env=environment, stdout=subprocess.PIPE)
     numbers = [int(word) for word in sys.argv[1:] if re.match("[0-9]+$", word)] + [100000, 200][len(sys.argv) - 1:]
     try:
@@ -126,7 +126,7 @@ def main():
             print("rtprint/bare: %.2f" % (rates[1] / rates[0]))
     finally:
         source.kill()
-        mocks.Server.stop()
+        worlds.Server.stop()
 
 
 if __name__ == "__main__":

@@ -7,8 +7,8 @@ import tempfile
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path[:0] = [ROOT, os.path.join(ROOT, "tests")]
-import mocks  # noqa: E402
+sys.path[:0] = [ROOT, os.path.join(ROOT, "tests", "support")]
+import worlds  # noqa: E402
 from rtshell_lite import files  # noqa: E402
 from rtshell_lite.xmlprofile import model, rtsprofile  # noqa: E402
 
@@ -63,7 +63,7 @@ def loading(directory):
     for form in (rtsprofile.XML, rtsprofile.YAML):
         name = os.path.join(directory, "big." + form)
         files.write(name, rtsprofile.dump(profile, form))
-        out = subprocess.check_output([sys.executable, "-c", LOAD, name], env=mocks.ENVIRONMENT).decode().split()
+        out = subprocess.check_output([sys.executable, "-c", LOAD, name], env=worlds.ENVIRONMENT).decode().split()
         print("load %-4s  %6.2f s  %5.1f MB  (%s components, %s connections, %.1f MB file)" % (
             form, float(out[0]), float(out[1]), out[2], out[3], os.path.getsize(name) / 1e6))
 
@@ -71,7 +71,7 @@ def loading(directory):
 def timed(what, *words):
     start = time.perf_counter()
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run([sys.executable, os.path.join(ROOT, "bin", words[0])] + list(words[1:]), env=mocks.ENVIRONMENT,
+    done = subprocess.run([sys.executable, os.path.join(ROOT, "bin", words[0])] + list(words[1:]), env=worlds.ENVIRONMENT,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     lines = done.stdout.splitlines()
@@ -81,11 +81,11 @@ def timed(what, *words):
 
 
 def restoring(directory):
-    mocks.start_name_server()
-    world = mocks.World("many", "200")
+    worlds.start_name_server()
+    world = worlds.World("many", "200")
     try:
         name = os.path.join(directory, "live.xml")
-        files.write(name, rtsprofile.dump(system(200, "127.0.0.1:%d" % mocks.Server.port), rtsprofile.XML))
+        files.write(name, rtsprofile.dump(system(200, "127.0.0.1:%d" % worlds.Server.port), rtsprofile.XML))
         for what, words in (("dry run", ["rtresurrect", "--dry-run", name]), ("restore", ["rtresurrect", "-v", name]),
                             ("restore again", ["rtresurrect", "-v", name]), ("check", ["rtcheck", "-s", "inactive", name]),
                             ("tear down, dry run", ["rtteardown", "--dry-run", name]),
@@ -93,7 +93,7 @@ def restoring(directory):
             timed(what, *words)
     finally:
         world.close()
-        mocks.Server.stop()
+        worlds.Server.stop()
 
 
 if __name__ == "__main__":

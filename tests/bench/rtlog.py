@@ -13,8 +13,8 @@ import tempfile
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path[:0] = [ROOT, os.path.join(ROOT, "tests")]
-import mocks  # noqa: E402
+sys.path[:0] = [ROOT, os.path.join(ROOT, "tests", "support")]
+import worlds  # noqa: E402
 from rtshell_lite.datalog import logfile  # noqa: E402
 
 SECONDS, ROUNDS = 3, 3
@@ -22,8 +22,8 @@ FLUSH = ["--property", "dataport.subscription_type=flush"]
 BARE = """
 import os, sys, threading, time
 sys.path[:0] = [%r, %r]
-import mocks
-from mocks import CORBA, OpenRTM
+import worlds
+from worlds import CORBA, OpenRTM
 from rtshell_lite.idl_stubs.dataport import OpenRTM as Data, OpenRTM__POA as POA
 class Sink(POA.InPortCdr):
     count = octets = 0
@@ -43,20 +43,20 @@ sink = Sink()
 file = open(sys.argv[4], "wb", 0) if len(sys.argv) > 4 else None
 ior = orb.object_to_string(sink._this())
 port = orb.string_to_object(sys.argv[1])
-code, profile = port.connect(mocks.connector([port], corba_cdr__inport_ior=ior, data_type=sys.argv[2]))
+code, profile = port.connect(worlds.connector([port], corba_cdr__inport_ior=ior, data_type=sys.argv[2]))
 time.sleep(float(sys.argv[3]))
 count, octets, seconds = sink.count, sink.octets, sink.ended - sink.begun
 port.disconnect(profile.connector_id)
 print(count / seconds, octets / seconds)
 os._exit(0)
-""" % (ROOT, os.path.join(ROOT, "tests"))
+""" % (ROOT, os.path.join(ROOT, "tests", "support"))
 
 
 def bare(world, port, type_id, *file):
     """Messages and octets a second that a servant of nothing else takes, or one that writes the data to a file."""
-    ior = mocks.Server.orb.object_to_string(world.port("Source0", port))
+    ior = worlds.Server.orb.object_to_string(world.port("Source0", port))
     said = subprocess.run([sys.executable, "-c", BARE, ior, type_id, str(SECONDS)] + list(file), check=True,
-                          stdout=subprocess.PIPE, env=mocks.ENVIRONMENT).stdout.split()
+                          stdout=subprocess.PIPE, env=worlds.ENVIRONMENT).stdout.split()
     return float(said[0]), float(said[1])
 
 
@@ -66,11 +66,11 @@ def rtlog(file, words):
 
 
 def environment():
-    return dict(mocks.ENVIRONMENT, RTCTREE_NAMESERVERS="127.0.0.1:%d" % mocks.Server.port)
+    return dict(worlds.ENVIRONMENT, RTCTREE_NAMESERVERS="127.0.0.1:%d" % worlds.Server.port)
 
 
 def path(port):
-    return "/127.0.0.1:%d/test.host_cxt/Source0.rtc:%s" % (mocks.Server.port, port)
+    return "/127.0.0.1:%d/test.host_cxt/Source0.rtc:%s" % (worlds.Server.port, port)
 
 
 def recorded(file, port):
@@ -88,20 +88,20 @@ def tell(port, other, own):
 
 
 def rate(file):
-    world = mocks.World("senders", "1000000", "8")
+    world = worlds.World("senders", "1000000", "8")
     for _ in range(ROUNDS):
-        tell("number, bare and rtlog", bare(world, "number", mocks.LONG), recorded(file, "number"))
+        tell("number, bare and rtlog", bare(world, "number", worlds.LONG), recorded(file, "number"))
     world.close()
 
 
 def block(file):
-    world = mocks.World("senders", "1000000", "1000000")
+    world = worlds.World("senders", "1000000", "1000000")
     other = bare(world, "block", "IDL:RTC/TimedOctetSeq:1.0")
     writing = bare(world, "block", "IDL:RTC/TimedOctetSeq:1.0", file)
     world.close()
     tell("block, bare and written", other, writing)
     for wanted in (800, 600, 500, 400, 300, 200, 150, 100, 50):
-        world = mocks.World("senders", str(wanted), "1000000")
+        world = worlds.World("senders", str(wanted), "1000000")
         own = recorded(file, "block")
         world.close()
         if own:
@@ -110,7 +110,7 @@ def block(file):
 
 def cpu(file):
     """CPU of 11 s less that of 1 s, at 100 Hz."""
-    world = mocks.World("senders", "100", "8")
+    world = worlds.World("senders", "100", "8")
     used = []
     for seconds in (1, 11):
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -122,7 +122,7 @@ def cpu(file):
 
 
 def memory(file, messages):
-    world = mocks.World("senders", "1000000", "8")
+    world = worlds.World("senders", "1000000", "8")
     process = subprocess.Popen(rtlog(file, ["-i", "-e", str(messages), path("number")] + FLUSH), env=environment())
     sizes = []
     while process.poll() is None:
@@ -137,7 +137,7 @@ def memory(file, messages):
 
 def main():
     what = sys.argv[1] if len(sys.argv) > 1 else "all"
-    mocks.start_name_server()
+    worlds.start_name_server()
     try:
         with tempfile.TemporaryDirectory() as directory:
             file = os.path.join(directory, "log")
@@ -150,7 +150,7 @@ def main():
             if what in ("memory", "all"):
                 memory(file, int(sys.argv[2]) if len(sys.argv) > 2 else 1000000)
     finally:
-        mocks.Server.stop()
+        worlds.Server.stop()
 
 
 if __name__ == "__main__":

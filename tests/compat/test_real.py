@@ -16,8 +16,8 @@ import threading
 import time
 import unittest
 
-import mocks
-from compat import real
+import worlds
+import real
 from rtshell_lite.data import reading
 from rtshell_lite.robot import ports
 
@@ -59,11 +59,11 @@ def setUpModule():
     global top
     if not DIRECTORIES:
         raise unittest.SkipTest("needs --real DIR")
-    mocks.start_name_server()
+    worlds.start_name_server()
     top = tempfile.mkdtemp(prefix="rt-real-")
     for implementation in real.implementations(DIRECTORIES):
         for rate in RATES if implementation.name == "C++" else RATES[:1]:
-            robots.append(real.Robot(implementation, "%s%d" % (implementation.name[0].lower(), rate), rate, mocks.Server.port))
+            robots.append(real.Robot(implementation, "%s%d" % (implementation.name[0].lower(), rate), rate, worlds.Server.port))
     if not robots:
         raise AssertionError("no built examples in " + ", ".join(DIRECTORIES))
     for robot in robots:
@@ -75,7 +75,7 @@ def tearDownModule():
         robot.feeder.kill()
         ended(robot.feeder)
         robot.close()
-    mocks.Server.stop()
+    worlds.Server.stop()
     shutil.rmtree(top, ignore_errors=True)
 
 
@@ -92,10 +92,10 @@ def prepare(robot):
 
 
 def start(words):
-    command = [sys.executable, os.path.join(mocks.COMMANDS, words[0])] + words[1:]
+    command = [sys.executable, os.path.join(worlds.COMMANDS, words[0])] + words[1:]
     return subprocess.Popen(command, cwd=top, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                             preexec_fn=lambda: [signal.signal(number, signal.SIG_DFL) for number in SIGNALS if number],
-                            env=dict(os.environ, RTCTREE_NAMESERVERS="127.0.0.1:%d" % mocks.Server.port,
+                            env=dict(os.environ, RTCTREE_NAMESERVERS="127.0.0.1:%d" % worlds.Server.port,
                                      LC_ALL="C.UTF-8", PYTHONDONTWRITEBYTECODE="1"))
 
 
@@ -216,13 +216,13 @@ class Real(unittest.TestCase):
             target, = [each for each in ports.ports(robot.nodes["ConsoleOut"]) if each.name.endswith("in")]
             count = min(5000, 50 * ROUNDS)
             source = subprocess.Popen(
-                [sys.executable, "-m", "mock_components", "--nameserver", "127.0.0.1:%d" % mocks.Server.port, "--context",
+                [sys.executable, "-m", "mock_components", "--nameserver", "127.0.0.1:%d" % worlds.Server.port, "--context",
                  robot.label + "-log.host_cxt/%n.rtc", "senders", "%d" % robot.rate, "10"], stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE, env=mocks.ENVIRONMENT)
+                stdout=subprocess.PIPE, env=worlds.ENVIRONMENT)
             try:
                 source.stdout.readline()
                 done(["rtlog", "-q", "-i", "-e", str(count), "-f", robot.label + "-play.rtlog",
-                      "/127.0.0.1:%d/%s-log.host_cxt/Source0.rtc:number" % (mocks.Server.port, robot.label)])
+                      "/127.0.0.1:%d/%s-log.host_cxt/Source0.rtc:number" % (worlds.Server.port, robot.label)])
             finally:
                 source.kill()
                 source.wait()
@@ -232,7 +232,7 @@ class Real(unittest.TestCase):
             before = len(re.findall("Received|Data:", robot.said("ConsoleOut")))
             done(["rtlog", "-q", "-p", "-f", robot.label + "-play.rtlog", reader])
             last = subprocess.run(
-                [sys.executable, os.path.join(mocks.COMMANDS, "rtlog"), "--csv", "-f", robot.label + "-play.rtlog"], cwd=top,
+                [sys.executable, os.path.join(worlds.COMMANDS, "rtlog"), "--csv", "-f", robot.label + "-play.rtlog"], cwd=top,
                 stdout=subprocess.PIPE).stdout.decode().splitlines()[-1].split(",")[-1]
             said = robot.said("ConsoleOut")
             numbers = [str(int(last) - i) for i in range(count)]

@@ -5,7 +5,7 @@ If one of these fails, what a command prints depends on who else looks, or a big
 import unittest
 
 import invocations
-from faults import running
+import running
 
 ONCE = "what is asked of whom does not depend on the Python"
 ALONE = "it measures times"

@@ -11,7 +11,7 @@ import subprocess
 import unittest
 
 import invocations
-from faults import running
+import running
 from mock_components import wicked
 from rtshell_lite import path, text
 

@@ -13,7 +13,7 @@ import threading
 import time
 import unittest
 
-from faults import running
+import running
 
 ONCE = "what grows does so under every Python"
 

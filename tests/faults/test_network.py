@@ -10,7 +10,7 @@ import sys
 import time
 import unittest
 
-from faults import running
+import running
 
 ONCE = "what a network does is the same for every Python"
 ALONE = "it measures times"
@@ -71,7 +71,7 @@ def setUpModule():
 def populate(name, words):
     """A name server on a host, and components."""
     data = around.directory("names-" + name)
-    start("names-" + name, name, running.peers.nameserver.command(PORT, data, HOSTS[name]))
+    start("names-" + name, name, running.processes.nameserver.command(PORT, data, HOSTS[name]))
     end = time.monotonic() + running.LIMIT
     while laptop("rtls", "/" + HOSTS[name]).status:
         assert time.monotonic() < end, "omniNames on %s does not answer" % name
@@ -79,15 +79,15 @@ def populate(name, words):
 
 
 def start(label, host, command):
-    process = running.peers.start(label, inside(host) + command)
+    process = running.processes.start(label, inside(host) + command)
     around.processes.append(process)
     return process
 
 
 def world(label, host, words, *options):
     process = start(label, host, [sys.executable, "-m", "mock_components", "--host", HOSTS[host], "--control",
-                                  running.peers.control(label), "--nameserver", "%s:%d" % (HOSTS[host], PORT)] + list(options) + words)
-    running.peers.ready(process, label)
+                                  running.processes.control(label), "--nameserver", "%s:%d" % (HOSTS[host], PORT)] + list(options) + words)
+    running.processes.ready(process, label)
 
 
 def tearDownModule():

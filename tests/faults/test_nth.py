@@ -7,7 +7,8 @@ import json
 import queue
 import unittest
 
-from faults import proxy, running
+import proxy
+import running
 from mock_components import faulty
 
 ONCE = "what is reported does not depend on the Python"

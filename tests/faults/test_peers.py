@@ -4,7 +4,7 @@ import re
 import unittest
 
 import invocations
-from faults import running
+import running
 from mock_components import faulty, malice
 
 ONCE = "how long a peer is waited for does not depend on the Python"

@@ -19,8 +19,8 @@ import time
 import unittest
 
 import invocations
-import mocks
-from faults import running
+import worlds
+import running
 from rtshell_lite import errors
 from rtshell_lite.datalog import logfile
 from rtshell_lite.xmlprofile import rtsprofile
@@ -187,7 +187,7 @@ class Screen:
         fcntl.ioctl(self.master, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
         self.before = termios.tcgetattr(self.slave)
         self.process = subprocess.Popen(
-            [sys.executable, os.path.join(mocks.COMMANDS, words[0])] + words[1:], cwd=around.top, preexec_fn=self.take,
+            [sys.executable, os.path.join(worlds.COMMANDS, words[0])] + words[1:], cwd=around.top, preexec_fn=self.take,
             env=running.environment(RTCTREE_NAMESERVERS=server[1:], HOME=around.top), stdin=self.slave, stdout=self.slave,
             stderr=self.slave)
         self.said = b""
@@ -219,7 +219,7 @@ class Signals(unittest.TestCase):
                 with self.subTest(words=words, which=which, moment=moment):
                     time.sleep(moment)
                     if isinstance(which, str):
-                        mocks.eventually(lambda: screen.said, "a prompt, which takes what is typed")
+                        worlds.eventually(lambda: screen.said, "a prompt, which takes what is typed")
                         os.write(screen.master, which.encode())
                     else:
                         screen.process.send_signal(which)

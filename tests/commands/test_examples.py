@@ -1,0 +1,378 @@
+"""Every example in docstrings (and so in --help and the manual pages) and in README.md does what it says.
+
+Each line is run by sh in a directory with robot.rtsys in it, on a robot of mock components, fresh for each command that may
+change it. A new command's examples are run without a word here, unless they need something special: see PREPARED, NAMES,
+STATUS, and to be quick ASKING, ENDLESS.
+"""
+import ast
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import worlds
+import processes
+from worlds import Server, World
+
+import rtshell_lite
+from rtshell_lite.corba import orb
+from rtshell_lite.data import datatypes, values
+
+ONCE = "each example is run by the tests of its command on all Pythons, in other words"
+
+ROBOT = ["ConsoleIn:ConsoleIn0", "ConsoleOut:ConsoleOut0", "Sensor:Sensor0", "Controller:Controller0", "Motor:Motor0",
+         "ConfigSample:ConfigSample0", "MyServiceProvider:MyServiceProvider0", "MyServiceConsumer:MyServiceConsumer0",
+         "SequenceOutComponent:SequenceOutComponent0", "Microwave:Microwave0", "Source:Source0"]
+CONTEXT = "robot.host_cxt"
+SYSTEM = "rtresurrect robot.rtsys && rtstart -q robot.rtsys >/dev/null"
+
+# What is done before the examples of a command, or before one line; a tuple is the world that is there instead, from the start.
+FRESH = ("these",) + tuple(ROBOT)
+PREPARED = {
+    "rtcheck": SYSTEM, "rtteardown": SYSTEM,
+    "rtcheck -s Inactive robot.rtsys": "rtstop -q robot.rtsys >/dev/null",
+    "rtcon -p dataport.subscription_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in": "rtdis ConsoleIn0.rtc",
+    "rtcryo | rtteardown": SYSTEM,
+    "rtdis": "rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in",
+    "rtdis -i 68f0a2bc-e582-11f1-9d6a-e5443183122b ConsoleIn0.rtc:out":
+        "rtcon -i 68f0a2bc-e582-11f1-9d6a-e5443183122b ConsoleIn0.rtc:out ConsoleOut0.rtc:in",
+    "rtdel -z Motor0.rtc": "kill -9 $ROBOT; until rtfind / -t z -q; do sleep 0.1; done",
+    "rtexit --wait Motor0.rtc Sensor0.rtc": FRESH,
+    "rtinject -c 'RTC.TimedLong({time}, 42)' ConsoleOut0.rtc:in": "rtact ConsoleOut0.rtc",
+    "rtlog": "rtact Source0.rtc ConsoleOut0.rtc",
+    "rtlog --json -f run.rtlog | grep force": "rtlog -f run.rtlog -t 1 Source0.rtc:number.force",
+    "rtprint --idl arm.idl Arm0.rtc:status": "echo 'module Arm { struct Status { long error; }; };' >arm.idl",
+    "rtvlog": ("observed",),
+    "until rtfind -q --state active / -n Motor0.rtc; do sleep 1; done": "rtact Motor0.rtc",
+}
+# Things that mocks do not have, and what stands for them. All hosts are this one.
+NAMES = [
+    ("arm.host_cxt", CONTEXT), ("old.host_cxt=robot2.host_cxt", "%s=%s" % (CONTEXT, CONTEXT)),
+    ("localhost=robot2:2810", "localhost:@PORT@=localhost:@PORT@"), ("--manager robot", "--manager /localhost:@PORT@/robot"),
+    ("corbaloc:iiop:robot:2810", "corbaloc:iiop:localhost:@MANAGER@"),
+    ("Camera.so:CameraInit -c Camera", "Hokuyo_AIST.py:Hokuyo_AISTInit -c Hokuyo_AIST"),
+    (r"(rtvlog.*) Arm0.rtc", r"\1"),
+    ("Arm0.rtc:status", "Source0.rtc:number"),
+    ("Arm0.rtc:joints", "Source0.rtc:number"), ("Hand0.rtc:force", "Source0.rtc:number"), ("Viewer0.rtc:in", "ConsoleOut0.rtc:in"),
+    ("rtlog -f run.rtlog -t 60", "rtlog -f run.rtlog -t 1"), ("-t 5 ConsoleOut0", "-t 1 ConsoleOut0"),
+    (r"(rtprint.*) ConsoleIn0.rtc:out", r"\1 Source0.rtc:number"),
+    (r"/(localhost|robot1)(?=[/ \"']|$)", "/localhost:@PORT@"),
+    ("/robot1:2809", "/localhost:@PORT@"),
+    (r"(?<![\w/.:@=])(localhost|robot1:2809|robot1|robot2:2810)(?=[ ;]|$)", "/localhost:@PORT@"),
+]
+# Statuses other than 0.
+STATUS = {
+    """rtls -l | while read -r state ports in out svc name; do [ "$state" = Error ] && rtreset "$name"; done""": 1,  # no Error
+    "rtcheck --extra robot.rtsys": 1,  # the robot has more
+}
+ENDLESS = ("rtprint", "rtvlog", "rtwatch", "rttop")  # some of whose examples end with Ctrl-C
+# What only asks: these share a robot whose system runs, and their examples are run at the same time.
+ASKING = ("rtcat", "rtcryo", "rtcwd", "rtdoc", "rtdoctor", "rtfind", "rtls", "rtprint", "rtpwd", "rtstodot", "rttop", "rtwatch")
+ELSEWHERE = {  # run by other tests
+    "eval": "test_completion", "rtcwd --shell": "test_completion",
+}
+FIRST_WORDS = ("until", "while", "for", "if", "echo", "eval")
+# Other indented lines of README.md: a path, what rtdoctor says, values (test_values), the tour (test_tour), and what runs this.
+NO_COMMANDS = ("/localhost/", "fail  ", "RTC.", '{"data"', "mock_components/tour ", "tests/run ", "python3 ")
+PATIENCE = 3.0   # seconds after which Ctrl-C is pressed
+LIMIT = 30.0
+TOP = tempfile.gettempdir()
+
+
+def setUpModule():
+    global TOP
+    worlds.start_name_server()
+    TOP = tempfile.mkdtemp()
+    with open(os.path.join(TOP, "dot"), "w") as file:  # Graphviz, as far as it matters here
+        file.write("#!/bin/sh\nexec cat\n")
+    os.chmod(os.path.join(TOP, "dot"), 0o755)
+    Server.root.bind_new_context(orb.naming_name([("old", "host_cxt")]))
+    robot = Robot(FRESH)
+    try:
+        robot.prepare("rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in && rtcon Sensor0.rtc:out Controller0.rtc:in && "
+                      "rtcryo -o ../robot.rtsys")
+    finally:
+        robot.close()
+
+
+def tearDownModule():
+    Server.stop()
+    shutil.rmtree(TOP)
+
+
+def read(*path):
+    with open(os.path.join(processes.ROOT, *path), encoding="utf-8") as file:
+        return file.read()
+
+
+def commands():
+    return sorted(name for name in os.listdir(os.path.join(processes.ROOT, "bin")) if name.startswith("rt"))
+
+
+def examples(command):
+    """The lines of a docstring's examples, without the remarks beside them."""
+    doc = ast.get_docstring(ast.parse(read("bin", command)))
+    lines = doc.partition("\nexamples:\n")[2].split("\n")
+    return [re.split(r" {2,}", line.strip())[0] for line in lines if line.strip()]
+
+
+class Robot:
+    """Mock components as the examples have them, and a directory to run them in."""
+
+    def __init__(self, world):
+        self.enter()
+        self.begin(world)
+
+    def enter(self):
+        """Go to a new directory, with nothing but robot.rtsys in it."""
+        self.directory = tempfile.mkdtemp(dir=TOP)
+        if os.path.exists(os.path.join(TOP, "robot.rtsys")):
+            shutil.copy(os.path.join(TOP, "robot.rtsys"), self.directory)
+
+    def begin(self, world):
+        self.worlds = [World("--context", CONTEXT + "/%n.rtc", *world)]
+        self.manager = None
+
+    def close(self):
+        """End it, and take its names away: the next robot has some of the same."""
+        for world in self.worlds:
+            world.close()
+        context = Server.root.resolve(orb.naming_name([CONTEXT.split(".")]))
+        for bound in context.list(1000)[0]:
+            try:
+                context.unbind(bound.binding_name)
+            except worlds.CosNaming.NamingContext.NotFound:
+                pass  # slaves end after their master, and in good order
+
+    def here(self, line):
+        """The same with the names of this machine, where no name server has a port to be proud of."""
+        for name, ours in NAMES:
+            line = re.sub(name, ours, line) if "(" in name else line.replace(name, ours)
+        return line.replace("@PORT@", str(Server.port)).replace("@MANAGER@", self.manager_port() if "manager" in line else "")
+
+    def manager_port(self):
+        """The TCP port of its manager, which is started when an example speaks of one."""
+        if self.manager is None:
+            self.manager = World("--context", CONTEXT + "/%n.rtc", "manager", "Mock?instance_name=Spare0")
+            self.worlds.append(self.manager)
+        return self.manager.ready.split()[-1]
+
+    def prepare(self, what):
+        if isinstance(what, tuple):
+            self.close()
+            self.begin(what)
+        elif what:
+            status, said = self.run(what)
+            if status:
+                raise AssertionError("%s\n%s" % (what, said))
+
+    def start(self, line, words=("sh", "-c")):
+        """A process of a shell that runs something here."""
+        environment = dict(
+            worlds.ENVIRONMENT, PATH=os.pathsep.join([TOP, worlds.COMMANDS, os.environ["PATH"]]), LC_ALL="C.UTF-8",
+            RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD="/localhost:%d/%s" % (Server.port, CONTEXT),
+            PYTHONDONTWRITEBYTECODE="1", ROBOT=str(self.worlds[0].process.pid))
+        return subprocess.Popen(list(words) + [line], cwd=self.directory, env=environment, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+
+    def run(self, line, endless=False, words=("sh", "-c")):
+        """Status and output of what a shell runs."""
+        return self.outcome(self.start(line, words), endless)
+
+    def outcome(self, process, endless=False):
+        try:
+            out = process.communicate(timeout=PATIENCE if endless else LIMIT)[0]
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGINT if endless else signal.SIGKILL)
+            out = process.communicate(timeout=LIMIT)[0]
+        return process.returncode, out.decode("utf-8", "replace")
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self.robot = Robot(FRESH)
+        self.addCleanup(self.robot.close)
+
+    def check(self, lines):
+        """Run lines one by one."""
+        for line in lines:
+            with self.subTest(line):
+                self.robot.prepare(PREPARED.get(line))
+                self.judge(line, self.robot.start(self.robot.here(line)))
+
+    def check_together(self, lines):
+        """Run lines at the same time."""
+        for line in lines:
+            self.robot.prepare(PREPARED.get(line))
+        processes = [(line, self.robot.start(self.robot.here(line))) for line in lines]
+        for line, process in processes:
+            with self.subTest(line):
+                self.judge(line, process)
+
+    def judge(self, line, process):
+        """Wait until the process of a line ends."""
+        endless = line.partition(" ")[0] in ENDLESS
+        status, said = self.robot.outcome(process, endless)
+        self.assertIn(status, (0, 130, -signal.SIGINT) if endless else (STATUS.get(line, 0),), said)
+        self.assertNotIn("internal error", said[-1000:])
+
+
+class Asking(Case):
+    """One test a command, made below, all on one robot."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.robot = Robot(FRESH)
+        cls.robot.prepare(SYSTEM + " && rtact Source0.rtc")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.robot.close()
+
+    def setUp(self):
+        self.robot.enter()
+
+
+class Changing(Case):
+    """One test a command, made below, each on a robot of its own."""
+
+
+def _test(command):
+    def test(self):
+        lines = examples(command)
+        self.assertTrue(lines)
+        self.robot.prepare(PREPARED.get(command))
+        check = self.check_together if command in ASKING + ENDLESS else self.check
+        check([line for line in lines if not line.startswith(tuple(ELSEWHERE))])
+    return test
+
+
+for _command in commands():
+    setattr(Asking if _command in ASKING else Changing, "test_" + _command, _test(_command))
+
+
+def indented():
+    """The indented lines of README.md, outside of its scripts."""
+    return re.findall(r"^    (\S.*)$", re.sub(r"```(?:.*\n)*?```", "", read("README.md")), re.MULTILINE)
+
+
+def readme_lines():
+    """What is to be typed in README.md."""
+    return [line for line in indented() if line.split()[0] in commands() + list(FIRST_WORDS)]
+
+
+class Special(unittest.TestCase):
+    def test_nothing_is_special_that_is_gone(self):
+        known = set(commands() + readme_lines()).union(*map(examples, commands()))
+        self.assertEqual([line for line in list(PREPARED) + list(STATUS) if line not in known], [])
+
+    def test_nothing_is_overlooked(self):
+        self.assertEqual([line for line in indented() if line not in readme_lines() and not line.startswith(NO_COMMANDS)], [])
+
+    def test_values(self):
+        """The values in README.md can be sent, as what they say they are."""
+        types = datatypes.Types().load()
+        lines = [re.split("  +", line) for line in indented() if line.startswith(("RTC.", "{"))]
+        found = [word for words in lines for word in words[:-1 if len(words) > 1 else None]]
+        self.assertGreater(len(found), 5)
+        for word in found:
+            with self.subTest(word):
+                name = re.match(r"RTC\.\w+|", word).group() or "RTC.TimedLong"
+                self.assertTrue(types.named(name).encode(values.Expression(word, types, types.named(name)).value(0)))
+
+
+class Readme(Case):
+    """README.md; test_manpages compares the Japanese one with it."""
+
+    def test_lines(self):
+        self.robot.prepare(SYSTEM)
+        self.check([line for line in readme_lines() if not line.startswith(tuple(ELSEWHERE))])
+
+    def test_library(self):
+        program, = re.findall(r"```python\n((?:.*\n)*?)```", read("README.md"))
+        self.robot.prepare("rtact Motor0.rtc")
+        status, said = self.robot.run(program.replace('"/localhost', '"/localhost:%d' % Server.port), words=(sys.executable, "-c"))
+        self.assertEqual(status, 0, said)
+        self.assertIn("\nActive\n", said)
+
+    def script(self, name):
+        """One of the scripts: the file that it is in, and both shells to run it."""
+        found, = [block for block in re.findall(r"```sh\n((?:.*\n)*?)```", read("README.md")) if "\n# " + name + " " in block + " "
+                  or "\n# " + name + "\n" in block]
+        path = os.path.join(self.robot.directory, name)
+        with open(path, "w") as file:
+            file.write(found)
+        return path
+
+    def in_shells(self, name, arguments, before, after):
+        """Run a script in both shells, between a preparation and a check; returns what it says."""
+        path, outputs = self.script(name), []
+        for shell in "dash", "busybox ash":
+            if shutil.which(shell.split()[0]):
+                with self.subTest(shell):
+                    self.robot.prepare(before)
+                    status, said = self.robot.run("%s -eu %s %s" % (shell, path, arguments))
+                    self.assertEqual(status, 0, said)
+                    self.assertEqual(self.robot.run(after)[0], 0, said)
+                    outputs.append(said)
+        return outputs
+
+    def test_start_robot(self):
+        self.in_shells("start-robot", "Sensor0.rtc Motor0.rtc", "rtdeact --wait 5 Sensor0.rtc Motor0.rtc",
+                       "rtfind / --state active -n Sensor0.rtc -q && rtfind / --state active -n Motor0.rtc -q")
+
+    def test_start_robot_waits(self):
+        """It is started before the components, as at boot."""
+        self.robot.close()
+        self.robot.run("rtdel -z")
+        process = self.robot.start("dash %s Motor0.rtc" % self.script("start-robot"))
+        self.robot.begin(FRESH)
+        self.assertEqual(self.robot.outcome(process)[0], 0)
+        self.assertEqual(self.robot.run("rtfind / --state active -n Motor0.rtc -q")[0], 0)
+
+    def test_restart_failed(self):
+        self.robot.worlds.append(World("--context", CONTEXT + "/%n.rtc", "error"))
+        said = self.in_shells("restart-failed", "", None, "rtls -q")
+        self.assertIn("Broken0.rtc was in Error", said[0])
+
+    def test_keep_robot(self):
+        self.in_shells("keep-robot", "save saved.rtsys", SYSTEM, "cmp -s saved.rtsys robot.rtsys || rtcheck saved.rtsys")
+        self.in_shells("keep-robot", "restore robot.rtsys", "rtstop robot.rtsys && rtteardown robot.rtsys", "rtcheck robot.rtsys")
+
+    def test_log_port(self):
+        """It ends when the disk is full: here after two files, because of our `df`."""
+        with open(os.path.join(TOP, "df"), "w") as file:
+            file.write("#!/bin/sh\necho; if [ $(ls logs | wc -l) -lt 2 ]; then echo a b c 999999; else echo a b c 10; fi\n")
+        os.chmod(os.path.join(TOP, "df"), 0o755)
+        self.addCleanup(os.remove, os.path.join(TOP, "df"))
+        self.in_shells("log-port", "Source0.rtc:number logs 1.2", "rm -rf logs; mkdir logs; rtact Source0.rtc",
+                       "test $(ls logs | wc -l) = 2 && rtlog -d -f logs/$(ls logs | head -n 1)")
+
+
+class Tour(unittest.TestCase):
+    def test_tour(self):
+        """mock_components/tour, but for its installation of what is installed already, runs and does what it says."""
+        top = tempfile.mkdtemp(dir=TOP)
+        os.makedirs(os.path.join(top, ".venv-tour", "bin"))
+        python = os.path.join(top, ".venv-tour", "bin", "python")
+        with open(python, "w") as file:
+            file.write('#!/bin/sh\n[ "$1 $2" = "-m pip" ] || exec "%s" "$@"\n' % sys.executable)
+        os.chmod(python, 0o755)
+        for package in os.path.join(processes.ROOT, "mock_components"), os.path.dirname(rtshell_lite.__file__):
+            os.symlink(package, os.path.join(top, os.path.basename(package)))
+        environment = dict(worlds.ENVIRONMENT, PATH=worlds.COMMANDS + os.pathsep + os.environ["PATH"], PYTHON=sys.executable,
+                           PYTHONDONTWRITEBYTECODE="1", LC_ALL="C.UTF-8")
+        done = subprocess.run(["sh", os.path.join(top, "mock_components", "tour")], env=environment, timeout=120,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        said = done.stdout.decode("utf-8", "replace")
+        self.assertEqual(done.returncode, 0, said)
+        self.assertEqual(re.findall(r"\$ (.*)\n(?:[^$\n].*\n)*\(exit status (\d+)\)", said), [
+            ("rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService", "6"), ("rtact Broken0.rtc", "6")], said)
+
+
+if __name__ == "__main__":
+    unittest.main()

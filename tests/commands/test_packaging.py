@@ -1,0 +1,321 @@
+"""The wheel as a robot gets it: if this fails, the commands may work here and nowhere else.
+
+tests/run gives the built wheel in RTSHELL_WHEEL and omniORBpy's in RTSHELL_OMNIORB_WHEEL; the Python that runs this
+needs neither of them installed.
+"""
+import ast
+import configparser
+import glob
+import os
+import re
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+WHEEL, OMNIORB_WHEEL = (os.environ.get(name) and os.path.abspath(os.environ[name])
+                        for name in ("RTSHELL_WHEEL", "RTSHELL_OMNIORB_WHEEL"))
+LARGEST = 600000
+MISSING = "omniORBpy is not installed"
+# Arguments with which a command must ask somebody; the others get one path.
+ASKING = {"rtcon": ["/localhost/a.rtc:o", "/localhost/b.rtc:i"], "rtlog": ["/localhost/a.rtc:o"],
+          "rtprint": ["/localhost/a.rtc:o"], "rtinject": ["-c", "RTC.TimedLong({time}, 1)", "/localhost/a.rtc:i"],
+          "rtfsm": ["/localhost/a.rtc", "getstate"], "rtls": [], "rtpwd": [], "rttop": [],
+          "rtconf": ["/localhost/a.rtc", "list"], "rtmgr": ["-r", "/localhost/a.mgr"], "rtstodot": ["--live"]}
+# These contact nothing, have a file to read first, or tell it as a finding.
+LOCAL = {"rtpwd", "rtsh", "rtcheck", "rtresurrect", "rtteardown", "rtstart", "rtstop", "rtdoctor"}
+
+
+def names(directory, suffix=""):
+    found = [name for name in os.listdir(os.path.join(ROOT, directory)) if name.endswith(suffix)]
+    return sorted(name[:len(name) - len(suffix)] for name in found if not name.startswith("."))
+
+
+def read(*path):
+    with open(os.path.join(ROOT, *path), encoding="utf-8") as file:
+        return file.read()
+
+
+def manual_pages(top):
+    """Paths of all files below a share/man."""
+    return sorted(os.path.relpath(path, top) for path in glob.glob(os.path.join(glob.escape(top), "**", "*.*"), recursive=True))
+
+
+def run(words, **keywords):
+    """Status, stdout and stderr of a program, in an environment where neither package can be found by accident."""
+    environment = {"PATH": "/usr/bin:/bin", "HOME": "/nonexistent", "LC_ALL": "C"}
+    environment.update(keywords.pop("environment", {}))
+    process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                               env=environment, universal_newlines=True, cwd=keywords.pop("cwd", "/"), **keywords)
+    out, err = process.communicate(timeout=120)
+    return process.returncode, out, err
+
+
+class Checkout(unittest.TestCase):
+    """bin/, setup.cfg and tests/commands/ name the same commands; each command is what a command is."""
+
+    def test_bin_and_setup_cfg_agree(self):
+        config = configparser.ConfigParser()
+        config.read_string(read("setup.cfg"))
+        self.assertEqual(sorted(config["options"]["scripts"].split()), ["bin/" + name for name in names("bin")])
+
+    def test_every_command_has_a_transcript(self):
+        """rtls.t, and rtls-names.t for a topic of its own."""
+        self.assertEqual(sorted({name.partition("-")[0] for name in names("tests/commands", ".t")}), names("bin"))
+
+    def test_commands_can_be_read_and_run(self):
+        for name in names("bin"):
+            with self.subTest(name):
+                text = read("bin", name)
+                self.assertTrue(text.startswith("#!/usr/bin/env python3\n"))
+                self.assertTrue(os.access(os.path.join(ROOT, "bin", name), os.X_OK))
+                tree = ast.parse(text)
+                summary, _, details = ast.get_docstring(tree).partition("\n\n")
+                self.assertRegex(summary, r"^[A-Z].*\.$")
+                self.assertIn("examples:\n  " + name, details)
+                self.assertTrue(text.endswith('\n\nif __name__ == "__main__":\n    cli.main(arguments, run, __doc__)\n'))
+                self.assertEqual([f.name for f in tree.body if isinstance(f, ast.FunctionDef)][:1], ["arguments"])
+
+
+@unittest.skipUnless(WHEEL, "no wheel was given in RTSHELL_WHEEL")
+class Wheel(unittest.TestCase):
+    """What is in the wheel, and what is not."""
+
+    def members(self):
+        with zipfile.ZipFile(WHEEL) as wheel:
+            return wheel.namelist()
+
+    def test_name_and_size(self):
+        self.assertRegex(os.path.basename(WHEEL), r"^rtshell_lite-\d+\.\d+\.\d+-py3-none-any\.whl$")
+        self.assertLess(os.path.getsize(WHEEL), LARGEST)
+
+    def test_only_the_package_its_commands_and_its_papers(self):
+        for name in self.members():
+            self.assertRegex(name, r"^rtshell_lite/|^rtshell_lite-[^/]+\.(dist-info|data/scripts|data/data/share/man)/")
+        self.assertFalse([name for name in self.members() if re.search(r"(^|/)(mock_components|tests?)(/|$)|\.pyc$", name)])
+
+    def test_all_commands_and_modules(self):
+        scripts = sorted(name.rpartition("/")[2] for name in self.members() if ".data/scripts/" in name)
+        self.assertEqual(scripts, names("bin"))
+        for where, directories, files in os.walk(os.path.join(ROOT, "rtshell_lite")):
+            directories[:] = [name for name in directories if name != "__pycache__"]
+            for name in files:
+                if name.endswith((".py", ".idl")):
+                    self.assertIn(os.path.relpath(os.path.join(where, name), ROOT).replace(os.sep, "/"), self.members())
+
+    def test_all_manual_pages(self):
+        pages = [name.partition("/share/man/")[2] for name in self.members() if ".data/data/" in name]
+        self.assertEqual(sorted(pages), manual_pages(os.path.join(ROOT, "man")))
+
+    def test_metadata(self):
+        with zipfile.ZipFile(WHEEL) as wheel:
+            metadata = wheel.read([name for name in wheel.namelist() if name.endswith("/METADATA")][0]).decode()
+        self.assertIn("Requires-Python: >=3.6\n", metadata)
+        requirements = re.findall("^Requires-Dist: (.*)$", metadata, re.MULTILINE)
+        self.assertEqual(len(requirements), 2)
+        for requirement in requirements:
+            self.assertIn("extra == ", requirement)
+        self.assertTrue([name for name in self.members() if name.endswith("LICENSE")])
+
+
+@unittest.skipUnless(WHEEL, "no wheel was given in RTSHELL_WHEEL")
+class Robot(unittest.TestCase):
+    """Base of the tests that use the wheel on a Python with nothing in it."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.top = os.path.realpath(tempfile.mkdtemp(prefix="rt-"))
+        subprocess.check_call([sys.executable, "-m", "venv", "--without-pip", os.path.join(cls.top, "bare")])
+        cls.python = os.path.join(cls.top, "bare", "bin", "python")
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.top)
+
+    def setUp(self):
+        self.directory = tempfile.mkdtemp(dir=self.top)
+
+    def from_wheel(self, *words, **keywords):
+        return run([self.python, "-m", "rtshell_lite"] + list(words), environment={"PYTHONPATH": WHEEL}, **keywords)
+
+    def check_without_omniorb(self, command, chosen=("rtls", "rtpwd", "rtcon")):
+        """`command(name)` gives the words that start a command; there is no omniORBpy."""
+        for name in chosen:
+            with self.subTest(name):
+                start = command(name)
+                environment = {"PYTHONPATH": WHEEL} if "-m" in start else {}
+                status, out, err = run(start + ["--help"], environment=environment)
+                self.assertEqual((status, err), (0, ""))
+                self.assertIn("examples:\n  " + name, out)
+                self.assertRegex(out, "usage: %s " % name)
+                self.assertEqual(run(start + ["--version"], environment=environment)[0], 0)
+                asking = start + ASKING.get(name, ["/localhost/a.rtc"])
+                self.check_line(name, 2, run(asking + ["--nonsense"], environment=environment), "--nonsense")
+                if name not in LOCAL:
+                    self.check_line(name, 1, run(asking, environment=environment), MISSING)
+
+    def check_line(self, prog, status, result, part):
+        """One line on stderr, nothing on stdout."""
+        self.assertEqual(result[:2], (status, ""), result[2])
+        self.assertRegex(result[2], r"\A%s: [^\n]*\n\Z" % prog)
+        self.assertIn(part, result[2])
+
+
+class Installed(Robot):
+    """pip install --no-index in a clean environment."""
+
+    def test_install_and_run_without_omniorb(self):
+        environment = os.path.join(self.directory, "venv")
+        subprocess.check_call([sys.executable, "-m", "venv", environment])
+        programs = os.path.join(environment, "bin")
+        pip = [os.path.join(programs, "python"), "-m", "pip", "--disable-pip-version-check", "-q"]
+        self.assertEqual(run(pip + ["install", "--no-index", WHEEL])[0], 0)
+        self.check_without_omniorb(lambda name: [os.path.join(programs, name)], names("bin"))
+        self.assertEqual(manual_pages(os.path.join(environment, "share", "man")), manual_pages(os.path.join(ROOT, "man")))
+        status, out, _ = run([os.path.join(programs, "python"), "-m", "rtshell_lite"])
+        self.assertEqual(re.findall(r"^  (rt\w+)  +[A-Z]", out, re.MULTILINE), names("bin"))
+        unpacked = os.path.join(self.directory, "unpacked")
+        self.assertEqual(run([os.path.join(programs, "python"), "-m", "rtshell_lite", "--unpack", unpacked])[0], 0)
+        self.assertEqual(sorted(os.listdir(os.path.join(unpacked, "bin"))), names("bin"))
+        self.assertEqual(manual_pages(os.path.join(unpacked, "share", "man")), manual_pages(os.path.join(ROOT, "man")))
+
+    def test_commands_are_found_wherever_pip_puts_them(self):
+        for option in "--target", "--prefix", "--user":
+            with self.subTest(option):
+                place = os.path.join(self.directory, option)
+                if sys.prefix != sys.base_prefix and option == "--user":
+                    continue  # pip refuses it in a virtual environment
+                environment = {"PYTHONUSERBASE": place}
+                words = [option] + ([place] if option != "--user" else [])
+                pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "install", "-q", "--no-index"]
+                status, _, err = run(pip + ["--ignore-installed", "--no-warn-script-location"] + words + [WHEEL],
+                                     environment=environment)
+                self.assertEqual(status, 0, err)
+                package = [where for where, _, _ in os.walk(place) if where.endswith("/rtshell_lite")][0]
+                result = run([self.python, "-m", "rtshell_lite", "rtpwd"],
+                             environment={"PYTHONPATH": os.path.dirname(package)})
+                self.assertEqual(result, (0, "/\n", ""))
+
+
+class WheelFile(Robot):
+    """Straight from the wheel file, nothing installed."""
+
+    def test_commands_run_without_omniorb(self):
+        self.check_without_omniorb(lambda name: [self.python, "-m", "rtshell_lite", name])
+
+    def test_list_of_commands(self):
+        for words in [], ["--help"]:
+            status, out, err = self.from_wheel(*words)
+            self.assertEqual((status, err), (0, ""))
+            self.assertEqual(re.findall(r"^  (rt\w+)  +[A-Z]", out, re.MULTILINE), names("bin"))
+
+    def test_own_usage_errors(self):
+        for words, part in [(["rtpw"], "did you mean rtpwd?"), (["--nonsense"], "--nonsense"), (["--unpack"], "--unpack"),
+                            (["--unpack", ""], "PATH"), (["--unpack", "/a:b"], "PATH")]:
+            self.check_line("rtshell_lite", 2, self.from_wheel(*words), part)
+
+    def test_arguments_and_environment_reach_the_command(self):
+        result = run([self.python, "-m", "rtshell_lite", "rtpwd", "--json"],
+                     environment={"PYTHONPATH": WHEEL, "RTCSH_CWD": "/robot"})
+        self.assertEqual(result, (0, '{"path": "/robot"}\n', ""))
+
+
+class Unpacked(Robot):
+    """--unpack, for robots without pip."""
+
+    def unpack(self, *wheels):
+        place = os.path.join(self.directory, "a place")
+        result = self.from_wheel("--unpack", place, *wheels)
+        self.assertEqual(result, (0, "export PATH='%s/bin':$PATH\n" % place, ""))
+        return place
+
+    def test_commands_run_without_omniorb(self):
+        place = self.unpack()
+        self.assertEqual(sorted(os.listdir(os.path.join(place, "bin"))), names("bin"))
+        self.check_without_omniorb(lambda name: [os.path.join(place, "bin", name)])
+
+    def test_can_be_moved_linked_and_unpacked_again(self):
+        moved = os.path.join(self.directory, "moved")
+        os.rename(self.unpack(), moved)
+        link = os.path.join(self.directory, "rtpwd")
+        os.symlink(os.path.join(moved, "bin", "rtpwd"), link)
+        self.assertEqual(run([link]), (0, "/\n", ""))
+        before = files(moved, r"\.pyc$")
+        again = run([self.python, "-m", "rtshell_lite", "--unpack", moved],
+                    environment={"PYTHONPATH": os.path.join(moved, "lib")})
+        self.assertEqual(again, (0, "export PATH=%s/bin:$PATH\n" % moved, ""))
+        self.assertEqual(files(moved, r"\.pyc$"), before)
+
+    def test_checkout_and_wheel_lay_out_the_same(self):
+        place = self.unpack()
+        other = os.path.join(self.directory, "other")
+        self.assertEqual(run([self.python, "-m", "rtshell_lite", "--unpack", other], environment={"PYTHONPATH": ROOT})[0], 0)
+        self.assertEqual(files(place, r"dist-info|\.pyc$"), files(other, r"\.pyc$"))
+
+    @unittest.skipUnless(OMNIORB_WHEEL, "no omniORBpy wheel was given: there is none for this Python, or no index")
+    def test_omniorbpy_with_its_shared_libraries(self):
+        place = self.unpack(OMNIORB_WHEEL)
+        program = ("import os, sys; sys.path.insert(0, sys.argv[1]); from omniORB import CORBA; CORBA.ORB_init(); "
+                   "print('up', flush=True); os._exit(0)")  # as our commands end: the ORB's own end crashes now and then
+        self.assertEqual(run([self.python, "-c", program, os.path.join(place, "lib")]), (0, "up\n", ""))
+        if "rtls" in names("bin"):
+            result = run([os.path.join(place, "bin", "rtls"), "--timeout", "2", "/localhost:1/"])
+            self.check_line("rtls", 4, result, "connection refused")
+
+    def test_wheels_that_are_refused(self):
+        for number, member in enumerate(["../evil", "/evil", "a/../../evil", "a\\..\\evil", "x-1.data/purelib/../../evil",
+                                         "C:evil", "./evil", "rtshell_lite/cli.py"]):
+            wheel = self.wheel("hostile%d-1-py3-none-any.whl" % number, member)
+            self.check_refused(wheel, "comes twice" if "cli" in member else "refused: it holds a file named")
+        self.check_refused(os.path.join(self.directory, "none-1-py3-none-any.whl"), "No such file")
+        self.check_refused(self.wheel("other-1-cp32-cp32m-any.whl", "x"), "made for cp32")
+        self.check_refused(self.wheel("other-1-py3-none-linux_pdp11.whl", "x"), "made for linux_pdp11")
+        self.check_refused(self.wheel("other.zip", "x"), "not the name of a wheel")
+        torn = self.wheel("torn-1-py3-none-any.whl", "x")
+        with open(torn, "r+b") as file:
+            file.truncate(30)
+        self.check_refused(torn, "not a wheel")
+
+    def wheel(self, name, member):
+        path = os.path.join(self.directory, name)
+        with zipfile.ZipFile(path, "w") as wheel:
+            wheel.writestr(member, "evil")
+        return path
+
+    def check_refused(self, wheel, part):
+        """One line, and not a file anywhere."""
+        place = os.path.join(self.directory, "place")
+        before = files(self.top, "bare")
+        self.check_line("rtshell_lite", 1, self.from_wheel("--unpack", place, wheel), part)
+        self.assertEqual(files(self.top, "bare"), before)
+
+    def test_full_disk_leaves_the_old_commands_whole(self):
+        place = self.unpack()
+        before = files(place)
+
+        def small_files_only():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (600, 600))
+
+        result = self.from_wheel("--unpack", place, preexec_fn=small_files_only)
+        self.check_line("rtshell_lite", 1, result, place)
+        self.assertEqual(files(place), before)
+        self.assertEqual(run([os.path.join(place, "bin", "rtpwd")]), (0, "/\n", ""))
+
+    def test_places_that_cannot_be_written(self):
+        for place in "/proc/nowhere", "/dev/null":
+            self.check_line("rtshell_lite", 1, self.from_wheel("--unpack", place), place)
+
+
+def files(directory, leave_out=None):
+    """Contents of all files below a directory whose path does not match."""
+    found = {}
+    for where, _, members in os.walk(directory):
+        for path in [os.path.join(where, name) for name in members]:
+            if not leave_out or not re.search(leave_out, path):
+                with open(path, "rb") as file:
+                    found[os.path.relpath(path, directory)] = file.read()
+    return found

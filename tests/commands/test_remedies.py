@@ -1,0 +1,257 @@
+"""Follows what rtdoctor says, blindly: if one of these fails, who does so harms a robot, or is not helped.
+
+For each fault: what there is in the world is written down, each remedy that is a command is pasted into a shell, and rtdoctor
+looks again. What it found must be gone, and nothing else may have changed but what the remedy is for.
+"""
+import collections
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+import time
+import unittest
+
+import worlds
+import running
+
+try:
+    import omniORB  # noqa: F401: the commands need it
+except ImportError:
+    raise unittest.SkipTest("needs omniORBpy")
+
+from rtshell_lite import errors, path
+from rtshell_lite.corba import lanes
+from rtshell_lite.doctor import finding, remedies
+from rtshell_lite.robot import tree
+from rtshell_lite.system import capture
+
+ONCE = "what commands do is the same for every Python"
+PROGRAMS = set(os.listdir(worlds.COMMANDS)) & {name for name in os.listdir(worlds.COMMANDS) if name.startswith("rt")} | {"unset"}
+SETTLED = ("dataport.data_type", "dataport.dataflow_type", "dataport.interface_type", "dataport.subscription_type")
+
+# A fault: `worlds` are started, {} in `before` (commands) and in `doctor` (words of rtdoctor) stands for the name server, the
+# world's control is asked `asks`; `settings` are environment variables. `mends` maps names of remedies to patterns of the facts
+# that they may change, each "KIND OBJECT".
+Fault = collections.namedtuple("Fault", "worlds asks before doctor settings mends")
+
+
+def fault(*worlds, asks=(), before=(), doctor=("{}",), settings=None, mends=None):
+    return Fault(worlds, asks, before, doctor, settings or {}, mends or {})
+
+
+FAULTS = {
+    "in Error": fault("error", mends={"reset": ["state Broken0"]}),
+    "nothing executes it": fault("idle", mends={"start context": ["running Stopped0"], "set rate": ["rate Still0"]}),
+    "nothing started": fault("two", mends={"activate": ["state Console(In|Out)0"]}),
+    "one has been reset": fault("linked", before=["rtact --wait {}/test.host_cxt/ConsoleIn0.rtc"],
+                                mends={"activate": ["state ConsoleOut0"]}),
+    "connections gone wrong": fault("crossed", mends={
+        "disconnect": ["connection (Have.|Want.|Out2|Sensor0)"], "reconnect": ["connection (In|Out)[01]"]}),
+    "names astray": fault("astray", mends={
+        "delete zombie": ["name (Ended0|Gone0)"], "delete name": ["name (Nil0|empty.cxt|emptier.cxt)"],
+        "activate": ["state .*0"]}),
+    "dead": fault("zombie 3", mends={"delete zombie": ["name Mock[012]"]}),
+    "aliases": fault("aliased", mends={"activate": ["state Inner0"]}),
+    "dead members": fault("deadmember", mends={"delete zombie": ["name Peer0"]}),
+    "dead far ends": fault("orphan", "fragile", mends={"delete zombie": ["name Peer0"], "activate": ["state (Orphan|Fragile)0"]}),
+    "managers": fault("deadslave", "deadchild --context other.host_cxt/%n.rtc", mends={
+        "delete zombie": ["name ConsoleOut0"], "activate": ["state ConsoleIn0"]}),
+    "other settings": fault("robot", settings={"ORBendPoint": "giop:tcp:203.0.113.9:", "OMNIORB_CONFIG": "/nowhere"}, mends={
+        "unset": [], "activate": ["state .*"]}),
+    "a rule": fault(settings={"ORBclientTransportRule": "198.51.100.1 none"}, mends={"unset": []}),
+    "not as in the profile": fault(
+        "robot", before=["rtact --wait {0}/test.host_cxt/Sensor0.rtc {0}/test.host_cxt/Clusterer0.rtc", "rtcryo -o robot.rtsys {}",
+                         "rtdis {}/test.host_cxt/Sensor0.rtc:out", "rtconf {}/test.host_cxt/Motor0.rtc set motor_id 7",
+                         "rtec {}/test.host_cxt/Controller0.rtc rate 20"],
+        doctor=["{}", "--profile", "robot.rtsys", "--state", "Inactive"],
+        mends={"restore": ["connection (Sensor|Controller)0", "set Motor0", "rate Controller0"],
+               "deactivate": ["state (Sensor0|Clusterer0)"]}),
+    "another rate than in the profile": fault(
+        "linked", before=["rtcryo -o rates.rtsys {}", "rtec {}/test.host_cxt/ConsoleIn0.rtc rate 20"],
+        doctor=["{}", "--profile", "rates.rtsys", "--state", "Inactive"], mends={"set rate": ["rate ConsoleIn0"]}),
+    "in Error in the profile": fault(
+        "linked", asks=["error ConsoleIn0"], before=["rtcryo -o linked.rtsys {}"], doctor=["{}", "--profile", "linked.rtsys"],
+        mends={"reset and activate": ["state ConsoleIn0"], "activate": ["state ConsoleOut0"]}),
+}
+
+
+# ---- what there is --------------------------------------------------------------------------------------------
+
+def facts(server):
+    """{"KIND PATH …": what is so} of all that a name server leads to."""
+    found = {}
+    for node in tree.look(list(tree.walk(tree.resolve(server), managers=False))):
+        where = str(node.path)
+        found["name " + where] = (node.kind, str(node.alias))
+        if node.kind == "component" and node.alias is None:
+            found.update(_component(node, where))
+    return found
+
+
+def _component(node, where):
+    try:
+        asked = capture.ask(node)
+    except errors.Error as e:
+        return {"broken " + where: type(e).__name__}
+    found = {"active set " + where: asked.active}
+    for one in asked.owned:
+        found["rate %s %s" % (where, one.handle)] = one.rate
+        found["running %s %s" % (where, one.handle)] = one.running
+    for handle, state in asked.states.items():
+        found["state %s %s" % (where, handle)] = state
+    for one in asked.sets:
+        found["set %s %s" % (where, one.id)] = sorted(one.values.items())
+    for port in asked.ports:
+        for one in port.connectors:
+            kept = sorted(item for item in one.properties if item[0] in SETTLED)
+            found["connection %s:%s %s" % (where, port.name, one.id)] = (one.name, len(one.ports), kept)
+    return found
+
+
+def changed(before, after):
+    return sorted(key for key in set(before) | set(after) if before.get(key) != after.get(key))
+
+
+# ---- which remedy it is -----------------------------------------------------------------------------------------
+
+def is_command(remedy):
+    return remedy.split(" ")[0] in PROGRAMS
+
+
+def named(remedy):
+    """The names of the commands in the table that a remedy may be made from."""
+    return [name for name, template in remedies.COMMANDS.items()
+            if re.match(".*".join(map(re.escape, re.split(r" ?\{\w+\}", template))) + r"\Z", remedy, re.DOTALL)]
+
+
+class Following(unittest.TestCase):
+    followed = collections.Counter()
+    printed = []
+
+    @classmethod
+    def setUpClass(cls):
+        worlds.processes.nameserver.binary() or cls.skipTest("needs omniNames")
+        cls.around = running.Surroundings()
+        lanes.timeout = 5.0
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.around.close()
+        print("%d remedies followed: %s" % (sum(cls.followed.values()), ", ".join(
+            "%s %d" % item for item in sorted(cls.followed.items()))), file=sys.stderr)
+
+    def shell(self, words, settings):
+        """What a POSIX shell prints for some lines, in a directory of ours."""
+        environment = running.environment(PATH=os.path.dirname(self.program()) + os.pathsep + os.environ["PATH"], **settings)
+        done = subprocess.run(["sh"], input="\n".join(words).encode(), cwd=self.around.top, env=environment,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=running.LIMIT)
+        return done.stdout.decode(), done.stderr.decode()
+
+    def program(self):
+        """A directory in which each command is run by this Python."""
+        place = self.around.directory("programs")
+        for name in PROGRAMS - {"unset"}:
+            target = os.path.join(place, name)
+            if not os.path.exists(target):
+                with open(target, "w") as file:
+                    file.write('#!/bin/sh\nexec "%s" "%s" "$@"\n' % (sys.executable, os.path.join(worlds.COMMANDS, name)))
+                os.chmod(target, 0o755)
+        return target
+
+    def examined(self, words, settings, first=()):
+        """Findings of rtdoctor, after `first` has been done in the same shell."""
+        line = " ".join(map(shlex.quote, ["rtdoctor", "--json", "-q", "--timeout", "5"] + words))
+        out, err = self.shell(list(first) + [line], settings)
+        return [finding.Finding(**json.loads(each)) for each in out.splitlines() if each.startswith("{")], err
+
+    def follow(self, name):
+        fault, rest = FAULTS[name], list(FAULTS[name].mends)
+        number = list(FAULTS).index(name)
+        server = self.around.name_server("names%d" % number)
+        for words in fault.worlds:
+            started = self.around.world(server, *words.split())
+        for words in fault.asks:
+            self.around.ctl(started, *words.split())
+        settings = dict({"RTCTREE_NAMESERVERS": server[1:]}, **fault.settings)
+        self.shell([line.format(server) for line in fault.before], settings)
+        doctor = [word.format(server) for word in fault.doctor]
+        seen, _ = self.examined(doctor, settings)
+        for each in sorted(seen, key=lambda each: each.check != "profile"):  # a profile knows more than states as such
+            Following.printed.append(each.remedy)
+            if is_command(each.remedy):
+                rest = self.obey(each, fault, doctor, settings, server, rest)
+        self.assertEqual(rest, [], "remedies that were to come: %s" % (seen,))
+
+    def obey(self, each, fault, doctor, settings, server, rest):
+        """Follow the remedy of one Finding; returns those remedies that are still to come."""
+        now, _ = self.examined(doctor, settings)
+        if each not in now:  # mended with another one
+            return rest
+        which = [name for name in named(each.remedy) if name in fault.mends]
+        self.assertTrue(which, "not expected of this fault: %s" % (each,))
+        before, end = facts(server), time.monotonic() + worlds.LIMIT
+        left, err = self.examined(doctor, settings, [each.remedy])
+        while each in left and time.monotonic() < end:  # components change their states in their next cycles
+            left, _ = self.examined(doctor, settings, [each.remedy] if each.remedy.startswith("unset") else [])
+        self.assertNotIn(each, left, err)
+        allowed = [pattern.partition(" ") for name in which for pattern in fault.mends[name]]
+        for fact in changed(before, facts(server)):
+            self.assertTrue(any(fact.startswith(kind + " ") and re.search(r"/%s\b" % what, fact) for kind, _, what in allowed),
+                            "%s: %s has changed" % (each.remedy, fact))
+        for name in which:
+            Following.followed[name] += 1
+        return [name for name in rest if name not in which]
+
+
+def _test(name):
+    return lambda self: self.follow(name)
+
+
+for _name in FAULTS:
+    setattr(Following, "test_" + re.sub(r"\W", "_", _name), _test(_name))
+
+
+class ZAll(unittest.TestCase):
+    """After the others."""
+
+    def test_every_command_is_followed(self):
+        if Following.printed:  # not where one fault is tried alone
+            self.assertEqual(set(remedies.COMMANDS) - set(Following.followed), set())
+
+    def test_what_is_printed_comes_from_the_table(self):
+        for remedy in Following.printed:
+            if is_command(remedy):
+                self.assertTrue(named(remedy), remedy)
+
+
+class Table(unittest.TestCase):
+    def test_the_first_word_tells_commands_from_words(self):
+        for name, template in remedies.COMMANDS.items():
+            self.assertIn(template.split(" ")[0], PROGRAMS, name)
+        for name, template in remedies.WORDS.items():
+            self.assertNotIn(template.split(" ")[0], PROGRAMS, name)
+
+    def test_no_remedy_is_printed_that_is_not_in_the_table(self):
+        self.assertRaises(AttributeError, finding.fail, "check", "/x", "message", "rtdel /x")
+        self.assertRaises(AttributeError, finding.warn, "check", "/x", "message", "restart it")
+
+    def test_every_remedy_is_used(self):
+        directory = os.path.dirname(remedies.__file__)
+        source = ""
+        for name in os.listdir(directory):
+            if name.endswith(".py"):
+                with open(os.path.join(directory, name), encoding="utf-8") as file:
+                    source += file.read()
+        for name in list(remedies.COMMANDS) + list(remedies.WORDS):
+            self.assertGreater(source.count('"%s"' % name), 1, name)
+
+    def test_words_of_the_shell_are_quoted(self):
+        where = path.parse("/localhost/a$(b) c.rtc")
+        self.assertEqual(remedies.command("reset", option=["-e", "1"], path=where).text, "rtreset -e 1 '/localhost/a$(b) c.rtc'")
+        self.assertEqual(remedies.command("reset", option=[], path="/localhost/a.rtc").text, "rtreset /localhost/a.rtc")
+
+
+if __name__ == "__main__":
+    unittest.main()

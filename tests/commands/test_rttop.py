@@ -1,0 +1,275 @@
+"""rttop's live page in a real terminal (tmux): if one of these fails, it shows or does what it should not, or harms a terminal."""
+import os
+import re
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+import worlds
+import processes
+from worlds import Server, World, eventually
+
+ONCE = "a terminal is the same for every Python"
+COMMANDS = os.path.dirname(shutil.which("rttop") or os.path.join(processes.ROOT, "bin", "rttop"))
+
+# A page whose drawing fails, as a bug of ours would make it
+BROKEN = """
+from rtshell_lite import cli
+from rtshell_lite.shell import installation
+from rtshell_lite.top import rows
+module = installation.load(installation.commands()["rttop"], "rttop")
+rows.summary = None
+cli.main(module.arguments, module.run, module.__doc__, [])
+"""
+
+
+def setUpModule():
+    if not shutil.which("tmux"):
+        raise unittest.SkipTest("needs tmux")
+    worlds.start_name_server()
+    World.robot = World("robot")
+    World.error = World("error")
+    World.hung = World("hung", "1", "--context", "hung.host_cxt/%n.rtc")
+
+
+def tearDownModule():
+    for world in World.robot, World.error, World.hung:
+        world.close()
+    Server.stop()
+
+
+class Terminal(unittest.TestCase):
+    """A shell in a tmux of its own, 80 by 24."""
+
+    def setUp(self):
+        self.home = os.path.realpath(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.home)
+        self.top = "/localhost:%d/test.host_cxt" % Server.port
+        environment = dict(worlds.ENVIRONMENT, PATH=COMMANDS + os.pathsep + os.environ["PATH"], HOME=self.home, LC_ALL="C.UTF-8",
+                           RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD=self.top, RTSHELL_TIMEOUT="1")
+        for name in "TMUX", "ENV", "NO_COLOR", "LINES", "COLUMNS":
+            environment.pop(name, None)
+        self.tmux("-f", "/dev/null", "-u", "new-session", "-d", "-x", "80", "-y", "24", "sh", env=environment)
+        self.addCleanup(self.tmux, "kill-server")
+        self.shows("^[$#]")
+        self.type("stty -g > before; echo ready")
+        self.shows("^ready")
+
+    def tmux(self, *words, **more):
+        done = subprocess.run(["tmux", "-S", os.path.join(self.home, "tmux")] + list(words), stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL, universal_newlines=True, cwd=self.home, **more)
+        return done.stdout
+
+    def type(self, line):
+        """Type a line, and Enter."""
+        self.tmux("send-keys", "-l", line)
+        self.press("Enter")
+
+    def press(self, *keys):
+        self.tmux("send-keys", *keys)
+
+    def screen(self):
+        return self.tmux("capture-pane", "-p")
+
+    def shows(self, pattern, without=None):
+        """Wait until the terminal shows a line that matches; returns the whole screen. `without`: and none like this."""
+        end = time.monotonic() + worlds.LIMIT
+        while True:
+            screen = self.screen()
+            if re.search(pattern, screen, re.MULTILINE) and not (without and re.search(without, screen, re.MULTILINE)):
+                return screen
+            self.assertLess(time.monotonic(), end, "no %s, or still %s, here:\n%s" % (pattern, without, screen))
+            time.sleep(0.05)
+
+    def start(self, words=""):
+        """Start rttop, and wait for its page."""
+        self.type("clear; rttop %s; echo status $?" % words)
+        self.shows("^STATE +RATE +CONN +COMPONENT")
+
+    def pid(self):
+        """The process in the foreground of the terminal."""
+        shell = self.tmux("display-message", "-p", "#{pane_pid}").strip()
+        with open("/proc/%s/task/%s/children" % (shell, shell)) as file:
+            return int(file.read().split()[-1])
+
+    def ended(self, status):
+        """rttop has ended, with this status, and has not harmed the terminal."""
+        screen = self.shows("^status")
+        self.assertRegex(screen, "(?m)^status %d$" % status)
+        self.unharmed()
+
+    def unharmed(self):
+        """The terminal is as it was before."""
+        self.type("clear; stty -g > after; cmp before after && echo same")
+        self.shows("^same")
+        self.assertEqual(self.tmux("display-message", "-p", "#{alternate_on} #{cursor_flag} #{keypad_flag}"), "0 1 0\n")
+
+    def connectors(self, component="Sensor0:out"):
+        return World.robot.ctl("connectors", component)[1]
+
+
+class Page(Terminal):
+    def test_it_shows_and_sorts_and_filters(self):
+        self.start()
+        self.shows("^9 components: 1 Error, 1 silent, 7 Inactive$")
+        screen = self.shows(r"^Inactive      1000     2  Motor0\.rtc$")
+        self.assertRegex(screen, r"(?m)^\? +- +- +\?Mock0\.rtc: no answer within 1s$")
+        self.assertRegex(screen, r"(?m)^\? keys  q end .*c cat$")
+        names = re.findall(r"\?*(\w+)\.rtc", screen)
+        self.assertEqual(names, sorted(names))
+        self.tmux("pipe-pane", "-o", "cat > sent")
+        time.sleep(1.2)  # two looks and more, which find nothing new
+        self.tmux("pipe-pane")
+        self.assertLess(os.path.getsize(os.path.join(self.home, "sent")), 20, "what has not changed is not sent again")
+        self.press("s")
+        self.shows("^sorted by state$")
+        self.assertEqual(re.findall(r"^(\S+) .*\.rtc", self.screen(), re.MULTILINE), ["Error", "?"] + 7 * ["Inactive"])
+        self.press("/")
+        self.tmux("send-keys", "-l", "ensorx")
+        self.press("BSpace")
+        self.shows("^/ensor_$", without="Motor0")
+        self.press("Enter")
+        screen = self.shows("7 Inactive; those with: ensor$", without="^/")
+        self.assertEqual(re.findall(r"(\w+)\.rtc", screen), ["Sensor0"])
+        self.press("Escape")
+        self.shows("Motor0")
+        self.press("/", "a", "Escape")
+        self.shows("Motor0", without="^/")
+        self.press("?")
+        self.shows("^a +activate the selected component, as rtact does$", without="Motor0")
+        self.press("q")
+        self.shows("Motor0")
+        self.press("q")
+        self.ended(0)
+
+    def test_it_acts_on_the_selected_one(self):
+        self.start("-f motor")
+        self.shows(r"^Inactive .*Motor0\.rtc")
+        self.press("a")
+        self.shows("^rtact: %s/Motor0.rtc: Active$" % self.top)
+        self.shows(r"^Active .*Motor0\.rtc")
+        self.press("r")  # what the component says to that is told as rtreset tells it
+        self.shows(r"^rtreset: .*/Motor0\.rtc: cannot reset: it is")
+        self.press("d")
+        self.shows("^rtdeact: %s/Motor0.rtc: Inactive$" % self.top)
+        self.press("c")
+        self.shows("^  Instance name  Motor0$", without="^Inactive")
+        self.press("NPage", "End")
+        self.shows(r"Connected to  .*Sensor0\.rtc:in", without="Instance name")
+        self.press("Home", "Enter", "Escape")
+        self.shows("Broken0")
+        self.press("Home", "Down", "k", "a")
+        self.shows(r"^rtact: .*/Broken0\.rtc: cannot activate: it is in")
+        self.addCleanup(World.error.ctl, "error", "Broken0")
+        self.press("j", "j", "Up", "k", "r")
+        self.shows(r"^rtreset: .*/Broken0\.rtc: Inactive")
+        self.press("End", "k", "k", "k", "k", "PPage", "/", "h", "u", "n", "g", "Enter", "a")
+        self.shows(r"^rtact: .*/Mock0\.rtc: no answer within 1s")
+        self.press("q")
+        self.ended(0)
+
+    def test_ports_are_measured_until_the_end(self):
+        self.start("-p Sensor0.rtc:out -p Sensor0.rtc:in -p nobody.rtc:out")
+        screen = self.shows(r"^ +0\.0 Hz +0 B/s  .*/Sensor0\.rtc:out$")
+        self.assertRegex(screen, r"(?m)^ +\? Hz +\?  .*/Sensor0\.rtc:in: not a")
+        self.assertRegex(screen, r"(?m)^ +\? Hz +\?  .*/nobody\.rtc: no such")
+        World.robot.ctl("write", "Sensor0:out", "1")
+        self.assertEqual(self.connectors().count("\n"), 2)
+        self.press("q")
+        self.ended(0)
+        self.assertEqual(self.connectors().count("\n"), 1)
+
+    def test_terminals_of_other_sizes(self):
+        self.start()
+        self.tmux("resize-window", "-x", "40", "-y", "6")
+        screen = self.shows("^9 components: 1 Error, 1 silent, 7 Inact$", without="Motor0")
+        self.assertLessEqual(len(screen.split("\n")), 7)
+        self.press("End")
+        self.shows("Sensor0", without="Broken0")
+        self.press("c")
+        self.shows("^Sensor0.rtc  Inactive")
+        self.press("PageDown", "q")
+        self.tmux("resize-window", "-x", "1", "-y", "1")
+        self.tmux("resize-window", "-x", "120", "-y", "40")
+        self.shows("^9 components: 1 Error, 1 silent, 7 Inactive$")
+        self.press("q")
+        self.ended(0)
+
+    def test_components_that_die_and_come_cost_their_line(self):
+        self.start("-p Late0.rtc:out")
+        self.shows("^9 components")
+        world = World("these", "ConsoleIn:Late0")
+        try:
+            self.shows(r"^Inactive +1000 +0  Late0\.rtc")
+        finally:
+            world.close()
+        self.shows(r"^- +- +- +\*Late0\.rtc: connection refused; its process is gone")
+        self.shows(r"^Inactive .*Motor0\.rtc")
+        self.press("q")
+        self.ended(0)
+        self.type("rtdel Late0.rtc; echo gone")
+        self.shows("^gone")
+
+
+class End(Terminal):
+    """However it ends, the terminal is as it was, and no connection stays."""
+
+    def test_signals(self):
+        for number, status in (signal.SIGTERM, 143), (signal.SIGHUP, 129), (signal.SIGINT, 130):
+            with self.subTest(number):
+                self.start("-p Sensor0.rtc:out")
+                os.kill(self.pid(), number)
+                self.ended(status)
+                self.assertEqual(self.connectors().count("\n"), 1)
+
+    def test_ctrl_c(self):
+        self.start()
+        self.press("C-c")
+        self.ended(130)
+
+    def test_ctrl_z_and_on(self):
+        self.start("-f motor")
+        self.shows("Motor0")
+        self.press("C-z")
+        self.shows("Stopped|Suspended", without="Motor0")
+        self.unharmed()
+        self.type("fg; echo back $?")
+        self.shows(r"^Inactive +1000 +2  Motor0\.rtc", without="same")
+        self.press("q")
+        self.shows("^back 0$", without="Motor0")
+        self.unharmed()
+
+    def test_a_terminal_that_is_closed(self):
+        self.start("-p Sensor0.rtc:out")
+        pid = self.pid()
+        self.tmux("kill-session")
+        eventually(lambda: not os.path.exists("/proc/%d" % pid), "rttop has ended")
+        self.assertEqual(self.connectors().count("\n"), 1)
+
+    def test_a_bug_of_ours(self):
+        with open(os.path.join(self.home, "broken.py"), "w") as file:
+            file.write(BROKEN)
+        self.type("clear; python3 broken.py; echo status $?")
+        self.assertRegex(self.shows("^status"), "internal error: TypeError")
+        self.ended(70)
+
+    def test_in_rtsh(self):
+        self.type("rtsh; echo status $?")
+        self.shows("host_cxt>$")
+        for _ in range(2):
+            self.type("top -f motor")
+            self.shows(r"^Inactive .*Motor0\.rtc")
+            self.tmux("resize-window", "-x", "60", "-y", "12")
+            self.shows(r"\A9 components")
+            self.tmux("resize-window", "-x", "80", "-y", "24")
+            self.press("q")
+            self.shows("host_cxt>$", without="Motor0")
+        self.press("C-d")
+        self.ended(0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,202 @@
+"""The Pythons of this machine, and private environments with the built wheel in them.
+
+All is kept below .venv-tests/ and made anew when what it was made from has changed, or when it is broken.
+"""
+import configparser
+import fcntl
+import glob
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+STORE = os.path.join(ROOT, ".venv-tests")
+SOURCES = ["setup.cfg", "pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md", "bin", "man", "rtshell_lite"]
+
+
+class Failed(Exception):
+    """Something that was tried did not work."""
+
+
+class Missing(Failed):
+    """There is no such Python on this machine."""
+
+
+def lock():
+    """Wait for another run in this tree to end: two would reinstall under each other's feet."""
+    os.makedirs(STORE, exist_ok=True)
+    file = open(os.path.join(STORE, "lock"), "w")
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        print("waiting for another tests/run in this tree", flush=True)
+        fcntl.flock(file, fcntl.LOCK_EX)
+    return file  # held as long as it is open
+
+
+def run(words, **keywords):
+    process = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **keywords)
+    if process.returncode:
+        raise Failed("%s\n%s" % (" ".join(words), process.stdout.decode("utf-8", "replace").strip()))
+    return process.stdout.decode().strip()
+
+
+# ---- Pythons ----
+
+class Python:
+    """An interpreter: its path, and its version as text such as "3.11"."""
+
+    def __init__(self, path):
+        self.path = path
+        self.full = run([path, "-c", "import sys; print('%d.%d.%d' % sys.version_info[:3])"])
+        self.version = self.full.rpartition(".")[0]
+
+
+def find_python(asked):
+    """The interpreter for a version such as 3.11, or for a path. Raises Missing."""
+    for path in _candidates(asked):
+        try:
+            python = Python(path)
+        except (Failed, OSError):  # a pyenv shim of a version that is not switched on, say
+            continue
+        if asked in (python.version, python.full) or asked == path:
+            return python
+    raise Missing("Python %s is not here" % asked)
+
+
+def _candidates(asked):
+    if not re.match(r"3\.\d+(\.\d+)?$", asked):
+        return [asked]
+    versions = os.path.join(os.environ.get("PYENV_ROOT") or os.path.expanduser("~/.pyenv"), "versions")
+    installed = [path for path in sorted(glob.glob(os.path.join(glob.escape(versions), "*", "bin", "python3")))
+                 if (path.split(os.sep)[-3] + ".").startswith(asked + ".")]
+    names = ["python" + ".".join(asked.split(".")[:2]), "python3"]
+    return [sys.executable] + installed + list(filter(None, map(shutil.which, names)))
+
+
+# ---- the wheel ----
+
+def build_wheel(python):
+    """The wheel built from the checkout as it is now; a copy is built, so that nothing old or foreign gets in."""
+    store = os.path.join(STORE, "dist", _digest(SOURCES))
+    for wheel in glob.glob(os.path.join(store, "*.whl")):
+        return wheel
+    builder = _builder(python)
+    with tempfile.TemporaryDirectory(prefix="rt-build-") as directory:
+        copy, out = os.path.join(directory, "source"), os.path.join(directory, "out")
+        os.mkdir(copy)
+        for name in SOURCES:
+            _copy(os.path.join(ROOT, name), os.path.join(copy, name))
+        run([builder, "-m", "pip", "wheel", "--no-build-isolation", "--no-deps", "--no-index", "-w", out, copy])
+        shutil.rmtree(os.path.dirname(store), ignore_errors=True)
+        shutil.copytree(out, store)
+    return glob.glob(os.path.join(store, "*.whl"))[0]
+
+
+def _copy(source, target):
+    if os.path.isdir(source):
+        shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__", "*.pyc", ".*"))
+    else:
+        shutil.copy2(source, target)
+
+
+def _digest(names):
+    digest = hashlib.sha256()
+    for name in names:
+        paths = glob.glob(os.path.join(ROOT, name, "**"), recursive=True) + [os.path.join(ROOT, name)]
+        for path in sorted(path for path in paths if os.path.isfile(path) and "__pycache__" not in path):
+            digest.update(("%s %o\n" % (path, os.stat(path).st_mode)).encode())
+            with open(path, "rb") as file:
+                digest.update(file.read())
+    return digest.hexdigest()[:16]
+
+
+def _builder(python):
+    directory = os.path.join(STORE, "build-" + python.full)
+    return _environment(python, directory, "setuptools wheel", ["setuptools", "wheel"], "setuptools, wheel")
+
+
+# ---- environments ----
+
+def prepare(python, wheel):
+    """An environment with the wheel and, where there is one, omniORBpy; returns its interpreter."""
+    directory = os.path.join(STORE, python.full)
+    fetched = fetch_omniorb(python)
+    words = ["--no-index", wheel]
+    if fetched:  # what a user types, so that the extra is tried as well
+        words = ["--no-index", "--find-links", os.path.dirname(fetched), wheel + "[omniorb]"]
+    interpreter = _environment(python, directory, str(fetched), words, "omniORB" if fetched else "rtshell_lite")
+    _refresh(interpreter, directory, wheel)
+    # The processes of the tests, thousands of them, write no bytecode where commands are told not to: half their start-up.
+    run([interpreter, "-m", "compileall", "-q"] + [os.path.join(ROOT, name) for name in ("mock_components", "tests")])
+    return interpreter
+
+
+def prepare_compat(python):
+    """An environment with the real libraries for profiles, from the package index; returns its interpreter. Raises Failed."""
+    words = ["PyYAML", "rtsprofile-aist"]
+    return _environment(python, os.path.join(STORE, "compat-" + python.full), " ".join(words), words, "yaml, rtsprofile")
+
+
+def fetch_omniorb(python):
+    """The file of omniORBpy for this Python, from the package index; None where none was ever made. Raises Failed."""
+    if python.version == "3.6":
+        return None
+    directory = os.path.join(STORE, "omniorb-" + python.full)
+    requirements = _extra()
+    marker = os.path.join(directory, "made-from")
+    if _content(marker) != "\n".join(requirements):
+        shutil.rmtree(directory, ignore_errors=True)
+        run([python.path, "-m", "pip", "download", "--disable-pip-version-check", "-q", "--no-deps", "-d", directory] +
+            requirements)
+        with open(marker, "w") as file:
+            file.write("\n".join(requirements))
+    return glob.glob(os.path.join(glob.escape(directory), "*.whl"))[0]
+
+
+def _extra():
+    """What setup.cfg names as omniORBpy, a line for each Python."""
+    config = configparser.ConfigParser()
+    config.read(os.path.join(ROOT, "setup.cfg"), encoding="utf-8")
+    return config["options.extras_require"]["omniorb"].strip().splitlines()
+
+
+def _environment(python, directory, requirement, words, imports):
+    """Make a virtual environment unless it is there, was made from the same, and works."""
+    interpreter = os.path.join(directory, "bin", "python")
+    marker = os.path.join(directory, "made-from")
+    wanted = "%s\n%s\n" % (python.path, requirement)
+    if _content(marker) == wanted and subprocess.call([interpreter, "-c", "import " + imports],
+                                                      stderr=subprocess.DEVNULL) == 0:
+        return interpreter
+    print("making an environment for Python %s" % python.full, flush=True)
+    shutil.rmtree(directory, ignore_errors=True)
+    run([python.path, "-m", "venv", directory])
+    run([interpreter, "-m", "pip", "install", "--disable-pip-version-check", "-q"] + words)
+    run([interpreter, "-c", "import " + imports])
+    with open(marker, "w") as file:
+        file.write(wanted)
+    return interpreter
+
+
+def _refresh(interpreter, directory, wheel):
+    """Install this very wheel, unless it is installed: the version alone does not tell during development."""
+    marker = os.path.join(directory, "wheel")
+    if _content(marker) == wheel:
+        return
+    run([interpreter, "-m", "pip", "install", "--disable-pip-version-check", "-q", "--no-index", "--no-deps",
+         "--force-reinstall", wheel])
+    with open(marker, "w") as file:
+        file.write(wheel)
+
+
+def _content(path):
+    try:
+        with open(path) as file:
+            return file.read()
+    except OSError:
+        return None

@@ -1,0 +1,122 @@
+"""What components of the four implementations that were measured answer where they differ.
+
+`added` is what a connector gains, by whether the InPort comes first and by data flow; the rest speaks for itself
+where it is used.
+"""
+import worlds
+
+LONG = worlds.LONG
+OUT = ["port.port_type=DataOutPort", "dataport.data_type=" + LONG]
+IN = ["port.port_type=DataInPort", "dataport.data_type=" + LONG, "dataport.subscription_type=Any"]
+MODES = "block,flush,new,nonblock,periodic"
+
+
+def modern(start, flows, interfaces):
+    """The rest of the properties of a 2.x port."""
+    return (start + ["dataport.marshaling_types=cdr", "dataport.dataflow_type=" + flows,
+                     "dataport.interface_type=" + interfaces] +
+            ["dataport.interface_option.%s=" % name for name in interfaces.split(",")] + ["data_type=" + LONG])
+
+
+def plain(start, interfaces):
+    """Those of a 1.x port."""
+    return start + ["dataport.dataflow_type=push,pull", "dataport.interface_type=" + interfaces]
+
+
+class Cpp11:
+    """OpenRTM-aist 1.1.2."""
+
+    flavour, author, property_count = "cpp11", ("Noriaki Ando, AIST", "1.0"), None
+    language, endpoint, uuid, waits = ("C++", "compile", "1.1.2", ""), "corba.endpoint", 4, False
+    nil_component, activate_stopped = "BAD_PARAMETER", ("RTC_OK", "INACTIVE_STATE")
+    context_properties, ext_trig = ["type", "rate"], True
+    out_properties = plain(OUT + ["dataport.subscription_type=flush,new,periodic"], "corba_cdr") + ["dataport.data_value"]
+    in_properties = plain(IN, "corba_cdr")
+    no_service_profile, no_sdo_service = "InternalError", "InternalError"
+    added = {(False, "push"): ["corba_cdr.inport_ior", "corba_cdr.inport_ref"], (True, "push"): ["corba_cdr.inport_ior"],
+             (False, "pull"): ["corba_cdr.outport_ior"]}
+    periodic, endian, marshaling, direct, double, half = "RTC_ERROR", "UNSUPPORTED", "RTC_OK", "BAD_PARAMETER", "RTC_OK", []
+    short_put, empty, readback, obeys_big = "MARSHAL", "BUFFER_EMPTY", "PORT_OK", True
+    empty_id, bad_activate, number, set_creates = "InternalError", "InvalidParameter", "98765", True
+    no_set, cannot_activate, parameter = "Unknown exception", "Configuration::activate_configuration_set()", None
+    service, service_sleeps = ("myservice0", "MyService"), True
+    dead_port, dead_component = None, None
+
+
+class Cpp12(Cpp11):
+    """OpenRTM-aist 1.2.2."""
+
+    flavour = "cpp12"
+    language, endpoint, waits = ("C++", "compile", "1.2.2", ""), "corba.endpoints", True
+    activate_stopped = ("RTC_OK", "ACTIVE_STATE")
+    ext_trig = False
+    out_properties = plain(OUT + ["dataport.subscription_type=flush,new,periodic"], "corba_cdr,direct,shared_memory")
+    in_properties = plain(IN, "corba_cdr,direct,shared_memory")
+    no_service_profile, no_sdo_service = "InvalidParameter", "InvalidParameter"
+    direct, double, obeys_big = "RTC_ERROR", "PRECONDITION_NOT_MET", False
+
+
+class Cpp2(Cpp12):
+    """OpenRTM-aist 2.1."""
+
+    flavour, author, property_count = "cpp2", ("AIST", "2.0.0"), 43
+    language = ("C++", "compile", "2.1.0", "")
+    activate_stopped = ("RTC_ERROR", "INACTIVE_STATE")
+    context_properties = ["sync_transition", "transition_timeout", "type", "rate", "name"]
+    out_properties = modern(OUT + ["dataport.subscription_type=" + MODES, "dataport.io_mode=" + MODES], "push,pull",
+                            "corba_cdr,data_service,direct,shared_memory")
+    in_properties = modern(IN, "push,pull", "corba_cdr,data_service,direct,shared_memory")
+    added = {(False, "push"): ["outport", "inport", "corba_cdr.inport_ior", "corba_cdr.inport_ref"],
+             (True, "push"): ["inport", "corba_cdr.inport_ior", "outport", "corba_cdr.inport_ref"],
+             (False, "pull"): ["outport", "corba_cdr.outport_ior", "inport", "corba_cdr.outport_ref"]}
+    marshaling, short_put = "RTC_ERROR", "PORT_OK"
+    service = ("myservice", "SimpleService::MyService")
+    dead_port, dead_component = "TRANSIENT", "COMM_FAILURE"
+
+
+class Py2:
+    """OpenRTM-aist-Python 2.1."""
+
+    flavour, author, property_count = "py2", ("Shinji Kurihara", "1.0"), 41
+    language = ("Python", "script", "2.1.0", "IDL:OpenRTM/ComponentObserver:1.0")
+    endpoint, uuid, waits = "corba.endpoints", 1, True
+    nil_component, activate_stopped = "BAD_PARAM", ("RTC_OK", "ACTIVE_STATE")
+    context_properties, ext_trig = ["sync_transition", "transition_timeout", "type", "rate"], False
+    out_properties = modern(OUT + ["dataport.subscription_type=" + MODES, "dataport.io_mode=" + MODES], "push,pull,duplex",
+                            "corba_cdr,csp_channel,data_service,direct,shared_memory")
+    in_properties = modern(IN, "push,pull,duplex", "corba_cdr,csp_channel,data_service,direct,shared_memory")
+    no_service_profile, no_sdo_service = "InternalError", "InvalidParameter"
+    added = {(False, "push"): ["outport.data_type", "inport.data_type", "corba_cdr.inport_ior", "corba_cdr.inport_ref"],
+             (True, "push"): ["inport.data_type", "corba_cdr.inport_ior", "corba_cdr.inport_ref", "outport.data_type"],
+             (False, "pull"): ["outport.data_type", "corba_cdr.outport_ior", "corba_cdr.outport_ref", "inport.data_type"]}
+    periodic, endian, marshaling, direct = "RTC_OK", "RTC_ERROR", "RTC_ERROR", "RTC_ERROR"
+    double, half = "PRECONDITION_NOT_MET", ["half"]
+    short_put, empty, readback, obeys_big = "PORT_OK", "BAD_PARAM", "BAD_PARAM", True
+    empty_id, bad_activate, number, set_creates = "UNKNOWN", "InternalError", "5", False
+    no_set, cannot_activate = "No such ConfigurationSet", "Configuration.activate_configuration_set()"
+    parameter = "BAD_PARAM"
+    service, service_sleeps = ("myservice0", "MyService"), False
+    dead_port, dead_component = "TRANSIENT", "TRANSIENT"
+
+
+class Flavoured:
+    """For test cases: one world of the flavour, and an InPort in another process."""
+
+    types = ("these ConsoleIn ConsoleOut ConsoleOut:Other0 SequenceOutComponent ConfigSample "
+             "MyServiceProvider MyServiceConsumer")
+
+    @classmethod
+    def setUpClass(cls):
+        cls.world = worlds.World(*(cls.types.split() + ["--flavour", cls.flavour, "--rate", "100"]))
+        cls.far = worlds.World("these", "ConsoleOut:Far0", "--flavour", cls.flavour)
+        cls.out, cls.inp = cls.world.port("ConsoleIn0", "out"), cls.world.port("ConsoleOut0", "in")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.world.close()
+        cls.far.close()
+
+    def tearDown(self):
+        for port in (self.out, self.inp):
+            for profile in port.get_connector_profiles():
+                port.notify_disconnect(profile.connector_id)

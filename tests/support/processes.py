@@ -1,0 +1,136 @@
+"""The processes that a session talks to: name servers, worlds of mock components, peers that misbehave.
+
+They keep their files in the directory $SESSION: NAME.pid, NAME.out (what they say) and NAME.control.
+"""
+import os
+import re
+import subprocess
+import sys
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.append(ROOT)  # behind what is installed
+from mock_components import nameserver  # noqa: E402
+START_LIMIT = 30.0  # seconds until a peer must have said that it is ready
+
+
+class Failed(Exception):
+    pass
+
+
+# ---- starting ----
+
+def start_name_server(name, above="12000", published=None):
+    """Start an omniNames of its own data directory; returns its port as text, one that sorts behind `above`.
+
+    `published` is the port that its references tell, where that is another one.
+    """
+    publish = ["-ORBendPointPublish", "giop:tcp:127.0.0.1:%d" % published] if published else []
+    for attempt in range(nameserver.ATTEMPTS):
+        port = nameserver.free_port(int(above))
+        data = session_file("%s-%d" % (name, attempt))
+        os.mkdir(data)
+        server = start(name, nameserver.command(port, data) + publish)
+        if wait_until(lambda: nameserver.answers(port), server):
+            return str(port)
+    raise Failed("omniNames does not start: " + said(name))
+
+
+def start_world(words, port):
+    """Start a world of mock components; returns its process and its name."""
+    name = unused_name(words[0])
+    options = ["--nameserver", "localhost:" + port, "--control", control(name)]
+    return start(name, [sys.executable, "-m", "mock_components"] + options + words), name
+
+
+def start_faulty(words):
+    """Start peers that misbehave; returns their process and its name."""
+    name = unused_name("faulty")
+    return start(name, [sys.executable, "-m", "mock_components.faulty"] + words), name
+
+
+def start(name, command):
+    """Start a process that ends when this session does; its words go to a file, its number to another."""
+    environment = dict(os.environ, PYTHONPATH=mocks_alone(), PYTHONUNBUFFERED="1", PYTHONDONTWRITEBYTECODE="1")
+    with open(session_file("alive")) as alive, open(session_file(name + ".out"), "wb") as out:
+        process = subprocess.Popen(command, stdin=alive, stdout=out, stderr=out, cwd=session_file(""), env=environment)
+    with open(session_file(name + ".pid"), "w") as file:
+        file.write(str(process.pid))
+    return process
+
+
+def wait_until(condition, process):
+    """The first true value of the condition; nothing if the process ended before, or took too long."""
+    deadline = time.monotonic() + START_LIMIT
+    while time.monotonic() < deadline:
+        ended = process.poll() is not None
+        value = condition()
+        if value or ended:
+            return value
+        time.sleep(0.01)
+    return None
+
+
+def ready(process, name):
+    """Wait until a peer says that it is ready, or where, as JSON; returns that line."""
+    def line():
+        return re.search('^(ready.*|{".*)\n', said(name), re.MULTILINE)
+    found = wait_until(line, process)
+    if not found:
+        raise Failed("%s is not ready: %s" % (name, said(name)))
+    return found.group()
+
+
+def said(name):
+    with open(session_file(name + ".out"), encoding="utf-8", errors="replace") as file:
+        return file.read()
+
+
+def session_file(name):
+    return os.path.join(os.environ["SESSION"], name)
+
+
+def mocks_alone():
+    """Where to import mock_components from, without importing rtshell_lite from there if it is installed."""
+    apart = session_file("python")
+    return apart if os.path.isdir(apart) else ROOT
+
+
+def control(name):
+    return session_file(name + ".control")
+
+
+def unused_name(name):
+    """The name for one more peer of that name: two, two2, two3 …"""
+    known, number = name, 1
+    while os.path.exists(session_file(known + ".pid")):
+        number += 1
+        known = "%s%d" % (name, number)
+    return known
+
+
+# ---- doing things to them ----
+
+def tell(names, number, state):
+    """Send a signal to peers and wait until each is in that state."""
+    for name in names:
+        try:
+            with open(session_file(name + ".pid")) as file:
+                process = int(file.read())
+        except OSError:
+            raise Failed("no world named %s" % name)
+        os.kill(process, number)
+        deadline = time.monotonic() + START_LIMIT
+        while state_of(process) != state:
+            if time.monotonic() > deadline:
+                raise Failed("%s is still %s" % (name, state_of(process)))
+            time.sleep(0.005)
+
+
+def state_of(process):
+    try:
+        with open("/proc/%d/stat" % process) as file:
+            letter = file.read().rpartition(") ")[2][0]
+    except OSError:
+        return "gone"
+    return {"Z": "gone", "X": "gone", "T": "stopped"}.get(letter, "running")

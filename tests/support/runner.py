@@ -1,0 +1,387 @@
+"""Build the wheel, install it with omniORBpy in a private environment, run all tests against it.
+
+Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a test failed or none ran.
+
+  tests/run                       all tests, on the Python that runs this
+  tests/run rtls test_path        those whose name holds one of these words: tests/commands/rtls.t, tests/unit/test_path.py
+  tests/run 'rtls.t (dash)'       one transcript under one shell
+  tests/run --python 3.7 rtls     on another Python
+  tests/run --compat              profiles against PyYAML and the real rtsprofile, from the package index
+  tests/run --real DIR [--real DIR]  every command, in loops, on real components: DIR holds built examples of OpenRTM-aist, of C++ or
+                                  Python; --rounds N of each loop (100), a word of a test's name for a part
+  tests/run --long test_long      the long form of what tests/faults/ and the like try in short: hours in all
+  tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
+  tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13, transcripts on 3.7 under ash and on 3.13 under
+                                  dash (NAME-topic.t on one of the two, by turns), what needs no omniORBpy on 3.6, the packaging
+                                  on every Python from 3.6 to 3.13; what fails beside others is told, and run again alone
+"""
+import argparse
+import concurrent.futures
+import glob
+import json
+import os
+import queue
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import uuid
+import zlib
+
+import environments
+import transcripts
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+TESTS = os.path.dirname(HERE)
+FULL, PURE, ALL = ["3.11", "3.7", "3.13"], ["3.6"], ["3.%d" % minor for minor in range(6, 14)]
+# The matrix: transcripts run on the oldest and the newest Python, each under another shell, as what a shell does does not depend
+# on the Python. Those that say that one Python is enough run on the first, and so do such test modules; the others on all three.
+# The transcripts beside the main one of a command, NAME-topic.t, take turns.
+MATRIX = {"3.11": ["dash"], "3.7": ["ash"], "3.13": ["dash"], "3.6": ["ash"]}
+TURNS = ["3.7", "3.13"]
+MODULE_LIMIT = 300.0  # seconds for one test module
+LONG_LIMIT = 4 * 3600.0  # the same with --long
+DIRECTORIES = ("unit", "mocks", "commands", "faults")  # with what is run always
+PACKAGING = "commands/test_packaging"
+MOST_AGAIN = 5  # jobs of the matrix that are run again when they have failed
+
+
+class Job:
+    """Something that runs by itself and gives outcomes: a test module, or a transcript under one shell."""
+
+    def __init__(self, label, run, alone):
+        self.label = label
+        self.run = run
+        self.alone = alone
+
+
+# ---- jobs ----
+
+def test_modules():
+    """Names of the test modules that run wherever tests do: unit/test_path …"""
+    paths = [path for directory in DIRECTORIES for path in glob.glob(os.path.join(glob.escape(TESTS), directory, "test_*.py"))]
+    return sorted(os.path.relpath(path, TESTS)[:-3] for path in paths)
+
+
+def module_jobs(python, setting, wheel, patterns, modules):
+    environment = dict(os.environ, RTSHELL_WHEEL=wheel, PYTHONPATH=mocks_alone())
+    omniorb = environments.fetch_omniorb(python)
+    if omniorb:
+        environment["RTSHELL_OMNIORB_WHEEL"] = omniorb
+    if setting.commands:
+        environment["PATH"] = setting.commands + os.pathsep + os.environ["PATH"]
+
+    def job(module):
+        return Job("%s %s" % (python.version, module), lambda: run_module(module, setting.python, environment, patterns),
+                   says(module, "ALONE"))
+    return [job(module) for module in modules]
+
+
+def says(module, word):
+    """Does a module say ALONE (it measures times) or ONCE (one Python of the matrix is enough)?"""
+    with open(os.path.join(TESTS, module + ".py"), encoding="utf-8") as file:
+        return any(line.startswith(word + " =") for line in file)
+
+
+def run_module(module, python, environment, patterns):
+    with tempfile.TemporaryDirectory(prefix="rt-") as directory:
+        result = os.path.join(directory, "result")
+        # Output goes to a file: a process that a test forgot would hold a pipe open.
+        with open(os.path.join(directory, "output"), "w+", encoding="utf-8", errors="replace") as output:
+            process = subprocess.Popen([python, os.path.join(HERE, "report.py"), result, module] + patterns,
+                                       stdin=subprocess.PIPE, stdout=output, stderr=output, env=environment,
+                                       cwd=directory, start_new_session=True)
+            why = wait(process)
+            output.seek(0)
+            said = output.read()
+        try:
+            with open(result) as file:
+                outcomes = json.load(file)
+        except (OSError, ValueError):
+            return [(module, "fail", "%s\n%s" % (why, said))]
+    outcomes = [[module, "figures", line] for line in said.splitlines() if line.startswith("figures: ")] + outcomes
+    if said and any(outcome[1] == "fail" for outcome in outcomes):
+        outcomes[-1] = outcomes[-1][:2] + [outcomes[-1][2] + "\noutput of %s:\n%s" % (module, said)]
+    return outcomes
+
+
+def wait(process):
+    try:
+        limit = LONG_LIMIT if os.environ.get("RTSHELL_FAULTS") else MODULE_LIMIT
+        why = "ended with status %d" % process.wait(limit)
+    except subprocess.TimeoutExpired:
+        why = "no end after %g s" % limit
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass
+    process.wait()
+    process.stdin.close()
+    return why
+
+
+def mocks_alone():
+    """A directory that holds mock_components and nothing else: rtshell_lite must come from the environment."""
+    directory = os.path.join(environments.STORE, "mocks")
+    os.makedirs(directory, exist_ok=True)
+    link = os.path.join(directory, "mock_components")
+    if not os.path.islink(link):
+        os.symlink(os.path.join(os.pardir, os.pardir, "mock_components"), link)
+    return directory
+
+
+def transcript_jobs(python, setting, patterns, shells=None, once=None, accept=False):
+    """Jobs for the transcripts under these shells (None: all); `once`: of those only that one Python is enough for, or is not.
+
+    With `once` False, it is a part of the matrix: another Python of TURNS may have the turn.
+    """
+    missing = transcripts.missing_shells()
+
+    def job(path, shell):
+        name = transcripts.case_name(path, shell)
+
+        def run():
+            if shell in missing:
+                return [(name, "skip", "%s is not installed" % transcripts.SHELLS[shell][0])]
+            return [(name,) + transcripts.run_case(path, shell, setting, accept)]
+        return Job("%s %s" % (python.version, name), run, transcripts.says(path, "alone"))
+    return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shells)
+            if once in (None, transcripts.says(path, "once")) and (once is not False or has_turn(python.version, path))]
+
+
+def has_turn(version, path):
+    """Does a transcript run on this Python of the matrix?"""
+    name = os.path.basename(path)
+    return "-" not in name or version not in TURNS or version == TURNS[zlib.crc32(name.encode()) % len(TURNS)]
+
+
+# ---- running them ----
+
+class Score:
+    """What has been seen so far; told as it comes."""
+
+    def __init__(self):
+        self.counts = {"pass": 0, "fail": 0, "skip": 0}
+        self.reasons, self.again = {}, []
+
+    def add(self, label, outcomes, seconds=None):
+        for line in [text for _, outcome, text in outcomes if outcome == "figures"]:
+            print("     %s: %s" % (label, line[len("figures: "):]), flush=True)
+        outcomes = [each for each in outcomes if each[1] != "figures"]
+        for name, outcome, text in outcomes:
+            self.counts[outcome] += 1
+            if outcome == "fail":
+                print("FAIL %s%s\n%s\n" % (label, "" if name in label else ": " + name, text.rstrip()), flush=True)
+            elif outcome == "skip":
+                self.reasons.setdefault(text, []).append("%s: %s" % (label, name))
+        if outcomes and seconds is not None and not any(outcome == "fail" for _, outcome, _ in outcomes):
+            passed = sum(outcome == "pass" for _, outcome, _ in outcomes)
+            print("%s %s: %d in %.1f s" % ("ok  " if passed else "skip", label, len(outcomes), seconds), flush=True)
+
+    def postpone(self, label, outcomes):
+        """Tell what has failed beside others, and is to be run again."""
+        self.again.append(label)
+        for name, outcome, text in outcomes:
+            if outcome == "fail":
+                print("FAILED BESIDE OTHERS %s%s\n%s\n" % (label, "" if name in label else ": " + name, text.rstrip()), flush=True)
+
+    def close(self):
+        for label in self.again:
+            print("run again, alone, as it had failed beside others: " + label)
+        if not any(self.counts.values()):
+            print("no test has such a name")
+        for reason, names in sorted(self.reasons.items()):
+            print("skipped %d: %s" % (len(names), reason))
+        skipped = ", %(skip)d skipped" % self.counts if self.counts["skip"] else ""
+        print("%(pass)d passed, %(fail)d failed" % self.counts + skipped, flush=True)
+        return 1 if self.counts["fail"] or not self.counts["pass"] else 0
+
+
+def run_jobs(jobs, score, again=False):
+    """Run them. With `again`, a few that fail are told, and count as what they do when they are run alone.
+
+    Four lanes on two processors disturb each other: of 2,000 tests, one or two a run met a deadline that had nothing to do with
+    them. Many that fail are no accident, and count at once.
+    """
+    lanes = 2 * (os.cpu_count() or 1)  # they wait more than they compute
+    failed = []
+    _run_some([job for job in jobs if not job.alone], lanes, score, failed if again else None)
+    _run_some([job for job in jobs if job.alone], 1, score, failed if again else None)
+    _run_some(failed, 1, score)
+
+
+def _run_some(jobs, lanes, score, postponed=None):
+    waiting, finished = queue.Queue(), queue.Queue()
+    for job in jobs:
+        waiting.put(job)
+    for _ in range(lanes):
+        threading.Thread(target=_work, args=(waiting, finished), daemon=True).start()
+    for _ in jobs:
+        job, outcomes, seconds = finished.get()
+        if postponed is not None and len(postponed) < MOST_AGAIN and any(outcome[1] == "fail" for outcome in outcomes):
+            score.postpone(job.label, outcomes)
+            postponed.append(job)
+        else:
+            score.add(job.label, outcomes, seconds)
+
+
+def _work(waiting, finished):
+    while True:
+        try:
+            job = waiting.get_nowait()
+        except queue.Empty:
+            return
+        begun = time.monotonic()
+        try:
+            outcomes = job.run()
+        except Exception as e:  # a fault of the runner itself must not be taken for success, nor stop the others
+            outcomes = [(job.label, "fail", "%s: %s" % (type(e).__name__, e))]
+        finished.put((job, outcomes, time.monotonic() - begun))
+
+
+# ---- what is left behind ----
+
+def mark():
+    """Put a mark into the environment that every process of this run inherits."""
+    os.environ["RTSHELL_TESTS"] = uuid.uuid4().hex
+    return ("RTSHELL_TESTS=" + os.environ["RTSHELL_TESTS"]).encode()
+
+
+def left_behind(marker):
+    """Command lines of processes that carry the mark, other than this one; they are killed."""
+    found = []
+    for number in (int(name) for name in os.listdir("/proc") if name.isdigit()) if os.path.isdir("/proc") else ():
+        try:
+            with open("/proc/%d/environ" % number, "rb") as file:
+                if number == os.getpid() or marker not in file.read():
+                    continue
+            with open("/proc/%d/cmdline" % number, "rb") as file:
+                found.append(file.read().replace(b"\0", b" ").decode("utf-8", "replace"))
+            os.kill(number, signal.SIGKILL)
+        except OSError:
+            pass
+    return found
+
+
+# ---- what to run ----
+
+def compat_jobs(args):
+    """The tests that need PyYAML and the real rtsprofile; skipped where these cannot be installed."""
+    python = environments.find_python(args.python[0] if args.python else sys.executable)
+    modules = ["compat/test_rtsprofile"]
+    try:
+        interpreter = environments.prepare_compat(python)
+    except environments.Failed as e:
+        why = "PyYAML and rtsprofile-aist cannot be installed: " + str(e).splitlines()[-1]
+        return [Job("%s %s" % (python.version, module), lambda module=module: [(module, "skip", why)], False)
+                for module in modules]
+    environment = dict(os.environ, PYTHONPATH=environments.ROOT)
+    return [Job("%s %s" % (python.version, module),
+                lambda module=module: run_module(module, interpreter, environment, args.pattern), False) for module in modules]
+
+
+def jobs_for(version, wheel, args):
+    """All jobs on one Python."""
+    python = environments.find_python(version)
+    interpreter = environments.prepare(python, wheel)
+    setting = transcripts.Setting(interpreter, os.path.dirname(interpreter))
+    if args.real:
+        return module_jobs(python, setting, wheel, args.pattern, ["compat/test_real"])
+    if args.accept:
+        return transcript_jobs(python, setting, args.pattern, accept=True)
+    if not args.all:
+        return module_jobs(python, setting, wheel, args.pattern, test_modules()) + transcript_jobs(python, setting, args.pattern)
+    first = version == FULL[0]
+    modules = [module for module in test_modules() if first or not says(module, "ONCE")]
+    return (module_jobs(python, setting, wheel, args.pattern, modules)
+            + transcript_jobs(python, setting, args.pattern, MATRIX[version], once=first))
+
+
+def packaging_jobs(version, wheel, args):
+    """The packaging tests on a Python as it is, with nothing installed for them."""
+    python = environments.find_python(version)
+    return module_jobs(python, transcripts.Setting(python.path), wheel, args.pattern, [PACKAGING])
+
+
+def gather_jobs(args, wheel, score):
+    """The jobs of all versions asked for; a Python that is not here is told as skipped."""
+    if args.compat:
+        return compat_jobs(args)
+    versions = FULL + PURE if args.all else args.python or [sys.executable]
+    wanted = [(jobs_for, version) for version in versions]
+    wanted += [(packaging_jobs, version) for version in ALL if args.all and version not in versions]
+
+    def gather(make, version):
+        try:
+            return make(version, wheel, args)
+        except environments.Missing as e:
+            score.add(version, [("all tests", "skip" if args.all else "fail", str(e))])
+        except environments.Failed as e:
+            score.add(version, [("environment", "fail", str(e))])
+        return []
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:  # environments take their time to make
+        return [job for jobs in pool.map(gather, *zip(*wanted)) for job in jobs]
+
+
+def builder():
+    """The Python that builds the wheel: this one, or the newest here if it is too old to build from setup.cfg."""
+    for version in [sys.executable] * (sys.version_info >= (3, 7)) + ALL[:0:-1]:
+        try:
+            return environments.find_python(version)
+        except environments.Missing:
+            pass
+    raise environments.Missing("no Python from 3.7 on is here: an older one cannot build the wheel")
+
+
+def options():
+    parser = argparse.ArgumentParser(prog="tests/run", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("pattern", nargs="*", help="part of a test's name")
+    parser.add_argument("--python", action="append", metavar="VERSION", help="a version or a path; may be repeated")
+    parser.add_argument("--compat", action="store_true", help="compare with PyYAML and the real rtsprofile")
+    parser.add_argument("--real", action="append", metavar="DIR", help="try built examples of OpenRTM-aist; may be repeated")
+    parser.add_argument("--rounds", type=int, default=100, metavar="N", help="with --real: how often each loop goes round")
+    parser.add_argument("--all", action="store_true", help="the matrix")
+    parser.add_argument("--long", action="store_true", help="all cases of the tests of faults, and long runs of 10 minutes")
+    parser.add_argument("--accept", action="store_true", help="rewrite transcripts from what is printed")
+    return parser.parse_args()
+
+
+def hear_signals():
+    """Ignore no signal that whoever started us ignores, as `nohup … &` does: it would be inherited by all that is tested."""
+    for number, handler in ((signal.SIGINT, signal.default_int_handler), (signal.SIGHUP, signal.SIG_DFL)):
+        if signal.getsignal(number) == signal.SIG_IGN:
+            signal.signal(number, handler)
+
+
+def main():
+    args = options()
+    hear_signals()
+    if args.long or args.real:
+        os.environ["RTSHELL_FAULTS"] = "1"
+    if args.real:
+        os.environ["RTSHELL_REAL"] = os.pathsep.join(map(os.path.abspath, args.real))
+        os.environ["RTSHELL_ROUNDS"] = str(args.rounds)
+    marker, score = mark(), Score()
+    held = environments.lock()
+    try:
+        wheel = environments.build_wheel(builder())
+    except environments.Failed as e:
+        score.add("wheel", [("build", "fail", str(e))])
+        return score.close()
+    print("wheel: %s, %d kB" % (os.path.basename(wheel), os.path.getsize(wheel) // 1000))
+    run_jobs(gather_jobs(args, wheel, score), score, again=args.all)
+    for line in left_behind(marker):
+        score.add("processes", [("left behind", "fail", line)])
+    held.close()
+    return score.close()
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:  # what still runs ends with its stdin
+        sys.exit(130)

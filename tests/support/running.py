@@ -1,0 +1,231 @@
+"""Running commands and seeing what they cost: seconds, memory, what they say; and the surroundings to run them in."""
+import concurrent.futures
+import fcntl
+import glob
+import os
+import pty
+import re
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import termios
+import threading
+import time
+import zlib
+
+import worlds
+import processes
+import session
+
+TIMEOUT = 0.8           # --timeout of the commands
+SLACK = 0.5             # seconds more than that may pass; waiting for a processor is not counted
+RESIDENT = 64 * 1024    # kB
+LIMIT = 40.0            # seconds after which a command is killed
+MODULES = os.path.abspath(os.environ.get("PYTHONPATH") or processes.ROOT)   # commands run in other directories than ours
+THOROUGH = bool(os.environ.get("RTSHELL_FAULTS"))  # all cases instead of a sample
+PARALLEL = 6
+
+
+class Ran:
+    """What a command did: its words, status (128 + N for a signal N), out and err (bytes), seconds, kB resident at most.
+
+    `seconds` do not count what its main thread stood waiting for a processor, as this machine has other things to do.
+    """
+
+    def __init__(self, words, status, out, err, seconds, waited, resident):
+        self.words, self.status, self.out, self.err = words, status, out, err
+        self.seconds, self.waited, self.resident = seconds, waited, resident
+
+    def __str__(self):
+        return "%s: status %d, %.2f s (%.2f s for a processor), %d kB\n%s%s" % (
+            " ".join(self.words), self.status, self.seconds, self.waited, self.resident,
+            self.out[-2000:].decode("utf-8", "replace"), self.err[-2000:].decode("utf-8", "replace"))
+
+
+def environment(**more):
+    """Of a command."""
+    found = dict(os.environ, PYTHONPATH=MODULES, LC_ALL="C", TERM="xterm",
+                 PYTHONDONTWRITEBYTECODE="1")
+    found.update(more)
+    return found
+
+
+def start(words, where, more, inside=(), **streams):
+    """Start a command that hears Ctrl-C: a runner in the background ignores it, and that is inherited.
+
+    `inside` are words to put before it, such as those that enter a network namespace.
+    """
+    command = list(inside) + [sys.executable, os.path.join(worlds.COMMANDS, words[0])] + words[1:]
+    return subprocess.Popen(command, env=environment(**more), cwd=where,
+                            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), **streams)
+
+
+def run(words, where, inside=(), **more):
+    """Run a command in the directory `where`, with more in its environment, and wait for it; `inside`: see `start`."""
+    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+        begun = time.monotonic()
+        process = start(words, where, more, inside, stdin=subprocess.DEVNULL, stdout=out, stderr=err)
+        killer = threading.Timer(LIMIT, process.kill)
+        killer.start()
+        os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)  # it stays as a zombie whose figures can be read
+        seconds = time.monotonic() - begun
+        killer.cancel()
+        waited = waited_for_processor(process.pid)
+        status, usage = os.wait4(process.pid, 0)[1:]
+        process.returncode = -os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status)
+        out.seek(0)
+        err.seek(0)
+        return Ran(words, process.returncode if process.returncode >= 0 else 128 - process.returncode, out.read(), err.read(),
+                   seconds - waited, waited, usage.ru_maxrss)
+
+
+def run_on_terminal(words, where, columns=80, **more):
+    """Run a command on a terminal of its own; all that it prints is `out`."""
+    child, terminal = pty.fork()
+    if child == 0:
+        try:
+            signal.signal(signal.SIGINT, signal.SIG_DFL)
+            os.chdir(where)
+            os.execve(sys.executable, [sys.executable, os.path.join(worlds.COMMANDS, words[0])] + words[1:], environment(**more))
+        finally:
+            os._exit(127)
+    fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+    begun = time.monotonic()
+    killer = threading.Timer(LIMIT, os.kill, (child, signal.SIGKILL))
+    killer.start()
+    said = b"".join(session.printed_on(terminal))
+    os.close(terminal)
+    status, usage = os.wait4(child, 0)[1:]
+    killer.cancel()
+    status = 128 + os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status)
+    return Ran(words, status, said, b"", time.monotonic() - begun, 0, usage.ru_maxrss)
+
+
+def waited_for_processor(pid):
+    """Seconds that the main thread of a process has been ready to run and was not let, 0 where the kernel does not tell."""
+    try:
+        with open("/proc/%d/schedstat" % pid) as file:
+            return int(file.read().split()[1]) / 1e9
+    except (OSError, ValueError, IndexError):
+        return 0.0
+
+
+def together(function, cases, parallel=PARALLEL):
+    """[function(case)] for all cases, several at a time."""
+    with concurrent.futures.ThreadPoolExecutor(parallel) as pool:
+        return list(pool.map(function, cases))
+
+
+def sample(cases, count, seed=1):
+    """Some of the cases, the same ones even when others come or go; all of them when RTSHELL_FAULTS is set."""
+    cases = list(cases)
+    if THOROUGH or len(cases) <= count:
+        return cases
+    ranks = [zlib.crc32(("%d %s" % (seed, case)).encode()) for case in cases]
+    limit = sorted(ranks)[count - 1]
+    return [case for case, rank in zip(cases, ranks) if rank <= limit]
+
+
+class Surroundings:
+    """A directory, and in it the name servers, worlds and faulty peers that are started; all end with close()."""
+
+    def __init__(self):
+        self.top = tempfile.mkdtemp(prefix="rt-faults-")
+        os.environ["SESSION"] = self.top
+        session.keep_alive()
+        self.processes, self.worlds = [], {}
+        self.lock = threading.Lock()
+
+    def name_server(self, name="names", published=None):
+        """Start one; its address. `published`: the port that its references tell, where that is another one."""
+        return "/127.0.0.1:" + processes.start_name_server(name, published=published)
+
+    def world(self, server, *words):
+        """Start a world on a name server; its name, for `ctl`."""
+        with self.lock:  # names are given by what is there
+            process, name = processes.start_world(list(words), server.rpartition(":")[2])
+        self.processes.append(process)
+        self.worlds[name] = process
+        processes.ready(process, name)
+        return name
+
+    def ctl(self, name, *words):
+        """Ask a world; its answer in lines."""
+        from mock_components import asking
+        done, text = asking.request(processes.control(name), words)
+        assert done, text
+        return text.splitlines()
+
+    def faulty(self, *modes):
+        """Start faulty peers; their ports by name."""
+        import json
+        process, name = processes.start_faulty(list(modes))
+        self.processes.append(process)
+        return json.loads(processes.ready(process, name))
+
+    def bind(self, place, *modes):
+        """Start faulty peers and enter them in a name server as components MODE.rtc; place: /HOST:PORT/CONTEXT."""
+        self.faulty("--bind", place[1:], *modes)
+
+    def files(self, server):
+        """What a profile and a log look like: the text of one that connects ConsoleIn0 to ConsoleOut0 of the world `linked` at
+        `server`, and the path of a log with one value of it."""
+        text = self.done(["rtcryo", "-y", server])
+        log = os.path.join(self.top, "recorded.rtlog")
+        recorder = start(["rtlog", "-f", log, "-i", "-e", "1", server + "/test.host_cxt/ConsoleIn0.rtc:out"], self.top, {})
+        while recorder.poll() is None:
+            self.ctl("linked", "write", "ConsoleIn0:out", "42")
+            time.sleep(0.02)
+        assert recorder.returncode == 0, "rtlog: status %d" % recorder.returncode
+        return text, log
+
+    def done(self, words):
+        """What a command prints that has to succeed."""
+        ran = run(words, self.top)
+        assert ran.status == 0, ran
+        return ran.out.decode()
+
+    def profile(self, text, name, server, a, b):
+        """Write such a profile for other components, given by their paths; returns the file."""
+        home = server[1:] + "/test.host_cxt/"
+        path = os.path.join(self.top, name)
+        with open(path, "w") as file:
+            file.write(text.replace(home + "ConsoleIn0.rtc", a[1:]).replace(home + "ConsoleOut0.rtc", b[1:]))
+        return path
+
+    def dumped(self, component, changes):
+        """Two files for `rtconf load`: what a component's configuration is, and that with {parameter: value} in every set."""
+        text = self.done(["rtconf", component, "dump"])
+        paths = [os.path.join(self.top, name) for name in ("dumped", "changed")]
+        for path in paths:
+            with open(path, "w") as file:
+                file.write(text)
+            for name, value in changes.items():
+                text = re.sub("(?m)^%s=.*" % name, "%s=%s" % (name, value), text)
+        return paths
+
+    def end(self, name):
+        """End a world at once."""
+        process = self.worlds.pop(name)
+        process.kill()
+        process.wait()
+
+    def directory(self, name):
+        """An empty directory for a command to run in."""
+        path = os.path.join(self.top, name)
+        os.makedirs(path, exist_ok=True)
+        return path
+
+    def close(self):
+        for process in self.processes:
+            process.kill()
+            process.wait()
+        for path in glob.glob(os.path.join(glob.escape(self.top), "*.pid")):
+            with open(path) as file:
+                number = int(file.read())
+            if number not in [process.pid for process in self.processes]:
+                os.kill(number, signal.SIGKILL)
+        shutil.rmtree(self.top, ignore_errors=True)

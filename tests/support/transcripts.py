@@ -1,0 +1,330 @@
+#!/usr/bin/env python3
+"""Run shell transcripts: prose at the margin, an indented session whose output must come out again.
+
+    A command, what it prints (stdout and stderr as they come), and its exit status if not 0:
+
+      $ rtpwd --nonsense
+      rtpwd: unrecognized arguments: --nonsense (see --help)
+      [2]
+
+A line may end in ` (re)` or ` (glob)`; one that cannot be shown as it is ends in ` (esc)`, one without
+a newline in ` (no-eol)`. Lines such as `world: two` at the margin ask for peers: see session.py.
+
+    tests/support/transcripts.py                     all, from the checkout, with the Python that runs this
+    tests/support/transcripts.py rtls 'rtcon.t (ash)'   some
+    tests/support/transcripts.py --accept rtls.t     write down what came out; then read `git diff`
+"""
+import argparse
+import difflib
+import json
+import os
+import queue
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+COMMANDS = os.path.join(os.path.dirname(HERE), "commands")
+SHELLS = {"dash": ["dash"], "ash": ["busybox", "ash"]}
+TIME_LIMIT = 120.0  # seconds for one file under one shell
+DIRECTIVE = re.compile(r"(world|server|faulty|python|alone|once): *(.*)$")
+AMBIGUOUS = re.compile(r"[$>]( |$)|\[\d+\]$")  # output that would be read as a command or a status
+SUFFIX = re.compile(r" \((re|glob|esc|no-eol)\)$")
+
+
+class Malformed(Exception):
+    pass
+
+
+class Step:
+    """One command of a session, and the lines expected of it."""
+
+    def __init__(self, number, command):
+        self.number = number
+        self.command = [command]
+        self.expected = []
+
+    def lines(self, output):
+        """The step as it stands in a file, with this output."""
+        marks = ["  $ "] + ["  > "] * (len(self.command) - 1)
+        command = [(mark + line).rstrip() for mark, line in zip(marks, self.command)]
+        return command + ["  " + line if line else "" for line in output]
+
+
+# ---- reading ----
+
+def parse(text):
+    """Split a transcript into lines of prose and Steps, in their order."""
+    items, blanks, step = [], [], None
+    for number, line in enumerate(text.splitlines(), 1):
+        if not line.strip():
+            blanks.append("")
+        elif line.startswith("  $ "):
+            step = Step(number, line[4:])
+            items += blanks + [step]
+            blanks = []
+        elif line.startswith("  "):
+            if step is None:
+                raise Malformed("line %d: output that belongs to no command" % number)
+            if (line + " ").startswith("  > ") and not step.expected and not blanks:
+                step.command.append(line[4:])
+            else:  # an empty line between lines of output is output
+                step.expected += blanks + [line[2:]]
+                blanks = []
+        else:
+            items += blanks + [line]
+            blanks, step = [], None
+    return items + blanks
+
+
+def steps(items):
+    return [item for item in items if isinstance(item, Step)]
+
+
+def directives(items):
+    """What the prose asks for: pairs such as ("world", "many 200")."""
+    matches = [DIRECTIVE.match(item) for item in items if not isinstance(item, Step)]
+    return [match.groups() for match in matches if match]
+
+
+def render(items, outputs):
+    """The transcript's text, given the output of each step."""
+    outputs = iter(outputs)
+    lines = []
+    for item in items:
+        lines += item.lines(next(outputs)) if isinstance(item, Step) else [item]
+    return "\n".join(lines) + "\n"
+
+
+# ---- spelling and comparing ----
+
+def spell(raw, substitutions):
+    """A line of output as a transcript shows it: names for what varies, controls escaped."""
+    text = raw.decode("utf-8", "surrogateescape")
+    for pattern, name in substitutions:
+        text = re.sub(pattern, lambda match: name, text)
+    body = text.rstrip(" ")
+    ambiguous = AMBIGUOUS.match(text)
+    if text.isprintable() and body == text and not ambiguous and not SUFFIX.search(text):
+        return text
+    shown = "".join(_escape(c) for c in body) + "\\x20" * (len(text) - len(body))
+    if ambiguous:
+        shown = "\\x%02x" % ord(text[0]) + shown[1:]
+    return shown + " (esc)"
+
+
+def _escape(character):
+    code = ord(character)
+    if character == "\\":
+        return "\\\\"
+    if character.isprintable():
+        return character
+    if 0xDC80 <= code <= 0xDCFF:  # a byte that is not UTF-8
+        return "\\x%02x" % (code - 0xDC00)
+    return {9: "\\t", 13: "\\r"}.get(code) or ("\\x%02x" if code < 0x80 else "\\u%04x") % code
+
+
+def matches(expected, actual):
+    if expected == actual:
+        return True
+    suffix = SUFFIX.search(expected)
+    kind = suffix and suffix.group(1)
+    if kind == "re":
+        return re.match("(?:%s)\\Z" % expected[:suffix.start()], actual) is not None
+    if kind == "glob":
+        return re.match(_glob(expected[:suffix.start()]) + "\\Z", actual) is not None
+    return False
+
+
+def _glob(pattern):
+    parts = re.findall(r"\\[*?\\]|.", pattern)
+    return "".join({"*": ".*", "?": "."}.get(part, re.escape(part[-1:])) for part in parts)
+
+
+def merge(expected, actual):
+    """The actual lines, each in the spelling of the expected line that it matches.
+
+    The result equals `expected` exactly if the step passes.
+    """
+    head = 0
+    while head < min(len(expected), len(actual)) and matches(expected[head], actual[head]):
+        head += 1
+    return expected[:head] + _align(expected[head:], actual[head:])
+
+
+def _align(expected, actual):
+    """Longest common subsequence by `matches`: patterns survive an --accept around them."""
+    if len(expected) * len(actual) > 250000:
+        return actual
+    longest = [[0] * (len(actual) + 1) for _ in range(len(expected) + 1)]
+    same = [[matches(e, a) for a in actual] for e in expected]
+    for i in reversed(range(len(expected))):
+        for j in reversed(range(len(actual))):
+            longest[i][j] = 1 + longest[i + 1][j + 1] if same[i][j] else max(longest[i + 1][j], longest[i][j + 1])
+    merged, i = [], 0
+    for j, line in enumerate(actual):
+        while i < len(expected) and not same[i][j] and longest[i + 1][j] >= longest[i][j + 1]:
+            i += 1
+        if i < len(expected) and same[i][j]:
+            line, i = expected[i], i + 1
+        merged.append(line)
+    return merged
+
+
+# ---- running ----
+
+class Setting:
+    """What a transcript runs with: a Python, and the directory of the commands or None for the checkout's."""
+
+    def __init__(self, python=sys.executable, commands=None, label=""):
+        self.python = python
+        self.commands = commands
+        self.label = label
+
+
+def run_case(path, shell, setting, accept=False, time_limit=TIME_LIMIT):
+    """Run one transcript under one shell: ("pass" or "fail" or "skip", explanation)."""
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    try:
+        items = parse(text)
+        outcome = _session(items, shell, setting, time_limit)
+    except Malformed as e:
+        return "fail", str(e)
+    if "skip" in outcome:
+        return "skip", outcome["skip"]
+    outputs = [merge(step.expected, actual) for step, actual in zip(steps(items), outcome["outputs"])]
+    if outcome["problem"]:
+        outputs += [["… not reached"]] * (len(steps(items)) - len(outputs))
+    actual = render(items, outputs)
+    if accept and not outcome["problem"]:
+        _replace(path, actual)
+        return "pass", ""
+    if actual == render(items, [step.expected for step in steps(items)]) and not outcome["problem"]:
+        return "pass", ""
+    name = os.path.basename(path)
+    difference = difflib.unified_diff(text.splitlines(), actual.splitlines(), name, name + " (actual)", lineterm="")
+    return "fail", "\n".join(list(difference) + ([outcome["problem"]] if outcome["problem"] else []))
+
+
+def _session(items, shell, setting, time_limit):
+    """Have session.py run the steps in a process group of its own, which never outlives this call."""
+    top = tempfile.mkdtemp(prefix="rt-")
+    request = {"top": top, "shell": SHELLS[shell], "commands": setting.commands, "time_limit": time_limit,
+               "directives": directives(items), "steps": ["\n".join(s.command) for s in steps(items)]}
+    worker = subprocess.Popen([setting.python, os.path.join(HERE, "session.py"), "run"], stdin=subprocess.PIPE,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+    complaint = []
+    reader = threading.Thread(target=lambda: complaint.append(worker.stderr.read()), daemon=True)
+    reader.start()
+    try:
+        worker.stdin.write(json.dumps(request).encode() + b"\n")
+        worker.stdin.flush()  # and left open: its end tells the worker that we are gone
+        answer = _line(worker.stdout, time_limit + 60)
+        reader.join(0 if answer else 1)
+    finally:
+        _kill_group(worker)
+        shutil.rmtree(top, ignore_errors=True)
+    if not answer:
+        return {"outputs": [], "problem": "the session broke down: %s" % b"".join(complaint).decode("utf-8", "replace")}
+    return _spelt(json.loads(answer.decode()))
+
+
+def _line(stream, seconds):
+    lines = queue.Queue()
+    threading.Thread(target=lambda: lines.put(stream.readline()), daemon=True).start()
+    try:
+        return lines.get(timeout=seconds)
+    except queue.Empty:
+        return b""
+
+
+def _kill_group(worker):
+    try:
+        os.killpg(worker.pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass
+    worker.wait()
+    for stream in (worker.stdin, worker.stdout, worker.stderr):
+        stream.close()
+
+
+def _spelt(outcome):
+    """Turn each step's raw output and status into the lines of a transcript."""
+    outputs = []
+    for raw, status in outcome.get("results", ()):
+        raw = raw.encode("latin-1")
+        lines = [spell(line, outcome["substitutions"]) for line in raw.split(b"\n")]
+        if raw.endswith(b"\n") or not raw:
+            lines.pop()
+        else:
+            lines[-1] += " (no-eol)"
+        if status:
+            lines.append("[%d]" % status)
+        elif lines and not lines[-1]:
+            lines[-1] = " (esc)"  # an empty line would not be seen at the end
+        outputs.append(lines)
+    outcome["outputs"] = outputs
+    return outcome
+
+
+def _replace(path, text):
+    temporary = os.path.join(os.path.dirname(path), ".%s.tmp" % os.path.basename(path))
+    with open(temporary, "w", encoding="utf-8") as file:
+        file.write(text)
+    os.replace(temporary, path)
+
+
+# ---- choosing and reporting ----
+
+def cases(patterns=(), shells=None, directory=COMMANDS):
+    """Pairs (path, shell) whose name, such as "rtls.t (dash)", holds one of the patterns."""
+    paths = [os.path.join(directory, name) for name in sorted(os.listdir(directory)) if name.endswith(".t")]
+    chosen = [(path, shell) for path in paths for shell in shells or SHELLS]
+    return [case for case in chosen if not patterns or any(_meant(pattern, *case) for pattern in patterns)]
+
+
+def case_name(path, shell):
+    return "%s (%s)" % (os.path.basename(path), shell)
+
+
+def _meant(pattern, path, shell):
+    return pattern in case_name(path, shell) or os.path.abspath(pattern) == path
+
+
+def missing_shells():
+    return [shell for shell, words in sorted(SHELLS.items()) if not shutil.which(words[0])]
+
+
+def says(path, word):
+    """Does this transcript hold a directive: `alone` (it measures times) or `once` (one Python of the matrix is enough)?"""
+    with open(path, encoding="utf-8") as file:
+        return any(line.startswith(word + ":") for line in file)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("pattern", nargs="*")
+    parser.add_argument("--accept", action="store_true", help="rewrite the expected output from the actual one")
+    parser.add_argument("--shell", action="append", choices=sorted(SHELLS), help="only under this shell")
+    parser.add_argument("--commands", metavar="DIR", help="where installed commands are (default: run the checkout)")
+    args = parser.parse_args()
+    shells = args.shell or (["dash"] if args.accept else None)
+    setting = Setting(commands=args.commands and os.path.abspath(args.commands))
+    counts = {"pass": 0, "fail": 0, "skip": 0}
+    for path, shell in cases(args.pattern, shells):
+        outcome, explanation = run_case(path, shell, setting, args.accept)
+        counts[outcome] += 1
+        print(outcome, case_name(path, shell))
+        if explanation:
+            print(explanation, flush=True)
+    print("%(pass)d passed, %(fail)d failed, %(skip)d skipped" % counts)
+    return 1 if counts["fail"] or not sum(counts.values()) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

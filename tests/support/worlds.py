@@ -1,0 +1,142 @@
+"""Worlds of mock components for unittest modules, and short ways to call what is in them."""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import processes
+
+try:
+    import omniORB
+    from omniORB import CORBA, any as omniany
+    import CosNaming
+except ImportError:
+    omniORB = None
+else:
+    from rtshell_lite.idl_stubs.component import RTC, OpenRTM, SDOPackage
+
+LIMIT = 10.0            # seconds that anything may take
+LONG = "IDL:RTC/TimedLong:1.0"
+COMMANDS = os.path.dirname(shutil.which("rtcwd") or os.path.join(processes.ROOT, "bin", "rtcwd"))
+ENVIRONMENT = dict(os.environ, PYTHONPATH=os.environ.get("PYTHONPATH") or processes.ROOT)
+
+
+def eventually(condition, what):
+    """Wait until a condition holds."""
+    end = time.monotonic() + LIMIT
+    while not condition():
+        if time.monotonic() > end:
+            raise AssertionError("not within %g s: %s" % (LIMIT, what))
+        time.sleep(0.01)
+
+
+class Server:
+    """omniNames for the whole module, and this process's ORB."""
+
+    @classmethod
+    def start(cls):
+        cls.directory = tempfile.mkdtemp()
+        cls.orb = CORBA.ORB_init(["test", "-ORBclientCallTimeOutPeriod", "8000", "-ORBtraceLevel", "0"], CORBA.ORB_ID)
+        cls.process, cls.port = processes.nameserver.start(cls.directory)
+        cls.root = cls.orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%d/NameService" % cls.port)
+        cls.root = cls.root._unchecked_narrow(CosNaming.NamingContext)
+
+    @classmethod
+    def stop(cls):
+        cls.process.kill()
+        cls.process.wait()
+        shutil.rmtree(cls.directory, ignore_errors=True)
+
+
+def start_name_server():
+    """For setUpModule: a name server, or no test at all where there is no omniORB."""
+    if omniORB is None or not processes.nameserver.binary():
+        raise unittest.SkipTest("needs omniORBpy and omniNames")
+    Server.start()
+
+
+class World:
+    """A world in a process of its own, and the objects bound by it."""
+
+    def __init__(self, *words):
+        self.control = os.path.join(Server.directory, "control%d" % processes.nameserver.free_port())
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "mock_components"] + list(words) +
+            ["--nameserver", "127.0.0.1:%d" % Server.port, "--control", self.control],
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=ENVIRONMENT)
+        self.ready = self.process.stdout.readline().decode()
+        if not self.ready.startswith("ready"):
+            self.close()
+            raise AssertionError("the world did not start: " + " ".join(words))
+
+    def close(self):
+        self.process.kill()
+        self.process.wait()
+        self.process.stdin.close()
+        self.process.stdout.close()
+
+    def resolve(self, *names):
+        parts = [CosNaming.NameComponent("test", "host_cxt")]
+        for name in names:
+            parts.append(CosNaming.NameComponent(*name.rsplit(".", 1)))
+        return Server.root.resolve(parts)
+
+    def component(self, name):
+        return self.resolve(name + ".rtc")._narrow(OpenRTM.DataFlowComponent)
+
+    def port(self, component, name):
+        for port in self.component(component).get_ports():
+            if port.get_port_profile().name.split(".")[-1] == name:
+                return port
+        raise AssertionError("no port " + name)
+
+    def context(self, component):
+        return self.component(component).get_owned_contexts()[0]
+
+    def ctl(self, *words):
+        done = subprocess.run([sys.executable, "-m", "mock_components", "ctl", self.control] + list(words), env=ENVIRONMENT,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        return done.returncode, done.stdout.decode()
+
+    def count(self, operation):
+        lines = [line.split() for line in self.ctl("calls")[1].splitlines()]
+        return {name: int(count) for count, name in lines}.get(operation, 0)
+
+
+def nvlist(**changes):
+    """Connector properties, written with _ for dots after `dataport`; None leaves one out."""
+    values = {"dataflow_type": "push", "interface_type": "corba_cdr", "subscription_type": "flush", "data_type": LONG}
+    values.update(changes)
+    return [SDOPackage.NameValue("dataport." + name.replace("__", "."), omniany.to_any(value))
+            for name, value in values.items() if value is not None]
+
+
+def connector(ports, connector_id="", **changes):
+    return RTC.ConnectorProfile("n", connector_id, ports, nvlist(**changes))
+
+
+def names(profile):
+    return [item.name for item in profile.properties]
+
+
+def value(items, name):
+    return next(item.value.value() for item in items if item.name == name)
+
+
+def raised(function, *arguments):
+    """The name of the exception that a call raises, or None."""
+    try:
+        function(*arguments)
+    except (CORBA.UserException, CORBA.SystemException) as e:
+        return e._NP_RepositoryId.split("/")[-1].split(":")[0]
+    return None
+
+
+def outcome(function, *arguments):
+    """The name of what a call raises or, of its results, returns first."""
+    results = []
+    failure = raised(lambda: results.append(function(*arguments)))
+    return failure or str(results[0][0] if isinstance(results[0], tuple) else results[0])

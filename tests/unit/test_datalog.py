@@ -1,0 +1,387 @@
+"""Log files: what was written is read again, whatever happens to the file; hostile ones are refused at no cost."""
+import json
+import os
+import random
+import resource
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import tracemalloc
+import unittest
+import warnings
+from unittest import mock
+
+from rtshell_lite import errors
+from rtshell_lite.datalog import blocks, logfile, records, textlog, writer
+from rtshell_lite.datalog.index import POINTS, STRIDE, Index
+
+LONG = "IDL:RTC/TimedLong:1.0"
+CHANNELS = [records.Channel("a", LONG, b"\1\2", ("/x:a",)), records.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y:b"))]
+START = 1700000000 * 10 ** 9
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+
+def messages(count, size=12):
+    """Messages 1 ms apart, of both channels and both byte orders, each of other data."""
+    return [(i % 2, START + i * 10 ** 6, i % 3 == 0, (b"%08d" % i).ljust(size, b".")) for i in range(count)]
+
+
+def as_read(written):
+    return [records.Entry(i, received, channel, little, data, None)
+            for i, (channel, received, little, data) in enumerate(written)]
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self.directory = tempfile.TemporaryDirectory()
+        self.addCleanup(self.directory.cleanup)
+        self.name = os.path.join(self.directory.name, "log")
+
+    def write(self, written, close=True, append=False, channels=CHANNELS):
+        out = writer.Writer(self.name, channels, START, append)
+        out.write(written)
+        if close:
+            out.close()
+        else:  # as kill -9 leaves it
+            out._file.close()
+        with open(self.name, "rb") as file:
+            return file.read()
+
+    def put(self, data):
+        with open(self.name, "wb") as file:
+            file.write(data)
+
+    def read(self):
+        """All of the file: (log, entries); None when it is refused."""
+        try:
+            with logfile.load(self.name) as log:
+                return log, list(log.entries())
+        except errors.No:
+            return None
+
+
+class Files(Case):
+    def test_what_was_written_is_read(self):
+        written = messages(1000)
+        self.write(written)
+        log, found = self.read()
+        self.assertEqual(found, as_read(written))
+        self.assertEqual(log.channels, CHANNELS)
+        self.assertEqual((log.count, log.first, log.last, log.counts, log.closed), (
+            1000, written[0][1], written[-1][1], {"a": 500, "b": 500}, True))
+        self.assertEqual(list(log.notes()), [])
+
+    def test_only_what_is_torn_is_cut_off(self):
+        """To go on with a file whose middle is damaged would throw away all behind that; half a large record may go."""
+        data = self.write(messages(100, 40000), close=False)
+        with logfile.load(self.name) as log:
+            place = log.index.points[1][1]
+        damaged = data[:place + 1] + struct.pack("<I", 7) + data[place + 5:]
+        self.put(damaged)
+        with self.assertRaisesRegex(errors.No, "record to another file"):
+            self.write([], append=True)
+        with open(self.name, "rb") as file:
+            self.assertEqual(file.read(), damaged)
+        for end in (b"R" + struct.pack("<II", 9 << 20, 1) + bytes(8 << 20), bytes(2 << 20)):
+            self.put(data + end)
+            self.write(messages(1), append=True)
+            log, _ = self.read()
+            self.assertEqual((log.count, log.torn), (101, 0))
+
+    def test_nothing_else_is_gone_on_with(self):
+        for data in (b"no log", b"\x80\x04", b"x" + self.write(messages(1))[1:]):
+            self.put(data)
+            with self.assertRaisesRegex(errors.No, "not a log that"):
+                self.write([], append=True)
+            with self.assertRaisesRegex(errors.No, "not a log of text"):
+                textlog.Writer(self.name, CHANNELS, [None, None], True)
+            with open(self.name, "rb") as file:
+                self.assertEqual(file.read(), data)
+
+    def test_a_log_of_text_has_one_writer(self):
+        first = textlog.Writer(self.name, CHANNELS, [None, None])
+        first.write(messages(1))
+        for append in (True, False):
+            with self.assertRaisesRegex(errors.No, "another rtlog"):
+                textlog.Writer(self.name, CHANNELS, [None, None], append)
+        first.close()
+        textlog.Writer(self.name, CHANNELS, [None, None], True).close()
+        with open(self.name, "rb") as file:
+            self.assertEqual(len(file.read().splitlines()), 1)
+        textlog.Writer(self.name, CHANNELS, [None, None]).close()
+        self.assertEqual(os.path.getsize(self.name), 0)
+
+    def test_places_are_found(self):
+        """-s must find its entry by number and by time, on both sides of every point of the index."""
+        written = messages(500, 20000)
+        for close in (True, False):
+            self.write(written, close)
+            with logfile.load(self.name) as log:
+                self.assertGreater(len(log.index.points), 5)
+                for number in (0, 1, 50, 51, 52, 53, 54, 499):
+                    self.assertEqual(next(log.entries(number)).number, number)
+                    self.assertEqual(log.since(written[number][1]), number)
+                    self.assertEqual(log.since(written[number][1] - 1), number)
+                self.assertEqual(list(log.entries(500)), [])
+                self.assertIsNone(log.since(written[-1][1] + 1))
+
+    def test_the_index_stays_small(self):
+        index = Index()
+        for number in range(200000):
+            index.add(number * STRIDE, number, number, "a")
+        self.assertLessEqual(len(index.points), POINTS)
+        self.assertEqual(index.points[0][:2], [0, 0])
+
+    def test_a_clock_that_was_set_back(self):
+        written = [(0, moment, True, b"x" * 600000) for moment in (50, 60, 10, 20, 70, 5)]
+        self.write(written)
+        with logfile.load(self.name) as log:
+            self.assertEqual([log.since(moment) for moment in (1, 55, 60, 65, 70, 71)], [0, 1, 1, 4, 4, None])
+
+    def test_appending(self):
+        for close in (True, False):
+            first, more = messages(10), messages(3)
+            data = self.write(first, close)
+            if not close:
+                self.put(data[:-5])
+                first = first[:-1]
+            self.write(more, append=True)
+            log, found = self.read()
+            self.assertEqual(found, as_read(first + more))
+            self.assertEqual(log.channels, CHANNELS)
+            self.assertTrue(log.closed)
+
+    def test_appending_other_channels(self):
+        other = [records.Channel("c", LONG, b"", ("/z:c",)), CHANNELS[0]]
+        self.write(messages(2))
+        self.write([(0, 1, True, b"x"), (1, 2, True, b"y")], append=True, channels=other)
+        log, found = self.read()
+        self.assertEqual([log.channels[entry.channel].name for entry in found], ["a", "b", "c", "a"])
+        with self.assertRaisesRegex(errors.No, "a is of type"):
+            writer.Writer(self.name, [CHANNELS[0]._replace(type_id="T")], START, append=True)
+
+    def test_two_at_once(self):
+        first = writer.Writer(self.name, CHANNELS, START)
+        for append in (False, True):
+            with self.assertRaisesRegex(errors.No, "another rtlog"):
+                writer.Writer(self.name, CHANNELS, START, append)
+        first.close()
+
+    def test_two_begin_at_once(self):
+        """The second one must not spoil the header that the first has written and not yet given its name."""
+        tried = []
+
+        def second(descriptor):
+            tried.append(descriptor)
+            if len(tried) == 1:
+                with self.assertRaises(errors.No):
+                    writer.Writer(self.name, CHANNELS, START)
+        written = messages(5)
+        with mock.patch("os.fsync", second):
+            self.write(written)
+        self.assertEqual(self.read()[1], as_read(written))
+
+    def test_one_begins_and_ends_meanwhile(self):
+        """What a second one has opened under its first name is not spoilt when it is a whole log by now."""
+        written, locks = messages(5), []
+
+        def meanwhile(file, name):
+            locks.append(name)
+            if len(locks) == 1:
+                self.write(written)
+            lock(file, name)
+        lock = writer.lock
+        with mock.patch.object(writer, "lock", meanwhile), self.assertRaisesRegex(errors.No, "another rtlog"):
+            writer.Writer(self.name, CHANNELS, START)
+        self.assertEqual(self.read()[1], as_read(written))
+
+    def test_what_is_refused_is_closed(self):
+        self.put(blocks.MAGIC + b"no header")
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always", ResourceWarning)
+            with self.assertRaises(errors.No):
+                writer.Writer(self.name, CHANNELS, START, True)
+            with mock.patch.object(textlog.Writer, "_prepare", side_effect=OSError), self.assertRaises(OSError):
+                textlog.Writer(self.name, CHANNELS, [None, None])
+        self.assertEqual([str(each.message) for each in told], [])
+
+    def test_a_replaced_file_keeps_its_mode(self):
+        self.put(b"old")
+        os.chmod(self.name, 0o600)
+        self.write([])
+        self.assertEqual(os.stat(self.name).st_mode & 0o777, 0o600)
+        self.assertEqual(os.listdir(self.directory.name), ["log"])
+
+    def test_a_full_disk(self):
+        """What was written before stays whole, and there is no index of what is not there."""
+        soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+        out = writer.Writer(self.name, CHANNELS, START)
+        out.write(messages(100))
+        resource.setrlimit(resource.RLIMIT_FSIZE, (20000, hard))
+        try:
+            with self.assertRaises(OSError) as caught:
+                for _ in range(100):
+                    out.write(messages(100))
+            out.close()
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+        self.assertEqual(caught.exception.filename, self.name)
+        log, found = self.read()
+        self.assertEqual((len(found) % 100, log.torn, log.closed), (0, 0, False))
+
+
+class Damage(Case):
+    def test_cut_at_every_octet(self):
+        """kill -9, a full disk, a torn copy: all whole records are read."""
+        written = messages(8)
+        data = self.write(written, close=False)
+        ends = [len(data) - (8 - i) * (len(data) - self._header_end(data)) // 8 for i in range(9)]
+        whole = self.write(written)
+        for size in range(len(whole)):
+            self.put(whole[:size])
+            found = self.read()
+            if size < ends[0]:
+                self.assertIsNone(found, size)
+                continue
+            count = sum(end <= size for end in ends) - 1
+            self.assertEqual(found[1], as_read(written[:count]), size)
+            self.assertEqual((found[0].torn, found[0].closed), (size - ends[count], False))
+
+    @staticmethod
+    def _header_end(data):
+        _, length, _ = blocks.BLOCK.unpack_from(data, len(blocks.MAGIC))
+        return len(blocks.MAGIC) + blocks.BLOCK.size + length
+
+    def test_changed_anywhere(self):
+        """No changed octet gives a message that never was, or anything but errors.No."""
+        chance = random.Random(1)
+        written = messages(30)
+        data, known = self.write(written), set(as_read(written))
+        for _ in range(1500):
+            changed = bytearray(data)
+            for _ in range(chance.choice([1, 1, 2, 8])):
+                place = chance.randrange(len(changed))
+                how = chance.randrange(3)
+                if how == 0:
+                    changed[place] ^= 1 << chance.randrange(8)
+                elif how == 1:
+                    del changed[place:place + chance.randrange(1, 30)]
+                else:
+                    changed[place:place] = bytes(chance.randrange(256) for _ in range(chance.randrange(1, 30)))
+            self.put(bytes(changed))
+            found = self.read()
+            if found:
+                self.assertLessEqual(set(found[1]), known)
+
+    def test_a_damaged_record_costs_itself(self):
+        written = messages(30)
+        data = bytearray(self.write(written))
+        data[data.index(b"00000011")] ^= 1
+        self.put(bytes(data))
+        log, found = self.read()
+        self.assertEqual([entry.number for entry in found], [n for n in range(30) if n != 11])
+        self.assertEqual((log.damaged, log.torn), (1, 0))
+
+    def test_killed_while_recording(self):
+        """The file holds all that the recorder said it had written, and nothing else."""
+        script = ("import sys; sys.path[:0] = [%r, %r]\n"
+                  "import test_datalog as t\n"
+                  "out = t.writer.Writer(sys.argv[1], t.CHANNELS, 1)\n"
+                  "for n in range(100000):\n"
+                  "    out.write(t.messages(50, 5000))\n"
+                  "    print((n + 1) * 50, flush=True)\n" % (ROOT, os.path.join(ROOT, "tests", "unit")))
+        for number in range(4):
+            process = subprocess.Popen([sys.executable, "-c", script, self.name], stdout=subprocess.PIPE)
+            told = [int(process.stdout.readline()) for _ in range(5 + number)][-1]
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+            rest = process.stdout.read().split(b"\n")
+            process.stdout.close()
+            told = max([told] + [int(line) for line in rest[:-1]])
+            log, found = self.read()
+            self.assertGreaterEqual(log.count, told)
+            self.assertEqual([entry.number for entry in found], list(range(log.count)))
+            self.assertFalse(log.closed)
+
+
+class Hostile(Case):
+    def frame(self, kind, value):
+        return blocks.text(kind, value)
+
+    def header(self, **changes):
+        value = {"created": 1, "channels": [{"name": "a", "type": LONG, "typecode": None, "sources": []}]}
+        return blocks.MAGIC + self.frame(blocks.HEADER, dict(value, **changes))
+
+    def refused(self, data):
+        self.put(data)
+        tracemalloc.start()
+        try:
+            return self.read() is None
+        finally:
+            peak = tracemalloc.get_traced_memory()[1]
+            tracemalloc.stop()
+            self.assertLess(peak, 20 << 20)
+
+    def test_headers(self):
+        nested = b"".join(blocks.frame(blocks.HEADER, b"[" * 100000))
+        bad = [{"channels": 1}, {"channels": [1]}, {"channels": [{}]}, {"created": "x"}, {"created": None},
+               {"created": True}, {"created": 10 ** 400},
+               {"channels": [{"name": 1, "type": LONG, "typecode": None, "sources": []}]},
+               {"channels": [{"name": "a", "type": LONG, "typecode": "xy", "sources": []}]},
+               {"channels": [{"name": "a", "type": LONG, "typecode": None, "sources": [["x"]]}]},
+               {"channels": [{"name": "%d" % i, "type": LONG, "typecode": None, "sources": []} for i in range(1001)]}]
+        for data in [b"", blocks.MAGIC, b"text", blocks.MAGIC + nested, blocks.MAGIC + self.frame(blocks.HEADER, [])] + \
+                [self.header(**each) for each in bad]:
+            self.assertTrue(self.refused(data), data[:80])
+        self.assertFalse(self.refused(self.header()))
+
+    def test_lengths(self):
+        """A length is not believed: nothing is allocated for it."""
+        for length in (1 << 20, 1 << 28, (1 << 32) - 1):
+            self.refused(blocks.MAGIC + blocks.BLOCK.pack(blocks.HEADER, length, 0) + b"x")
+            self.refused(self.header() + blocks.BLOCK.pack(blocks.RECORD, length, 0) + b"x" * 1000)
+
+    def test_records(self):
+        good = b"".join(blocks.entry(0, 1, 0, True, b"x"))
+        short = b"".join(blocks.frame(blocks.RECORD, b"x"))
+        for record in (b"".join(blocks.entry(1, 1, 9, True, b"")), short, b"".join(blocks.entry(0, 1, 0, True, b"")),
+                       b"".join(blocks.entry((1 << 64) - 1, 1, 0, True, b"")), b"".join(blocks.frame(b"X", b""))):
+            self.put(self.header() + good + record)
+            log, found = self.read()
+            self.assertEqual(([entry.number for entry in found], log.torn), ([0], len(record)))
+
+    def test_indexes(self):
+        """Whatever an index says, all records are found."""
+        written = messages(5)
+        body = self.write(written, close=False)
+        true = json.loads(writer_index(self.name))
+        points = true["points"]
+        lies = [{"next": 9}, {"next": "5"}, {"next": None}, {"last": 1}, {"points": []}, {"points": [[0, 0, None]]},
+                {"points": 7}, {"points": [[1] + points[0][1:]]}, {"points": [[0, 1 << 80, None]]},
+                {"points": [[0, -1, None]]}, {"points": points + points}, {"headers": []}, {"headers": [8, 9]},
+                {"headers": [8, 1 << 70]}, {"headers": "ab"},
+                {"counts": {"a": 1.5, "b": 3.5}}, {"counts": {"a": 50}}, {"counts": [5]}, {"first": "x"}, {"first": 10 ** 400},
+                {"headers": [8, 8]}]
+        for lie in lies:
+            index = blocks.text(blocks.INDEX, dict(true, **lie), len(body))
+            self.put(body + index)
+            log, found = self.read()
+            self.assertEqual(found, as_read(written), lie)
+            self.assertFalse(log.closed, lie)
+        for position in (0, 8, len(body) - 1, len(body) + 1, (1 << 64) - 1):
+            self.put(body + blocks.text(blocks.INDEX, true, position))
+            self.assertEqual(self.read()[1], as_read(written), position)
+        self.put(body + b"".join(blocks.frame(blocks.INDEX, b"[" * 100000 + blocks.FOOTER.pack(len(body), b"rtlogend"))))
+        self.assertEqual(self.read()[1], as_read(written))
+
+
+def writer_index(name):
+    """The JSON of the index that belongs to a file without one."""
+    with logfile.load(name) as log:
+        return log.index.block(0)[blocks.BLOCK.size:-blocks.FOOTER.size].decode()
+
+
+if __name__ == "__main__":
+    unittest.main()

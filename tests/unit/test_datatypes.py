@@ -1,0 +1,260 @@
+"""Data types by name, from stubs, IDL files and components, and our CDR beside omniORB's own."""
+import os
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import worlds
+import processes
+import random_values
+from rtshell_lite import errors, path
+from rtshell_lite.corba import descriptors, orb
+from rtshell_lite.data import cdr, datatypes, values
+from rtshell_lite.robot import ports
+
+try:
+    import omniORB
+    from omniORB import CORBA
+    from rtshell_lite.idl_stubs.data import RTC, Img
+except ImportError:
+    omniORB = None
+
+DATA = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "data", "idl", "valid")
+OMNIIDL = os.path.join(os.path.dirname(sys.executable), "omniidl")
+MINE = "module Mine { struct Reading { long a; sequence<string> from; }; interface I { enum Mode { ON, OFF }; }; };"
+
+
+def a_port(type_id, **properties):
+    """A Port as of a component that says this much about its type."""
+    return ports.Port(None, "a", "DataOutPort", dict(properties, **{"dataport.data_type": type_id}), [], [], None, None)
+
+
+@unittest.skipIf(omniORB is None, "needs omniORBpy")
+class Standard(unittest.TestCase):
+    def test_names(self):
+        types = datatypes.Types()
+        for name in ("TimedLong", "RTC.TimedLong", "RTC::TimedLong", "::RTC::TimedLong", "IDL:RTC/TimedLong:1.0", "RTC/TimedLong"):
+            found = types.named(name)
+            self.assertEqual((found.id, found.name), ("IDL:RTC/TimedLong:1.0", "RTC.TimedLong"), name)
+        self.assertIs(found.descriptor, RTC._d_TimedLong)
+        self.assertEqual(types.named("CameraImage").name, "RTC.CameraImage")
+        self.assertEqual(types.named("TimedCameraImage").name, "Img.TimedCameraImage")
+        for name in ("", "any", "Timed", "RTC.Missing", "__class__", "IDL:omg.org/RTC/TimedLong:1.0", "a.b.c", "IDL:", "\x1b[2J"):
+            with self.assertRaises(errors.NoSuch, msg=name) as caught:
+                types.named(name)
+            self.assertIn("--idl", str(caught.exception))
+            self.assertTrue(str(caught.exception).isprintable())
+
+    def every(self):
+        for module in (RTC, Img):
+            for name in sorted(vars(module)):
+                if name.startswith("_d_") and descriptors.kind(getattr(module, name)) == descriptors.STRUCT:
+                    yield module, name[3:]
+
+    def test_beside_omniorb(self):
+        """The same bytes but for padding, and the same values, in both byte orders."""
+        orb.start()
+        rng, count = random.Random(1), 0
+        for module, name in self.every():
+            if "WChar" in name:
+                continue  # omniORB cannot read them
+            one, typecode = datatypes.Types().named(module.__name__.rpartition(".")[2] + "." + name), getattr(module, "_tc_" + name)
+            for little in (True, False, True, False):
+                count += 1
+                value = random_values.value(rng, one.descriptor)
+                data = one.encode(value, little)
+                theirs = omniORB.cdrUnmarshal(typecode, data, little)
+                with self.subTest(type=one.name):
+                    self.assertEqual(len(omniORB.cdrMarshal(typecode, theirs, little)), len(data))
+                    self.assertEqual(random_values.plain(text_as_ours(theirs)), random_values.plain(value))
+        self.assertGreater(count, 400)
+
+    def test_wide_characters_as_omniorb_writes_them(self):
+        orb.start()
+        for name, data in (("TimedWChar", "日"), ("TimedWCharSeq", ["日", "x"])):
+            value = getattr(RTC, name)(RTC.Time(1, 2), data)
+            for little in (True, False):
+                one = datatypes.Types().named(name)
+                theirs = omniORB.cdrMarshal(getattr(RTC, "_tc_" + name), value, little)
+                self.assertEqual(one.encode(value, little), theirs)
+                self.assertEqual(one.decode(theirs, little).data, data)
+
+    def test_checked_bytes(self):
+        """Bytes seen on the wire (idl.md 16)."""
+        for name, data, expected in (
+                ("TimedLong", 3, "010000000200000003000000"), ("TimedShort", -3, "0100000002000000fdff"),
+                ("TimedDouble", 1.5, "0100000002000000000000000000f83f"), ("TimedString", "abc", "01000000020000000400000061626300"),
+                ("TimedBoolean", True, "010000000200000001"), ("TimedOctetSeq", b"\1\2", "0100000002000000020000000102")):
+            value = getattr(RTC, name)(RTC.Time(1, 2), data)
+            self.assertEqual(datatypes.Types().named(name).encode(value).hex(), expected)
+
+
+def text_as_ours(value):
+    """A value as omniORB reads it, its Latin-1 text as the UTF-8 that it is."""
+    if isinstance(value, str):
+        try:
+            return value.encode("latin-1").decode("utf-8", "surrogateescape") if len(value) > 1 else value
+        except UnicodeEncodeError:
+            return value  # wide text
+    if isinstance(value, list):
+        return [text_as_ours(each) for each in value]
+    if hasattr(value, "__dict__") and not hasattr(value, "_n"):
+        for name, inner in vars(value).items():
+            if type(value).__name__ not in ("TimedCharSeq", "TimedChar", "TimedWString", "TimedWStringSeq"):
+                setattr(value, name, text_as_ours(inner))
+    return value
+
+
+class Named(unittest.TestCase):
+    """Types that the user names."""
+
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = directory.name
+
+    def file(self, name, text):
+        path = os.path.join(self.directory, name)
+        with open(path, "w") as file:
+            file.write(text)
+        return path
+
+    @unittest.skipIf(omniORB is None, "needs omniORBpy")
+    def test_idl_files(self):
+        types = datatypes.Types(idl=[self.file("mine.idl", MINE), os.path.join(DATA, "unions.idl")])
+        self.assertEqual(types.named("Mine.Reading").id, "IDL:Mine/Reading:1.0")
+        self.assertEqual(types.named("Reading").name, "Mine.Reading")
+        self.assertEqual(types.named("Mine::I::Mode").name, "Mine.I.Mode")
+        self.assertEqual(types.of_port(a_port("Reading")).name, "Mine.Reading")
+        self.assertEqual(types.named("RTC.TimedLong").descriptor[1], RTC.TimedLong)
+        found = values.Expression('Mine.Reading(5, ["x"])', types).value()
+        self.assertEqual(values.text(found), "(a=5, from=['x'])")
+        self.assertEqual(values.text(values.Expression("Mine.Reading(a=5, _from=[])", types).value()), "(a=5, from=[])")
+        with self.assertRaises(errors.NoSuch):
+            types.named("Mine.Other")
+
+    @unittest.skipIf(omniORB is None, "needs omniORBpy")
+    def test_two_of_a_name(self):
+        types = datatypes.Types(idl=[self.file("a.idl", "module A { struct S { long a; }; }; module B { struct S { long b; }; };")])
+        self.assertEqual(types.named("B.S").name, "B.S")
+        with self.assertRaises(errors.NoSuch) as caught:
+            types.named("S")
+        self.assertIn("it may be IDL:A/S:1.0 or IDL:B/S:1.0", str(caught.exception))
+
+    def test_faults_show_at_once(self):
+        with self.assertRaises(errors.BadIdl):
+            datatypes.Types(idl=[self.file("broken.idl", "struct {")]).load()
+        with self.assertRaises(errors.No):
+            datatypes.Types(idl=["/nowhere/x.idl"]).load()
+
+    @unittest.skipUnless(omniORB and os.path.exists(OMNIIDL), "needs omniidl")
+    def test_compiled_stubs(self):
+        path = self.file("mine.idl", MINE.replace("Mine", "MineToo") + " module Tree2 { struct Node; typedef sequence<Node> Nodes;"
+                         " struct Node { long a; Nodes more; }; };")
+        subprocess.check_call([OMNIIDL, "-bpython", "-C" + self.directory, path])
+        before = list(sys.path)
+        types = datatypes.Types(modules=["MineToo", "Tree2"], path=[self.directory])
+        one = types.named("MineToo.Reading")
+        self.assertEqual(sys.path, before)
+        value = values.Expression("MineToo.Reading(a=5, _from=['x'])", types).value()
+        self.assertEqual(values.text(one.decode(one.encode(value))), "(a=5, _from=['x'])")
+        self.assertEqual(types.named("MineToo.I.Mode").id, "IDL:MineToo/I/Mode:1.0")
+        nodes = types.named("Tree2.Node")
+        tree = values.Expression("Tree2.Node(1, [Tree2.Node(2, [])])", types).value()
+        self.assertEqual(values.text(nodes.decode(nodes.encode(tree))), "(a=1, more=[(a=2, more=[])])")
+        with self.assertRaises(errors.NoSuch) as caught:
+            datatypes.Types(modules=["Missing"], path=[self.directory]).load()
+        self.assertIn("Missing: no such module", str(caught.exception))
+
+    @unittest.skipIf(omniORB is None, "needs omniORBpy")
+    def test_ports_of_no_known_type(self):
+        for type_id in ("any", "", "IDL:Their/Type:1.0"):
+            one = a_port(type_id)
+            with self.assertRaises(errors.NoSuch) as caught:
+                datatypes.Types().of_port(one._replace(node=Node))
+            self.assertIn("--raw", str(caught.exception))
+
+
+class Node:
+    """Stands for the node of a port in errors."""
+
+    class path:
+        names = [type("name", (), {"id": "x"})]
+
+        @staticmethod
+        def with_port(name):
+            return "/x:" + name
+
+
+@unittest.skipIf(omniORB is None, "needs omniORBpy")
+class Offered(unittest.TestCase):
+    """TypeCodes that components offer are taken apart with care."""
+
+    def taken(self, typecode):
+        return datatypes.Type(descriptors.adopted(typecode._d, orb.descriptor))
+
+    def test_typecodes(self):
+        the_orb = orb.start()
+        inner = the_orb.create_struct_tc("IDL:T/Inner:1.0", "Inner", [CORBA.StructMember("x", CORBA.TC_double, None)])
+        outer = the_orb.create_struct_tc("IDL:T/Outer:1.0", "Outer", [
+            CORBA.StructMember("tm", RTC._tc_Time, None), CORBA.StructMember("data", the_orb.create_sequence_tc(0, inner), None)])
+        through = omniORB.cdrUnmarshal(CORBA.TC_TypeCode, omniORB.cdrMarshal(CORBA.TC_TypeCode, outer))
+        for typecode in (outer, through):
+            one = self.taken(typecode)
+            value = values.Expression("T.Outer({time}, [{'x': 1}])", None, one).value(2)
+            self.assertEqual(values.text(one.decode(one.encode(value))), "[2.000000000] [(x=1.0)]")
+
+    def test_hostile_typecodes(self):
+        the_orb = orb.start()
+        for typecode, reason in (
+                (the_orb.create_struct_tc("IDL:T/S:1.0", "S", [CORBA.StructMember("__class__", CORBA.TC_long, None)]), "identifier"),
+                (the_orb.create_struct_tc("IDL:T/S:1.0", "S", []), "needs members"),
+                (the_orb.create_array_tc(1 << 30, CORBA.TC_octet), "out of bounds"),
+                (the_orb.create_struct_tc("IDL:T/S:1.0", "S", [CORBA.StructMember("a", CORBA.TC_any, None)]), "values of any")):
+            with self.assertRaisesRegex(errors.BadType, reason):
+                self.taken(typecode).decode(bytes(100))
+
+
+@unittest.skipUnless(omniORB and processes.nameserver.binary(), "needs omniNames")
+class OfPorts(unittest.TestCase):
+    """C++ 1.1 and Java offer a value of the type that flows through a port; the others only its name."""
+
+    @classmethod
+    def setUpClass(cls):
+        worlds.start_name_server()
+
+    @classmethod
+    def tearDownClass(cls):
+        worlds.Server.stop()
+
+    def port(self, flavour):
+        world = worlds.World("linked", "--flavour", flavour)
+        self.addCleanup(world.close)
+        where = path.parse("/127.0.0.1:%d/test.host_cxt/ConsoleIn0.rtc:out" % worlds.Server.port)
+        return ports.find([where])[0]
+
+    def renamed(self, port):
+        return port._replace(properties=dict(port.properties, **{"dataport.data_type": "IDL:Their/Own:1.0"}))
+
+    def test_types(self):
+        for flavour in ("cpp11", "java"):
+            port = self.port(flavour)
+            self.assertEqual(datatypes.Types().of_port(port).name, "RTC.TimedLong")
+            found = datatypes.Types().of_port(self.renamed(port))
+            self.assertEqual(values.text(found.decode(b"\1\0\0\0\2\0\0\0\3\0\0\0")), "[1.000000002] 3")
+        port = self.port("cpp2")
+        with self.assertRaises(errors.NoSuch) as caught:
+            datatypes.Types().of_port(self.renamed(port))
+        self.assertRegex(str(caught.exception), r"ConsoleIn0.rtc:out: no such data type known: IDL:Their/Own:1.0; name its IDL")
+
+
+class Cdr(unittest.TestCase):
+    def test_least(self):
+        self.assertEqual(cdr.least((descriptors.SEQUENCE, descriptors.LONG, 0)), 4)
+        self.assertEqual(cdr.least((descriptors.ARRAY, (descriptors.ARRAY, descriptors.DOUBLE, 3), 2)), 48)
+
+
+if __name__ == "__main__":
+    unittest.main()

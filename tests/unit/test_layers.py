@@ -1,0 +1,181 @@
+"""The order of packages and a few rules of the house, read from the source: if this fails, layers grow together."""
+import ast
+import os
+import re
+import sys
+import unittest
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+ONCE = "it reads the source: one Python is enough"
+
+# Files and packages of rtshell_lite import from those before them, never from those after them.
+ORDER = """__init__ errors interrupts text files path idl_stubs corba options cli
+           robot data xmlprofile datalog system events views top doctor shell __main__ bin""".split()
+OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only
+STUBBED = ("corba", "robot", "data", "events")  # may import stubs, inside functions: a command pays for those that it uses
+PRINTING = ("bin", "__main__.py", "cli.py", "system/reports.py")
+CATCH_ALL = ("cli.py", "corba/lanes.py")
+LONGEST = 400
+
+
+def below(directory):
+    """Our Python files below a directory: paths relative to the root, generated files aside."""
+    found = []
+    for where, directories, names in os.walk(os.path.join(ROOT, directory)):
+        directories[:] = [name for name in directories if name not in ("__pycache__", "idl_stubs", "data") or
+                          name == "data" and where.endswith("rtshell_lite")]
+        for path in [os.path.join(where, name) for name in names]:
+            if path.endswith(".py") or directory == "bin" and not os.path.basename(path).startswith("."):
+                found.append(os.path.relpath(path, ROOT))
+    return sorted(found)
+
+
+def source(path):
+    with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+        return file.read()
+
+
+def place(path):
+    """A file's place in ORDER; None for one that is not there."""
+    name = "bin" if path.startswith("bin") else re.split(r"[/.]", path)[1]
+    return ORDER.index(name) if name in ORDER else None
+
+
+def is_in(path, names):
+    """True for what is one of these files of rtshell_lite, or in one of these packages."""
+    inner = path[len("rtshell_lite/"):] if path.startswith("rtshell_lite/") else path
+    return inner in names or inner.startswith(tuple(name + "/" for name in names))
+
+
+def imports(tree):
+    """Dotted names that a module imports, anywhere, each with whether it stands in a function."""
+    inner = {node for function in ast.walk(tree) if isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef))
+             for node in ast.walk(function)}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from ((name.name, node in inner) for name in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield from (("%s.%s" % (node.module, name.name), node in inner) for name in node.names)
+
+
+class Layers(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.paths = below("rtshell_lite") + below("bin")
+        cls.trees = {path: ast.parse(source(path)) for path in cls.paths}
+        cls.arrows = [(path, dotted, inside) for path in cls.paths for dotted, inside in imports(cls.trees[path])]
+
+    def target(self, dotted):
+        """The file of ours that an import names, or None."""
+        parts = dotted.split(".")
+        if parts[0] != "rtshell_lite":
+            return None
+        if "idl_stubs" in parts:
+            return "rtshell_lite/idl_stubs/__init__.py"
+        names = ["/".join(parts[:size]) + end for size in range(len(parts), 0, -1) for end in (".py", "/__init__.py")]
+        return next(name for name in names if name in self.trees)
+
+    def test_every_file_has_its_place(self):
+        self.assertEqual([path for path in self.paths if place(path) is None], [], "to be put into a package, or into ORDER")
+
+    def test_imports_go_down(self):
+        wrong = [(path, dotted) for path, dotted, _ in self.arrows
+                 if self.target(dotted) and place(self.target(dotted)) > place(path)]
+        self.assertEqual(wrong, [])
+
+    def test_no_circles(self):
+        targets = {path: set() for path in self.paths}
+        for path, dotted, _ in self.arrows:
+            targets[path] |= {self.target(dotted)} - {path}
+        while targets:
+            free = [name for name in targets if not targets[name] & set(targets)]
+            self.assertTrue(free, "these import each other: %s" % sorted(targets))
+            for name in free:
+                del targets[name]
+
+    def test_a_package_is_a_docstring(self):
+        wrong = [path for path, tree in self.trees.items()
+                 if path.endswith("/__init__.py") and place(path) and not (len(tree.body) == 1 and ast.get_docstring(tree))]
+        self.assertEqual(wrong, [])
+
+    def test_omniorb_has_one_home(self):
+        wrong = [(path, dotted) for path, dotted, _ in self.arrows
+                 if dotted.split(".")[0] in OMNIORB and not is_in(path, ["corba"])]
+        self.assertEqual(wrong, [])
+
+    def test_stubs_are_imported_where_they_are_needed(self):
+        wrong = [(path, dotted) for path, dotted, inside in self.arrows if ".idl_stubs" in dotted
+                 and not (is_in(path, STUBBED) and (inside or path == "rtshell_lite/corba/servants.py"))]
+        self.assertEqual(wrong, [])
+
+    @unittest.skipUnless(hasattr(sys, "stdlib_module_names"), "Python before 3.10 does not list its own modules")
+    def test_nothing_foreign(self):
+        known = set(sys.stdlib_module_names) | OMNIORB | {"rtshell_lite"}
+        self.assertEqual([(path, dotted) for path, dotted, _ in self.arrows if dotted.split(".")[0] not in known], [])
+
+    def test_a_command_imports_at_its_top_what_needs_no_omniorb(self):
+        wrong = [(path, dotted) for path, dotted, inside in self.arrows if path.startswith("bin") and not inside
+                 and is_in(self.target(dotted) or "", ["corba", "robot"])]
+        self.assertEqual(wrong, [], "to be imported inside run()")
+
+    def test_few_files_print(self):
+        wrong = [(path, calls(tree, {"print"})) for path, tree in self.trees.items() if not is_in(path, PRINTING)]
+        self.assertEqual([each for each in wrong if each[1]], [])
+
+
+class Rules(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        paths = [path for directory in ("rtshell_lite", "bin", "mock_components", "tests") for path in below(directory)]
+        cls.trees = {path: ast.parse(source(path)) for path in paths}
+
+    def check(self, faults):
+        """No file has a fault; faults(path, tree) gives line numbers."""
+        found = {path: list(faults(path, tree)) for path, tree in self.trees.items()}
+        self.assertEqual({path: lines for path, lines in found.items() if lines}, {})
+
+    def test_length(self):
+        self.check(lambda path, tree: [n for n in [source(path).count("\n")] if n > LONGEST])
+
+    def test_nothing_is_evaluated(self):
+        self.check(lambda path, tree: calls(tree, {"eval", "exec"}))
+
+    def test_no_shell_between(self):
+        def faults(path, tree):
+            for node in ast.walk(tree):
+                if isinstance(node, ast.Call) and any(word.arg == "shell" for word in node.keywords):
+                    yield node.lineno
+                elif isinstance(node, ast.Attribute) and node.attr in ("system", "popen") and \
+                        isinstance(node.value, ast.Name) and node.value.id == "os":
+                    yield node.lineno
+        self.check(faults)
+
+    def test_exceptions_are_named(self):
+        def faults(path, tree):
+            for node in ast.walk(tree):
+                if isinstance(node, ast.ExceptHandler):
+                    catch_all = node.type is not None and names(node.type) & {"Exception", "BaseException"}
+                    free = path.startswith(("tests", "mock_components")) or is_in(path, CATCH_ALL)
+                    if node.type is None or catch_all and not free:
+                        yield node.lineno
+        self.check(faults)
+
+    @unittest.skipIf(sys.version_info < (3, 8), "this Python cannot tell newer syntax")
+    def test_syntax_of_3_6(self):
+        for path in self.trees:
+            ast.parse(source(path), path, feature_version=(3, 6))
+
+
+def names(node):
+    return {inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name)}
+
+
+def calls(tree, functions):
+    """Lines where one of these plain names is called."""
+    return [node.lineno for node in ast.walk(tree)
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in functions]
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,151 @@
+"""Starting and stopping with a fault at every call: if this fails, rtstart or rtstop say something that is not so."""
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
+
+import worlds  # noqa: E402
+from mock_components import asking  # noqa: E402
+from rtshell_lite import errors  # noqa: E402
+from rtshell_lite.corba import lanes  # noqa: E402
+from rtshell_lite.robot import component, tree  # noqa: E402
+from rtshell_lite.system import capture, plan, run_plan  # noqa: E402
+from rtshell_lite.xmlprofile import model  # noqa: E402
+
+ONCE = "plans are the same for every Python"
+NAMES = ["Clusterer0", "Controller0", "Hokuyo_AIST0", "Motor0", "Sensor0"]
+ASKED = ["get_ports", "get_component_profile", "get_owned_contexts", "get_context_handle",
+         "get_component_state"]
+TIMEOUT = 0.4
+
+
+def setUpModule():
+    worlds.start_name_server()
+
+
+def tearDownModule():
+    worlds.Server.stop()
+
+
+class Reported:
+    """What a Run tells."""
+
+    def __init__(self):
+        self.outcomes = {}
+
+    def starting(self, action, line):
+        pass
+
+    def ended(self, result):
+        self.outcomes[result.action.component.instance_name] = result.outcome
+
+
+class Sweep(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.world = worlds.World("robot")
+        lanes.timeout, cls.timeout = TIMEOUT, lanes.timeout
+        worlds.omniORB.setClientCallTimeout(int(1000 * TIMEOUT))  # or calls that hang would use up the connections
+        cls.profile = capture.capture([tree.parse("/127.0.0.1:%d" % worlds.Server.port)]).profile
+        assert [each.instance_name for each in cls.profile.components] == NAMES
+        targets = [model.Condition(sequence=number, target=model.TargetExecutionContext(
+            component_id=each.id, instance_name=each.instance_name, id="0"))
+            for number, each in enumerate(cls.profile.components[:3])]
+        cls.profile.activation = cls.profile.deactivation = model.MessageSending(targets=targets)
+
+    @classmethod
+    def tearDownClass(cls):
+        lanes.timeout = cls.timeout
+        worlds.omniORB.setClientCallTimeout(8000)
+        cls.world.close()
+
+    def ctl(self, *words):
+        done, text = asking.request(self.world.control, words)
+        self.assertTrue(done, text)
+        return text.strip()
+
+    def states(self):
+        return {name: self.ctl("state", name) for name in NAMES}
+
+    def start(self):
+        """{name: outcome}; None where the checks found a failure, and nothing was to be changed."""
+        told = Reported()
+        run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, component.ACTIVATE, told)
+        if run.check(self.profile):
+            return None
+        run.carry_out()
+        return told.outcomes
+
+    def stop(self):
+        told = Reported()
+        run = run_plan.Run(plan.make(self.profile, "deactivation", "a.xml", False).actions, component.DEACTIVATE, told)
+        run.find(self.profile)
+        run.carry_out()
+        return told.outcomes
+
+    def compare(self, outcomes, reached, before):
+        """That every outcome agrees with the state of the mock."""
+        states = self.states()
+        if outcomes is None:
+            self.assertEqual(states, dict.fromkeys(NAMES, before))
+            return
+        self.assertEqual(sorted(outcomes), NAMES)
+        for name, outcome in outcomes.items():
+            if outcome != plan.UNCERTAIN:
+                self.assertEqual(states[name], reached if outcome in (plan.DONE, plan.ALREADY) else before, (name, outcomes))
+
+    def forget(self):
+        self.ctl("reset")
+        lanes.silent.clear()
+
+    def sweep(self, operation, kind):
+        for nth in range(1, 20):
+            with self.subTest(operation=operation, kind=kind, nth=nth):
+                self.forget()
+                self.ctl("fail", operation, str(nth), kind)
+                outcomes = self.start()
+                self.compare(outcomes, "ACTIVE", "INACTIVE")
+                self.forget()
+                self.assertLessEqual(set(self.start().values()), {plan.DONE, plan.ALREADY})
+                self.assertEqual(set(self.states().values()), {"ACTIVE"})
+                changing = operation.replace("activate", "deactivate")
+                self.ctl("fail", changing, str(nth), kind)
+                stopped = self.stop()
+                self.compare(stopped, "INACTIVE", "ACTIVE")
+                self.forget()
+                self.assertLessEqual(set(self.stop().values()), {plan.DONE, plan.ALREADY})
+                self.assertEqual(set(self.states().values()), {"INACTIVE"})
+                through = {plan.DONE, plan.ALREADY}
+                if outcomes is not None and set(outcomes.values()) | set(stopped.values()) <= through:
+                    return
+        self.fail("%s: it never came through" % operation)
+
+    def test_changing(self):
+        for kind in ("TRANSIENT", "COMM_FAILURE", "HANG", "NO_IMPLEMENT"):
+            self.sweep("activate_component", kind)
+
+    def test_asking(self):
+        for operation in ASKED:
+            self.sweep(operation, "TRANSIENT")
+
+    def test_silence(self):
+        for operation in ("get_component_profile", "get_component_state"):
+            self.sweep(operation, "HANG")
+
+    def test_a_bug_is_no_outcome(self):
+        class Broken(Reported):
+            def ended(self, result):
+                Reported.ended(self, result)
+                raise errors.Usage("as a bug would")
+        told = Broken()
+        run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, component.ACTIVATE, told)
+        run.check(self.profile)
+        with self.assertRaises(errors.Usage):
+            run.carry_out()
+        self.forget()
+        self.stop()
+
+
+if __name__ == "__main__":
+    unittest.main()
