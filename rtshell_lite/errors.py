@@ -13,6 +13,17 @@ class Error(Exception):
     def __str__(self):
         return self.__doc__.format(*self.args)
 
+    @property
+    def where(self):
+        """The object that the message begins with, as the user knows it."""
+        return str(self.args[0])
+
+    @property
+    def why(self):
+        """What the message says of `where`."""
+        start, colon, words = self.__doc__.partition("{}: ")
+        return words.format(*self.args[1:]) if colon and not start else str(self)
+
 
 class No(Error):
     """{}: {}"""

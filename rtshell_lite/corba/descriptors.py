@@ -11,6 +11,7 @@
                                                 a case is (label, member, type); the class is called with label and value
     (INDIRECT, [struct or union])               a type inside itself
 """
+import collections
 import re
 
 from rtshell_lite import errors
@@ -32,6 +33,7 @@ LABELS = (SHORT, USHORT, LONG, ULONG, LONGLONG, ULONGLONG, BOOLEAN, CHAR, ENUM) 
 DEEPEST = 64  # types inside types
 LARGEST = 20000  # types within a type
 LONGEST = 1 << 24  # elements of an array, all dimensions together
+Case = collections.namedtuple("Case", "label member type")  # of a union
 _IDENTIFIER = re.compile(r"_?[A-Za-z][A-Za-z0-9_]*\Z", re.ASCII)
 
 
@@ -81,18 +83,28 @@ def struct(type_id, name, members):
     return (STRUCT, made, type_id, name) + tuple(part for member in members for part in member)
 
 
-def union(type_id, name, discriminator, cases, default=-1):
-    """The descriptor of a union with a class of its own; `cases`: (label, member, descriptor) triples, `default` an index."""
-    cases = tuple(map(tuple, cases))
-    by_label = {case[0]: case for index, case in enumerate(cases) if index != default}
-    made = type(name, (Union,), {"_NP_RepositoryId": type_id, "_d_to_m": {label: case[1] for label, case in by_label.items()},
-                                 "_def_m": cases[default][1] if default >= 0 else None})
-    return (UNION, made, type_id, name, discriminator, default, cases, cases[default] if default >= 0 else None, by_label)
+def union(type_id, name, switched_by, given, default=-1):
+    """The descriptor of a union with a class of its own; `given`: (label, member, descriptor) triples, `default` an index."""
+    given = tuple(Case(*case) for case in given)
+    other = given[default] if default >= 0 else None
+    by_label = {case.label: case for case in given if case is not other}
+    made = type(name, (Union,), {"_NP_RepositoryId": type_id, "_def_m": other and other.member,
+                                 "_d_to_m": {label: case.member for label, case in by_label.items()}})
+    return (UNION, made, type_id, name, switched_by, default, given, other, by_label)
 
 
 def enum(type_id, name, items):
     """The descriptor of an enum; `items`: names in their order."""
     return (ENUM, type_id, name, tuple(Item(item, number, type_id) for number, item in enumerate(items)))
+
+
+def renamed(descriptor, type_id):
+    """The same struct, union, enum or alias by another repository id."""
+    if kind(descriptor) == STRUCT:
+        return struct(type_id, descriptor[3], members(descriptor))
+    if kind(descriptor) == UNION:
+        return union(type_id, descriptor[3], discriminator(descriptor), cases(descriptor), default_index(descriptor))
+    return (descriptor[0], type_id) + descriptor[2:]  # the items of an enum keep the id that they were made with
 
 
 # ---- reading --------------------------------------------------------------------------------------------------
@@ -102,17 +114,77 @@ def kind(descriptor):
     return descriptor[0] if isinstance(descriptor, tuple) else descriptor
 
 
+def element(descriptor):
+    """The type of the elements of a sequence or an array."""
+    return descriptor[1]
+
+
+def length(descriptor):
+    """How many elements an array has, or a sequence may have (0: any number)."""
+    return descriptor[2]
+
+
+def bound(descriptor):
+    """How many octets of UTF-8 a string, or characters a wstring, may have; 0: any number."""
+    return descriptor[1]
+
+
+def factory(descriptor):
+    """The class of the values of a struct or a union: called with the members, or with label and value."""
+    return descriptor[1]
+
+
+def items(descriptor):
+    """The items of an enum, in their order."""
+    return descriptor[3]
+
+
+def aliased(descriptor):
+    """What an alias is another name of."""
+    return descriptor[3]
+
+
+def around(descriptor):
+    """The struct or union around an indirection; None while it is still being made, text (its id) in a peer's TypeCode."""
+    return descriptor[1][0]
+
+
+def discriminator(descriptor):
+    """The type that a union is switched by."""
+    return descriptor[4]
+
+
+def default_index(descriptor):
+    """Which case of a union is its default; -1: none."""
+    return descriptor[5]
+
+
+def cases(descriptor):
+    """The Cases of a union."""
+    return [Case(*case) for case in descriptor[6]]
+
+
+def default_case(descriptor):
+    """The Case for labels that have none of their own, or None."""
+    return descriptor[7] and Case(*descriptor[7])
+
+
+def cases_by_label(descriptor):
+    """{label: Case} of a union, without its default."""
+    return {label: Case(*case) for label, case in descriptor[8].items()}
+
+
 def target(descriptor):
     """What a descriptor stands for behind its aliases and indirections."""
     while kind(descriptor) in (ALIAS, INDIRECT):
-        descriptor = descriptor[3] if descriptor[0] == ALIAS else descriptor[1][0]
+        descriptor = aliased(descriptor) if kind(descriptor) == ALIAS else around(descriptor)
     return descriptor
 
 
 def plain(descriptor):
     """What a descriptor stands for behind its aliases."""
     while kind(descriptor) == ALIAS:
-        descriptor = descriptor[3]
+        descriptor = aliased(descriptor)
     return descriptor
 
 
@@ -123,7 +195,7 @@ def members(descriptor):
 
 def type_id(descriptor):
     """The repository id of a named type, '' for others."""
-    descriptor = descriptor[1][0] if kind(descriptor) == INDIRECT else descriptor
+    descriptor = around(descriptor) if kind(descriptor) == INDIRECT else descriptor
     if kind(descriptor) in (STRUCT, UNION):
         return descriptor[2]
     return descriptor[1] if kind(descriptor) in (ALIAS, ENUM, OBJECT) else ""
@@ -146,23 +218,23 @@ def words(descriptor):
         return NAMES.get(descriptor, "type %d" % descriptor)
     sort = descriptor[0]
     if sort in (STRING, WSTRING):
-        return ("string" if sort == STRING else "wstring") + ("<%d>" % descriptor[1] if descriptor[1] else "")
+        return ("string" if sort == STRING else "wstring") + ("<%d>" % bound(descriptor) if bound(descriptor) else "")
     if sort == SEQUENCE:
-        return "sequence<%s%s>" % (words(descriptor[1]), ", %d" % descriptor[2] if descriptor[2] else "")
+        return "sequence<%s%s>" % (words(element(descriptor)), ", %d" % length(descriptor) if length(descriptor) else "")
     if sort == ARRAY:
         return _array_words(descriptor)
     if sort in (STRUCT, UNION):
         return descriptor[3]
     if sort == INDIRECT:
-        return words(descriptor[1][0])
+        return words(around(descriptor))
     return descriptor[2] if sort in (ALIAS, ENUM, OBJECT) else "fixed" if sort == FIXED else "type %d" % sort
 
 
 def _array_words(descriptor):
     lengths = ""
     while kind(descriptor) == ARRAY:
-        lengths += "[%d]" % descriptor[2]
-        descriptor = descriptor[1]
+        lengths += "[%d]" % length(descriptor)
+        descriptor = element(descriptor)
     return words(descriptor) + lengths
 
 
@@ -180,13 +252,13 @@ def walk(descriptor, where):
 def _within(descriptor, where):
     sort = descriptor[0]
     if sort in (SEQUENCE, ARRAY):
-        return [(where + "[]", descriptor[1])]
+        return [(where + "[]", element(descriptor))]
     if sort == ALIAS:
-        return [(where, descriptor[3])]
+        return [(where, aliased(descriptor))]
     if sort == STRUCT:
         return [("%s.%s" % (where, member), inner) for member, inner in members(descriptor)]
     if sort == UNION:
-        return [(where, descriptor[4])] + [("%s.%s" % (where, member), inner) for _, member, inner in descriptor[6]]
+        return [(where, discriminator(descriptor))] + [("%s.%s" % (where, case.member), case.type) for case in cases(descriptor)]
     return []
 
 
@@ -216,20 +288,20 @@ class _Adoption:
         if sort in (STRING, WSTRING, OBJECT, FIXED):
             return tuple(descriptor)
         if sort == ARRAY:
-            check_length(sort, descriptor[2])
-            return array(self.take(descriptor[1], depth - 1), descriptor[2])
+            check_length(sort, length(descriptor))
+            return array(self.take(element(descriptor), depth - 1), length(descriptor))
         if sort == SEQUENCE:
-            check_length(sort, descriptor[2])
+            check_length(sort, length(descriptor))
             self.sequences += 1
-            element = self.take(descriptor[1], depth - 1)
+            inner = self.take(element(descriptor), depth - 1)
             self.sequences -= 1
-            return (SEQUENCE, element, descriptor[2])
+            return (SEQUENCE, inner, length(descriptor))
         if sort == ALIAS:
-            return (ALIAS, descriptor[1], descriptor[2], self.take(descriptor[3], depth - 1))
+            return (ALIAS, descriptor[1], descriptor[2], self.take(aliased(descriptor), depth - 1))
         if sort == ENUM:
             return self.enumeration(descriptor)
         if sort == INDIRECT:
-            return self.indirection(descriptor[1][0], depth)
+            return self.indirection(around(descriptor), depth)
         if sort not in (STRUCT, UNION):
             raise errors.BadType(words(descriptor), "no type for data")
         hole = [None]
@@ -246,18 +318,18 @@ class _Adoption:
         return struct(descriptor[2], check_identifier(descriptor[3]), given)
 
     def choice(self, descriptor, depth):
-        discriminator, default = self.take(descriptor[4], depth - 1), descriptor[5]
-        cases = [(label(discriminator, getattr(value, "_v", value)), check_identifier(member), self.take(inner, depth - 1))
-                 for value, member, inner in descriptor[6]]
-        return union(descriptor[2], check_identifier(descriptor[3]), discriminator, cases, default)
+        switch = self.take(discriminator(descriptor), depth - 1)
+        taken = [(label(switch, getattr(case.label, "_v", case.label)), check_identifier(case.member),
+                  self.take(case.type, depth - 1)) for case in cases(descriptor)]
+        return union(descriptor[2], check_identifier(descriptor[3]), switch, taken, default_index(descriptor))
 
     def enumeration(self, descriptor):
-        items = tuple(descriptor[3])
-        if not items or any(item._v != number for number, item in enumerate(items)):
+        taken = tuple(items(descriptor))
+        if not taken or any(item._v != number for number, item in enumerate(taken)):
             raise errors.BadType(name(descriptor), "an enum needs items")
-        for item in items:
+        for item in taken:
             check_identifier(item._n)
-        return (ENUM, descriptor[1], descriptor[2], items)
+        return (ENUM, descriptor[1], descriptor[2], taken)
 
     def indirection(self, inner, depth):
         wanted = inner if isinstance(inner, str) else inner[2] if isinstance(inner, tuple) and len(inner) > 2 else None
@@ -286,32 +358,32 @@ def check_members(descriptor):
         raise errors.BadType(name(descriptor), "a struct needs members, each with a name of its own")
 
 
-def label(discriminator, value):
+def label(switched_by, value):
     """A label of a union as values have it, from a number or a character. Raises BadType."""
-    switch = target(discriminator)
+    switch = target(switched_by)
     if kind(switch) not in LABELS:
-        raise errors.BadType("a union", "cannot be switched by %s" % words(discriminator))
+        raise errors.BadType("a union", "cannot be switched by %s" % words(switched_by))
     if kind(switch) == CHAR:
         if isinstance(value, str) and len(value) == 1:
             return value
     elif isinstance(value, int) and kind(switch) != ENUM:
         return value
-    elif isinstance(value, int) and 0 <= value < len(switch[3]):
-        return switch[3][value]
+    elif isinstance(value, int) and 0 <= value < len(items(switch)):
+        return items(switch)[value]
     raise errors.BadType("a union", "no label: %r" % (value,))
 
 
-def check_length(sort, length):
+def check_length(sort, count):
     """Raise BadType for what cannot be the length of an ARRAY, or the bound of a SEQUENCE (0: none)."""
-    if not isinstance(length, int) or not 0 <= length < 2 ** 32 or sort == ARRAY and not 0 < length <= LONGEST:
-        raise errors.BadType("a %s of %r elements" % ("sequence" if sort == SEQUENCE else "array", length), "out of bounds")
+    if not isinstance(count, int) or not 0 <= count < 2 ** 32 or sort == ARRAY and not 0 < count <= LONGEST:
+        raise errors.BadType("a %s of %r elements" % ("sequence" if sort == SEQUENCE else "array", count), "out of bounds")
 
 
-def array(element, length):
+def array(elements, count):
     """The descriptor of an array. Raises BadType for one that no memory holds."""
-    total, inner = length, target(element)
+    total, inner = count, target(elements)
     while kind(inner) == ARRAY:
-        total, inner = total * inner[2], target(inner[1])
+        total, inner = total * length(inner), target(element(inner))
     if not 0 < total <= LONGEST:
         raise errors.BadType("an array of %d elements" % total, "out of bounds")
-    return (ARRAY, element, length)
+    return (ARRAY, elements, count)

@@ -225,7 +225,7 @@ def _value(peer, job):
     try:
         return job.call()
     except errors.Silent as e:
-        peer.fall_silent(e.args[1], _lane.since)
+        peer.fall_silent(e.why, _lane.since)
         return _alone(e)
     except Exception as e:
         return _alone(e)

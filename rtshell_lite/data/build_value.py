@@ -11,8 +11,9 @@ import struct
 
 from rtshell_lite import errors
 from rtshell_lite.corba.descriptors import (ALIAS, ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, INDIRECT, OCTET, RANGES,
-                                            SEQUENCE, STRING, STRUCT, UNION, WCHAR, WSTRING, dotted, kind, members, target,
-                                            type_id, words)
+                                            SEQUENCE, STRING, STRUCT, UNION, WCHAR, WSTRING, bound, cases, cases_by_label,
+                                            default_case, discriminator, dotted, element, factory, items, kind, length,
+                                            members, target, type_id, words)
 from rtshell_lite.text import printable
 
 Call = collections.namedtuple("Call", "name positional keywords")  # RTC.Time(1, nsec=2); positional a list, keywords a dict
@@ -33,13 +34,14 @@ def build(descriptor, written, where, json=False, now=None):
 
 def timed(descriptor):
     """True for a struct of nothing but `tm`, with sec and nsec, and `data`, the standard timed types."""
-    return kind(descriptor) == STRUCT and descriptor[4::2] == ("tm", "data") and is_time(descriptor[5])
+    return kind(descriptor) == STRUCT and [name for name, _ in members(descriptor)] == ["tm", "data"] and \
+        is_time(members(descriptor)[0][1])
 
 
 def is_time(descriptor):
     """True for a struct of sec and nsec."""
     descriptor = target(descriptor)
-    return kind(descriptor) == STRUCT and descriptor[4::2] == ("sec", "nsec")
+    return kind(descriptor) == STRUCT and [name for name, _ in members(descriptor)] == ["sec", "nsec"]
 
 
 class _Builder:
@@ -109,39 +111,39 @@ class _Builder:
             _unfit(descriptor, written, where)
         if "\0" in written:
             raise errors.BadValue(where, "a %s holds no NUL" % words(descriptor))
-        if descriptor[1] and size > descriptor[1]:
-            raise errors.BadValue(where, "longer than %d %s" % (descriptor[1], "characters" if wide else "bytes of UTF-8"))
+        if bound(descriptor) and size > bound(descriptor):
+            raise errors.BadValue(where, "longer than %d %s" % (bound(descriptor), "characters" if wide else "bytes of UTF-8"))
         return written
 
     def _item(self, descriptor, written, where):
-        items = descriptor[3]
+        known = items(descriptor)
         name = getattr(written, "_n", None) or (written.name if isinstance(written, Word) else written)
-        for item in items:
+        for item in known:
             if isinstance(name, str) and item._n == name.rpartition(".")[2]:
                 return item
-        if isinstance(name, int) and not isinstance(name, bool) and 0 <= name < len(items):
-            return items[name]
-        known = ", ".join(item._n for item in items[:20]) + (", …" if len(items) > 20 else "")
-        raise errors.BadValue(where, "no %s: %s (they are %s)" % (words(descriptor), _shown(written), known))
+        if isinstance(name, int) and not isinstance(name, bool) and 0 <= name < len(known):
+            return known[name]
+        listed = ", ".join(item._n for item in known[:20]) + (", …" if len(known) > 20 else "")
+        raise errors.BadValue(where, "no %s: %s (they are %s)" % (words(descriptor), _shown(written), listed))
 
     def _elements(self, descriptor, written, where, depth):
-        element = kind(target(descriptor[1]))
-        if element == OCTET and isinstance(written, (str, bytes)):
+        sort = kind(target(element(descriptor)))
+        if sort == OCTET and isinstance(written, (str, bytes)):
             written = self._octets(written, where)
-        elif isinstance(written, str) and element == CHAR and all(c <= "\xff" for c in written):
+        elif isinstance(written, str) and sort == CHAR and all(c <= "\xff" for c in written):
             pass
-        elif isinstance(written, str) and element == WCHAR:
+        elif isinstance(written, str) and sort == WCHAR:
             written = list(written)
         elif not isinstance(written, (list, tuple)) or isinstance(written, (Call, Word)):
             _unfit(descriptor, written, where)
-        bound = descriptor[2]
-        if bound and (len(written) > bound if kind(descriptor) == SEQUENCE else len(written) != bound):
+        count = length(descriptor)
+        if count and (len(written) > count if kind(descriptor) == SEQUENCE else len(written) != count):
             raise errors.BadValue(where, "%d elements, not %s%d" % (
-                len(written), "up to " if kind(descriptor) == SEQUENCE else "", bound))
+                len(written), "up to " if kind(descriptor) == SEQUENCE else "", count))
         if isinstance(written, (str, bytes)):
             return written
-        values = [self.build(descriptor[1], each, "%s[%d]" % (where, i), depth - 1) for i, each in enumerate(written)]
-        return bytes(values) if element == OCTET else "".join(values) if element == CHAR else values
+        values = [self.build(element(descriptor), each, "%s[%d]" % (where, i), depth - 1) for i, each in enumerate(written)]
+        return bytes(values) if sort == OCTET else "".join(values) if sort == CHAR else values
 
     def _octets(self, written, where):
         if isinstance(written, bytes):
@@ -155,7 +157,7 @@ class _Builder:
 
     def _struct(self, descriptor, written, where, depth):
         if is_time(descriptor) and written == Word("{time}"):
-            return descriptor[1](*self.now)
+            return factory(descriptor)(*self.now)
         given = self._given(descriptor, written, where)
         if given is None and timed(descriptor):
             given = {"data": written}
@@ -169,7 +171,7 @@ class _Builder:
                 raise errors.BadValue(where, "%s is missing" % name)
             values.append(self.build(inner, given[name], "%s: %s" % (where, name) if " " not in where
                                      else "%s.%s" % (where, name), depth - 1))
-        return descriptor[1](*values)
+        return factory(descriptor)(*values)
 
     def _given(self, descriptor, written, where):
         """{member: what was written for it} of a struct; None when it is written in no form of a struct."""
@@ -202,27 +204,27 @@ class _Builder:
         return given
 
     def _union(self, descriptor, written, where, depth):
-        made, discriminator, other, cases = descriptor[1], descriptor[4], descriptor[7], descriptor[6]
+        made, known = factory(descriptor), cases(descriptor)
         if isinstance(written, Call):
             if not fits(written.name, descriptor):
                 raise errors.BadValue(where, "not %s: %s" % (_a(descriptor), printable(written.name)))
             written = dict(written.keywords, **dict(zip(("_d", "_v"), written.positional)))
         elif not isinstance(written, dict):
             written = {name: getattr(written, name) for name in ("_d", "_v") if hasattr(written, name)}
-        names = [case[1] for case in cases]
+        names = [case.member for case in known]
         given = [name for name in written if name != "_d"]
         if len(given) > 1 or any(name not in names + ["_v"] for name in given) or not written:
             raise errors.BadValue(where, "a %s is one of %s" % (words(descriptor), ", ".join(names)))
         if "_d" in written:
-            label = self.build(discriminator, written["_d"], where + " discriminator", depth - 1)
+            label = self.build(discriminator(descriptor), written["_d"], where + " discriminator", depth - 1)
         else:
-            label = next((case[0] for case in cases if case[1] == given[0]), None)
-        case = descriptor[8].get(label, other)
+            label = next((case.label for case in known if case.member == given[0]), None)
+        case = cases_by_label(descriptor).get(label, default_case(descriptor))
         if case is None:
             return made(label, None)
-        if not given or given[0] not in (case[1], "_v"):
-            raise errors.BadValue(where, "with discriminator %s it holds %s" % (label, case[1]))
-        return made(label, self.build(case[2], written[given[0]], "%s.%s" % (where, case[1]), depth - 1))
+        if not given or given[0] not in (case.member, "_v"):
+            raise errors.BadValue(where, "with discriminator %s it holds %s" % (label, case.member))
+        return made(label, self.build(case.type, written[given[0]], "%s.%s" % (where, case.member), depth - 1))
 
 
 def fits(name, descriptor):

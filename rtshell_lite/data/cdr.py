@@ -6,19 +6,13 @@ they cost no more memory than their length allows. Strings are UTF-8, broken byt
 """
 import struct
 
-from rtshell_lite.corba.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT,
-                                            STRING, STRUCT, ULONG, ULONGLONG, UNION, USHORT, WCHAR, WSTRING, kind, members,
-                                            plain, target)
+from rtshell_lite.corba.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT,
+                                            STRING, STRUCT, ULONG, ULONGLONG, UNION, USHORT, WCHAR, WSTRING, bound,
+                                            cases_by_label, default_case, discriminator, element, factory, kind, length,
+                                            members, target)
+from rtshell_lite.data.fixed_size import CODES, SIZES, Fault, Forms, fixed, least
 
-CODES = {SHORT: "h", LONG: "i", USHORT: "H", ULONG: "I", FLOAT: "f", DOUBLE: "d", BOOLEAN: "?", CHAR: "c", OCTET: "B",
-         LONGLONG: "q", ULONGLONG: "Q", ENUM: "I"}  # of the module struct
-SIZES = {code: struct.calcsize("<" + code) for code in CODES.values()}
 NUMBERS = (SHORT, LONG, USHORT, ULONG, FLOAT, DOUBLE, BOOLEAN, LONGLONG, ULONGLONG)
-FEW = 64  # members up to which a type of one size is read in one go
-
-
-class Fault(ValueError):
-    """Bytes that are no value of the type."""
 
 
 def codec(descriptor, little):
@@ -29,107 +23,6 @@ def codec(descriptor, little):
     """
     made = _Maker("<" if little else ">")
     return made.reader(descriptor), made.writer(descriptor)
-
-
-# ---- sizes ----------------------------------------------------------------------------------------------------
-
-def least(descriptor):
-    """The fewest bytes that a value of a type takes; at least 1, so that a count can be held against the bytes left."""
-    descriptor = plain(descriptor)
-    sort = kind(descriptor)
-    if sort in CODES:
-        return SIZES[CODES[sort]]
-    if sort in (STRING, WSTRING, SEQUENCE):
-        return 4
-    if sort == STRUCT:
-        return sum(least(inner) for _, inner in members(descriptor))
-    if sort == ARRAY:
-        return descriptor[2] * least(descriptor[1])
-    return 1
-
-
-class Fixed:
-    """A type whose values take one size: the codes of its leaves, and how a value is made of and turned into a flat list."""
-
-    def __init__(self, codes, make, flatten):
-        self.codes, self.make, self.flatten = codes, make, flatten  # make(leaves, index) → value; flatten(value) → leaves
-
-
-def fixed(descriptor):
-    """The Fixed form of a type; None when there is none, or it would be long."""
-    descriptor = plain(descriptor)  # one inside itself has no size
-    sort = kind(descriptor)
-    if sort == ENUM:
-        items = descriptor[3]
-        return Fixed(["I"], lambda leaves, i: _item(items, leaves[i]), lambda value: (value._v,))
-    if sort == CHAR:
-        return Fixed(["c"], lambda leaves, i: leaves[i].decode("latin-1"), lambda value: (value.encode("latin-1"),))
-    if sort in CODES:
-        return Fixed([CODES[sort]], None, lambda value: (value,))
-    return _fixed_struct(descriptor) if sort == STRUCT else _fixed_array(descriptor) if sort == ARRAY else None
-
-
-def _item(items, number):
-    if number >= len(items):
-        raise Fault("enum item number %d of %d" % (number, len(items)))
-    return items[number]
-
-
-def _fixed_struct(descriptor):
-    parts = [fixed(inner) for _, inner in members(descriptor)]
-    if None in parts or sum(len(part.codes) for part in parts) > FEW:
-        return None
-    made, names = descriptor[1], [name for name, _ in members(descriptor)]
-    codes = [code for part in parts for code in part.codes]
-    if all(part.make is None for part in parts):
-        size = len(parts)
-        return Fixed(codes, lambda leaves, i: made(*leaves[i:i + size]), lambda value: [getattr(value, n) for n in names])
-    places, at = [], 0
-    for part in parts:
-        places.append((part.make, at))
-        at += len(part.codes)
-
-    def make(leaves, i):
-        return made(*[inner(leaves, i + at) if inner else leaves[i + at] for inner, at in places])
-
-    def flatten(value):
-        return [leaf for part, name in zip(parts, names) for leaf in part.flatten(getattr(value, name))]
-    return Fixed(codes, make, flatten)
-
-
-def _fixed_array(descriptor):
-    part, length = fixed(descriptor[1]), descriptor[2]
-    if part is None or len(part.codes) * length > FEW or kind(target(descriptor[1])) in (OCTET, CHAR):
-        return None
-    size = len(part.codes)
-
-    def make(leaves, i):
-        if part.make is None:
-            return list(leaves[i:i + length])
-        return [part.make(leaves, at) for at in range(i, i + length * size, size)]
-
-    def flatten(value):
-        if len(value) != length:
-            raise Fault("an array of %d elements" % len(value))
-        return [leaf for element in value for leaf in part.flatten(element)]
-    return Fixed(part.codes * length, make, flatten)
-
-
-class _Forms(dict):
-    """The struct.Struct of a list of codes for each place modulo 8 at which it may stand: padding depends on it."""
-
-    def __init__(self, order, codes):
-        dict.__init__(self)
-        self.order, self.codes = order, codes
-
-    def __missing__(self, start):
-        text, at = self.order, start
-        for code in self.codes:
-            padding = -at % SIZES[code]
-            text += "x" * padding + code
-            at += padding + SIZES[code]
-        self[start] = form = struct.Struct(text)
-        return form
 
 
 # ---- readers and writers --------------------------------------------------------------------------------------
@@ -161,7 +54,7 @@ class _Maker:
         return hole[0]
 
     def read_fixed(self, form):
-        forms, make = _Forms(self.order, form.codes), form.make
+        forms, make = Forms(self.order, form.codes), form.make
 
         def read(data, at):
             layout = forms[at & 7]
@@ -170,14 +63,14 @@ class _Maker:
         return read
 
     def write_fixed(self, form):
-        forms, flatten = _Forms(self.order, form.codes), form.flatten
+        forms, flatten = Forms(self.order, form.codes), form.flatten
 
         def write(out, value):
             out += forms[len(out) & 7].pack(*flatten(value))
         return write
 
     def read_struct(self, descriptor):
-        made, readers = descriptor[1], [self.reader(inner) for _, inner in members(descriptor)]
+        made, readers = factory(descriptor), [self.reader(inner) for _, inner in members(descriptor)]
 
         def read(data, at):
             values = []
@@ -195,13 +88,18 @@ class _Maker:
                 member(out, getattr(value, name))
         return write
 
+    @staticmethod
+    def _of_cases(descriptor, make):
+        """What `make` makes of the types of a union's cases: by label, and for other labels (None: nothing)."""
+        other = default_case(descriptor)
+        return {label: make(case.type) for label, case in cases_by_label(descriptor).items()}, other and make(other.type)
+
     def read_union(self, descriptor):
-        made, discriminator = descriptor[1], self.reader(descriptor[4])
-        by_label = {label: self.reader(case[2]) for label, case in descriptor[8].items()}
-        other = self.reader(descriptor[7][2]) if descriptor[7] else None
+        made, switch = factory(descriptor), self.reader(discriminator(descriptor))
+        by_label, other = self._of_cases(descriptor, self.reader)
 
         def read(data, at):
-            label, at = discriminator(data, at)
+            label, at = switch(data, at)
             member = by_label.get(label, other)
             if member is None:
                 return made(label, None), at
@@ -210,50 +108,50 @@ class _Maker:
         return read
 
     def write_union(self, descriptor):
-        discriminator = self.writer(descriptor[4])
-        by_label = {label: self.writer(case[2]) for label, case in descriptor[8].items()}
-        other = self.writer(descriptor[7][2]) if descriptor[7] else None
+        switch = self.writer(discriminator(descriptor))
+        by_label, other = self._of_cases(descriptor, self.writer)
 
         def write(out, value):
-            discriminator(out, value._d)
+            switch(out, value._d)
             member = by_label.get(value._d, other)
             if member:
                 member(out, value._v)
         return write
 
-    def _size(self, data, at, bound, smallest):
+    def _size(self, data, at, most, smallest):
         """The count that stands at `at`, held against the bytes that are left, and where it ends."""
         at += -at & 3
         size, = self.count.unpack_from(data, at)
-        if bound and size > bound:
-            raise Fault("%d elements where %d may be" % (size, bound))
+        if most and size > most:
+            raise Fault("%d elements where %d may be" % (size, most))
         if size * smallest > len(data) - at - 4:
             raise Fault("%d elements are announced, but %d bytes are left" % (size, len(data) - at - 4))
         return size, at + 4
 
-    def _count(self, out, value, bound):
-        if bound and len(value) > bound:
-            raise Fault("%d elements where %d may be" % (len(value), bound))
+    def _count(self, out, value, most):
+        if most and len(value) > most:
+            raise Fault("%d elements where %d may be" % (len(value), most))
         out += b"\0" * (-len(out) & 3) + self.count.pack(len(value))
 
     def read_sequence(self, descriptor):
-        bound, smallest, elements = descriptor[2], least(descriptor[1]), self._elements_reader(descriptor[1])
+        most, smallest = length(descriptor), least(element(descriptor))
+        elements = self._elements_reader(element(descriptor))
 
         def read(data, at):
-            size, at = self._size(data, at, bound, smallest)
+            size, at = self._size(data, at, most, smallest)
             return elements(data, at, size)
         return read
 
     def write_sequence(self, descriptor):
-        bound, elements = descriptor[2], self._elements_writer(descriptor[1])
+        most, elements = length(descriptor), self._elements_writer(element(descriptor))
 
         def write(out, value):
-            self._count(out, value, bound)
+            self._count(out, value, most)
             elements(out, value)
         return write
 
     def read_array(self, descriptor):
-        size, smallest, elements = descriptor[2], least(descriptor), self._elements_reader(descriptor[1])
+        size, smallest, elements = length(descriptor), least(descriptor), self._elements_reader(element(descriptor))
 
         def read(data, at):
             if smallest > len(data) - at:
@@ -262,7 +160,7 @@ class _Maker:
         return read
 
     def write_array(self, descriptor):
-        size, elements = descriptor[2], self._elements_writer(descriptor[1])
+        size, elements = length(descriptor), self._elements_writer(element(descriptor))
 
         def write(out, value):
             if len(value) != size:
@@ -314,10 +212,10 @@ class _Maker:
         return write
 
     def read_string(self, descriptor):
-        bound = descriptor[1]
+        most = bound(descriptor)
 
         def read(data, at):
-            size, at = self._size(data, at, bound and bound + 1, 1)
+            size, at = self._size(data, at, most and most + 1, 1)
             if size == 0:  # what some ORBs send for an empty one
                 return "", at
             if data[at + size - 1]:
@@ -326,33 +224,33 @@ class _Maker:
         return read
 
     def write_string(self, descriptor):
-        bound = descriptor[1]
+        most = bound(descriptor)
 
         def write(out, value):
             octets = value.encode("utf-8", "surrogateescape")
             if b"\0" in octets:
                 raise Fault("a NUL in a string")
-            self._count(out, octets + b"\0", bound and bound + 1)
+            self._count(out, octets + b"\0", most and most + 1)
             out += octets + b"\0"
         return write
 
     def read_wstring(self, descriptor):
-        bound = descriptor[1]
+        most = bound(descriptor)
 
         def read(data, at):
             size, at = self._size(data, at, 0, 1)
             text = _utf16(data[at:at + size])
-            if bound and len(text) > bound:
-                raise Fault("%d characters where %d may be" % (len(text), bound))
+            if most and len(text) > most:
+                raise Fault("%d characters where %d may be" % (len(text), most))
             return text, at + size
         return read
 
     def write_wstring(self, descriptor):
-        bound = descriptor[1]
+        most = bound(descriptor)
 
         def write(out, value):
-            if bound and len(value) > bound:
-                raise Fault("%d characters where %d may be" % (len(value), bound))
+            if most and len(value) > most:
+                raise Fault("%d characters where %d may be" % (len(value), most))
             if "\0" in value:
                 raise Fault("a NUL in a string")
             units = b"\xff\xfe" + value.encode("utf-16-le", "surrogatepass") if value else b""  # as omniORB does

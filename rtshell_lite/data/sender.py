@@ -95,7 +95,7 @@ class Injection:
         except errors.BadValue as e:
             if where is None:
                 raise
-            raise errors.BadValue("%s: %s" % (where, e.args[0]), e.args[1])
+            raise errors.BadValue("%s: %s" % (where, e.where), e.why)
         if where is None:
             self._ready[text] = found
         return found

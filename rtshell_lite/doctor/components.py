@@ -115,7 +115,7 @@ def _summary(each):
 
 def _stopped_answering(each, hung):
     e = each.error
-    if e.args[1:] == (lanes.NO_TIME,):
+    if e.why == lanes.NO_TIME:
         return fail("component", each.where, "slow: " + lanes.NO_TIME, remedies.words("more time", path=each.word))
     if isinstance(e, errors.Silent) and not each.asking:
         message = "not looked at: others of its process hang"

@@ -1,6 +1,7 @@
 """What an examination finds: one line each."""
 import collections
 
+from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.text import printable
 
@@ -37,5 +38,5 @@ def counted(number, noun):
 
 
 def reason(e):
-    """What an errors.Error says behind its object."""
-    return str(e).partition(": ")[2] or str(e)
+    """Why something failed: what an errors.Error says of its object, or an OSError."""
+    return e.why if isinstance(e, errors.Error) else str(e)

@@ -30,7 +30,7 @@ def _is_of_network(node, homes):
 
 def _troubles(node, answer):
     where, word = str(node.path), shell_word(str(node.path))
-    if isinstance(answer, errors.Error) and answer.args[1:] == (lanes.NO_TIME,):
+    if isinstance(answer, errors.Error) and answer.why == lanes.NO_TIME:
         return [fail("manager", where, "slow: " + lanes.NO_TIME, remedies.words("more time", path=word))]
     if isinstance(answer, errors.Error):
         both = isinstance(answer, errors.Silent)

@@ -12,8 +12,8 @@ TRANSITIONS = {("Inactive", "Active"): "activate", ("Active", "Inactive"): "deac
 def findings(profile, file, state):
     """Findings from the comparison of what runs with an RtsProfile, on a command line `file`; optional things are warnings."""
     result = compare.compare(profile, state)
-    found = [fail("profile", str(e.args[0]), reason(e),
-                  remedies.words("look at component", path=shell_word(str(e.args[0])))) for e in result.failures]
+    found = [fail("profile", e.where, reason(e),
+                  remedies.words("look at component", path=shell_word(e.where))) for e in result.failures]
     for each in result.differences:
         found.append((fail if each.required else warn)("profile", each.path, safe(each.message), _remedy(each, file)))
     found += _rates(profile)

@@ -84,7 +84,7 @@ def _smallest(found):
 
 
 def _unmeasured(each, e):
-    if isinstance(e, errors.Silent) and e.args[1:] != (lanes.NO_TIME,):
+    if isinstance(e, errors.Silent) and e.why != lanes.NO_TIME:
         return warn("rate", each.where, "rate not measured: " + reason(e), remedies.words("measure again", path=each.word))
     return ok("rate", each.where, "rate not measured: " + reason(e))
 

@@ -130,7 +130,7 @@ def of_silence(e, endpoint, path, restart=None):
     Only what is known to have reached the process and was left unanswered, or refused, is its own fault. `restart` is the
     Remedy for that, by default to restart it.
     """
-    if e.args[1:] == (lanes.NO_TIME,):
+    if e.why == lanes.NO_TIME:
         return words("more time", path=shell_word(path))
     if is_of_network(e, endpoint):
         return network(endpoint)
@@ -141,4 +141,4 @@ def is_of_network(e, endpoint):
     """True where an errors.Error may have been made by what is between here and the process at `endpoint`."""
     if isinstance(e, (errors.Refused, errors.Gone, errors.ConnectionRefused)):
         return False
-    return not isinstance(e, errors.Silent) or e.args[1:] != (lanes.NO_TIME,) and not addresses.arrives(endpoint)
+    return not isinstance(e, errors.Silent) or e.why != lanes.NO_TIME and not addresses.arrives(endpoint)

@@ -122,7 +122,7 @@ class Watched:
             self._gone(e)
         except errors.Unreachable as e:
             if isinstance(e, errors.Silent) or self.doubtful:  # a process that ends loses its connections first
-                self._silent("NO_ANSWER", str(e.args[1]))
+                self._silent("NO_ANSWER", e.why)
             self.doubtful = True
         except errors.Refused:
             pass  # it lives; there will be another look
@@ -189,7 +189,7 @@ class Watched:
                 self._tell("BACK")
         except errors.Refused as e:
             self.given_up = True
-            self.watch.note(self, "is back, but %s" % e.args[1])
+            self.watch.note(self, "is back, but %s" % e.why)
         except errors.Error:
             pass  # not yet
 

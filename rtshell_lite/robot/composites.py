@@ -62,7 +62,7 @@ def _path_text(places, name, ref):
     if isinstance(name, (errors.Gone, errors.ConnectionRefused)):
         return "Unknown (it is gone)"
     if isinstance(name, errors.Error):
-        return "Unknown (%s)" % name.args[-1]
+        return "Unknown (%s)" % name.why
     path = places.path(name, ref)
     return str(path) if path else "Unknown (%s)" % printable(name)
 

@@ -89,7 +89,7 @@ class Configuration:
         try:
             why = "" if self._call("activate_configuration_set", to_wire(set_id)) else "it says no"
         except errors.Refused as e:
-            why = e.args[1]
+            why = e.why
         if why:
             raise errors.Refused(self.where, "does not activate configuration set %s (%s)" % (printable(set_id), why))
 

@@ -108,7 +108,7 @@ def _forget_elsewhere(port, connector):
             pass
         except errors.Unreachable as e:
             why = "connection %s is removed here, its end at %s:%d says nothing (%s)" % (
-                (printable(connector.id),) + orb.endpoint(ref) + (e.args[1],))
+                (printable(connector.id),) + orb.endpoint(ref) + (e.why,))
             raise errors.Uncertain(ports.label(port), why)
 
 

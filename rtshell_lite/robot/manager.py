@@ -288,7 +288,7 @@ def unload(node, word):
         try:  # a master may tell of its slaves' modules, but refuses to unload them
             code = str(each.call("unload_module", to_wire(path)))
         except errors.Refused as e:
-            code = e.args[1]
+            code = e.why
             continue
         if code == "RTC_OK" and _loaded(each).count(path) < found.count(path):
             return _still_offered(each, path)

@@ -240,7 +240,7 @@ def _judge(each, failure):
         e = next((site.error for site in each.step.sites if steps.is_gone(site.error)), e)
         why = e if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Silent) else failure or e
         if (_lost(each.after) is e or each.step.tolerant) and not steps.is_gone(e):
-            each.fail(errors.Unreachable(each.step.where, "%s; whether it was done is not known" % e.args[-1]), UNSURE)
+            each.fail(errors.Unreachable(each.step.where, "%s; whether it was done is not known" % e.why), UNSURE)
             return
     each.fail(why)
     _tried(each, lambda: each.step.tidy(each.after))

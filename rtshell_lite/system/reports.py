@@ -31,7 +31,7 @@ def _told(args, outcomes):
             good = each.status in ("done", "already so") or args.dry_run and each.pending
             tally.done += good and not args.rollback
             if each.status != "already so":
-                why = " because of " + each.error.args[0] if each.error else ""
+                why = " because of " + each.error.where if each.error else ""
                 cli.detail("%s: %s%s" % (each.step.title, each.status, why))
         elif each.step.required:
             tally.add(each.error)

@@ -224,7 +224,7 @@ class _Unplaced(steps.Step):
     kind = "connect"
 
     def __init__(self, connector, error):
-        steps.Step.__init__(self, [], error.args[0], error.args[0])
+        steps.Step.__init__(self, [], error.where, error.where)
 
 
 def _connections(profile, at):

@@ -191,7 +191,7 @@ class Run:
             if found == self.transition.target:
                 component.stay(node, ref, self.transition, self.wait)
             return found
-        where = failure.args[0]
+        where = failure.where
         why = str(failure)[len(where) + 2:]
         try:
             now = lanes.ask(node.endpoint, str(node.path), state)

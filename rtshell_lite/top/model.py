@@ -222,7 +222,7 @@ class Top:
                 self._look_after_all()
         elif silent:
             for each in mine:
-                each.fail("silent", errors.Silent(str(each.node.path), silent[-1].failure.args[1]))
+                each.fail("silent", errors.Silent(str(each.node.path), silent[-1].failure.why))
         return heard or not silent
 
     # ---- what it looks like ----

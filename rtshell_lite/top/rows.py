@@ -63,8 +63,7 @@ def _size(bytes_per_second):
 
 def reason(path, failure):
     """Why something failed, in one line for the terminal, without the path that stands before it."""
-    words = text.safe(str(failure))
-    return words[len(path) + 2:] if words.startswith(path + ": ") else words
+    return text.safe(failure.why if failure.where == path else str(failure))
 
 
 def as_dict(row, now):

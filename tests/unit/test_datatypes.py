@@ -11,7 +11,7 @@ import processes
 import random_values
 from rtshell_lite import errors, path
 from rtshell_lite.corba import descriptors, orb
-from rtshell_lite.data import cdr, datatypes, values
+from rtshell_lite.data import datatypes, fixed_size, values
 from rtshell_lite.robot import ports
 
 try:
@@ -252,8 +252,8 @@ class OfPorts(unittest.TestCase):
 
 class Cdr(unittest.TestCase):
     def test_least(self):
-        self.assertEqual(cdr.least((descriptors.SEQUENCE, descriptors.LONG, 0)), 4)
-        self.assertEqual(cdr.least((descriptors.ARRAY, (descriptors.ARRAY, descriptors.DOUBLE, 3), 2)), 48)
+        self.assertEqual(fixed_size.least((descriptors.SEQUENCE, descriptors.LONG, 0)), 4)
+        self.assertEqual(fixed_size.least((descriptors.ARRAY, (descriptors.ARRAY, descriptors.DOUBLE, 3), 2)), 48)
 
 
 if __name__ == "__main__":

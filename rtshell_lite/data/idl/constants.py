@@ -166,6 +166,6 @@ def check(parser, descriptor, value, token):
         return value
     if sort in (CHAR, WCHAR) and isinstance(value, str) and len(value) == 1 or sort in (STRING, WSTRING) and isinstance(value, str):
         return value
-    if sort == ENUM and value in switch[3]:
+    if sort == ENUM and value in descriptors.items(switch):
         return value
     raise parser.fault("not a constant of type %s" % descriptors.words(descriptor), token)

@@ -126,11 +126,7 @@ class Parser:
         entry.type_id = type_id
         if entry.sort == "type" and id(entry) in self.made:
             old = entry.what
-            sort = descriptors.kind(old)
-            entry.what = {descriptors.STRUCT: lambda: descriptors.struct(type_id, old[3], descriptors.members(old)),
-                          descriptors.UNION: lambda: descriptors.union(type_id, old[3], old[4], old[6], old[5]),
-                          descriptors.ENUM: lambda: (old[0], type_id, old[2], old[3]),
-                          ALIAS: lambda: (ALIAS, type_id, old[2], old[3])}[sort]()
+            entry.what = descriptors.renamed(old, type_id)
             self.weigh(entry.what, *self.weights[id(old)])
             if entry.hole:
                 entry.hole[0] = entry.what
@@ -337,8 +333,8 @@ class Parser:
         while True:
             token, name, whole = types.declarator(self, descriptor, "a type")
             made = self.weigh((ALIAS, self.new_id(name), name, whole), *self.weight(whole))
-            entry = self.declare(Entry(name, "type", made, made[1]), token)
-            self.made[id(entry)] = (made[1], made)
+            entry = self.declare(Entry(name, "type", made, descriptors.type_id(made)), token)
+            self.made[id(entry)] = (descriptors.type_id(made), made)
             self.kept.append(entry)
             if not self.is_mark(","):
                 return

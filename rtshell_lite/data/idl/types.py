@@ -153,7 +153,7 @@ def constructed(parser, depth):
     made = within(parser, entry, lambda: (_struct if word == "struct" else _union)(parser, entry, name, depth))
     parser.take("}")
     entry.sort, entry.what, entry.hole[0] = "type", made, made
-    parser.made[id(entry)] = (made[2], made)
+    parser.made[id(entry)] = (descriptors.type_id(made), made)
     return made
 
 
@@ -260,7 +260,8 @@ def _labels(parser, switch, labels):
 
 def _label(parser, switch):
     """The value of a case label; items of the switch's own enum are seen wherever it was declared."""
-    items = descriptors.target(switch)[3] if descriptors.kind(descriptors.target(switch)) == descriptors.ENUM else ()
+    inner = descriptors.target(switch)
+    items = descriptors.items(inner) if descriptors.kind(inner) == descriptors.ENUM else ()
     if parser.token.kind == "name" and parser.scope.seen(parser.token.word) is None:
         for item in items:
             if item._n == parser.token.word:
@@ -277,7 +278,7 @@ def _unused(parser, switch, labels, token):
         low, high = descriptors.RANGES[kind]
         candidates = range(low, high + 1)
     elif kind == descriptors.ENUM:
-        candidates = inner[3]
+        candidates = descriptors.items(inner)
     else:
         candidates = (False, True) if kind == descriptors.BOOLEAN else map(chr, range(256))
     for candidate in candidates:
@@ -299,14 +300,14 @@ def _enum(parser, name, token):
             break
     parser.take("}")
     made = parser.weigh(descriptors.enum(parser.new_id(name), name, items), 1, 1)
-    entry = parser.declare(Entry(name, "type", made, made[1]), token)
-    parser.made[id(entry)] = (made[1], made)
+    entry = parser.declare(Entry(name, "type", made, descriptors.type_id(made)), token)
+    parser.made[id(entry)] = (descriptors.type_id(made), made)
     parser.kept.append(entry)
-    for item, where in zip(made[3], tokens):
+    for item, where in zip(descriptors.items(made), tokens):
         parser.declare(Entry(item._n, "item", item), where)
     return made
 
 
 def _incomplete(parser, descriptor):
     descriptor = descriptors.plain(descriptor)
-    return descriptors.kind(descriptor) == INDIRECT and descriptor[1][0] is None
+    return descriptors.kind(descriptor) == INDIRECT and descriptors.around(descriptor) is None

@@ -1,0 +1,114 @@
+"""Types whose values take one size: such a value is read, and written, in one go."""
+import struct
+
+from rtshell_lite.corba.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT,
+                                            STRING, STRUCT, ULONG, ULONGLONG, USHORT, WSTRING, element, factory, items, kind,
+                                            length, members, plain, target)
+
+CODES = {SHORT: "h", LONG: "i", USHORT: "H", ULONG: "I", FLOAT: "f", DOUBLE: "d", BOOLEAN: "?", CHAR: "c", OCTET: "B",
+         LONGLONG: "q", ULONGLONG: "Q", ENUM: "I"}  # of the module struct
+SIZES = {code: struct.calcsize("<" + code) for code in CODES.values()}
+FEW = 64  # members up to which a type of one size is read in one go
+
+
+class Fault(ValueError):
+    """Bytes that are no value of the type."""
+
+
+def least(descriptor):
+    """The fewest bytes that a value of a type takes; at least 1, so that a count can be held against the bytes left."""
+    descriptor = plain(descriptor)
+    sort = kind(descriptor)
+    if sort in CODES:
+        return SIZES[CODES[sort]]
+    if sort in (STRING, WSTRING, SEQUENCE):
+        return 4
+    if sort == STRUCT:
+        return sum(least(inner) for _, inner in members(descriptor))
+    if sort == ARRAY:
+        return length(descriptor) * least(element(descriptor))
+    return 1
+
+
+class Fixed:
+    """A type whose values take one size: the codes of its leaves, and how a value is made of and turned into a flat list."""
+
+    def __init__(self, codes, make, flatten):
+        self.codes, self.make, self.flatten = codes, make, flatten  # make(leaves, index) → value; flatten(value) → leaves
+
+
+def fixed(descriptor):
+    """The Fixed form of a type; None when there is none, or it would be long."""
+    descriptor = plain(descriptor)  # one inside itself has no size
+    sort = kind(descriptor)
+    if sort == ENUM:
+        known = items(descriptor)
+        return Fixed(["I"], lambda leaves, i: _item(known, leaves[i]), lambda value: (value._v,))
+    if sort == CHAR:
+        return Fixed(["c"], lambda leaves, i: leaves[i].decode("latin-1"), lambda value: (value.encode("latin-1"),))
+    if sort in CODES:
+        return Fixed([CODES[sort]], None, lambda value: (value,))
+    return _fixed_struct(descriptor) if sort == STRUCT else _fixed_array(descriptor) if sort == ARRAY else None
+
+
+def _item(known, number):
+    if number >= len(known):
+        raise Fault("enum item number %d of %d" % (number, len(known)))
+    return known[number]
+
+
+def _fixed_struct(descriptor):
+    parts = [fixed(inner) for _, inner in members(descriptor)]
+    if None in parts or sum(len(part.codes) for part in parts) > FEW:
+        return None
+    made, names = factory(descriptor), [name for name, _ in members(descriptor)]
+    codes = [code for part in parts for code in part.codes]
+    if all(part.make is None for part in parts):
+        size = len(parts)
+        return Fixed(codes, lambda leaves, i: made(*leaves[i:i + size]), lambda value: [getattr(value, n) for n in names])
+    places, at = [], 0
+    for part in parts:
+        places.append((part.make, at))
+        at += len(part.codes)
+
+    def make(leaves, i):
+        return made(*[inner(leaves, i + at) if inner else leaves[i + at] for inner, at in places])
+
+    def flatten(value):
+        return [leaf for part, name in zip(parts, names) for leaf in part.flatten(getattr(value, name))]
+    return Fixed(codes, make, flatten)
+
+
+def _fixed_array(descriptor):
+    part, count = fixed(element(descriptor)), length(descriptor)
+    if part is None or len(part.codes) * count > FEW or kind(target(element(descriptor))) in (OCTET, CHAR):
+        return None
+    size = len(part.codes)
+
+    def make(leaves, i):
+        if part.make is None:
+            return list(leaves[i:i + count])
+        return [part.make(leaves, at) for at in range(i, i + count * size, size)]
+
+    def flatten(value):
+        if len(value) != count:
+            raise Fault("an array of %d elements" % len(value))
+        return [leaf for element in value for leaf in part.flatten(element)]
+    return Fixed(part.codes * count, make, flatten)
+
+
+class Forms(dict):
+    """The struct.Struct of a list of codes for each place modulo 8 at which it may stand: padding depends on it."""
+
+    def __init__(self, order, codes):
+        dict.__init__(self)
+        self.order, self.codes = order, codes
+
+    def __missing__(self, start):
+        text, at = self.order, start
+        for code in self.codes:
+            padding = -at % SIZES[code]
+            text += "x" * padding + code
+            at += padding + SIZES[code]
+        self[start] = form = struct.Struct(text)
+        return form
