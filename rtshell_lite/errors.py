@@ -25,6 +25,11 @@ class Error(Exception):
         return words.format(*self.args[1:]) if colon and not start else str(self)
 
 
+def parted(values):
+    """Values of which some are Errors, in two lists: the others, and the Errors."""
+    return [value for value in values if not isinstance(value, Error)], [value for value in values if isinstance(value, Error)]
+
+
 class No(Error):
     """{}: {}"""
 

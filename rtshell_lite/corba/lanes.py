@@ -7,6 +7,8 @@ link may take longer than the timeout, a silent one may not.
 """
 import collections
 import errno
+import functools
+import operator
 import os
 import threading
 import time
@@ -135,6 +137,14 @@ def ask(endpoint, where, call):
     if isinstance(value, Exception):
         raise value
     return value
+
+
+def each(items, function, place=operator.attrgetter("endpoint", "where")):
+    """Call function(item) for each item, in parallel: the values in order, an errors.Error for what failed.
+
+    `place(item)` gives (endpoint, where), see Job.
+    """
+    return gather(Job(*place(item), functools.partial(function, item)) for item in items)
 
 
 def gather(jobs):

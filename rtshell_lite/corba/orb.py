@@ -160,6 +160,12 @@ def endpoint(ref):
     return address(ref)[1:3]
 
 
+def at_address(ref):
+    """HOST:PORT of the process that answers for `ref`, spelt for the terminal."""
+    host, port = endpoint(ref)
+    return "%s:%d" % (printable(host), port)
+
+
 def identity(ref):
     """A hashable that is equal for references to one object: (host, port, object key)."""
     return address(ref)[1:]
@@ -220,6 +226,14 @@ def ask(where, ref, operation, *args, seconds=None):
     if lanes.lane_of(endpoint(ref)):
         return call(where, ref, operation, *args, seconds=seconds)
     return lanes.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args, seconds=seconds))
+
+
+def each(refs, function, where=None):
+    """Call function(ref) for each reference, in parallel: the values in order, an errors.Error for what failed.
+
+    Errors name `where`, or else HOST:PORT of the reference.
+    """
+    return lanes.each(refs, function, lambda ref: (endpoint(ref), where or at_address(ref)))
 
 
 def is_alive(where, ref):

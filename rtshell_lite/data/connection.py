@@ -230,8 +230,8 @@ class Opened:
 
     def _in_lanes(self, step, connections=None):
         connections = self.connections if connections is None else connections
-        jobs = [lanes.Job(each.endpoint, each.where, getattr(each, step)) for each in connections]
-        for each, result in zip(connections, lanes.gather(jobs)):
+        results = lanes.each(connections, lambda each: getattr(each, step)())
+        for each, result in zip(connections, results):
             if step == "look" and each.closing.is_set():
                 continue  # what it was asked is gone by our own doing
             if isinstance(result, errors.Error):

@@ -308,7 +308,7 @@ def linger(writers, seconds, look):
         cli.note("%s: waiting %.1f s until it has read the values (--linger limits it)" % (slowest.where, max(needed)))
     begun = time.monotonic()
     _wait(begun, writers, needed, look)
-    results = lanes.gather([lanes.Job(writer.endpoint, writer.where, writer.look) for writer in writers])
+    results = lanes.each(writers, lambda writer: writer.look())
     for writer, result in zip(writers, results):
         writer.failure = writer.failure or (result if isinstance(result, errors.Error) else writer.unread())
 

@@ -46,8 +46,8 @@ def examined(nodes):
         if node.kind == "component":
             by_object.setdefault(orb.identity(node.ref), []).append(node)
     all_of_them = [Examined(nodes) for nodes in by_object.values()]
-    jobs = [lanes.Job(each.node.endpoint, each.where, lambda each=each: _ask(each)) for each in all_of_them]
-    for each, answer in zip(all_of_them, lanes.gather(jobs)):
+    answers = lanes.each(all_of_them, _ask, lambda each: (each.node.endpoint, each.where))
+    for each, answer in zip(all_of_them, answers):
         each.error = answer if isinstance(answer, errors.Error) else None
     return all_of_them
 

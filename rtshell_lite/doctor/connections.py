@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb
 from rtshell_lite.doctor import networks, remedies, services
 from rtshell_lite.doctor.finding import fail, reason, warn
 from rtshell_lite.robot import connectors, ports, tree
@@ -69,42 +69,36 @@ def _elsewhere(links, ends, all_of_them):
             if ref is None or orb.identity(ref) in ends:
                 continue
             if orb.endpoint(ref) in silent:
-                found[orb.identity(ref)] = End(None, silent[orb.endpoint(ref)], _address(ref))
+                found[orb.identity(ref)] = End(None, silent[orb.endpoint(ref)], orb.at_address(ref))
             else:
                 wanted.setdefault(orb.identity(ref), (link, ref))
-    jobs = [lanes.Job(orb.endpoint(ref), _address(ref), lambda ref=ref: _ask(ref)) for _, ref in wanted.values()]
     places = Places(links[0].each.node) if links else None
-    for (identity, (_, ref)), answer in zip(wanted.items(), lanes.gather(jobs)):
+    for (identity, (_, ref)), answer in zip(wanted.items(), orb.each([ref for _, ref in wanted.values()], _ask)):
         failed = isinstance(answer, errors.Error)
-        found[identity] = End(None, answer, _address(ref)) if failed else _stranger(answer, places)
+        found[identity] = End(None, answer, orb.at_address(ref)) if failed else _stranger(answer, places)
     return found
 
 
 def _ask(ref):
     """The Port behind a reference, as one of an object that is bound nowhere."""
-    return ports.port(tree.Node(_address(ref), "component", ref), ref)
+    return ports.port(tree.Node(orb.at_address(ref), "component", ref), ref)
 
 
 def _stranger(port, places):
     """The End for a Port of a component that was not examined."""
     path = port.owner and places.path(port.name.rpartition(".")[0], port.owner)
     if path is None:
-        return End(port._replace(node=None), None, "%s at %s, bound nowhere," % (printable(port.name), _address(port.ref)))
+        return End(port._replace(node=None), None, "%s at %s, bound nowhere," % (printable(port.name), orb.at_address(port.ref)))
     port = port._replace(node=tree.Node(path, "component", port.owner))
     return End(port, None, ports.label(port))
-
-
-def _address(ref):
-    return "%s:%d" % (printable(orb.endpoint(ref)[0]), orb.endpoint(ref)[1])
 
 
 def _again(link, ends):
     """The same Link after its ports have been asked once more, None when it is gone; updates `ends`."""
     asked = [(orb.identity(ref), ref) for ref in link.connector.ports
              if ref is not None and ends[orb.identity(ref)].port is not None]
-    jobs = [lanes.Job(orb.endpoint(ref), _address(ref), lambda ref=ref: _ask(ref)) for _, ref in asked]
     own = link.port
-    for (identity, _), answer in zip(asked, lanes.gather(jobs)):
+    for (identity, _), answer in zip(asked, orb.each([ref for _, ref in asked], _ask)):
         before = ends[identity]
         if isinstance(answer, errors.Error):
             ends[identity] = End(None, answer, before.name)

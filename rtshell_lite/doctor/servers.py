@@ -26,8 +26,7 @@ def visits(tops):
     for top in sorted(tops, key=str):
         by_server.setdefault(top.server, []).append(top)
     places = [path.Path(server, (), None, False) for server in by_server]
-    found = lanes.gather([lanes.Job(tree.lane(place), str(place), lambda place=place, below=below: _visit(place, below))
-                          for place, below in zip(places, by_server.values())])
+    found = tree.at_each(places, lambda place: _visit(place, by_server[place.server]))
     return [_too_late(place, visit) if isinstance(visit, errors.Error) else visit for place, visit in zip(places, found)]
 
 
@@ -202,5 +201,5 @@ def _probes(nodes):
     """Which of the addresses that references publish are reached by TCP from here: a connection to each, closed again."""
     wanted = sorted({each for node in nodes if node.ref is not None and node.kind not in ("server", "directory")
                      for each in orb.addresses(node.ref) if each[0] and each[1]})
-    jobs = [lanes.Job(("probe",) + each, "%s:%d" % each, lambda each=each: addresses.probe(each)) for each in wanted]
-    return dict(zip(wanted, lanes.gather(jobs)))
+    answers = lanes.each(wanted, addresses.probe, lambda address: (("probe",) + address, "%s:%d" % address))
+    return dict(zip(wanted, answers))

@@ -296,7 +296,7 @@ class Watch:
                 self._ended.set()
             lanes.end = time.monotonic() + HURRY if hurried else None
             try:
-                values = lanes.gather([lanes.Job(loan.node.endpoint, loan.where, loan.take_back) for loan in self._loans])
+                values = lanes.each(self._loans, lambda loan: loan.take_back(), lambda loan: (loan.node.endpoint, loan.where))
             finally:
                 lanes.end = None
         unheard = [each.loan for each in self.watched if not each.is_heard()]

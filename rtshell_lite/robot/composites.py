@@ -5,7 +5,7 @@ Organization::get_owner is never asked: a C++ component tells it once in its lif
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, configuration, manager, ports, tree
 from rtshell_lite.robot.places import Places
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
@@ -47,8 +47,7 @@ def _refs(node, operation):
 
 def _organisation(node, ref):
     members = [member for member in orb.ask(node.path, ref, "get_members") if member is not None]
-    names = lanes.gather([lanes.Job(orb.endpoint(member), node.path, lambda member=member: from_wire(
-        orb.call(node.path, member, "get_sdo_id"))) for member in members])
+    names = orb.each(members, lambda member: from_wire(orb.call(node.path, member, "get_sdo_id")), node.path)
     return Organisation(from_wire(orb.ask(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
 
 

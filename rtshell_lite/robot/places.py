@@ -1,6 +1,6 @@
 """Where in the RTC Tree a reference is bound: found by comparing references, without asking their objects."""
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb
 from rtshell_lite.path import Name, Path
 from rtshell_lite.robot import ports, tree
 from rtshell_lite.text import printable
@@ -56,9 +56,8 @@ def far_ends(node, found):
         for ref in connector.ports:
             if ref is not None and orb.identity(ref) not in own:
                 ends.setdefault(orb.identity(ref), ref)
-    jobs = [lanes.Job(orb.endpoint(ref), "%s:%d" % orb.endpoint(ref), lambda ref=ref: ports.port(node, ref)) for ref in ends.values()]
-    places = Places(node)
-    names = dict(zip(ends, [_place(found, places) for found in lanes.gather(jobs)]))
+    answers, places = orb.each(ends.values(), lambda ref: ports.port(node, ref)), Places(node)
+    names = dict(zip(ends, [_place(answer, places) for answer in answers]))
     return lambda ref: names.get(orb.identity(ref)) if ref is not None else "Unknown (nil)"
 
 

@@ -3,7 +3,6 @@ import collections
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes
 from rtshell_lite.robot import component, tree
 
 POLL = 0.5  # seconds between two searches of --wait
@@ -29,13 +28,8 @@ def _expression(pattern):
 
 def find(paths, wanted):
     """The Nodes at and below `paths` that are Wanted, in the order of the tree, and a list of the errors met."""
-    nodes, failures = [], []
-    jobs = [lanes.Job(tree.lane(path), str(path), lambda path=path: _below(path, wanted)) for path in paths]
-    for found in lanes.gather(jobs):
-        if isinstance(found, errors.Error):
-            failures.append(found)
-        else:
-            nodes += found
+    parts, failures = errors.parted(tree.at_each(paths, lambda path: _below(path, wanted)))
+    nodes = [node for part in parts for node in part]
     failures += [node.error for node in nodes if node.error is not None and node.kind != "zombie"]
     nodes = [node for node in nodes if not wanted.names or any(match(node.name) for match in wanted.names)]
     if wanted.kinds:

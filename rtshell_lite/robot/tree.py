@@ -198,11 +198,12 @@ def on_components(paths, function, or_managers=False):
 def on_components_in_turn(paths, function, or_managers=False):
     """`on_components`, but yields the values as lanes.in_turn does."""
     orb.start()  # its failures are not the failure of a path
+    return on_nodes_in_turn(at_each(paths, lambda path: component(path, or_managers)), function)
 
-    def resolved(path):
-        return lanes.Job(lane(path), str(path), lambda: component(path, or_managers))
-    nodes = lanes.gather([resolved(path) for path in paths])
-    return on_nodes_in_turn(nodes, function)
+
+def at_each(paths, function):
+    """Call function(path) for each path, in parallel by name server: the values in order, an errors.Error for what failed."""
+    return lanes.each(paths, function, lambda path: (lane(path), str(path)))
 
 
 # ---- listing --------------------------------------------------------------------------------------------------
@@ -224,8 +225,7 @@ def children(node):
     while names:
         some, names = [(node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]], names[:-AT_ONCE]
         lanes.alive()  # where this is itself a call to the name server: that has answered all that it was asked so far
-        for child in lanes.gather(lanes.Job(server, path, functools.partial(_child, context, path, is_context))
-                                  for path, is_context in some):
+        for child in lanes.each(some, lambda item: _child(context, *item), lambda item: (server, item[0])):
             if isinstance(child, Node):
                 found.append(child)
             elif not isinstance(child, errors.Refused):  # unbound since the list was made
@@ -299,8 +299,8 @@ def walk(node, depth=None, managers=True):
 
 def walk_servers(servers, depth=DEPTH, managers=True):
     """`walk` several name servers, Nodes, in parallel, as some may be silent; what two of them have is an alias in the second."""
-    parts = lanes.gather([lanes.Job(server.endpoint, str(server.path), lambda server=server: list(
-        _walk(server, depth, managers, aliases.Known(servers)))) for server in servers])
+    parts = lanes.each(servers, lambda server: list(_walk(server, depth, managers, aliases.Known(servers))),
+                       lambda server: (server.endpoint, str(server.path)))
     known = aliases.Known(servers)
     for server, part in zip(servers, parts):
         if isinstance(part, errors.Error):

@@ -4,7 +4,7 @@ import functools
 import re
 
 from rtshell_lite import errors, path
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, composites, configuration, places, ports, tree
 from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model, rtsprofile
@@ -102,11 +102,9 @@ def components(tops=()):
     Components below managers are passed over: they are bound in a name server, too.
     """
     orb.start()
-    parts = lanes.gather([lanes.Job(tree.lane(top), str(top), lambda top=top: list(tree.walk(tree.resolve(top), managers=False)))
-                          for top in tops or [path.ROOT]])
-    walked, failures = [], [part for part in parts if isinstance(part, errors.Error)]
-    for part in parts:
-        walked += part if isinstance(part, list) else []
+    parts, failures = errors.parted(tree.at_each(
+        tops or [path.ROOT], lambda top: list(tree.walk(tree.resolve(top), managers=False))))
+    walked = [node for part in parts for node in part]
     failures += [node.error for node in walked if node.kind in ("server", "directory") and node.error is not None]
     unsure = [node for node in walked if node.kind == "unsure"]
     sure = dict(zip(unsure, tree.look(unsure)))

@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import manager, ports, tree
 from rtshell_lite.system import apply, capture, connect_steps, relocate, steps
 from rtshell_lite.text import printable
@@ -241,8 +241,7 @@ def _connections(profile, at):
         made.append([apply.Outcome(step, error=error)])
         if error is None:
             broken += _seen(made, step)
-    answers = iter(lanes.gather([lanes.Job(orb.endpoint(ref), "", lambda ref=ref: orb.is_alive("", ref))
-                                 for _, refs in broken for ref in refs]))
+    answers = iter(orb.each([ref for _, refs in broken for ref in refs], lambda ref: orb.is_alive("", ref)))
     for outcomes, refs in broken:
         found = [next(answers) for _ in refs]
         _mend(outcomes, any(isinstance(answer, errors.Silent) or not isinstance(answer, errors.Error) for answer in found))

@@ -14,8 +14,8 @@ COUNTED = (("ports", None), ("in_ports", "DataInPort"), ("out_ports", "DataOutPo
 
 def all_blocks(paths, recurse, typed):
     """`blocks` for each path, in parallel by name server; an errors.Error for what failed. `typed` is for the headers."""
-    return lanes.gather([lanes.Job(tree.lane(path), str(path), lambda path=path, shown=shown: blocks(path, recurse, text.safe(shown)))
-                         for path, shown in zip(paths, typed)])
+    return lanes.each(list(zip(paths, typed)), lambda item: blocks(item[0], recurse, text.safe(item[1])),
+                      lambda item: (tree.lane(item[0]), str(item[0])))
 
 
 def blocks(path, recurse=False, shown="."):

@@ -134,3 +134,12 @@ def state_of(process):
     except OSError:
         return "gone"
     return {"Z": "gone", "X": "gone", "T": "stopped"}.get(letter, "running")
+
+
+def waited_for_processor(pid):
+    """Seconds that the main thread of a process has been ready to run and was not let, 0 where the kernel does not tell."""
+    try:
+        with open("/proc/%d/schedstat" % pid) as file:
+            return int(file.read().split()[1]) / 1e9
+    except (OSError, ValueError, IndexError):
+        return 0.0

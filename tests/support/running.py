@@ -73,7 +73,7 @@ def run(words, where, inside=(), **more):
         os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)  # it stays as a zombie whose figures can be read
         seconds = time.monotonic() - begun
         killer.cancel()
-        waited = waited_for_processor(process.pid)
+        waited = processes.waited_for_processor(process.pid)
         status, usage = os.wait4(process.pid, 0)[1:]
         process.returncode = -os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status)
         out.seek(0)
@@ -102,15 +102,6 @@ def run_on_terminal(words, where, columns=80, **more):
     killer.cancel()
     status = 128 + os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status)
     return Ran(words, status, said, b"", time.monotonic() - begun, 0, usage.ru_maxrss)
-
-
-def waited_for_processor(pid):
-    """Seconds that the main thread of a process has been ready to run and was not let, 0 where the kernel does not tell."""
-    try:
-        with open("/proc/%d/schedstat" % pid) as file:
-            return int(file.read().split()[1]) / 1e9
-    except (OSError, ValueError, IndexError):
-        return 0.0
 
 
 def together(function, cases, parallel=PARALLEL):
