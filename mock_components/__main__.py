@@ -52,10 +52,10 @@ def main(argv):
     from . import flavour, worlds
     if args.list:
         for name, world in worlds.WORLDS.items():
-            print("%-10s %s" % (name, world.__doc__))
+            print(f"{name:10} {world.__doc__}")
         return 0
     if args.world not in worlds.WORLDS:
-        parser.error("no such world: %s (see --list)" % args.world)
+        parser.error(f"no such world: {args.world} (see --list)")
     if args.flavour not in flavour.NAMES:
         parser.error("no such flavour: " + args.flavour)
     return play(args, worlds, flavour.Flavour(args.flavour))

@@ -45,7 +45,7 @@ def request(path, words):
             connection.sendall(("\0".join(words) + "\n").encode())
             status, _, text = connection.makefile().read().partition("\n")
         except OSError as error:  # it may be dying just now
-            return False, "%s: %s\n" % (path, error.strerror)
+            return False, f"{path}: {error.strerror}\n"
     return status == "ok", text
 
 

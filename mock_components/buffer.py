@@ -23,7 +23,7 @@ class RingBuffer:
     def configure(self, properties, side):
         """Take what a connector asks for; the properties of one side go before those of both."""
         def asked(name):
-            return get(properties, "dataport.%s.buffer.%s" % (side, name)) or get(properties, "dataport.buffer." + name)
+            return get(properties, f"dataport.{side}.buffer.{name}") or get(properties, "dataport.buffer." + name)
 
         with self.changed:
             if asked("length").isdigit() and int(asked("length")) > 0:

@@ -15,7 +15,7 @@ def command(stage, words):
     """The command line of a mock like this one, without a control socket."""
     options = stage.options
     line = [sys.executable, "-m", "mock_components", "--nameserver", stage.names.address, "--context", options.context,
-            "--flavour", stage.flavour.name, "--rate", "%g" % options.rate]
+            "--flavour", stage.flavour.name, "--rate", f"{options.rate:g}"]
     return line + ([] if options.sync else ["--async"]) + list(words)
 
 
@@ -33,7 +33,7 @@ def start(stage, words, port=""):
     child = subprocess.Popen(line, stdout=subprocess.PIPE, env=environment())
     stage.children.append(child)
     stage.process.thread(child.wait)
-    assert child.stdout.readline().startswith(b"ready"), "did not start: %s" % " ".join(words)
+    assert child.stdout.readline().startswith(b"ready"), f"did not start: {' '.join(words)}"
     return child
 
 
@@ -55,7 +55,7 @@ def end(stage):
 
 def manager_at(orb, place):
     """The manager that listens on HOST:PORT."""
-    reference = orb.string_to_object("corbaloc:iiop:1.2@%s/manager" % place)
+    reference = orb.string_to_object(f"corbaloc:iiop:1.2@{place}/manager")
     return reference._unchecked_narrow(RTM.Manager)
 
 

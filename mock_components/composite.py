@@ -151,7 +151,7 @@ class Composite(Component):
         self.exported = []              # references
         self.awake = False              # whether it has been active: the thread of its context runs ever after
         self.doomed = False             # whether that thread will end its process
-        Component.__init__(self, *arguments)
+        super().__init__(*arguments)
         self.organization = Organization(self)
         self.organization.reference = self.process.serve(self.organization, self.instance_name)
         named = [self.process.components.get(name) for name in words(self._parameters()["members"])]
@@ -160,7 +160,7 @@ class Composite(Component):
             self.organization.add_members(members)
 
     def own_context(self):
-        Component.own_context(self)
+        super().own_context()
         context = self.owned[-1]
         if self.flavour.composite == "async":
             context.sync = False
@@ -189,17 +189,17 @@ class Composite(Component):
             self.export()
 
     def get_ports(self):
-        return Component.get_ports(self) + self.exported
+        return super().get_ports() + self.exported
 
     def get_component_profile(self):
         if self.flavour.dead_peer == "die" and not all(map(alive, self.exported)):
             self.process.die()
-        profile = Component.get_component_profile(self)
+        profile = super().get_component_profile()
         profile.port_profiles += [port.get_port_profile() for port in self.exported]
         return profile
 
     def properties(self):
-        pairs = Component.properties(self)
+        pairs = super().properties()
         if self.flavour.composite == "async":
             pairs += [("exec_cxt.periodic." + name, "NO")
                       for name in ("sync_transition", "sync_activation", "sync_deactivation", "sync_reset")]
@@ -254,7 +254,7 @@ class Composite(Component):
             return self._exit_stumbling()
         self.organization.dissolve()
         self.process.withdraw(self.organization)
-        return Component.exit(self)
+        return super().exit()
 
     def _exit_stumbling(self):
         """Dead members cannot be given back: C++ answers and ends with its whole process, others stay as they are."""

@@ -43,7 +43,7 @@ class Configuration(SDOPackage__POA.Configuration):
         """The `conf.…` properties of the component's profile."""
         pairs = []
         for name, values in self.sets.items():
-            pairs += [("conf.%s.%s" % (name, key), value) for key, value in values.items()]
+            pairs += [(f"conf.{name}.{key}", value) for key, value in values.items()]
             if not values and name == "default":
                 pairs.append(("conf.default", ""))
         return pairs
@@ -57,7 +57,7 @@ class Configuration(SDOPackage__POA.Configuration):
             self.active = None
 
     def _where(self, operation):
-        return "Configuration%s%s()" % (self.flavour.scope, operation)
+        return f"Configuration{self.flavour.scope}{operation}()"
 
     # reading
 
@@ -147,7 +147,7 @@ class Configuration(SDOPackage__POA.Configuration):
         self._report("UPDATE_CONFIG_SET", self.last_active)
 
     def _report(self, what, name):
-        self.component.report("CONFIGURATION", "%s: %s" % (what, name))
+        self.component.report("CONFIGURATION", f"{what}: {name}")
 
     def _merge(self, values, data):
         for item in data:

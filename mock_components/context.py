@@ -54,10 +54,10 @@ class Behaviour:
         return RTC.PERIODIC
 
     def get_profile(self):
-        pairs = [("type", "PeriodicExecutionContext"), ("rate", "%g" % self.rate)]
+        pairs = [("type", "PeriodicExecutionContext"), ("rate", f"{self.rate:g}")]
         if self.flavour.modern:
             pairs = [("sync_transition", "YES" if self.sync else "NO"),
-                     ("transition_timeout", "%g" % TRANSITION_TIMEOUT)] + pairs
+                     ("transition_timeout", f"{TRANSITION_TIMEOUT:g}")] + pairs
         if self.flavour.context_name:
             pairs.append(("name", ""))
         pairs += self.more

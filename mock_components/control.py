@@ -58,7 +58,7 @@ class Commands:
         self.stage.port(port).refusal = None if code == "RTC_OK" else code
 
     def connectors(self, port):
-        return ["%s %s" % (p.connector_id, p.name) for p in list(self.stage.port(port).profiles.values())]
+        return [f"{p.connector_id} {p.name}" for p in list(self.stage.port(port).profiles.values())]
 
     def forget(self, port):
         port = self.stage.port(port)
@@ -170,7 +170,7 @@ def _answer(connection, commands):
         except (KeyError, IndexError, StopIteration):
             stream.write("error\nno such component or port\n")
         except (TypeError, ValueError, AttributeError) as error:
-            stream.write("error\n%s\n" % error)
+            stream.write(f"error\n{error}\n")
         stream.flush()
         connection.shutdown(socket.SHUT_WR)
     if after:

@@ -31,7 +31,7 @@ class Wanted:
 
 def extract(line, key):
     """(the value of `key` or None, the line without it); masters find their own keys behind a stray & too."""
-    found = re.search(r"[?&]%s=([^&?]*)" % re.escape(key), line)
+    found = re.search(rf"[?&]{re.escape(key)}=([^&?]*)", line)
     if not found:
         return None, line
     before, after = line[:found.start()], line[found.end():]

@@ -18,12 +18,12 @@ class DataPort(Port):
         self.type_name = type_name
         self.data_type = component.flavour.data_type(type_name)
         self.refusal = None             # the code with which it refuses connections
-        Port.__init__(self, component, name)
+        super().__init__(component, name)
 
     def component_keys(self, with_names):
         """The properties that the port leaves in the component's profile."""
         names = ["dataport"] + ([self.short_name] if with_names else [])
-        return ["port.%s.%s" % (self.side, name) for name in names]
+        return [f"port.{self.side}.{name}" for name in names]
 
     def properties(self):
         flavour = self.flavour
@@ -78,7 +78,7 @@ class DataPort(Port):
             return RTC.RTC_ERROR
         if flow == self.served or interface == "direct":
             return RTC.RTC_OK
-        ior = get(profile.properties, "dataport.%s.%s_ior" % (transport.KEYS[interface], self.other_side))
+        ior = get(profile.properties, f"dataport.{transport.KEYS[interface]}.{self.other_side}_ior")
         try:
             reference = ior and self.process.orb.string_to_object(ior)
         except CORBA.SystemException:
@@ -95,7 +95,7 @@ class DataPort(Port):
             return
         for item in refs:
             if fate == "text":
-                item.value = text("<OpenRTM._objref_%s object at 0x7f0000000000>" % self.interface)
+                item.value = text(f"<OpenRTM._objref_{self.interface} object at 0x7f0000000000>")
             else:
                 profile.properties.remove(item)
 
@@ -109,15 +109,15 @@ class DataPort(Port):
 
     def _merge_keys(self, profile):
         if self.flavour.merged_keys == "data_type":
-            put(profile.properties, "dataport.%s.data_type" % self.side, self.data_type)
+            put(profile.properties, f"dataport.{self.side}.data_type", self.data_type)
         elif self.flavour.merged_keys == "empty":
-            put(profile.properties, "dataport.%s" % self.side, "")
+            put(profile.properties, f"dataport.{self.side}", "")
 
     def _serve(self, profile, interface):
         """Publish the object that this port offers to the others."""
         carrier = self.carrier(profile, interface)
         self.transports[profile.connector_id] = carrier
-        key = "dataport.%s.%s" % (transport.KEYS[interface], self.side)
+        key = f"dataport.{transport.KEYS[interface]}.{self.side}"
         put(profile.properties, key + "_ior", self.process.orb.object_to_string(carrier.reference))
         if self.flavour.reference != "never":
             put(profile.properties, key + "_ref", transport.reference_any(carrier.reference))
@@ -130,7 +130,7 @@ class OutPort(DataPort):
     served, fan, interface = "pull", "fan_out", "OutPortCdr"
 
     def __init__(self, component, name, type_name):
-        DataPort.__init__(self, component, name, type_name)
+        super().__init__(component, name, type_name)
         self.last = values.make(type_name, 0)
         self.sent = 0
 
@@ -141,7 +141,7 @@ class OutPort(DataPort):
         return pairs
 
     def properties(self):
-        pairs = DataPort.properties(self)
+        pairs = super().properties()
         if self.flavour.data_value:
             pairs.append(("dataport.data_value", CORBA.Any(values.typecode(self.type_name), self.last)))
         return pairs
@@ -180,7 +180,7 @@ class InPort(DataPort):
     served, fan, interface = "push", "fan_in", "InPortCdr"
 
     def __init__(self, component, name, type_name):
-        DataPort.__init__(self, component, name, type_name)
+        super().__init__(component, name, type_name)
         self.buffer = buffer.RingBuffer()
         self.received = 0               # values that the component has read
         self.last = None
@@ -232,16 +232,16 @@ class EventInPort(InPort):
     """For events of a state machine, of data type `any`; C++ 2.x cannot connect such a port by corba_cdr."""
 
     def __init__(self, component, name, type_name):
-        InPort.__init__(self, component, name, type_name)
+        super().__init__(component, name, type_name)
         self.data_type = "any"
 
     def properties(self):
-        return [pair for pair in InPort.properties(self) if pair[0] != "dataport.marshaling_types"]
+        return [pair for pair in super().properties() if pair[0] != "dataport.marshaling_types"]
 
     def publish(self, profile):
         if self.flavour.language == "C++" and self.flavour.modern:
             return RTC.RTC_ERROR
-        return InPort.publish(self, profile)
+        return super().publish(profile)
 
 
 def agreed(profile):

@@ -255,7 +255,7 @@ def bind(place, ports):
     omniORB.setClientCallTimeout(5000)
     orb = CORBA.ORB_init(["faulty"])
     address, _, path = place.partition("/")
-    root = orb.string_to_object("corbaloc:iiop:1.2@{}/NameService".format(address))._unchecked_narrow(CosNaming.NamingContext)
+    root = orb.string_to_object(f"corbaloc:iiop:1.2@{address}/NameService")._unchecked_narrow(CosNaming.NamingContext)
     place = []
     for part in filter(None, path.split("/")):
         place += name_of(part)
@@ -284,7 +284,7 @@ def usage():
     modes = list(UNREACHABLE.items()) + [(mode_name(function), function.__doc__) for function in RUDE + POLITE]
     modes += [(name, elsewhere.__doc__) for name in ELSEWHERE]
     modes += [(name, malice.respond.__doc__) for name in malice.CHANGES]
-    lines = ["  {:<20}{}".format(name, text) for name, text in modes]
+    lines = [f"  {name:<20}{text}" for name, text in modes]
     return """{}
 modes:
 {}
@@ -304,7 +304,7 @@ def parse(arguments):
         name, _, mode = argument.partition("=")
         modes[name] = mode or name
         if modes[name] not in MODES and modes[name] not in UNREACHABLE:
-            sys.exit("faulty: no such mode: {} (see --help)".format(modes[name]))
+            sys.exit(f"faulty: no such mode: {modes[name]} (see --help)")
     return place, modes
 
 

@@ -135,4 +135,4 @@ class Flavour:
     def data_type(self, name):
         """A data type name as this implementation writes it."""
         scope, _, last = name.rpartition("/")
-        return last if self.bare_types else "IDL:{}/{}:1.0".format(scope or "RTC", last)
+        return last if self.bare_types else f"IDL:{scope or 'RTC'}/{last}:1.0"

@@ -44,7 +44,7 @@ class StateMachine(Component):
     providers = (SERVICE,)
 
     def __init__(self, *arguments):
-        Component.__init__(self, *arguments)
+        super().__init__(*arguments)
         self.fsm = Service(self.options.fate)
         self.fsm_reference = self.process.serve(self.fsm, self.instance_name)
 
@@ -57,7 +57,7 @@ class StateMachine(Component):
 
     def _tell(self, state, *steps):
         for step in steps:
-            self.report("FSM_STATUS", "%s %s" % (state, step))
+            self.report("FSM_STATUS", f"{state} {step}")
 
     def get_service_profiles(self):
         return [SDOPackage.ServiceProfile(SERVICE, SERVICE, [], self.fsm_reference)]
@@ -65,15 +65,15 @@ class StateMachine(Component):
     def get_service_profile(self, service_id):
         if service_id == SERVICE:
             return self.get_service_profiles()[0]
-        return Component.get_service_profile(self, service_id)
+        return super().get_service_profile(service_id)
 
     def get_sdo_service(self, service_id):
         if service_id != SERVICE:
-            return Component.get_sdo_service(self, service_id)
+            return super().get_sdo_service(service_id)
         if self.options.fate == "dies":
             self.process.die()
         return self.fsm_reference
 
     def exit(self):
         self.process.withdraw(self.fsm)
-        return Component.exit(self)
+        return super().exit()

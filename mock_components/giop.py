@@ -138,7 +138,7 @@ def sequence(octets):
 def stringified(port, type_id=COMPONENT):
     """The same as text: IOR:..."""
     data = b"\1\0\0\0" + reference(port, type_id)
-    return "IOR:" + "".join("%02x" % byte for byte in data)
+    return "IOR:" + "".join(f"{byte:02x}" for byte in data)
 
 
 def bindings(names):

@@ -34,7 +34,7 @@ class Hostile(Component):
 
     def properties(self):
         wide = CORBA.Any(tcInternal.createTypeCode((tcInternal.tv_wstring, 0)), "wide \u65e5\u672c")
-        return Component.properties(self) + [
+        return super().properties() + [
             (SHELL, ESCAPES), ("", ""), (ESCAPES, MARKUP), ("long", LONG), ("integer", omniany.to_any(5)),
             ("real", omniany.to_any(1.5)), ("wide", wide), ("null", CORBA.Any(CORBA.TC_null, None)),
             ("struct", CORBA.Any(values.typecode("TimedLong"), Data.TimedLong(Data.Time(1, 2), 3))),

@@ -42,7 +42,7 @@ def factory(spec, flavour):
     """The profile of a factory."""
     pairs = list(spec.identity(flavour).items()) + spec.nature(flavour)
     for name, values in spec.sets(flavour).items():
-        pairs += [("conf.%s.%s" % (name, key), value) for key, value in values.items()]
+        pairs += [(f"conf.{name}.{key}", value) for key, value in values.items()]
     return pairs
 
 
@@ -131,7 +131,7 @@ def configuration(flavour, modules, name, context, endpoint, master):
         pairs.append(("manager.refstring_path", "/var/log/rtcmanager.ref"))
     pairs += [("manager.modules.load_path", modules.directories()), ("manager.modules.abs_path_allowed", "YES")]
     for language in LANGUAGES:
-        key, tail = "manager.modules.%s." % language, generation + _PROGRAMS[language]
+        key, tail = f"manager.modules.{language}.", generation + _PROGRAMS[language]
         pairs += [(key + "manager_cmd", "rtcd" + tail), (key + "profile_cmd", "rtcprof" + tail),
                   (key + "suffixes", SUFFIXES[language][1:]), (key + "load_paths", "")]
     pairs += [("manager." + key, value) for key, value in _manager(flavour, master) if value is not None]

@@ -91,7 +91,7 @@ def main():
         try:
             process, port = start(directory)
         except Failed as e:
-            sys.exit("nameserver: %s" % e)
+            sys.exit(f"nameserver: {e}")
         try:
             print("ready %d" % port, flush=True)
             sys.stdin.read()

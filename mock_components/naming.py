@@ -10,7 +10,7 @@ def _name(pairs):
 def root(orb, address):
     """The root context of the name server at HOST:PORT, which is not contacted; its reference has no type id."""
     host, _, port = address.partition(":")
-    uri = "corbaloc:iiop:1.2@%s:%s/NameService" % (host, port or "2809")
+    uri = f"corbaloc:iiop:1.2@{host}:{port or '2809'}/NameService"
     return orb.string_to_object(uri)._unchecked_narrow(CosNaming.NamingContext)
 
 

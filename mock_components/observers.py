@@ -54,11 +54,11 @@ class Observer(Consumer):
 
     def __init__(self, component, profile):
         self.last = {}              # hint -> time of the last event of a kind that must not come too often
-        Consumer.__init__(self, component, profile, self.module.ComponentObserver)
+        super().__init__(component, profile, self.module.ComponentObserver)
 
     def configure(self, properties):
         """Take over the properties, once more if they have changed; the hearts of before stop beating."""
-        Consumer.configure(self, properties)
+        super().configure(properties)
         self.ended.set()
         self.ended = threading.Event()
         self.wanted = [word.strip() for word in get(properties, "observed_status", "ALL").split(",")]
@@ -81,7 +81,7 @@ class Observer(Consumer):
         if direction not in ("send", "receive"):
             return True
         now = time.monotonic()
-        if now - self.last.get(hint, 0) < self.interval("port_profile.%s_event.min_interval" % direction):
+        if now - self.last.get(hint, 0) < self.interval(f"port_profile.{direction}_event.min_interval"):
             return False
         self.last[hint] = now
         return True
@@ -107,7 +107,7 @@ class Logger(Consumer):
     """Gets log records when ctl says so, but for those of C++, which accept loggers and never tell them anything."""
 
     def __init__(self, component, profile):
-        Consumer.__init__(self, component, profile, OpenRTM.Logger)
+        super().__init__(component, profile, OpenRTM.Logger)
 
     def publish(self, level, name, message):
         limit = get(self.properties, "logger.log_level", "NORMAL").upper()

@@ -18,7 +18,7 @@ def doomed(stage):
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=children.environment()) as process:
         try:
             assert process.stdout.readline().startswith(b"ready"), "the peer did not start"
-            name = stage.home() + naming.parse("%s.rtc" % PEER)
+            name = stage.home() + naming.parse(f"{PEER}.rtc")
             yield stage.names.resolve(name)._narrow(OpenRTM.DataFlowComponent)
             stage.names.adopt(name)
         finally:
@@ -38,6 +38,6 @@ def lose_member(stage, instance_name):
     """Add a composite of a component that lives and the one that dies."""
     alive = stage.add("ConsoleIn")
     composite = stage.add("PeriodicECSharedComposite", instance_name, arguments={
-        "conf.default.exported_ports": "ConsoleIn0.out,%s.in" % PEER})
+        "conf.default.exported_ports": f"ConsoleIn0.out,{PEER}.in"})
     with doomed(stage) as peer:
         composite.organization.add_members([alive.reference, peer])

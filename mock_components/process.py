@@ -33,8 +33,8 @@ class Process:
 
     def __init__(self, port=0, host="127.0.0.1", publish=None):
         """`publish` is the address that references tell, where it is not that on which the process listens."""
-        published = ["-ORBendPointPublish", "giop:tcp:%s:%s" % (publish, port)] if publish else []
-        self.orb = CORBA.ORB_init([sys.argv[0], "-ORBendPoint", "giop:tcp:%s:%s" % (host, port or "")] + published + [
+        published = ["-ORBendPointPublish", f"giop:tcp:{publish}:{port}"] if publish else []
+        self.orb = CORBA.ORB_init([sys.argv[0], "-ORBendPoint", f"giop:tcp:{host}:{port or ''}"] + published + [
                                    "-ORBtraceLevel", "0",
                                    "-ORBgiopMaxMsgSize", str(32 << 20)], CORBA.ORB_ID)  # as components that send images need it
         self.ledger = Ledger()

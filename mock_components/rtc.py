@@ -76,7 +76,7 @@ class Component(OpenRTM__POA.DataFlowComponent):
                       ("exec_cxt.sync_transition", "YES" if options.sync else "NO"),
                       ("exec_cxt.transition_timeout", "0.5"), ("manager.instance_name", "manager")]
         pairs += [("exec_cxt.periodic.type", "PeriodicExecutionContext"),
-                  ("exec_cxt.periodic.rate", "%g" % options.rate), ("naming.enable", "YES"), ("naming.type", "corba"),
+                  ("exec_cxt.periodic.rate", f"{options.rate:g}"), ("naming.enable", "YES"), ("naming.type", "corba"),
                   ("naming.formats", options.context), ("naming.names", ",".join(self.names)),
                   ("logger.enable", "YES"), ("logger.log_level", "INFO"), ("config.version", flavour.version),
                   ("config_file", self.spec.config_file)]

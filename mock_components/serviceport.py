@@ -50,7 +50,7 @@ class ServicePort(Port):
     port_type = "CorbaPort"
 
     def __init__(self, component, name, interfaces):
-        Port.__init__(self, component, name)
+        super().__init__(component, name)
         self.entries = interfaces
         self.services = {}              # instance name -> reference of a provided interface
         self.found = {}                 # (connector id, instance name) -> reference for a required one
@@ -76,14 +76,14 @@ class ServicePort(Port):
                 for polarity, instance, type_name in self.entries]
 
     def _key(self, polarity, instance, type_name):
-        return "%s.port.%s.%s.%s.%s" % (self.component.instance_name, self.short_name, polarity, type_name, instance)
+        return f"{self.component.instance_name}.port.{self.short_name}.{polarity}.{type_name}.{instance}"
 
     def publish(self, profile):
         for polarity, instance, type_name in self.entries:
             if polarity == "provided":
                 ior = self.process.orb.object_to_string(self.services[instance])
                 put(profile.properties, self._key(polarity, instance, type_name), ior)
-                put(profile.properties, "port.%s.%s" % (type_name, instance), ior)
+                put(profile.properties, f"port.{type_name}.{instance}", ior)
         return RTC.RTC_OK
 
     def subscribe(self, profile):
@@ -91,7 +91,7 @@ class ServicePort(Port):
         for polarity, instance, type_name in self.entries:
             if polarity == "provided":
                 continue
-            own = "port.%s.%s" % (type_name, instance)
+            own = f"port.{type_name}.{instance}"
             key = get(profile.properties, self._key(polarity, instance, type_name), own)
             reference = self._object(get(profile.properties, key)) if key not in ("null", "nil") else None
             if reference is None and strict and key not in ("null", "nil"):

@@ -67,7 +67,7 @@ class Receiver(Transport):
     """An InPort's end of push: an object with put()."""
 
     def __init__(self, port, profile, interface):
-        Transport.__init__(self, port, profile, interface)
+        super().__init__(port, profile, interface)
         self.serve({"corba_cdr": InPortCdr, "data_service": DataPushService})
 
     def answer(self, data):
@@ -102,7 +102,7 @@ class Sender(Transport):
     """An OutPort's end of push: calls put() at once, or in a thread of its own upon news or at a rate."""
 
     def __init__(self, port, profile, interface, reference, mode, pause):
-        Transport.__init__(self, port, profile, interface)
+        super().__init__(port, profile, interface)
         self.little = self.little or not port.flavour.obeys_big
         self.put = operation(interface, reference, _PUSH)
         self.mode = mode
@@ -161,7 +161,7 @@ class Provider(Transport):
     """
 
     def __init__(self, port, profile, interface):
-        Transport.__init__(self, port, profile, interface)
+        super().__init__(port, profile, interface)
         self.buffer = collections.deque(maxlen=int(get(profile.properties, "dataport.buffer.length", "8")))
         self.policy = get(profile.properties, "dataport.buffer.read.empty_policy", "readback")
         self.limit = float(get(profile.properties, "dataport.buffer.read.timeout", "1.0"))
@@ -189,7 +189,7 @@ class Provider(Transport):
     def close(self):
         if self.fragile and (self.serving or time.monotonic() < self.answered + ANSWERING):
             self.process.die()
-        Transport.close(self)
+        super().close()
 
     def _get(self):
         with self.news:
@@ -228,7 +228,7 @@ class Fetcher(Transport):
     """An InPort's end of pull: calls get() whenever the component reads."""
 
     def __init__(self, port, profile, interface, reference):
-        Transport.__init__(self, port, profile, interface)
+        super().__init__(port, profile, interface)
         self.get = operation(interface, reference, _PULL)
 
     def fetch(self):

@@ -55,7 +55,7 @@ class Wicked(StateMachine):
 
     def properties(self):
         said = self.spec.type_name
-        return StateMachine.properties(self) + [(said, said), ("os.name", said)]
+        return super().properties() + [(said, said), ("os.name", said)]
 
     def harass(self):
         said = self.spec.type_name
@@ -73,7 +73,7 @@ def spec(said):
     """Ports of all kinds, all but two with a sane type; set ids and parameters."""
     near = said[:20000]     # a path with the name of the component has to fit into an argument
     sets = {"default": {said: said, "plain": said}, said or "more": {said: said},
-            "__widget__": {said: "radio", "plain": said}, "__constraints__": {said: "(%s)" % said, "plain": said},
+            "__widget__": {said: "radio", "plain": said}, "__constraints__": {said: f"({said})", "plain": said},
             "__description__": {said: said}, "__doc__": {said: said, "description": said, "__contact__": said}}
     ports = [("out", "out" + near, "TimedString"), ("in", "in" + near, "TimedString"), ("out", "odd" + near, "TimedLong"),
              ("service", "service" + near, "provided")]

@@ -1,9 +1,9 @@
 """What every command shares: its parser and common options, its exit status, its one line on stderr.
 
-How the commands tell of many steps or actions, each with an outcome of its own, is in reports.py.
+How the commands report many steps or actions, each with an outcome of its own, is in reports.py.
 """
 # Before all else: until main() can catch it, Ctrl-C ends the process without a word, not with a traceback of half an import.
-import _signal  # which `signal` is made of: that one takes longer to import than all that stands before it
+import _signal  # which `signal` is made of: that one takes longer to import than all that comes before it
 if _signal.getsignal(_signal.SIGINT) == _signal.default_int_handler:
     try:
         _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
@@ -65,7 +65,7 @@ def command(arguments, run, doc, argv):
         if os.environ.get("RTSHELL_DEBUG"):
             import traceback
             traceback.print_exc()
-        complain("internal error: %s: %s (RTSHELL_DEBUG=1 shows where)" % (type(e).__name__, e))
+        complain(f"internal error: {type(e).__name__}: {e} (RTSHELL_DEBUG=1 shows where)")
         return 70
     finally:
         _settle(*before)  # to those of the rtsh that runs this command
@@ -136,7 +136,7 @@ def _flushed(status):
     except BrokenPipeError:
         return 141
     except OSError as e:
-        return status or complain(e)  # else it has been told
+        return status or complain(e)  # else it has been reported
     return status
 
 
@@ -147,7 +147,7 @@ def complain(what):
     status = getattr(what, "status", 1)
     if isinstance(what, OSError):
         why = what.strerror or str(what)  # a timeout has words only
-        what = "%s: %s" % (text.printable(str(what.filename)), why) if what.filename else why
+        what = f"{text.printable(str(what.filename))}: {why}" if what.filename else why
     _say(str(what))
     return status
 
@@ -184,7 +184,7 @@ def detail(line):
 
 
 def _say(line):
-    say("%s: %s" % (os.path.basename(sys.argv[0]), line))
+    say(f"{os.path.basename(sys.argv[0])}: {line}")
 
 
 def say(line):
@@ -192,22 +192,22 @@ def say(line):
     try:
         sys.stdout.flush()  # so that `2>&1` keeps the order
     except OSError:
-        pass  # the last flush will tell
+        pass  # the last flush will report it
     if sys.stderr is not None:
         try:
             sys.stderr.write(text.cut(text.safe(line)) + "\n")
         except OSError:
-            pass  # nobody left to tell
+            pass  # nobody is left to read it
 
 
 class Tally:
-    """Several objects, each tried: what failed is told at once, the exit status sums it up."""
+    """Several objects, each tried: what failed is reported at once, the exit status sums it up."""
 
     def __init__(self):
         self.done, self.statuses, self.told = 0, set(), set()
 
     def add(self, value):
-        """Count one result: an errors.Error is told and counted as failed, anything else as done. Returns True if done."""
+        """Count one result: an errors.Error is reported and counted as failed, anything else as done. Returns True if done."""
         if isinstance(value, errors.Error):
             if str(value) not in self.told:  # a name server that is down fails all paths alike
                 complain(value)
@@ -218,7 +218,7 @@ class Tally:
         return True
 
     def fail(self, error):
-        """Count a failure that is told otherwise."""
+        """Count a failure that is reported elsewhere."""
         self.statuses.add(error.status)
 
     def status(self):

@@ -30,7 +30,7 @@ def parted(values):
     return [value for value in values if not isinstance(value, Error)], [value for value in values if isinstance(value, Error)]
 
 
-class No(Error):
+class Failed(Error):
     """{}: {}"""
 
 
@@ -135,7 +135,7 @@ class NoManager(ConnectionRefused):
 
 
 class BadData(Unreachable):
-    """{}: {}"""  # type, why the bytes are none of it
+    """{}: {}"""  # type, why the bytes are no value of it
 
 
 class Refused(Error):
@@ -146,7 +146,7 @@ class Refused(Error):
 
     def __init__(self, where, why, name=""):
         """`name` is the CORBA exception's or return code's name, for callers that treat some of them otherwise."""
-        Error.__init__(self, where, why)
+        super().__init__(where, why)
         self.name = name
 
 

@@ -22,26 +22,26 @@ _HANDED_OVER = re.compile(r"(/dev/stdin|/dev/fd/\d+|/proc/(self|\d+)/fd/\d+)\Z")
 # ---- reading --------------------------------------------------------------------------------------------------
 
 def read(name, limit=LIMIT):
-    """The text of a file (`-`: stdin), undecodable bytes kept as surrogate escapes. Raises OSError, errors.No when too big."""
+    """The text of a file (`-`: stdin), undecodable bytes kept as surrogate escapes. Raises OSError, errors.Failed when too big."""
     if name == "-":
         if sys.stdin is None:
-            raise errors.No("-", "there is no standard input")
+            raise errors.Failed("-", "there is no standard input")
         data = sys.stdin.buffer.read(limit + 1)
     else:
         with opened(name) as source:
             data = source.read(limit + 1)
     if len(data) > limit:
-        raise errors.No(printable(name), "more than %d MiB" % (limit >> 20))
+        raise errors.Failed(printable(name), "more than %d MiB" % (limit >> 20))
     return data.decode("utf-8-sig", "surrogateescape")
 
 
 def opened(name):
-    """The file of that name, open for reading bytes. Raises OSError, and errors.No for what may block or never end."""
+    """The file of that name, open for reading bytes. Raises OSError, and errors.Failed for what may block or never end."""
     _refuse_endless(name, os.stat(name))  # some devices do something already when they are opened
     file = open(os.open(name, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb")
     try:
         _refuse_endless(name, os.fstat(file.fileno()))
-    except errors.No:
+    except errors.Failed:
         file.close()
         raise
     os.set_blocking(file.fileno(), True)
@@ -54,7 +54,7 @@ def _refuse_endless(name, found):
     if stat.S_ISREG(found.st_mode) or _HANDED_OVER.match(name) or _is_null(found):
         return
     what = "FIFO" if stat.S_ISFIFO(found.st_mode) else "socket" if stat.S_ISSOCK(found.st_mode) else "device"
-    raise errors.No(printable(name), "a %s; only files are read by name" % what)
+    raise errors.Failed(printable(name), f"a {what}; only files are read by name")
 
 
 def _is_null(found):
@@ -64,7 +64,7 @@ def _is_null(found):
 # ---- writing --------------------------------------------------------------------------------------------------
 
 def write(name, content):
-    """Write text to a file (`-`: stdout): it is there whole, or the old one stays. Raises OSError, errors.No.
+    """Write text to a file (`-`: stdout): it is there whole, or the old one stays. Raises OSError, errors.Failed.
 
     A kill -9 in the middle of a plain write left 57 of 60 files torn; a temporary name, fsync and rename none.
     """
@@ -99,7 +99,7 @@ def _replace(target, data):
 def destination(name):
     """Where a file is written that the user calls `name`: a link goes on pointing where it does.
 
-    Raises OSError, and errors.No for a link that somebody else has put into a directory for all.
+    Raises OSError, and errors.Failed for a link that somebody else has put into a directory for all.
     """
     for _ in range(LINKS):
         if not os.path.islink(name):
@@ -109,7 +109,7 @@ def destination(name):
         link, above = os.lstat(name), os.stat(folder or ".")
         for_all = above.st_mode & stat.S_ISVTX and above.st_mode & stat.S_IWOTH
         if for_all and link.st_uid not in (os.geteuid(), above.st_uid):
-            raise errors.No(printable(name), "a link that somebody else has put there; remove it or write elsewhere")
+            raise errors.Failed(printable(name), "a link that somebody else has put there; remove it or write elsewhere")
         name = os.path.join(folder, os.readlink(name))
     raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), name)
 
@@ -120,15 +120,15 @@ def is_special(target):
 
 
 def open_special(target, buffering=-1):
-    """A device or a FIFO, open for writing. Raises OSError, and errors.No for what must not be written, or
+    """A device or a FIFO, open for writing. Raises OSError, and errors.Failed for what must not be written, or
     where that would wait for ever."""
     if stat.S_ISBLK(os.stat(target).st_mode):
-        raise errors.No(printable(target), "a disk; only files are written by name")
+        raise errors.Failed(printable(target), "a disk; only files are written by name")
     try:
         fd = os.open(target, os.O_WRONLY | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC)
     except OSError as e:
         if e.errno == errno.ENXIO:
-            raise errors.No(printable(target), "a FIFO that nobody reads")
+            raise errors.Failed(printable(target), "a FIFO that nobody reads")
         raise
     os.set_blocking(fd, True)
     return open(fd, "wb", buffering)
@@ -145,7 +145,7 @@ class Temporary:
         self.target = target
         folder, base = os.path.split(target)
         # it begins like the target, whose name may be as long as names can be: 255 octets
-        self.path = os.path.join(folder, ".%s.%s.tmp" % (base[:50], os.urandom(8).hex()))
+        self.path = os.path.join(folder, f".{base[:50]}.{os.urandom(8).hex()}.tmp")
         self.file = create(self.path, 0o600, buffering)
 
     def take_place(self):

@@ -125,7 +125,7 @@ def _default_timeout():
     try:
         return seconds(value)
     except argparse.ArgumentTypeError as e:
-        raise errors.Usage("RTSHELL_TIMEOUT: %s" % e)
+        raise errors.Usage(f"RTSHELL_TIMEOUT: {e}")
 
 
 def seconds(value):
@@ -135,7 +135,7 @@ def seconds(value):
     except ValueError:
         number = 0.0
     if not 0 < number <= 86400:
-        raise argparse.ArgumentTypeError("not a number of seconds above 0: %s" % text.printable(value))
+        raise argparse.ArgumentTypeError(f"not a number of seconds above 0: {text.printable(value)}")
     return number
 
 
@@ -143,7 +143,7 @@ def one_of(*words):
     """A type of options that takes one of some words; argparse's own message differs from one Python to the next."""
     def check(word):
         if word not in words:
-            raise argparse.ArgumentTypeError("not one of %s: %s" % (", ".join(words), text.printable(word)))
+            raise argparse.ArgumentTypeError(f"not one of {', '.join(words)}: {text.printable(word)}")
         return word
     check.words = words  # for completion
     return check
@@ -152,7 +152,7 @@ def one_of(*words):
 # ---- options that commands share ------------------------------------------------------------------------------
 
 def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
-    """The positional arguments `paths`; `metavar` tells completion.py what they are."""
+    """The positional arguments `paths`; `metavar` says to completion.py what they are."""
     return parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)
 
 
@@ -170,7 +170,7 @@ def execution_context(parser):
 def wait(parser, what):
     """--wait[=SECONDS]: args.wait is None, or how long to wait."""
     parser.add_argument("--wait", nargs="?", type=seconds, const=5.0, metavar="SECONDS",
-                        help="wait until %s, at most SECONDS (default: 5)" % what)
+                        help=f"wait until {what}, at most SECONDS (default: 5)")
 
 
 def dry_run(parser):
@@ -198,8 +198,8 @@ def profile_file(parser):
 
 def profile_form(parser, verb):
     """-x and -y: args.form is the form of an RtsProfile file, None where the user did not say; the last one counts."""
-    parser.add_argument("-x", "--xml", action="store_const", dest="form", const="xml", help="%s XML" % verb)
-    parser.add_argument("-y", "--yaml", action="store_const", dest="form", const="yaml", help="%s YAML" % verb)
+    parser.add_argument("-x", "--xml", action="store_const", dest="form", const="xml", help=f"{verb} XML")
+    parser.add_argument("-y", "--yaml", action="store_const", dest="form", const="yaml", help=f"{verb} YAML")
 
 
 # ---- those of commands that stay with ports for a while ------------------------------------------------------
@@ -214,9 +214,9 @@ def duration(parser, help):
 
 def limits(parser, what):
     """-n and -t: args.number, below 0 where not given, and args.duration, infinite where not given."""
-    parser.add_argument("-n", "--number", type=int, default=-1, metavar="N", help="end after N %s (default: never)" % what)
+    parser.add_argument("-n", "--number", type=int, default=-1, metavar="N", help=f"end after N {what} (default: never)")
     parser.add_argument("-t", dest="duration", type=_duration, default=math.inf, metavar="SECONDS",
-                        help="end after so long; status 1 when there were not N %s by then" % what)
+                        help=f"end after so long; status 1 when there were not N {what} by then")
 
 
 def _duration(value):
@@ -244,7 +244,7 @@ def _positive(value, wanted):
     except ValueError:
         number = 0.0
     if not 0 < number < math.inf:
-        raise argparse.ArgumentTypeError("not %s: %s" % (wanted, text.printable(value)))
+        raise argparse.ArgumentTypeError(f"not {wanted}: {text.printable(value)}")
     return number
 
 
@@ -280,5 +280,5 @@ def pairs(words):
     """KEY=VALUE words as a dict. Raises Usage."""
     for word in words:
         if not word.partition("=")[0] or "=" not in word:
-            raise errors.Usage("not KEY=VALUE: %s" % text.printable(word))
+            raise errors.Usage(f"not KEY=VALUE: {text.printable(word)}")
     return dict((key, value) for key, _, value in (word.partition("=") for word in words))

@@ -2,7 +2,7 @@ r"""Paths of the RTC Tree: the one parser, the one way to spell them.
 
 /SERVER/CONTEXT.kind/…/NAME.kind:PORT, where SERVER is host, host:2809 or [::1]:2809. A name is split into id and kind at its
 last dot, as OpenRTM does. `.`, `..` and a working directory (RTCSH_CWD) work as in a file system. A backslash takes the
-meaning from the character behind it (`\/ \: \. \\`), \xHH \uHHHH \UHHHHHHHH name a character by its code, and \e is an
+meaning from the character after it (`\/ \: \. \\`), \xHH \uHHHH \UHHHHHHHH name a character by its code, and \e is an
 empty name. Spelling a path (`str`) and parsing it again gives the same path.
 """
 import collections
@@ -114,7 +114,7 @@ def parse(text, cwd=None):
     last, port = _split_port(resolved[-1], text)
     names = tuple(_name(element, text) for element in resolved[1:-1] + [last])
     if port is not None and directory:
-        raise errors.BadPath("%s: a port has no directory below it" % text)
+        raise errors.BadPath(f"{text}: a port has no directory below it")
     return Path(server, names, port, directory)
 
 
@@ -122,7 +122,7 @@ def _working_directory(cwd):
     if cwd is None:
         cwd = os.environ.get("RTCSH_CWD") or "/"
     if not cwd.startswith("/"):
-        raise errors.BadPath("%s: a working directory (RTCSH_CWD) starts with /" % cwd)
+        raise errors.BadPath(f"{cwd}: a working directory (RTCSH_CWD) starts with /")
     return cwd
 
 
@@ -154,7 +154,7 @@ def _server(element, text):
         return address
     host, port = split_address(address)
     if host in ("", ".", "..") or port is None:
-        raise errors.BadPath("%s: %s is not a name server (host or host:tcpport)" % (text, address))
+        raise errors.BadPath(f"{text}: {address} is not a name server (host or host:tcpport)")
     return address
 
 
@@ -172,7 +172,7 @@ def _split_port(element, text):
     if not port:
         return name, None
     if len(port) > 1 or not port[0] or not name:
-        raise errors.BadPath("%s: bad path (one colon stands before a port; write \\: in a name)" % text)
+        raise errors.BadPath(f"{text}: bad path (one colon stands before a port; write \\: in a name)")
     return name, _unescaped(port[0], text)
 
 
@@ -190,4 +190,4 @@ def _unescaped(s, text):
     try:
         return unescaped(s)
     except ValueError as e:
-        raise errors.BadPath("%s: %s" % (text, e))
+        raise errors.BadPath(f"{text}: {e}")

@@ -33,7 +33,7 @@ def to_wire(s):
     try:
         return s.encode("utf-8", "surrogateescape").decode("latin-1")
     except UnicodeEncodeError:
-        raise errors.Usage("%s: not text that can be sent" % printable(s))
+        raise errors.Usage(f"{printable(s)}: not text that can be sent")
 
 
 # ---- the terminal ---------------------------------------------------------------------------------------------
@@ -96,8 +96,8 @@ def _escape(c):
     if c == "\\":
         return "\\\\"
     if 0xDC80 <= n <= 0xDCFF:  # a byte that is not UTF-8
-        return "\\x%02x" % (n - 0xDC00)
-    return "\\x%02x" % n if n < 0x80 else "\\u%04x" % n if n < 0x10000 else "\\U%08x" % n
+        return f"\\x{n - 0xDC00:02x}"
+    return f"\\x{n:02x}" if n < 0x80 else f"\\u{n:04x}" if n < 0x10000 else f"\\U{n:08x}"
 
 
 _ESCAPE = re.compile(r"\\(?:x([0-9a-fA-F]{2})|u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8})|(.)|$)", re.DOTALL)
@@ -178,7 +178,7 @@ def cells(s):
 
 
 def padded(s, size):
-    """`s` with blanks behind it up to `size` columns."""
+    """`s` with blanks after it up to `size` columns."""
     return s + " " * (size - cells(s))
 
 
@@ -212,7 +212,7 @@ def table(rows):
 
 
 def pairs(items, indent=""):
-    """Lines `name  value` of (name, value) pairs, the values aligned two blanks behind the longest name."""
+    """Lines `name  value` of (name, value) pairs, the values aligned two blanks after the longest name."""
     items = list(items)
     size = max([cells(name) for name, _ in items] or [0])
     return [indent + padded(name, size) + "  " + value for name, value in items]
@@ -220,7 +220,7 @@ def pairs(items, indent=""):
 
 # ---- colour ---------------------------------------------------------------------------------------------------
 
-# States of a component as people write and read them; Unknown is that of a context which does not tell.
+# States of a component as people write and read them; Unknown is that of a context which does not say.
 STATES = ("Active", "Inactive", "Error", "Created", "Unknown")
 
 COLOURS = {
@@ -242,7 +242,7 @@ def painter():
 
     def paint(word, role=None):
         code = COLOURS.get(role or word)
-        return "\x1b[%sm%s\x1b[00m" % (code, word) if code else word
+        return f"\x1b[{code}m{word}\x1b[00m" if code else word
     return paint
 
 

@@ -46,7 +46,7 @@ class Struct:
 
     def __init__(self, *values):
         if len(values) != len(self._members):
-            raise TypeError("%s takes %d members" % (type(self).__name__, len(self._members)))
+            raise TypeError(f"{type(self).__name__} takes {len(self._members)} members")
         self.__dict__.update(zip(self._members, values))
 
 
@@ -175,14 +175,14 @@ def cases_by_label(descriptor):
 
 
 def target(descriptor):
-    """What a descriptor stands for behind its aliases and indirections."""
+    """The type that a descriptor means, without its aliases and indirections."""
     while kind(descriptor) in (ALIAS, INDIRECT):
         descriptor = aliased(descriptor) if kind(descriptor) == ALIAS else around(descriptor)
     return descriptor
 
 
 def plain(descriptor):
-    """What a descriptor stands for behind its aliases."""
+    """The type that a descriptor means, without its aliases."""
     while kind(descriptor) == ALIAS:
         descriptor = aliased(descriptor)
     return descriptor
@@ -239,7 +239,7 @@ def _array_words(descriptor):
 
 
 def walk(descriptor, where):
-    """All types within a type, each with where it stands: (RTC.TimedLong.data, LONG)."""
+    """All types within a type, each with its place: (RTC.TimedLong.data, LONG)."""
     todo, seen = [(where, descriptor)], set()
     while todo:
         where, inner = todo.pop()
@@ -256,9 +256,9 @@ def _within(descriptor, where):
     if sort == ALIAS:
         return [(where, aliased(descriptor))]
     if sort == STRUCT:
-        return [("%s.%s" % (where, member), inner) for member, inner in members(descriptor)]
+        return [(f"{where}.{member}", inner) for member, inner in members(descriptor)]
     if sort == UNION:
-        return [(where, discriminator(descriptor))] + [("%s.%s" % (where, case.member), case.type) for case in cases(descriptor)]
+        return [(where, discriminator(descriptor))] + [(f"{where}.{case.member}", case.type) for case in cases(descriptor)]
     return []
 
 
@@ -346,7 +346,7 @@ class _Adoption:
 
 def check_identifier(word):
     """`word` when it can name a member. Raises BadType."""
-    if not isinstance(word, str) or not _IDENTIFIER.match(word) or word in ("_d", "_n", "_v"):  # these tell unions and items
+    if not isinstance(word, str) or not _IDENTIFIER.match(word) or word in ("_d", "_n", "_v"):  # these distinguish unions and items
         raise errors.BadType(repr(word), "not an identifier")
     return word
 
@@ -362,7 +362,7 @@ def label(switched_by, value):
     """A label of a union as values have it, from a number or a character. Raises BadType."""
     switch = target(switched_by)
     if kind(switch) not in LABELS:
-        raise errors.BadType("a union", "cannot be switched by %s" % words(switched_by))
+        raise errors.BadType("a union", f"cannot be switched by {words(switched_by)}")
     if kind(switch) == CHAR:
         if isinstance(value, str) and len(value) == 1:
             return value
@@ -370,13 +370,13 @@ def label(switched_by, value):
         return value
     elif isinstance(value, int) and 0 <= value < len(items(switch)):
         return items(switch)[value]
-    raise errors.BadType("a union", "no label: %r" % (value,))
+    raise errors.BadType("a union", f"no label: {value!r}")
 
 
 def check_length(sort, count):
     """Raise BadType for what cannot be the length of an ARRAY, or the bound of a SEQUENCE (0: none)."""
     if not isinstance(count, int) or not 0 <= count < 2 ** 32 or sort == ARRAY and not 0 < count <= LONGEST:
-        raise errors.BadType("a %s of %r elements" % ("sequence" if sort == SEQUENCE else "array", count), "out of bounds")
+        raise errors.BadType(f"a {'sequence' if sort == SEQUENCE else 'array'} of {count!r} elements", "out of bounds")
 
 
 def array(elements, count):

@@ -62,7 +62,7 @@ def addresses(text):
                 if component == ALTERNATE:
                     found.append(_Cdr(data).host_and_port())
     except (IndexError, struct.error):
-        pass  # what was told before the garbage counts
+        pass  # what came before the garbage counts
     return list(collections.OrderedDict.fromkeys(found))
 
 
@@ -115,7 +115,7 @@ def octets(type_id, profiles):
     if not profiles:
         return b""
     if len(profiles) > MOST_PROFILES:
-        raise ValueError("a reference of %d profiles" % len(profiles))
+        raise ValueError(f"a reference of {len(profiles)} profiles")
     size = sum(len(profile) for _, profile in profiles)
     if size > LARGEST:
         raise ValueError("a reference of %d octets" % size)

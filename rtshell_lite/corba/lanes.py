@@ -144,7 +144,10 @@ def each(items, function, place=operator.attrgetter("endpoint", "where")):
 
     `place(item)` gives (endpoint, where), see Job.
     """
-    return gather(Job(*place(item), functools.partial(function, item)) for item in items)
+    def job(item):
+        endpoint, where = place(item)
+        return Job(endpoint, where, functools.partial(function, item))
+    return gather(map(job, items))
 
 
 def gather(jobs):
@@ -273,7 +276,7 @@ def is_over():
 class Calls:
     """Functions that make remote calls, begun one by one while others run; at most LANES at a time for one process.
 
-    They run on threads of their own, where `ask` and `gather` may be used. What they return, or raise, is had from `ended`.
+    They run on threads of their own, where `ask` and `gather` may be used. What they return, or raise, comes from `ended`.
     """
 
     def __init__(self):
@@ -308,7 +311,7 @@ class Calls:
             self.post(key, value)
 
     def post(self, key, value):
-        """Let `ended` return (key, value): a function may do so to tell how far it has come."""
+        """Let `ended` return (key, value): a function may do so to report how far it has come."""
         self._events.put((key, value))
 
     def ended(self, seconds):
@@ -330,4 +333,4 @@ class Calls:
 
 def no_answer(seconds):
     """The reason given for silence."""
-    return "no answer within %gs" % seconds
+    return f"no answer within {seconds:g}s"

@@ -44,7 +44,7 @@ def _make_orb():
         return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
     except CORBA.SystemException as e:
         where = "RTCTREE_ORB_ARGS: " + printable(";".join(own)) if own else "omniORB.cfg, or a variable ORB…"
-        raise errors.Usage("%s: not understood by omniORB (%s)" % (where, _label(e)))
+        raise errors.Usage(f"{where}: not understood by omniORB ({_label(e)})")
 
 
 def version():
@@ -89,9 +89,9 @@ def corbaloc(where, address, key, default_port):
     """The reference of the object `key` at `address` (host, host:port, PROTOCOL:rest); contacts nobody."""
     protocol, _, rest = address.partition(":")
     if SCHEMES.match(address):
-        url = "%s#%s" % (address, key)
+        url = f"{address}#{key}"
     elif protocol in PROTOCOLS and protocol != "iiop":
-        url = "corbaloc:%s/%s" % (address, key)
+        url = f"corbaloc:{address}/{key}"
     else:
         host, port = split_address(rest if protocol == "iiop" else address)
         # without 1.2@ omniORB speaks GIOP 1.0, which loses code sets and big replies
@@ -101,7 +101,7 @@ def corbaloc(where, address, key, default_port):
     try:
         return orb.string_to_object(to_wire(url))
     except CORBA.SystemException as e:
-        raise errors.BadPath("%s: not an address (%s)" % (where, _label(e)))
+        raise errors.BadPath(f"{where}: not an address ({_label(e)})")
 
 
 def from_text(where, text):
@@ -113,7 +113,7 @@ def from_text(where, text):
     except ValueError as e:
         raise errors.Unreachable(where, str(e))
     except CORBA.SystemException as e:
-        raise errors.Unreachable(where, "not a reference (%s)" % _label(e))
+        raise errors.Unreachable(where, f"not a reference ({_label(e)})")
 
 
 def narrow(ref, interface):
@@ -136,7 +136,7 @@ def naming_name(names):
 
 
 def same(one, other):
-    """True when two references denote one object, as far as can be told without a remote call."""
+    """True when two references denote one object, as far as is known without a remote call."""
     return one is not None and other is not None and bool(one._is_equivalent(other))
 
 
@@ -173,7 +173,7 @@ def identity(ref):
 
 def at(ref, host, port):
     """A reference to the object with the key of `ref` in the process at another endpoint; contacts nobody."""
-    key = "".join("%%%02x" % octet for octet in address(ref).key)
+    key = "".join(f"%{octet:02x}" for octet in address(ref).key)
     return start().string_to_object("corbaloc:iiop:1.2@%s:%d/%s" % ("[%s]" % host if ":" in host else host, port, key))
 
 
@@ -209,7 +209,7 @@ def _asked_again(failure, where, ref, operation, args):
     """The result of a question whose answer was lost: it is asked again, once for each connection that may be an old one.
 
     rtsh keeps connections: where a process has ended since, or was started anew at the same port, all of them are lost, and
-    each tells so only when it is used. Changes are not repeated: they may have been made.
+    each shows it only when it is used. Changes are not repeated: they may have been made.
     """
     from omniORB import CORBA
     asks = operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
@@ -258,18 +258,18 @@ def _error(where, e, seconds, ref):
     if isinstance(e, CORBA.TRANSIENT) and label.endswith("ConnectFailed"):
         return _not_connected(where, endpoint(ref))
     if isinstance(e, CORBA.TRANSIENT):
-        reason = NO_USABLE_ADDRESS if label.endswith("NoUsableProfile") else "cannot be reached now (%s)" % label
+        reason = NO_USABLE_ADDRESS if label.endswith("NoUsableProfile") else f"cannot be reached now ({label})"
         return errors.Unreachable(where, reason)
     if isinstance(e, CORBA.COMM_FAILURE):
         return errors.Unreachable(where, "connection lost")
     if isinstance(e, (CORBA.MARSHAL, CORBA.INV_OBJREF)):
-        return errors.Unreachable(where, "garbled answer (%s)" % label)
+        return errors.Unreachable(where, f"garbled answer ({label})")
     detail = getattr(e, "description", "")
     return errors.Refused(where, label + (": " + printable(from_wire(detail)) if detail else ""), name=type(e).__name__)
 
 
 def _not_connected(where, endpoint):
-    """The errors.Error for a connection that could not be made: omniORB does not tell why, but the kernel does.
+    """The errors.Error for a connection that could not be made: omniORB does not say why, but the kernel does.
 
     Only a refusal is a sign that the process has gone. Where there is no way to its host, it may well live.
     """
@@ -282,7 +282,7 @@ def _not_connected(where, endpoint):
         if isinstance(e, OSError):
             lanes.note_shortage(e, endpoint[0])
         why = getattr(e, "strerror", None)
-        return errors.Unreachable(where, "cannot be reached" + (" (%s)" % why if why else ""))
+        return errors.Unreachable(where, "cannot be reached" + (f" ({why})" if why else ""))
     return errors.ConnectionRefused(where)
 
 
@@ -292,7 +292,7 @@ def _label(e):
     from omniORB import CORBA
     if isinstance(e, CORBA.SystemException):
         minor = omniORB.minorCodeToString(e)
-        return sys.intern(str(minor) if minor else "CORBA.%s" % type(e).__name__)
+        return sys.intern(str(minor) if minor else f"CORBA.{type(e).__name__}")
     return type(e).__name__
 
 
@@ -310,7 +310,7 @@ def _as_text(value, CORBA):
     typecode, value = value.typecode(), value.value()
     kind = typecode.kind()
     if kind in (CORBA.tk_struct, CORBA.tk_union, CORBA.tk_except):  # the data_value of 1.1, a TimedLong of zeros
-        return "<%s>" % from_wire(typecode.id())
+        return f"<{from_wire(typecode.id())}>"
     if kind == CORBA.tk_objref:
         return start().object_to_string(value)
     return str(value) if value is not None else ""

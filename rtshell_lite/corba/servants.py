@@ -64,7 +64,7 @@ class Served:
 
 
 def _endpoint_given():
-    """True when the user tells omniORB what to publish, for NAT say."""
+    """True when the user says what omniORB is to publish, for NAT say."""
     return "ORBendPoint" in os.environ.get("RTCTREE_ORB_ARGS", "") or any(name.startswith("ORBendPoint") for name in os.environ)
 
 

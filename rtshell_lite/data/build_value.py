@@ -71,7 +71,7 @@ class _Builder:
             return self._struct(descriptor, written, where, depth)
         if sort == UNION:
             return self._union(descriptor, written, where, depth)
-        raise errors.BadValue(where, "values of %s cannot be made" % words(descriptor))
+        raise errors.BadValue(where, f"values of {words(descriptor)} cannot be made")
 
     def _whole(self, descriptor, written, where):
         if kind(descriptor) == OCTET and isinstance(written, bytes) and len(written) == 1:
@@ -92,7 +92,7 @@ class _Builder:
             number = float(written)
             struct.pack("<f" if kind(descriptor) == FLOAT else "<d", number)
         except OverflowError:
-            raise errors.BadValue(where, "out of range for %s: %s" % (_a(descriptor), _shown(written)))
+            raise errors.BadValue(where, f"out of range for {_a(descriptor)}: {_shown(written)}")
         return number
 
     def _character(self, descriptor, written, where):
@@ -110,7 +110,7 @@ class _Builder:
         except UnicodeEncodeError:
             _unfit(descriptor, written, where)
         if "\0" in written:
-            raise errors.BadValue(where, "a %s holds no NUL" % words(descriptor))
+            raise errors.BadValue(where, f"a {words(descriptor)} holds no NUL")
         if bound(descriptor) and size > bound(descriptor):
             raise errors.BadValue(where, "longer than %d %s" % (bound(descriptor), "characters" if wide else "bytes of UTF-8"))
         return written
@@ -124,7 +124,7 @@ class _Builder:
         if isinstance(name, int) and not isinstance(name, bool) and 0 <= name < len(known):
             return known[name]
         listed = ", ".join(item._n for item in known[:20]) + (", …" if len(known) > 20 else "")
-        raise errors.BadValue(where, "no %s: %s (they are %s)" % (words(descriptor), _shown(written), listed))
+        raise errors.BadValue(where, f"no {words(descriptor)}: {_shown(written)} (they are {listed})")
 
     def _elements(self, descriptor, written, where, depth):
         sort = kind(target(element(descriptor)))
@@ -153,7 +153,7 @@ class _Builder:
                 return base64.b64decode(written.encode("ascii"), validate=True)
             return written.encode("utf-8", "surrogateescape")
         except (binascii.Error, ValueError):
-            raise errors.BadValue(where, "octets are written as a list of numbers or in base64: %s" % _shown(written))
+            raise errors.BadValue(where, f"octets are written as a list of numbers or in base64: {_shown(written)}")
 
     def _struct(self, descriptor, written, where, depth):
         if is_time(descriptor) and written == Word("{time}"):
@@ -168,9 +168,9 @@ class _Builder:
             if name == "tm" and name not in given and is_time(inner):
                 given[name] = Word("{time}")
             if name not in given:
-                raise errors.BadValue(where, "%s is missing" % name)
-            values.append(self.build(inner, given[name], "%s: %s" % (where, name) if " " not in where
-                                     else "%s.%s" % (where, name), depth - 1))
+                raise errors.BadValue(where, f"{name} is missing")
+            values.append(self.build(inner, given[name], f"{where}: {name}" if " " not in where
+                                     else f"{where}.{name}", depth - 1))
         return factory(descriptor)(*values)
 
     def _given(self, descriptor, written, where):
@@ -180,7 +180,7 @@ class _Builder:
             given = dict(written)
         elif isinstance(written, Call):
             if not fits(written.name, descriptor):
-                raise errors.BadValue(where, "not %s: %s" % (_a(descriptor), printable(written.name)))
+                raise errors.BadValue(where, f"not {_a(descriptor)}: {printable(written.name)}")
             given = self._arguments(names, written, where)
         elif hasattr(written, "__dict__") and not hasattr(written, "_n"):
             given = dict(vars(written))
@@ -189,17 +189,17 @@ class _Builder:
         given = {_member(names, name): value for name, value in given.items()}
         unknown = sorted(str(name) for name in given if name not in names)
         if unknown:
-            raise errors.BadValue(where, "no member %s (its members: %s)" % (printable(unknown[0]), ", ".join(names)))
+            raise errors.BadValue(where, f"no member {printable(unknown[0])} (its members: {', '.join(names)})")
         return given
 
     def _arguments(self, names, call, where):
         positional = call.positional
         if len(positional) > len(names):
-            raise errors.BadValue(where, "takes %d values (%s), not %d" % (len(names), ", ".join(names), len(positional)))
+            raise errors.BadValue(where, f"takes {len(names)} values ({', '.join(names)}), not {len(positional)}")
         given = dict(zip(names, positional))
         for name, value in call.keywords.items():
             if _member(names, name) in given:
-                raise errors.BadValue(where, "%s is given twice" % printable(name))
+                raise errors.BadValue(where, f"{printable(name)} is given twice")
             given[_member(names, name)] = value
         return given
 
@@ -207,14 +207,14 @@ class _Builder:
         made, known = factory(descriptor), cases(descriptor)
         if isinstance(written, Call):
             if not fits(written.name, descriptor):
-                raise errors.BadValue(where, "not %s: %s" % (_a(descriptor), printable(written.name)))
+                raise errors.BadValue(where, f"not {_a(descriptor)}: {printable(written.name)}")
             written = dict(written.keywords, **dict(zip(("_d", "_v"), written.positional)))
         elif not isinstance(written, dict):
             written = {name: getattr(written, name) for name in ("_d", "_v") if hasattr(written, name)}
         names = [case.member for case in known]
         given = [name for name in written if name != "_d"]
         if len(given) > 1 or any(name not in names + ["_v"] for name in given) or not written:
-            raise errors.BadValue(where, "a %s is one of %s" % (words(descriptor), ", ".join(names)))
+            raise errors.BadValue(where, f"a {words(descriptor)} is one of {', '.join(names)}")
         if "_d" in written:
             label = self.build(discriminator(descriptor), written["_d"], where + " discriminator", depth - 1)
         else:
@@ -223,8 +223,8 @@ class _Builder:
         if case is None:
             return made(label, None)
         if not given or given[0] not in (case.member, "_v"):
-            raise errors.BadValue(where, "with discriminator %s it holds %s" % (label, case.member))
-        return made(label, self.build(case.type, written[given[0]], "%s.%s" % (where, case.member), depth - 1))
+            raise errors.BadValue(where, f"with discriminator {label} it holds {case.member}")
+        return made(label, self.build(case.type, written[given[0]], f"{where}.{case.member}", depth - 1))
 
 
 def fits(name, descriptor):
@@ -241,7 +241,7 @@ def _member(names, name):
 
 
 def _unfit(descriptor, written, where):
-    raise errors.BadValue(where, "not %s: %s" % (_a(descriptor), _shown(written)))
+    raise errors.BadValue(where, f"not {_a(descriptor)}: {_shown(written)}")
 
 
 def _a(descriptor):

@@ -1,6 +1,6 @@
 """CDR, the form in which values travel (CORBA 3.0, 15.3), read and written by descriptors; needs no ORB.
 
-Why not omniORB's own: cdrUnmarshal cannot read a wchar, knows no rest behind a value, overflows the stack on a type inside
+Why not omniORB's own: cdrUnmarshal cannot read a wchar, knows no rest after a value, overflows the stack on a type inside
 itself nested deep enough, and ends the whole process on a descriptor that it does not like. Bytes come from anywhere; here
 they cost no more memory than their length allows. Strings are UTF-8, broken bytes of which stay surrogate escapes.
 """
@@ -50,7 +50,7 @@ class _Maker:
         if form:
             hole[0] = getattr(self, verb + "_fixed")(form)
         else:
-            hole[0] = getattr(self, "%s_%s" % (verb, _FORMS[kind(descriptor)]))(descriptor)
+            hole[0] = getattr(self, f"{verb}_{_FORMS[kind(descriptor)]}")(descriptor)
         return hole[0]
 
     def read_fixed(self, form):
@@ -119,7 +119,7 @@ class _Maker:
         return write
 
     def _size(self, data, at, most, smallest):
-        """The count that stands at `at`, held against the bytes that are left, and where it ends."""
+        """The count at `at`, held against the bytes that are left, and where it ends."""
         at += -at & 3
         size, = self.count.unpack_from(data, at)
         if most and size > most:
@@ -164,7 +164,7 @@ class _Maker:
 
         def write(out, value):
             if len(value) != size:
-                raise Fault("an array of %d elements" % len(value))
+                raise Fault(f"an array of {len(value)} elements")
             elements(out, value)
         return write
 
@@ -202,7 +202,7 @@ class _Maker:
 
             def numbers(out, values):
                 if len(values):
-                    out += b"\0" * (-len(out) % width) + struct.pack("%s%d%s" % (order, len(values), code), *values)
+                    out += b"\0" * (-len(out) % width) + struct.pack(f"{order}{len(values)}{code}", *values)
             return numbers
         one = self.writer(element)
 

@@ -153,9 +153,9 @@ class Connection:
 
     def remote(self, kinds):
         """The object that the port has published for the connector. Raises Refused when it has not."""
-        ior = self.agreed.get("dataport.%s.%s_ior" % (self.interface, self.side))
+        ior = self.agreed.get(f"dataport.{self.interface}.{self.side}_ior")
         if not ior:
-            raise errors.Refused(self.where, "publishes no provider for %s" % self.dataflow)
+            raise errors.Refused(self.where, f"publishes no provider for {self.dataflow}")
         return orb.narrow(orb.from_text(self.where, ior), kinds[self.interface])
 
     def _interface(self):
@@ -164,7 +164,7 @@ class Connection:
         for interface in usable:
             if interface in offered or {"any", ""} & {word.lower() for word in offered}:
                 return interface
-        raise errors.Refused(self.where, "offers no %s (it has: %s)" % (" and no ".join(usable), printable(", ".join(offered))))
+        raise errors.Refused(self.where, f"offers no {' and no '.join(usable)} (it has: {printable(', '.join(offered))})")
 
 
 def check(given, flows):
@@ -179,7 +179,7 @@ def check(given, flows):
 
 
 def _little(properties):
-    """The byte order that the properties of a connector tell: the first usable word decides (protocol.md 7.2)."""
+    """The byte order in the properties of a connector: the first usable word decides (protocol.md 7.2)."""
     words = [word.strip() for word in properties.get("dataport.serializer.cdr.endian", "").split(",")]
     return next((word == "little" for word in words if word in ("little", "big")), True)
 

@@ -34,16 +34,16 @@ class Type:
         return found
 
     def decode(self, data, little=True):
-        """The value that the bytes of a data port hold (CDR from byte 0); bytes behind it are left. Raises BadData."""
+        """The value that the bytes of a data port hold (CDR from byte 0); bytes after it are left. Raises BadData."""
         return self.decode_part(data, little)[0]
 
     def decode_part(self, data, little=True):
-        """(value, number of bytes that it takes): what is behind it belongs to another type or another version of it."""
+        """(value, number of bytes that it takes): what is after it belongs to another type or another version of it."""
         read, _ = self._codec(little)
         try:
             return read(data, 0)
         except struct.error:
-            raise errors.BadData(self.name, "the data end too early, after %d bytes" % len(data))
+            raise errors.BadData(self.name, f"the data end too early, after {len(data)} bytes")
         except RecursionError:
             raise errors.BadData(self.name, "values are nested too deep")
         except ValueError as e:  # cdr.Fault, and what the codecs of Unicode say
@@ -75,7 +75,7 @@ def check(descriptor, name):
     for where, inner in descriptors.walk(descriptor, name):
         kind = descriptors.kind(inner)
         if kind not in descriptors.VALUES + descriptors.BUILT:
-            raise errors.BadType(where, "values of %s cannot be read; look at the bytes (--raw)" % descriptors.words(inner))
+            raise errors.BadType(where, f"values of {descriptors.words(inner)} cannot be read; look at the bytes (--raw)")
 
 
 # ---- looking for them -----------------------------------------------------------------------------------------
@@ -199,7 +199,7 @@ def _lend_standard_stubs():
     from rtshell_lite.idl_stubs import data
     for name in ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "InterfaceDataTypes_idl", "CameraCommonInterface_idl"):
         if name not in sys.modules and importlib.util.find_spec(name) is None:
-            sys.modules[name] = importlib.import_module("%s.%s" % (data.__name__, name))
+            sys.modules[name] = importlib.import_module(f"{data.__name__}.{name}")
 
 
 def _of_module(module):
@@ -238,6 +238,6 @@ def members(type_id):
 
 
 def has_fixed_size(port):
-    """True when all values of a data port are of one, small size, as far as its standard type tells."""
+    """True when all values of a data port are of one, small size, as far as its standard type shows."""
     known = members(port.properties.get("dataport.data_type", "")) or [("", "any")]
     return not any(words.startswith(("sequence", "string", "any")) for _, words in known)

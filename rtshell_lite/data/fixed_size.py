@@ -92,16 +92,16 @@ def _fixed_array(descriptor):
 
     def flatten(value):
         if len(value) != count:
-            raise Fault("an array of %d elements" % len(value))
+            raise Fault(f"an array of {len(value)} elements")
         return [leaf for element in value for leaf in part.flatten(element)]
     return Fixed(part.codes * count, make, flatten)
 
 
 class Forms(dict):
-    """The struct.Struct of a list of codes for each place modulo 8 at which it may stand: padding depends on it."""
+    """The struct.Struct of a list of codes for each place modulo 8 at which it may begin: padding depends on it."""
 
     def __init__(self, order, codes):
-        dict.__init__(self)
+        super().__init__()
         self.order, self.codes = order, codes
 
     def __missing__(self, start):

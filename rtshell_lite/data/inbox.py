@@ -36,7 +36,7 @@ class Inbox:
         return lambda message: self.put(key, message)
 
     def get(self, seconds):
-        """All that has come, as a list in that order; waits up to `seconds` for the first one, and GATHER for those behind it."""
+        """All that has come, as a list in that order; waits up to `seconds` for the first one, and GATHER for those after it."""
         if seconds:
             if not self.waiting:
                 self.arrived.wait(seconds)

@@ -46,7 +46,7 @@ class Expression:
                 raise errors.BadValue(_short(text), "its type is not known; write it as RTC.TimedLong({time}, 42)")
             type = types.named(self.written.name)
         elif called and not build_value.fits(self.written.name, build_value.target(type.descriptor)):
-            raise errors.BadValue(types.named(self.written.name).name, "not the type that is wanted, %s" % type.name)
+            raise errors.BadValue(types.named(self.written.name).name, f"not the type that is wanted, {type.name}")
         self.type = type
         self.value(0)
 
@@ -64,7 +64,7 @@ def parse(text):
             return json.loads(text, parse_constant=lambda word: build_value.NUMBERS[word], parse_int=_whole), True
         except (ValueError, RecursionError):
             if text.lstrip()[:1] == "{" and not text.lstrip().startswith("{time}"):
-                raise errors.BadValue(_short(text), "not JSON (%s)" % _fault_of(text))
+                raise errors.BadValue(_short(text), f"not JSON ({_fault_of(text)})")
     parser = _Parser(text)
     found = parser.value(DEEPEST)
     parser.take("end")
@@ -73,7 +73,7 @@ def parse(text):
 
 def _whole(word):
     if len(word) > LONGEST_NUMBER:
-        raise ValueError("a number of %d digits" % len(word))
+        raise ValueError(f"a number of {len(word)} digits")
     return int(word)
 
 
@@ -114,9 +114,9 @@ class _Parser:
         return self.kind == "mark" and self.word in marks
 
     def take(self, *marks):
-        """Go past one of the marks, or the end. Raises BadValue when something else stands there."""
+        """Skip one of the marks, or the end. Raises BadValue when something else is there."""
         if not (self.is_mark(*marks) or marks == ("end",) and self.kind == "end"):
-            raise self.fault("expected %s" % (marks[0] if marks[0] != "end" else "the end"))
+            raise self.fault(f"expected {marks[0] if marks[0] != 'end' else 'the end'}")
         if self.kind != "end":
             self.advance()
 
@@ -143,7 +143,7 @@ class _Parser:
     def number(self):
         word = "".join(self.word.split())
         if len(word) > LONGEST_NUMBER:
-            raise self.fault("a number of %d digits" % len(word))
+            raise self.fault(f"a number of {len(word)} digits")
         try:
             return int(word, 0)
         except ValueError:
@@ -173,7 +173,7 @@ class _Parser:
                 self.advance()
                 self.take("=")
                 if word in keywords:
-                    raise self.fault("%s is given twice" % word)
+                    raise self.fault(f"{word} is given twice")
                 keywords[word] = self.value(depth - 1)
             elif keywords:
                 raise self.fault("a value without a name behind one with a name")

@@ -20,7 +20,7 @@ def parse(words, formatters=False):
         text = word[:formatter.start()] if formatter else word
         path = paths.parse(text)
         if path.port is None:
-            raise errors.Usage("%s: no port specified" % str(path))
+            raise errors.Usage(f"{path!s}: no port specified")
         targets.append(Target(path, formatter and formatter.group(1), printable(text)))
     return targets
 

@@ -39,7 +39,7 @@ class Reader(Connection):
     kind, side, flows = "DataOutPort", "outport", ("push", "pull")
 
     def __init__(self, port, deliver, dataflow=None, subscription=None, properties=None, name="rtshell_lite"):
-        Connection.__init__(self, port, name, properties)
+        super().__init__(port, name, properties)
         self.deliver = deliver
         offer = ports.offer_without(port, "dataport.dataflow_type", "push")
         self.dataflow = self.given.get("dataport.dataflow_type", "").lower() or dataflow or ("pull" if offer else "push")
@@ -62,11 +62,11 @@ class Reader(Connection):
         subscription = self.subscription or ports.connection_properties([self.port], {})["dataport.subscription_type"]
         return dict(common, **{
             "dataport.subscription_type": subscription or "new", "dataport.publisher.push_policy": "all",
-            "dataport.%s.inport_ior" % self.interface: self.served.ior(self.endpoint)})
+            f"dataport.{self.interface}.inport_ior": self.served.ior(self.endpoint)})
 
     def _open(self):
         try:
-            Connection._open(self)
+            super()._open()
         except errors.Error:
             self.release()
             raise
@@ -149,7 +149,7 @@ class Reader(Connection):
     def look(self):
         if self._is_too_heavy():
             self._reopen()
-        Connection.look(self)
+        super().look()
 
     def _is_too_heavy(self):
         """Whether so many values as the port may queue would take too much of the component's memory."""
@@ -173,7 +173,7 @@ class Reader(Connection):
         if self.dataflow == "push" and not self.count:
             return ("the connection has been removed; if the component did that, it cannot reach this machine (pull may do), "
                     "or its values exceed its ORB's giopMaxMsgSize")
-        return Connection.lost(self)
+        return super().lost()
 
     def release(self):
         with self.lock:  # who opens and who closes may both do it

@@ -22,7 +22,7 @@ class Constant:
         self.text = text
 
     def next(self, seconds):
-        """(text of a value, where it stands)"""
+        """(text of a value, where it is)"""
         return self.text, None
 
     def close(self):
@@ -40,7 +40,7 @@ class Lines:
         lanes.start(self._read)
 
     def next(self, seconds):
-        """The next (text, where it stands); None when none has come within `seconds`. Raises EOFError, OSError."""
+        """The next (text, where it is); None when none has come within `seconds`. Raises EOFError, OSError."""
         if not self.waiting:
             self.waiting = True
             self.asked.put(True)
@@ -95,7 +95,7 @@ class Injection:
         except errors.BadValue as e:
             if where is None:
                 raise
-            raise errors.BadValue("%s: %s" % (where, e.where), e.why)
+            raise errors.BadValue(f"{where}: {e.where}", e.why)
         if where is None:
             self._ready[text] = found
         return found
@@ -123,8 +123,7 @@ class Injection:
             if due >= end:
                 return
             self._wait(max(due, self.ended + 1 / rate / HURRY), look)
-            for error in self._send(expressions):
-                yield error
+            yield from self._send(expressions)
             now = time.monotonic()
             if now - looked >= TICK:
                 looked = now

@@ -1,11 +1,11 @@
-"""How values flow over a port: their rate, the gaps between them, bytes, and what their own timestamps tell."""
+"""How values flow over a port: their rate, the gaps between them, bytes, and what their own timestamps say."""
 import collections
 import math
 import time
 
 LONG, SHORT = 1.5, 0.5  # gaps between timestamps: in so many times the usual one cycles are absent, or the next come close after
 PAUSE, PAUSE_LEAST = 20, 10**9  # a gap of so many usual ones, and of 1 s at least, is a pause, from which all begins anew
-FIRST = 10  # gaps that tell what is usual
+FIRST = 10  # gaps that show what is usual
 
 
 class Spread:

@@ -4,7 +4,7 @@
     ["struct", id, name, [[member, type], …]]  ["enum", id, name, [item, …]]
     ["union", id, name, type, index of the default or -1, [[label, member, type], …]]   an enum's label is its item's number
     ["object", id, name]  ["fixed", digits, scale]   of which no values are read
-    ["see", id]  a struct, union or enum that stands before or around
+    ["see", id]  a struct, union or enum that came before or is around
 """
 import json
 
@@ -50,13 +50,13 @@ def plain(descriptor, seen=None):
 def descriptor(data):
     """The descriptor for the JSON bytes of `plain`'s answer. Raises BadType."""
     if len(data) > LARGEST:
-        raise errors.BadType("a type of %d bytes" % len(data), "is too large")
+        raise errors.BadType(f"a type of {len(data)} bytes", "is too large")
     known = {}
     try:
         raw = _raw(json.loads(data.decode("ascii")), known)
         return descriptors.adopted(raw, known.get)
     except (ValueError, TypeError, KeyError, IndexError, RecursionError) as e:
-        raise errors.BadType("a type in a file", "garbled (%s)" % type(e).__name__)
+        raise errors.BadType("a type in a file", f"garbled ({type(e).__name__})")
 
 
 def _raw(part, known):

@@ -85,7 +85,7 @@ def _line(value, limit):
         data = members["data"]
         shown = printable(data) if isinstance(data, str) else _text(data, limit)
     else:
-        shown = " ".join("%s=%s" % (name, _text(inner, limit)) for name, inner in members.items() if name != "tm")
+        shown = " ".join(f"{name}={_text(inner, limit)}" for name, inner in members.items() if name != "tm")
     return "[%d.%09d] %s" % (stamp + (shown,))
 
 
@@ -95,15 +95,15 @@ def _text(value, limit):
     if isinstance(value, str):
         return "'%s'" % printable(value).replace("'", "\\'")
     if isinstance(value, bytes):
-        return "<%s>" % _cut([_hex(value[:limit])] if value else [], len(value), limit, " ", len(value[:limit]))
+        return f"<{_cut([_hex(value[:limit])] if value else [], len(value), limit, ' ', len(value[:limit]))}>"
     sort = _sort(value)
     if sort == "list":
-        return "[%s]" % _cut([_text(each, limit) for each in value[:limit]], len(value), limit, ", ", len(value[:limit]))
+        return f"[{_cut([_text(each, limit) for each in value[:limit]], len(value), limit, ', ', len(value[:limit]))}]"
     if sort == "struct":
         return "(%s)" % ", ".join("%s=%s" % (name, _text(inner, limit)) for name, inner in vars(value).items())
     if sort == "union":
         case = _case(value)
-        return "(%s=%s)" % (case, _text(value._v, limit)) if case else "(_d=%s)" % _text(value._d, limit)
+        return f"({case}={_text(value._v, limit)})" if case else f"(_d={_text(value._d, limit)})"
     return value._n if sort == "enum" else "None"
 
 
@@ -115,7 +115,7 @@ def _cut(shown, size, limit, between, count):
 def _hex(data):
     if sys.version_info >= (3, 8):
         return data.hex(" ")
-    return " ".join("%02x" % byte for byte in data)
+    return " ".join(f"{byte:02x}" for byte in data)
 
 
 def constructor(value):
@@ -132,18 +132,18 @@ def _constructor(value):
     if sort == "scalar":
         return repr(value)
     if sort == "list":
-        return "[%s]" % ", ".join(map(_constructor, value))
+        return f"[{', '.join(map(_constructor, value))}]"
     if sort == "enum":
         return value._n
     called = build_value.dotted(type(value)._NP_RepositoryId)
     if sort == "union":
-        return "%s(%s)" % (called, ", ".join(_constructor(part) for part in (value._d, value._v)[:2 if _case(value) else 1]))
+        return f"{called}({', '.join((_constructor(part) for part in (value._d, value._v)[:2 if _case(value) else 1]))})"
     return "%s(%s)" % (called, ", ".join("%s=%s" % (name, _constructor(inner)) for name, inner in vars(value).items()))
 
 
 def _escaped(c):
     n = ord(c)
-    return "\\x%02x" % n if n < 256 else "\\u%04x" % n if n < 65536 else "\\U%08x" % n
+    return f"\\x{n:02x}" if n < 256 else f"\\u{n:04x}" if n < 65536 else f"\\U{n:08x}"
 
 
 # ---- for programs ---------------------------------------------------------------------------------------------
@@ -197,12 +197,12 @@ _STEP = re.compile(r"\.?([A-Za-z_]\w*)|\[(\d{1,9})\]", re.ASCII)
 
 
 def field(value, path):
-    """One part of a value: field(value, "data.points[0].x"). Raises NoSuch, telling what there is."""
+    """One part of a value: field(value, "data.points[0].x"). Raises NoSuch, saying what there is."""
     at, found = 0, value
     while at < len(path):
         step = _STEP.match(path, at)
         if step is None:
-            raise errors.BadPath("%s: not a field; one is written data.points[0].x" % printable(path))
+            raise errors.BadPath(f"{printable(path)}: not a field; one is written data.points[0].x")
         found = _step(found, step, path)
         at = step.end()
     return found
@@ -214,7 +214,7 @@ def _step(value, step, path):
     if index is not None:
         if sort == "list" and int(index) < len(value):
             return value[int(index)]
-        there = "%d elements" % len(value) if sort == "list" else "it is no sequence"
+        there = f"{len(value)} elements" if sort == "list" else "it is no sequence"
     elif sort == "struct":
         if name in vars(value):
             return vars(value)[name]
@@ -222,28 +222,28 @@ def _step(value, step, path):
     elif sort == "union":
         if name == "_d" or name == _case(value):
             return value._d if name == "_d" else value._v
-        there = "it holds %s now" % _case(value)
+        there = f"it holds {_case(value)} now"
     else:
-        there = "%s has no fields" % ("a sequence" if sort == "list" else "a plain value")
-    raise errors.NoSuch(printable(path), "field", "%s (%s)" % (step.group().lstrip("."), there))
+        there = f"{'a sequence' if sort == 'list' else 'a plain value'} has no fields"
+    raise errors.NoSuch(printable(path), "field", f"{step.group().lstrip('.')} ({there})")
 
 
 # ---- bytes of no known type -----------------------------------------------------------------------------------
 
 def raw(data, little=True, limit=None):
     """Lines about bytes whose type is not known: their number, a hex dump, and what they might be, never said for certain."""
-    lines = ["%d bytes" % len(data)]
+    lines = [f"{len(data)} bytes"]
     shown = data[:limit]
     for at in range(0, len(shown), 16):
         row = shown[at:at + 16]
-        lines.append("%08x  %-48s %s" % (at, _hex(row), "".join(chr(b) if 32 <= b < 127 else "." for b in row)))
+        lines.append(f"{at:08x}  {_hex(row):48} {''.join((chr(b) if 32 <= b < 127 else '.' for b in row))}")
     if len(shown) < len(data):
         lines.append("… %d more" % (len(data) - len(shown)))
     return lines + ["maybe: " + guess for guess in _guesses(data, "<" if little else ">")]
 
 
 def _guesses(data, order):
-    """What the bytes might say: a time at the start, the rest behind it as one kind of number or text."""
+    """What the bytes might say: a time at the start, the rest after it as one kind of number or text."""
     found, start = [], 0
     if len(data) >= 8:
         sec, nsec = struct.unpack_from(order + "II", data)
@@ -254,11 +254,11 @@ def _guesses(data, order):
     for width, code, words in SCALARS:
         number = struct.unpack_from(order + code, data, start)[0] if size == width else None
         if number is not None and (isinstance(number, int) or number == 0 or 1e-9 < abs(number) < 1e12):
-            found.append("%s %r" % (words, number))
+            found.append(f"{words} {number!r}")
     if size >= 5:
         count, = struct.unpack_from(order + "I", data, start)
         if count == size - 4 and data[-1:] == b"\0":
-            found.append("string '%s'" % printable(data[start + 4:-1].decode("utf-8", "surrogateescape")[:SHOWN]))
+            found.append(f"string '{printable(data[start + 4:-1].decode('utf-8', 'surrogateescape')[:SHOWN])}'")
         for width, words in ((1, "octets"), (2, "shorts"), (4, "longs or floats"), (8, "doubles")):
             head = start + 4 + (-(start + 4) % width)
             if count and len(data) == head + count * width:

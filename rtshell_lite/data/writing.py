@@ -82,10 +82,10 @@ def _why_not(node, cycles):
     able = next((cycle for cycle in cycles if cycle.running), None)
     if state == "Active" or able is None:
         index = next((cycle.index for cycle in cycles if cycle.state == "Active"), 0)
-        return "its execution context is stopped", "rtec%s %s start" % (_option(index), path)
-    remedy = "rtact%s %s" % (_option(able.index), path)
+        return "its execution context is stopped", f"rtec{_option(index)} {path} start"
+    remedy = f"rtact{_option(able.index)} {path}"
     if state == "Error":
-        return "it is in Error", "rtreset%s %s, then %s" % (_option(able.index), path, remedy)
+        return "it is in Error", f"rtreset{_option(able.index)} {path}, then {remedy}"
     return "it is " + state, remedy
 
 
@@ -133,7 +133,7 @@ class Writer(Connection):
     kind, side, dataflow, flows = "DataInPort", "inport", "push", ("push",)
 
     def __init__(self, port, properties=None, name="rtshell_lite", anyway=False):
-        Connection.__init__(self, port, name, properties)
+        super().__init__(port, name, properties)
         self.audience = None if anyway else Audience(port.node, self.where)
         self.taken = self.refused = 0
         self.backlog = Backlog(None, LENGTH)
@@ -177,9 +177,9 @@ class Writer(Connection):
         if self.audience:
             why = self.audience.look()
             if why:
-                raise errors.No(self.where, "%s and would read the values at some later connection; %s first, or --anyway" % why)
+                raise errors.Failed(self.where, "%s and would read the values at some later connection; %s first, or --anyway" % why)
             self.backlog = self._new_backlog()
-        Connection._open(self)
+        super()._open()
         self.was_connected = True
         from rtshell_lite.idl_stubs.dataport import RTC, OpenRTM
         self.sink = self.remote({"corba_cdr": OpenRTM.InPortCdr, "data_service": RTC.DataPushService})
@@ -188,7 +188,7 @@ class Writer(Connection):
     def put(self, data, little=True):
         """Send CDR bytes. Raises Refused (buffer full, bad data, wrong byte order), Unreachable, Silent."""
         if little != self.little:
-            raise errors.Refused(self.where, "wants %s-endian data" % ("little" if self.little else "big"))
+            raise errors.Refused(self.where, f"wants {'little' if self.little else 'big'}-endian data")
         self.idle.clear()
         try:
             self._put(data)
@@ -210,7 +210,7 @@ class Writer(Connection):
         self._compare_rates(status == "BUFFER_FULL")
         if status != "PORT_OK":
             self.refused += 1
-            raise errors.Refused(self.where, "%s (%s)" % (REFUSALS.get(status, "it did not take the value"), status), name=status)
+            raise errors.Refused(self.where, f"{REFUSALS.get(status, 'it did not take the value')} ({status})", name=status)
         self.taken, self.last = self.taken + 1, time.monotonic()
         self.backlog.add(self.last)
         self.read_by = self.last + self.backlog.seconds(self.taken) if self.backlog.rate else math.inf
@@ -235,20 +235,20 @@ class Writer(Connection):
         self.backlog.drain(time.monotonic())
         if self.backlog.rate and (self.backlog.lost >= 1 or full and self.room) and not self.hurried:
             self.hurried = True
-            self.remark = "values come faster than it executes (%g Hz)" % self.backlog.rate
+            self.remark = f"values come faster than it executes ({self.backlog.rate:g} Hz)"
 
     def due(self):
         return isinstance(self.failure, errors.Silent) or self.audience is not None
 
     def look(self):
         if isinstance(self.failure, errors.Silent):
-            Connection.look(self)
+            super().look()
         try:
             why = self.audience and self.connector and self.audience.look()
         except (errors.Gone, errors.ConnectionRefused) as e:
             raise self.component_ended(e)
         if why:
-            raise errors.Unread(self.where, "%s now; %s" % (why[0], self.unread_words()))
+            raise errors.Unread(self.where, f"{why[0]} now; {self.unread_words()}")
         if self.audience:
             self.backlog.drain(time.monotonic())  # at the rate of until now
             self.backlog.rate = self.audience.rate
@@ -260,7 +260,7 @@ class Writer(Connection):
         self.backlog.drain(time.monotonic())
         if not self.backlog.waiting and self.backlog.lost < 1:
             return None
-        return errors.Unread(self.where, "it executes at %g Hz; %s" % (self.audience.rate, self.unread_words()))
+        return errors.Unread(self.where, f"it executes at {self.audience.rate:g} Hz; {self.unread_words()}")
 
     def unread_words(self):
         """What became of the values, as far as it is known."""
@@ -305,7 +305,7 @@ def linger(writers, seconds, look):
         return
     if max(needed) > WORTH_A_WORD:
         slowest = writers[needed.index(max(needed))]
-        cli.note("%s: waiting %.1f s until it has read the values (--linger limits it)" % (slowest.where, max(needed)))
+        cli.note(f"{slowest.where}: waiting {max(needed):.1f} s until it has read the values (--linger limits it)")
     begun = time.monotonic()
     _wait(begun, writers, needed, look)
     results = lanes.each(writers, lambda writer: writer.look())

@@ -17,7 +17,7 @@ _END = b"rtlogend"
 
 
 class Damaged(Exception):
-    """What stands at a place of a file is no whole block."""
+    """There is no whole block at a place of a file."""
 
 
 class Unsound(Damaged):
@@ -47,7 +47,7 @@ def text(kind, value, footer_at=None):
 
 
 def read(file, left):
-    """Read one block of at most `left` octets, where the file stands: (kind, body). Raises Damaged."""
+    """Read one block of at most `left` octets, at the file's position: (kind, body). Raises Damaged."""
     kind, length, crc = _head(file, left)
     body = file.read(length)
     if len(body) < length:
@@ -60,7 +60,7 @@ def read(file, left):
 
 
 def read_number(file, left):
-    """The number of the record that stands there, without a look at the rest of it. Raises Damaged."""
+    """The number of the record there, without a look at the rest of it. Raises Damaged."""
     kind, length, _ = _head(file, left)
     if kind != RECORD or length < ENTRY.size:
         raise Damaged("no record")

@@ -17,12 +17,12 @@ def lines(channels, entries):
 
 
 def json_lines(channels, entries):
-    """They as JSON objects."""
+    """The same entries as JSON, one object a line."""
     return (text.json_line(meaning.record(channels, entry)) for entry in entries)
 
 
 def csv_lines(channels, before, entries):
-    """They as rows of a table; `before` are the same entries once more: what columns there are takes a look at all."""
+    """The same entries as rows of a table; `before` are the same entries once more: what columns there are takes a look at all."""
     columns = {}
     for entry in before:
         for name, _ in _cells(channels, entry):

@@ -12,13 +12,13 @@ def is_text(start):
 
 
 def load(name, modules=()):
-    """Open a log file of either form, rtlog or simpkl, told apart by content. To be used in a `with` statement.
+    """Open a log file of either form, rtlog or simpkl, told apart by their content. To be used in a `with` statement.
 
-    `modules` are Python modules whose classes a simpkl file may mention. Raises OSError, errors.No.
+    `modules` are Python modules whose classes a simpkl file may mention. Raises OSError, errors.Failed.
     """
     where = text.printable(name)
     if stat.S_ISFIFO(os.stat(name).st_mode):
-        raise errors.No(where, "a pipe; logs are read from files")
+        raise errors.Failed(where, "a pipe; logs are read from files")
     file = files.opened(name)
     try:
         size = os.fstat(file.fileno()).st_size
@@ -30,8 +30,8 @@ def load(name, modules=()):
             from rtshell_lite.datalog import simpkl
             return simpkl.Log(file, where, size, modules)
         if is_text(start):
-            raise errors.No(where, "a log of text; it is for people, and can be neither played nor inspected")
-        raise errors.No(where, "not a log file" + ("" if size else " (it is empty)"))
+            raise errors.Failed(where, "a log of text; it is for people, and can be neither played nor inspected")
+        raise errors.Failed(where, "not a log file" + ("" if size else " (it is empty)"))
     except (errors.Error, OSError):
         file.close()
         raise

@@ -7,7 +7,7 @@ from rtshell_lite.corba import descriptors
 from rtshell_lite.data import build_value, datatypes, values
 from rtshell_lite.text import printable, safe
 
-FIRST, INSIDE = "first", "inside"  # where a type's timestamp stands
+FIRST, INSIDE = "first", "inside"  # where a type's timestamp is
 
 
 class Channels:
@@ -41,13 +41,12 @@ class Channels:
 
     def notes(self):
         """What is wrong with the log, in words."""
-        for note in self.log.notes():
-            yield note
+        yield from self.log.notes()
         if self.unreadable:
             yield "%d entries are not what their type says, and shown as bytes" % self.unreadable
 
     def value(self, entry):
-        """The value of an entry as stubs make it; None when the type is not known. Raises errors.No when it does not fit."""
+        """The value of an entry as stubs make it; None when the type is not known. Raises errors.Failed when it does not fit."""
         type = self.type(entry.channel)
         if type is None:
             return None
@@ -56,12 +55,12 @@ class Channels:
                 return values.build(type.descriptor, entry.value, type.name)
             return type.decode(entry.data, entry.little)
         except (errors.BadData, errors.BadValue, errors.BadType) as e:
-            raise errors.No(self.log.where, "entry %d: %s" % (entry.number, e))
+            raise errors.Failed(self.log.where, "entry %d: %s" % (entry.number, e))
 
     def data(self, entry, little, moment=None):
         """The CDR of an entry in a byte order; with `moment` (ns), its timestamp moved by what has passed since it arrived.
 
-        A timestamp of 0 stays: many components never set theirs. Raises errors.No: the entry does not fit its type, or
+        A timestamp of 0 stays: many components never set theirs. Raises errors.Failed: the entry does not fit its type, or
         that is needed and not known.
         """
         type = self.type(entry.channel)
@@ -75,7 +74,7 @@ class Channels:
         value = self.value(entry)
         if value is None:
             channel = self.log.channels[entry.channel]
-            raise errors.No(self.log.where, "%s: its type %s is not known; %s" % (
+            raise errors.Failed(self.log.where, "%s: its type %s is not known; %s" % (
                 printable(channel.name), printable(channel.type_id), datatypes.SOURCES))
         stamp = values.timestamp(value)
         if stamped and any(stamp):
@@ -112,20 +111,20 @@ def _moved(stamp, shift):
 
 def summary(log):
     """What is known of a log, as lines in rtshell's layout."""
-    yield "Name: %s" % log.where
-    yield "Size: %s" % _size(log.size)
-    yield "Start time: %s" % date(log.started)
-    yield "First entry time: %s" % date(log.first)
-    yield "End time: %s" % date(log.last)
+    yield f"Name: {log.where}"
+    yield f"Size: {_size(log.size)}"
+    yield f"Start time: {date(log.started)}"
+    yield f"First entry time: {date(log.first)}"
+    yield f"End time: {date(log.last)}"
     yield "Number of entries: %d" % log.count
     for number, channel in enumerate(log.channels, 1):
         yield "Channel %d" % number
-        yield "  Name: %s" % printable(channel.name)
-        yield "  Data type: %s" % printable(channel.type_id)
+        yield f"  Name: {printable(channel.name)}"
+        yield f"  Data type: {printable(channel.type_id)}"
         yield "  Number of entries: %d" % log.counts.get(channel.name, 0)
         yield "  Sources:"
         for source in channel.sources:
-            yield "    %s" % printable(source)
+            yield f"    {printable(source)}"
 
 
 def as_dict(log):
@@ -163,7 +162,7 @@ def _size(size):
 
 
 def line(channels, entry, limit=None):
-    """An entry as a line for people, `[SEC.NSEC] DATA`, behind its channel's name where there are several."""
+    """An entry as a line for people, `[SEC.NSEC] DATA`, after its channel's name where there are several."""
     name, shown = "", _shown(channels, entry, lambda value: values.text(value, limit))
     if len(channels.log.channels) > 1:
         name = printable(channels.log.channels[entry.channel].name) + ": "
@@ -171,7 +170,7 @@ def line(channels, entry, limit=None):
         return name + shown
     if entry.data is None:
         return name + safe(repr(entry.value))
-    return name + "%d bytes: %s" % (len(entry.data), entry.data.hex())
+    return name + f"{len(entry.data)} bytes: {entry.data.hex()}"
 
 
 def _shown(channels, entry, form):
@@ -179,7 +178,7 @@ def _shown(channels, entry, form):
     try:
         value = channels.value(entry)
         return None if value is None else form(value)
-    except (errors.No, errors.BadValue):
+    except (errors.Failed, errors.BadValue):
         channels.unreadable += 1
         return None
 

@@ -26,7 +26,7 @@ class Class:
         self.module, self.name = module, name
 
     def __str__(self):
-        return "%s.%s" % (self.module, self.name)
+        return f"{self.module}.{self.name}"
 
 
 class Record:
@@ -51,7 +51,7 @@ class Machine:
         self.position = 0  # where the next pickle begins
 
     def load(self):
-        """The value of the pickle at `position`, which moves behind it. Raises Refused, EOFError at the end of the file."""
+        """The value of the pickle at `position`, which moves after it. Raises Refused, EOFError at the end of the file."""
         if self.position >= self._size:
             raise EOFError
         self._stack, self._memo = [], {}
@@ -62,7 +62,7 @@ class Machine:
             while code != b".":
                 operation = _OPERATIONS.get(code)
                 if operation is None:
-                    raise Refused("opcode %r" % code)
+                    raise Refused(f"opcode {code!r}")
                 operation(self)
                 code = self._read(1)
             value = self._pop()
@@ -131,7 +131,7 @@ class Machine:
         self.push(int.from_bytes(self._read(count), "little", signed=True))
 
     def string_line(self):
-        """A string of protocol 0 stands there as Python 2 would write it."""
+        """A string of protocol 0 is written as Python 2 would write it."""
         line = self._line()
         if len(line) < 2 or line[0] not in "'\"" or line[-1] != line[0]:
             raise Refused("no string")
@@ -144,7 +144,7 @@ class Machine:
         self.push(self._read(self._number(form)).decode("utf-8", "surrogatepass"))
 
     def old_string(self, form):
-        """A string of Python 2, which does not tell text from octets; read as Latin-1 it is what omniORB calls text."""
+        """A string of Python 2, which does not distinguish text from octets; read as Latin-1 it is what omniORB calls text."""
         self.push(self._read(self._number(form)).decode("latin-1"))
 
     def octets(self, form):
@@ -179,7 +179,7 @@ class Machine:
         elif self._known(module, name):
             self.push(Class(module, name))
         else:
-            raise Refused("%s.%s is none of the classes that a log holds" % (printable(module), printable(name)))
+            raise Refused(f"{printable(module)}.{printable(name)} is none of the classes that a log holds")
 
     def find_on_stack(self):
         name, module = self._pop(), self._pop()

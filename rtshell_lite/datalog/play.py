@@ -25,7 +25,7 @@ class Range:
         self.end = None if end == -1 else end
 
     def entries(self, log):
-        """The entries. Raises errors.No where the log ends before the start, or begins after the end."""
+        """The entries. Raises errors.Failed where the log ends before the start, or begins after the end."""
         first = self._first(log)
         entries = log.entries(first)
         if self.end is None:
@@ -35,13 +35,13 @@ class Range:
             return itertools.takewhile(lambda entry: entry.number <= last, entries)
         limit = int(self.end * 1e9)
         if log.first is not None and limit < log.first:
-            raise errors.No(log.where, "the end is before the first entry")
+            raise errors.Failed(log.where, "the end is before the first entry")
         return itertools.takewhile(lambda entry: entry.received <= limit, entries)
 
     def words(self, seconds):
-        """What is told of it and of a limit in seconds, as lines."""
+        """What is reported of it and of a limit in seconds, as lines."""
         if seconds < math.inf:
-            yield "Playing for %ss." % seconds
+            yield f"Playing for {seconds}s."
         limits = self.start, self.end
         if self.by_index:
             forms = "from entry %d to entry %d", "from entry %d", "%d entries"
@@ -50,7 +50,7 @@ class Range:
             forms = "from %s until %s", "from %s", "until %s"
         given = tuple(limit for limit in limits if limit is not None)
         if given:
-            yield "Playing %s." % (forms[0 if len(given) == 2 else 1 if self.start is not None else 2] % given)
+            yield f"Playing {forms[0 if len(given) == 2 else 1 if self.start is not None else 2] % given}."
 
     def _first(self, log):
         if self.start is None:
@@ -60,23 +60,23 @@ class Range:
         else:
             number = int(self.start) if next(log.entries(int(self.start)), None) else None
         if number is None:
-            raise errors.No(log.where, "the start is after the last entry")
+            raise errors.Failed(log.where, "the start is after the last entry")
         return number
 
 
 def channel(log, port, name, place):
     """The number of the channel that is played to a Port: that of the NAME, or the one at that place among all.
 
-    Raises errors.NoSuch; errors.No when the types differ.
+    Raises errors.NoSuch; errors.Failed when the types differ.
     """
     where, names = ports.label(port), [each.name for each in log.channels]
     number = names.index(name) if name in names else place if name is None and place < len(names) else None
     if number is None:
-        raise errors.NoSuch(where, "channel in %s" % log.where, "%s (there are: %s)" % (
+        raise errors.NoSuch(where, f"channel in {log.where}", "%s (there are: %s)" % (
             printable(name or "number %d" % (place + 1)), ", ".join(map(printable, names)) or "none"))
     recorded, wanted = log.channels[number].type_id, port.properties.get("dataport.data_type", "")
     if not ports.same_type(recorded, wanted):
-        raise errors.No(where, "data types differ: %s in the log, %s here" % (printable(recorded), printable(wanted)))
+        raise errors.Failed(where, f"data types differ: {printable(recorded)} in the log, {printable(wanted)} here")
     return number
 
 
@@ -117,7 +117,7 @@ def _waited(begun, moment, seconds):
 
 
 class Playing:
-    """A log that is played to ports; those that cannot be played to are counted in `tally`, and told."""
+    """A log that is played to ports; those that cannot be played to are counted in `tally`, and reported."""
 
     def __init__(self, wanted, properties, channels, anyway):
         """`wanted` are port_words.Targets, `properties` go into the connections, `channels` are the log's meaning.Channels.
@@ -166,7 +166,7 @@ class Playing:
                     moment = None if absolute else int(time.time() * 1e9)
                     writer.put(self.channels.data(entry, writer.little, moment), writer.little)
                     writer.failure = None
-                except (errors.Refused, errors.No) as e:
+                except (errors.Refused, errors.Failed) as e:
                     self.tally.add(e)
                 except errors.Error as e:
                     writer.failure = e

@@ -20,7 +20,7 @@ class Log:
     form = "rtlog"
 
     def __init__(self, file, where, size):
-        """Read the header, and the index or, where that is missing or wrong, the file. Raises errors.No."""
+        """Read the header, and the index or, where that is missing or wrong, the file. Raises errors.Failed."""
         self.where, self.size, self.channels = where, size, []
         self.torn, self.closed, self._damaged = 0, False, set()
         self._file, self._maps = file, {}  # offset of a header: our numbers of its channels
@@ -32,7 +32,7 @@ class Log:
                 raise blocks.Damaged("no header")
             self.started = self._header(len(blocks.MAGIC), body)
         except blocks.Damaged:
-            raise errors.No(where, "its header is damaged, nothing can be read")
+            raise errors.Failed(where, "its header is damaged, nothing can be read")
         self.index, self._end = self._indexed() or self._scanned()
 
     def __enter__(self):
@@ -76,7 +76,7 @@ class Log:
             yield "%d damaged records are left out" % self.damaged
 
     def scan(self, index):
-        """Put all records into `index`, an Index; returns the offset behind the last whole block but the index."""
+        """Put all records into `index`, an Index; returns the offset after the last whole block but the index."""
         end, index.headers = self._end, sorted(self._maps)
         for offset, entry in self._records(len(blocks.MAGIC), end):
             index.add(offset, entry.number, entry.received, self.channels[entry.channel].name)
@@ -115,7 +115,7 @@ class Log:
         return number
 
     def _records(self, offset, end):
-        """The whole records between two offsets: (offset, Entry). In the end, self._whole is behind the last whole block."""
+        """The whole records between two offsets: (offset, Entry). In the end, self._whole is after the last whole block."""
         known = [each for each in sorted(self._maps) if each <= offset]
         channels, number = self._maps[known[-1]] if known else [], -1
         while offset < end:
@@ -141,7 +141,7 @@ class Log:
         self._whole = offset
 
     def _sound(self, offset, end):
-        """True when a whole block stands there: only then can the length before it be right."""
+        """True when there is a whole block there: only then can the length before it be right."""
         if offset >= end:
             return False  # a torn end may have its length, and the rest of its page
         self._file.seek(offset)
@@ -170,7 +170,7 @@ class Log:
             return None
 
     def _believed(self, told, position):
-        """A writer.Index of what the file tells. Raises what wrong numbers raise."""
+        """An Index of what the file says. Raises what wrong numbers raise."""
         index = Index()
         index.next, index.first, index.last = told["next"], told["first"], told["last"]
         index.counts, index.headers, index.points = told["counts"], told["headers"], told["points"]
@@ -193,7 +193,7 @@ class Log:
         return index
 
     def _compare(self, index, numbers, offsets, position):
-        """Look whether the points stand at records of their numbers, and whether the last record is the one that is told."""
+        """Look whether the points are at records of their numbers, and whether the last record is the one that it names."""
         for number, offset in zip(numbers, offsets):
             self._file.seek(offset)
             _demand(blocks.read_number(self._file, position - offset) == number)

@@ -1,4 +1,4 @@
-"""Recording from ports into a file: the connections, the limits, and what is told meanwhile.
+"""Recording from ports into a file: the connections, the limits, and what is reported meanwhile.
 
 What waits in an inbox.Inbox is written by a thread of its own, so that no sender waits for a disk.
 """
@@ -30,12 +30,12 @@ class Channels:
         self._known, self.found, self.types, self.notes = known, [], [], []
 
     def add(self, port, name):
-        """The number of a Port's channel. Raises errors.No when its NAME is taken by one of another type."""
+        """The number of a Port's channel. Raises errors.Failed when its NAME is taken by one of another type."""
         where, type_id = ports.label(port), port.properties.get("dataport.data_type", "")
         for number, channel in enumerate(self.found):
             if channel.name == name:
                 if not ports.same_type(channel.type_id, type_id):
-                    raise errors.No(where, "%s has another data type (%s, %s)" % (
+                    raise errors.Failed(where, "%s has another data type (%s, %s)" % (
                         printable(name), printable(channel.type_id), printable(type_id)))
                 channel.sources.append(where)
                 return number
@@ -43,10 +43,10 @@ class Channels:
             type = self._known.of_port(port)
         except errors.NoSuch:
             type = None
-            self.notes.append("%s: recorded as bytes: %s is not known; %s" % (where, printable(type_id), datatypes.SOURCES))
+            self.notes.append(f"{where}: recorded as bytes: {printable(type_id)} is not known; {datatypes.SOURCES}")
         except errors.BadType as e:
             type = None
-            self.notes.append("%s: recorded as bytes: %s" % (where, e))
+            self.notes.append(f"{where}: recorded as bytes: {e}")
         self.types.append(type)
         self.found.append(Channel(name, type.id if type else type_id, type.to_bytes() if type else b"", [where]))
         return len(self.found) - 1
@@ -55,7 +55,7 @@ class Channels:
 class Recorder:
     """Writes the Messages that come into its `box`, whose keys are numbers of channels.
 
-    `done` is a Flag that is set when `most` messages are written, or no more can be. `count` and `octets` tell how many
+    `done` is a Flag that is set when `most` messages are written, or no more can be. `count` and `octets` say how many
     were written, `failure` (OSError or None) why no more could be.
     """
 
@@ -133,12 +133,12 @@ class Limits:
         self.seconds = seconds
 
     def words(self):
-        """What is told of it, None when nothing limits."""
+        """What is reported of it, None when nothing limits."""
         if self.seconds < math.inf:
-            return "Recording for %ss." % self.seconds
+            return f"Recording for {self.seconds}s."
         if self.entries is not None:
             return "Recording %d entries." % self.entries
-        return self.until and "Recording until %s." % meaning.date(int(self.until * 1e9))
+        return self.until and f"Recording until {meaning.date(int(self.until * 1e9))}."
 
     def left(self):
         """Seconds from now to the end, as far as it is one of time."""
@@ -152,11 +152,11 @@ class File:
         self.name, self.form, self.append = name, form, append
 
     def writer(self, channels, begun):
-        """What writes Channels, recorded since `begun` (ns since the epoch). Raises OSError, errors.No."""
+        """What writes Channels, recorded since `begun` (ns since the epoch). Raises OSError, errors.Failed."""
         name = self.name
         if name is None:
             name = "rtlog_%d.rtlog" % time.time()
-            cli.note("recording to %s" % name)
+            cli.note(f"recording to {name}")
         if self.form == "text":
             from rtshell_lite.datalog import textlog
             return textlog.Writer(name, channels.found, channels.types, self.append)
@@ -201,7 +201,7 @@ def _readers(wanted, properties, pull, channels, box, tally):
 
 
 def _wait(limits, work, opened, watcher):
-    """Wait for the end of recording; tell meanwhile what goes wrong."""
+    """Wait for the end of recording; report meanwhile what goes wrong."""
     end = time.monotonic() + limits.left()
     told, due = 0, 0.0
     while opened.live() and time.monotonic() < end and not work.done.wait(min(TICK, max(0, end - time.monotonic()))):

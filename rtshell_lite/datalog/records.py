@@ -1,7 +1,7 @@
 """What a log holds: channels, and entries in them."""
 import collections
 
-# A stream in a log: the name it is played by, its data type's id, that type as bytes (b"": unknown), whence it came.
+# A stream in a log: the name it is played by, its data type's id, that type as bytes (b"": unknown), where it came from.
 Channel = collections.namedtuple("Channel", "name type_id typecode sources")
 
 # One message: its number, when it arrived (ns since the epoch), its channel's number, and either its CDR and whether that

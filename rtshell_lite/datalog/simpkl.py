@@ -24,7 +24,7 @@ class Log:
     form = "simpkl"
 
     def __init__(self, file, where, size, modules=()):
-        """Read the header; `modules` are names of Python modules whose classes may appear. Raises errors.No."""
+        """Read the header; `modules` are names of Python modules whose classes may appear. Raises errors.Failed."""
         self.where, self.size, self._file, self._modules = where, size, file, frozenset(modules)
         self.torn, self.damaged, self.trouble, self._known_extent = 0, 0, None, None
         machine = self._machine(0)
@@ -33,9 +33,9 @@ class Log:
             self.started = _moment(started, started % 1 * 1e9)
             self.channels = [_channel(spec.fields) for spec in specs]
         except pickles.Refused as e:
-            raise errors.No(where, "its header cannot be read: %s" % e)
+            raise errors.Failed(where, f"its header cannot be read: {e}")
         except (EOFError, TypeError, ValueError, KeyError, AttributeError, OverflowError):
-            raise errors.No(where, "its header is not that of a log")
+            raise errors.Failed(where, "its header is not that of a log")
         self._start = machine.position + CLOSING
         self._numbers = {channel.name: number for number, channel in enumerate(self.channels)}
         file.seek(machine.position)
@@ -53,7 +53,7 @@ class Log:
     counts = property(lambda self: self._extent()[3])
 
     def _extent(self):
-        """What only reading all can tell: number of entries, arrival of the first and the last, numbers by channel."""
+        """What only reading all can show: number of entries, arrival of the first and the last, numbers by channel."""
         if self._known_extent is None:
             count, first, last, counts = 0, None, None, {}
             for entry in self.entries():

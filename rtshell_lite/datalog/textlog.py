@@ -24,7 +24,7 @@ class Writer:
             writer.lock(self._file, name)
             if stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
                 self._prepare(append)
-        except (errors.No, OSError):
+        except (errors.Failed, OSError):
             self._file.close()
             raise
 
@@ -35,7 +35,7 @@ class Writer:
         with open(self.name, "rb") as old:
             start = old.read(32)
         if start and not logfile.is_text(start):
-            raise errors.No(printable(self.name), "not a log of text")
+            raise errors.Failed(printable(self.name), "not a log of text")
 
     def write(self, messages):
         """Append messages, each (channel number, received, little, data). Raises OSError."""
@@ -54,7 +54,7 @@ class Writer:
             try:
                 return values.constructor(self._types[channel].decode(data, little))
             except (errors.BadData, errors.BadType, errors.BadValue):
-                pass  # what it is can only be told by its bytes
+                pass  # only its bytes say what it is
         return repr(data)
 
     def sync(self):

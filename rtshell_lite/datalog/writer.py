@@ -14,13 +14,13 @@ class Writer:
     """A log file that is being written. All its methods raise OSError, and leave a file of whole records."""
 
     def __init__(self, name, channels, begun, append=False):
-        """Create the file, with a header and nothing else, or make it ready to go on. Raises errors.No, too.
+        """Create the file, with a header and nothing else, or make it ready to go on. Raises errors.Failed, too.
 
         `begun` is when recording began, ns since the epoch. A file of that name is replaced at the moment when the header
         of the new one is on the disk.
         """
         self.name, self.channels, self._synced, self._failed = name, channels, True, False
-        self.index, self.end = Index(), 0  # end: offset behind the last whole block
+        self.index, self.end = Index(), 0  # end: offset after the last whole block
         header = blocks.text(blocks.HEADER, {
             "created": begun, "program": "rtlog " + __version__,
             "channels": [{"name": each.name, "type": each.type_id, "sources": list(each.sources),
@@ -32,7 +32,7 @@ class Writer:
                 self._go_on(header)
             else:
                 self._create(header)
-        except (errors.No, OSError) as e:
+        except (errors.Failed, OSError) as e:
             if self._file:
                 self._file.close()
             if isinstance(e, OSError) and str(e.filename).endswith(".tmp"):
@@ -52,7 +52,7 @@ class Writer:
         try:
             self._file = files.create(self._target, buffering=0)
         except FileExistsError:  # since the last look
-            raise errors.No(text.printable(self.name), "another rtlog is recording to it")
+            raise errors.Failed(text.printable(self.name), "another rtlog is recording to it")
         begun = False
         try:
             self._begin(header, self._target)
@@ -73,10 +73,10 @@ class Writer:
                 temporary.remove()
 
     def _lock(self, file, path):
-        """Keep other recorders away from a file. Raises errors.No, also when one has put another in its place meanwhile."""
+        """Keep other recorders away from a file. Raises errors.Failed, also when one has put another in its place meanwhile."""
         lock(file, self.name)
         if not _is_still(file, path):
-            raise errors.No(text.printable(self.name), "another rtlog is recording to it")
+            raise errors.Failed(text.printable(self.name), "another rtlog is recording to it")
 
     def _begin(self, header, path):
         """Write the header of a new file, and let the disk have it."""
@@ -94,22 +94,22 @@ class Writer:
         self._file = open(self._target, "r+b", 0)
         lock(self._file, self.name)
         if self._file.read(len(blocks.MAGIC)) != blocks.MAGIC:
-            raise errors.No(text.printable(self.name), "not a log that can be gone on with")
+            raise errors.Failed(text.printable(self.name), "not a log that can be gone on with")
         size = os.fstat(self._file.fileno()).st_size
         with open(self._target, "rb") as file:
             old = reader.Log(file, text.printable(self.name), size)
             self._check(old.channels)
             self.end = old.scan(self.index)
             if not self._is_torn(old.torn):
-                raise errors.No(text.printable(self.name), "it is damaged %d octets before its end, which would be lost; "
-                                "record to another file" % old.torn)
+                raise errors.Failed(text.printable(self.name), "it is damaged %d octets before its end, which would be lost; "
+                                    "record to another file" % old.torn)
         os.ftruncate(self._file.fileno(), self.end)
         self._file.seek(self.end)
         self.index.headers.append(self.end)
         self._put([header])
 
     def _is_torn(self, size):
-        """True when the last `size` octets are what a sudden end leaves, not records behind one that is damaged."""
+        """True when the last `size` octets are what a sudden end leaves, not records after one that is damaged."""
         self._file.seek(self.end)
         head = self._file.read(blocks.BLOCK.size)
         if size <= CHUNK or not head.strip(b"\0"):  # file systems leave zeros after a power failure
@@ -121,7 +121,7 @@ class Writer:
         types = {channel.name: channel.type_id for channel in old}
         for channel in self.channels:
             if types.get(channel.name, channel.type_id) != channel.type_id:
-                raise errors.No(text.printable(self.name), "%s is of type %s in it, not %s" % (
+                raise errors.Failed(text.printable(self.name), "%s is of type %s in it, not %s" % (
                     text.printable(channel.name), text.printable(types[channel.name]), text.printable(channel.type_id)))
 
     def write(self, messages):
@@ -147,7 +147,7 @@ class Writer:
                 while rest:
                     rest = rest[self._file.write(rest):]
         except OSError as e:
-            self._failed = True  # from here on the index would tell of what is not there
+            self._failed = True  # from here on the index would name what is not there
             self._cut()
             e.filename = self.name
             raise
@@ -196,11 +196,11 @@ def _is_still(file, name):
 
 
 def lock(file, name):
-    """Keep a second recorder away. Raises errors.No; file systems that know no locks have none."""
+    """Keep a second recorder away. Raises errors.Failed; file systems that know no locks have none."""
     import fcntl
     try:
         fcntl.flock(file.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
-        raise errors.No(text.printable(name), "another rtlog is recording to it")
+        raise errors.Failed(text.printable(name), "another rtlog is recording to it")
     except OSError:
         pass

@@ -62,7 +62,7 @@ def _error(where, e):
 
 
 def probe(endpoint):
-    """None when TCP reaches (host, port) from here, else the errors.Error that tells why not."""
+    """None when TCP reaches (host, port) from here, else the errors.Error that says why not."""
     host, port = endpoint
     try:
         connect(resolve(host), port)
@@ -96,7 +96,7 @@ def arrives(endpoint):
 
 
 def _unacknowledged(connection):
-    """How many octets sent have not been acknowledged; 0 where the kernel does not tell."""
+    """How many octets sent have not been acknowledged; 0 where the kernel does not say."""
     try:
         return struct.unpack("i", fcntl.ioctl(connection, termios.TIOCOUTQ, b"\0" * 4))[0]
     except OSError:

@@ -8,7 +8,7 @@ from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, wa
 from rtshell_lite.robot import component, ports
 from rtshell_lite.text import printable, shell_word
 
-MOST = 3  # names of one component that are told one by one
+MOST = 3  # names of one component that are reported one by one
 
 
 class Examined:
@@ -17,7 +17,7 @@ class Examined:
     nodes     the Nodes by which it is bound, sorted by path; `node` is the first
     asking    what it was asked for last, in words, '' as long as it has not been asked
     error     the errors.Error that ended the questions, or None
-    ports     its ports.Ports; `refusing` (number from 1, errors.Error, endpoint) of ports that do not tell their profiles
+    ports     its ports.Ports; `refusing` (number from 1, errors.Error, endpoint) of ports that do not give their profiles
     dropped   names of ports that have just dropped a connection whose far end is dead
     contexts  component.Contexts, None where one of another component does not answer; `states` in them
     profile   its component.Profile, or None
@@ -57,7 +57,7 @@ def _ask(each):
     node, each.asking = each.node, "its ports"
     for number, ref in enumerate(ports.refs(node), 1):
         each.asking = "the profile of its port %d" % number
-        failed_once = []  # tells that the port had a connection with a dead far end
+        failed_once = []  # shows that the port had a connection with a dead far end
         try:
             found = ports.port(node, ref, failed_once)
         except errors.Silent:
@@ -107,7 +107,7 @@ def _troubles(each, hung):
 def _summary(each):
     """Active, claims 1000 Hz, 2 ports, 1 connection, at 127.0.0.1:4000."""
     state = component.merged(each.states)
-    rate = next(("claims %g Hz" % one.rate for one in each.contexts if _is_periodic(one)), "not periodic")
+    rate = next((f"claims {one.rate:g} Hz" for one in each.contexts if _is_periodic(one)), "not periodic")
     number = len({one.id for port in each.ports for one in port.connectors})
     return ", ".join([state, rate, counted(len(each.ports), "port"), counted(number, "connection"),
                       "at " + published(each.node.ref)])
@@ -130,7 +130,7 @@ def _stopped_answering(each, hung):
             return fail("component", each.where, "%s, %swaiting for a far end that does not answer" % (
                 message, "" if known else "maybe "), remedies.words("hung first", paths=" and ".join(paths)))
         return fail("component", each.where, message, remedies.of_silence(e, each.node.endpoint, each.where))
-    return fail("component", each.where, "does not tell %s (%s)" % (each.asking, reason(e)),
+    return fail("component", each.where, f"does not tell {each.asking} ({reason(e)})",
                 remedies.of_silence(e, each.node.endpoint, each.where))
 
 
@@ -154,7 +154,7 @@ def _names(each):
         cure = "name taken"
     found = [_on_name(node, message, cure) for node in strange[:MOST]]
     if strange[MOST:]:
-        found.append(_on_name(strange[MOST], "and %s like it" % counted(len(strange) - MOST, "name"), cure))
+        found.append(_on_name(strange[MOST], f"and {counted(len(strange) - MOST, 'name')} like it", cure))
     return found
 
 
@@ -206,7 +206,7 @@ def _contexts(each):
         found.append(fail("context", each.where, message, remedies.command("start context", path=each.where)))
     for index, context in enumerate(each.contexts):
         if _is_periodic(context) and not context.rate > 0:
-            found.append(fail("context", each.where, "its execution context has a rate of %g Hz" % context.rate,
+            found.append(fail("context", each.where, f"its execution context has a rate of {context.rate:g} Hz",
                               remedies.command("set rate", option=remedies.option(index), path=each.where, rate=100)))
     return found
 

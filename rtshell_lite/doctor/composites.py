@@ -14,7 +14,7 @@ def findings(all_of_them):
     found = []
     for each, answer in zip(some, answers):
         if isinstance(answer, errors.Error):
-            message = "does not say which members it has (%s)" % reason(answer)
+            message = f"does not say which members it has ({reason(answer)})"
             found.append(warn("composite", each.where, message, remedies.of_silence(answer, each.node.endpoint, each.where)))
             continue
         for one in answer:
@@ -34,7 +34,7 @@ def _lost(each, error, ref):
         return fail("composite", each.where, "one of its members is dead: nothing answers at " + told,
                     remedies.words("restart composite", port=each.node.endpoint[1]))
     if remedies.is_of_network(error, orb.endpoint(ref)):
-        message = "cannot tell from here whether its member at %s lives (%s)" % (told, reason(error))
+        message = f"cannot tell from here whether its member at {told} lives ({reason(error)})"
         return warn("composite", each.where, message, remedies.network(orb.endpoint(ref)))
-    return fail("composite", each.where, "its member at %s hangs (%s)" % (told, reason(error)),
+    return fail("composite", each.where, f"its member at {told} hangs ({reason(error)})",
                 remedies.words("restart", port=orb.endpoint(ref)[1]))

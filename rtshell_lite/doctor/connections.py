@@ -10,7 +10,7 @@ from rtshell_lite.robot.places import Places
 from rtshell_lite.system import capture
 from rtshell_lite.text import printable
 
-# One connection as its first end tells it: the components.Examined `each`, its ports.Port, the ports.Connector.
+# One connection as its first end has it: the components.Examined `each`, its ports.Port, the ports.Connector.
 Link = collections.namedtuple("Link", "each port connector")
 
 # What an end turned out to be: `port` its ports.Port, or None and the errors.Error `error`; `name` what to call it. The Port
@@ -88,7 +88,7 @@ def _stranger(port, places):
     """The End for a Port of a component that was not examined."""
     path = port.owner and places.path(port.name.rpartition(".")[0], port.owner)
     if path is None:
-        return End(port._replace(node=None), None, "%s at %s, bound nowhere," % (printable(port.name), orb.at_address(port.ref)))
+        return End(port._replace(node=None), None, f"{printable(port.name)} at {orb.at_address(port.ref)}, bound nowhere,")
     port = port._replace(node=tree.Node(path, "component", port.owner))
     return End(port, None, ports.label(port))
 
@@ -116,7 +116,7 @@ def _troubles(link, ends):
     where, connector = ports.label(link.port), link.connector
     undo = remedies.command("disconnect", id=connector.id, port=where)
     if None in connector.ports:
-        return [fail("connection", where, "connection %s has an end that is nothing (nil)" % _called(connector), undo)]
+        return [fail("connection", where, f"connection {_called(connector)} has an end that is nothing (nil)", undo)]
     refs = [ref for ref in connector.ports if not orb.same(ref, link.port.ref)]
     others, found = [ends[orb.identity(ref)] for ref in refs], []
     for ref, end in zip(refs, others):
@@ -153,11 +153,11 @@ def _lost(link, where, ref, end, undo):
     if misled:
         return misled._replace(message="the far end of a connection " + misled.message)
     if isinstance(end.error, (errors.Gone, errors.ConnectionRefused)) and networks.is_certain(ref, homes):
-        return fail("connection", where, "the far end of a connection is dead (at %s)" % end.name, undo)
+        return fail("connection", where, f"the far end of a connection is dead (at {end.name})", undo)
     if remedies.is_of_network(end.error, endpoint):
-        message = "cannot tell from here whether the far end of a connection, at %s, lives (%s)" % (end.name, reason(end.error))
+        message = f"cannot tell from here whether the far end of a connection, at {end.name}, lives ({reason(end.error)})"
         return fail("connection", where, message, remedies.network(endpoint))
-    message = "the far end of a connection, at %s, cannot be asked (%s)" % (end.name, reason(end.error))
+    message = f"the far end of a connection, at {end.name}, cannot be asked ({reason(end.error)})"
     return fail("connection", where, message, remedies.of_silence(
         end.error, endpoint, where, remedies.words("restart its process", port=endpoint[1])))
 
@@ -203,4 +203,4 @@ def _mismatches(link, where, found, undo):
     elif link.port.type == "CorbaPort":
         reasons = services.mismatches(found, dict(link.connector.properties))
     far = ", ".join(ports.label(port) for port in found[1:])
-    return [fail("connection", where, "connected to %s: %s" % (far, why), undo) for why in reasons]
+    return [fail("connection", where, f"connected to {far}: {why}", undo) for why in reasons]

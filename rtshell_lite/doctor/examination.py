@@ -1,7 +1,7 @@
 """What rtdoctor does: a system examined from the outside in, without changing it, in bounded time.
 
-Here, the name servers, the references in them, the components, their connections, managers, a profile: each step tells
-Findings and passes on to the next what still stands. Everything of one step is asked in parallel.
+Here, the name servers, the references in them, the components, their connections, managers, a profile: each step reports
+Findings and passes on to the next what still works. Everything of one step is asked in parallel.
 """
 import time
 
@@ -11,13 +11,13 @@ from rtshell_lite.doctor import addresses, here, limits, remedies
 from rtshell_lite.doctor.finding import warn
 from rtshell_lite.robot import tree
 
-STEPS = 3  # times the timeout: what takes longer is told as not looked at; a step waits for silence only once
+STEPS = 3  # times the timeout: what takes longer is reported as not looked at; a step waits for silence only once
 
 
 def examine(tops=(), compare=None, seconds=0):
     """Yield lists of Findings, step by step. Without Paths `tops`, or with the root, all name servers are examined.
 
-    compare  (RtsProfile, its file as commands are told it, the state of the components): what the system is to agree with
+    compare  (RtsProfile, its file as it is given to commands, the state of the components): what the system is to agree with
     seconds  how long rates are measured, which connects to an out port of each active component and leaves it again; 0: not
     """
     lanes.end = time.monotonic() + STEPS * lanes.timeout
@@ -42,8 +42,7 @@ def _steps(tops, compare, seconds):
     if any(each.check in ("omniORBpy", "ORB", "limit") and each.level == "fail" for each in found):
         return
     everything = not tops or path.ROOT in tops
-    for findings in _robot(_name_servers() if everything else tops, seconds, bool(compare)):
-        yield findings
+    yield from _robot(_name_servers() if everything else tops, seconds, bool(compare))
     if compare:
         from rtshell_lite.doctor import profile
         lanes.end = max(lanes.end, time.monotonic() + lanes.timeout)
@@ -51,7 +50,7 @@ def _steps(tops, compare, seconds):
 
 
 def _name_servers():
-    """The Paths of those name servers whose addresses are addresses; the others have been told."""
+    """The Paths of those name servers whose addresses are addresses; the others have been reported."""
     return [path.parse("/" + address) for address in tree.servers() if not here.fault(address)]
 
 

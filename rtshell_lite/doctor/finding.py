@@ -5,10 +5,10 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.text import printable
 
-HERE = "here"  # stands in the place of a path for what concerns this host and this shell
+HERE = "here"  # takes the place of a path for what concerns this host and this shell
 
 # `level` is ok, warn or fail; `check` what kind of check found it; `path` the object, spelt for the terminal, or HERE;
-# `message` what is so; `remedy` a command that can be pasted, or words, see remedies; '' where nothing is wrong.
+# `message` what is the case; `remedy` a command that can be pasted, or words, see remedies; '' where nothing is wrong.
 Finding = collections.namedtuple("Finding", "level check path message remedy")
 
 

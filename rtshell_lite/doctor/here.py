@@ -38,11 +38,11 @@ def _programs():
     try:
         version = orb.version()
     except errors.MissingOmniORB:
-        return [fail("omniORBpy", HERE, "%s has no omniORBpy: nobody can be asked" % python,
+        return [fail("omniORBpy", HERE, f"{python} has no omniORBpy: nobody can be asked",
                      remedies.words("install omniORBpy"))]
-    found = [ok("omniORBpy", HERE, "%s, omniORBpy %s" % (python, version))]
+    found = [ok("omniORBpy", HERE, f"{python}, omniORBpy {version}")]
     if _number(version.partition(".")[0]) < 4:
-        found = [warn("omniORBpy", HERE, "%s, omniORBpy %s: older than 4.0, untried" % (python, version),
+        found = [warn("omniORBpy", HERE, f"{python}, omniORBpy {version}: older than 4.0, untried",
                       remedies.words("install omniORBpy"))]
     try:
         orb.start()
@@ -60,7 +60,7 @@ def _number(word):
 # ---- settings of the ORB --------------------------------------------------------------------------------------
 
 def _settings(started):
-    """Settings of omniORB that break things, wherever they come from. The last source wins, but each is told."""
+    """Settings of omniORB that break things, wherever they come from. The last source wins, but each is reported."""
     found, sources = [], _sources()
     named = os.environ.get("OMNIORB_CONFIG")
     if named and not os.path.exists(named):
@@ -70,7 +70,7 @@ def _settings(started):
         for option, value in settings:
             why = _harm(option, value, OURS if source == ARGUMENTS else THEIRS)
             if why:
-                found.append(warn("ORB", HERE, "%s sets %s to %s: %s" % (source, option, printable(value), why), _without(source)))
+                found.append(warn("ORB", HERE, f"{source} sets {option} to {printable(value)}: {why}", _without(source)))
     if not found and sources and started:
         found.append(ok("ORB", HERE, "settings of omniORB that break nothing: " + ", ".join(name for name, _ in sources)))
     return found
@@ -108,9 +108,9 @@ def _harm(option, value, whom):
     Our commands have limits of their own, which only RTCTREE_ORB_ARGS overrides.
     """
     if option == "giopMaxMsgSize" and _number(value) < SMALLEST_MESSAGE:
-        return "%s cannot send or take larger messages (MARSHAL)" % whom
+        return f"{whom} cannot send or take larger messages (MARSHAL)"
     if option in ("clientCallTimeOutPeriod", "clientConnectTimeOutPeriod") and 0 < _number(value) < LEAST_PATIENCE:
-        return "%s take slower answers for none" % whom
+        return f"{whom} take slower answers for none"
     if option == "throwTransientOnTimeOut" and value != "0":
         return "hung peers look like peers out of reach to these commands"
     if option == "maxGIOPVersion" and value in ("1.0", "1.1"):
@@ -127,9 +127,9 @@ def _harm_of_end_point(value, whom):
     host = host.strip("[]")
     why = addresses.why_not_bound(host, _number(port)) if transport == "tcp" else ""
     if why:
-        return "%s cannot listen there (%s)" % (whom, why)
+        return f"{whom} cannot listen there ({why})"
     if addresses.is_loopback(host) or host == "localhost":
-        return "%s cannot be reached from other hosts" % whom
+        return f"{whom} cannot be reached from other hosts"
     if transport == "tcp" and port:
         return "only one process at a time can have this port"
     return ""
@@ -140,7 +140,7 @@ def transport_rule():
     for source, settings in _sources():
         for option, value in settings:
             if option == "clientTransportRule":
-                return Rule("clientTransportRule %s of %s" % (printable(value), source), _without(source))
+                return Rule(f"clientTransportRule {printable(value)} of {source}", _without(source))
     return None
 
 
@@ -149,17 +149,17 @@ def transport_rule():
 def _host_name():
     """The name of this host must lead to an address of it that others can use: components may publish what it leads to."""
     name = socket.gethostname()
-    shown = "this host's name, %s, " % printable(name)
+    shown = f"this host's name, {printable(name)}, "
     cure = remedies.words("name of host")
     try:
         found = addresses.resolve(name)
     except errors.Error as e:
-        return [warn("host name", HERE, shown + "is not known here (%s)" % reason(e), cure)]
+        return [warn("host name", HERE, shown + f"is not known here ({reason(e)})", cure)]
     told = ", ".join(found)
     if all(addresses.is_loopback(each) for each in found):
-        return [warn("host name", HERE, shown + "means %s: who publishes it cannot be reached from elsewhere" % told, cure)]
+        return [warn("host name", HERE, shown + f"means {told}: who publishes it cannot be reached from elsewhere", cure)]
     if not any(addresses.is_own(each) for each in found):
-        return [warn("host name", HERE, shown + "means %s, which is not this host" % told, cure)]
+        return [warn("host name", HERE, shown + f"means {told}, which is not this host", cure)]
     return [ok("host name", HERE, shown + "means " + told)]
 
 
@@ -168,9 +168,9 @@ def _localhost():
     try:
         found = addresses.resolve("localhost")
     except errors.Error as e:
-        return [fail("host name", HERE, "localhost is not known here (%s)" % reason(e), cure)]
+        return [fail("host name", HERE, f"localhost is not known here ({reason(e)})", cure)]
     if not all(addresses.is_loopback(each) for each in found):
-        return [fail("host name", HERE, "localhost means %s" % ", ".join(found), cure)]
+        return [fail("host name", HERE, f"localhost means {', '.join(found)}", cure)]
     return []
 
 
@@ -182,9 +182,9 @@ def _name_servers():
     if not value.strip("; "):
         return [ok("RTCTREE_NAMESERVERS", HERE, "RTCTREE_NAMESERVERS is not set: localhost is the name server")]
     bad = [(address, why) for address, why in ((each, fault(each)) for each in tree.servers()) if why]
-    return [fail("RTCTREE_NAMESERVERS", HERE, "RTCTREE_NAMESERVERS: %s: %s" % (printable(address), why),
+    return [fail("RTCTREE_NAMESERVERS", HERE, f"RTCTREE_NAMESERVERS: {printable(address)}: {why}",
                  remedies.words("correct addresses")) for address, why in bad] or [
-        ok("RTCTREE_NAMESERVERS", HERE, "RTCTREE_NAMESERVERS: %s" % printable("; ".join(tree.servers())))]
+        ok("RTCTREE_NAMESERVERS", HERE, f"RTCTREE_NAMESERVERS: {printable('; '.join(tree.servers()))}")]
 
 
 def fault(address):
@@ -192,7 +192,7 @@ def fault(address):
     if re.search(r"[,\s]", address):
         return "several are separated by semicolons"
     if address.startswith(("corbaloc:", "corbaname:", "rtcname:", "rtcloc:", "IOR:")):
-        return "only HOST[:PORT], without %s:" % address.partition(":")[0]
+        return f"only HOST[:PORT], without {address.partition(':')[0]}:"
     try:
         found = path.parse("/" + address)
         if _is_started():
@@ -214,5 +214,5 @@ def _working_directory():
     try:
         path.parse(".")
     except errors.Error as e:
-        return [fail("RTCSH_CWD", HERE, "RTCSH_CWD: %s" % e, remedies.command("unset", variable="RTCSH_CWD"))]
+        return [fail("RTCSH_CWD", HERE, f"RTCSH_CWD: {e}", remedies.command("unset", variable="RTCSH_CWD"))]
     return []

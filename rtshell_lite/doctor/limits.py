@@ -27,7 +27,7 @@ def findings():
 def lack(shortage):
     """The Finding for an errors.Shortage. Nobody else is examined then: none of what would be found is certain."""
     what, why = shortage.args
-    return fail("limit", HERE, "out of %s here (%s): nobody can be judged" % (what, why),
+    return fail("limit", HERE, f"out of {what} here ({why}): nobody can be judged",
                 remedies.words("raise limit", what=what, command=COMMANDS[what]))
 
 

@@ -35,7 +35,7 @@ def _troubles(node, answer):
     if isinstance(answer, errors.Error):
         both = isinstance(answer, errors.Silent)
         restart = remedies.words("restart manager or slave" if both else "restart", port=node.endpoint[1])
-        return [fail("manager", where, "does not tell what it has (%s)" % reason(answer),
+        return [fail("manager", where, f"does not tell what it has ({reason(answer)})",
                      remedies.of_silence(answer, node.endpoint, where, restart))]
     slaves, components, twice = answer
     found = []
@@ -49,12 +49,12 @@ def _troubles(node, answer):
         if misled:
             found.append(misled._replace(message=what + misled.message))
         elif each.kind in ("zombie", "silent") and _is_of_network(each, homes):
-            message = what + "cannot be reached from here (%s)" % reason(each.error)
+            message = what + f"cannot be reached from here ({reason(each.error)})"
             found.append(fail("manager", where, message, remedies.network(each.endpoint)))
         elif each.kind == "zombie":
             found.append(fail("manager", where, what + "is gone", remedies.words("restart manager", path=word)))
         elif each.kind == "silent":
-            found.append(fail("manager", where, what + "does not answer (%s)" % reason(each.error),
+            found.append(fail("manager", where, what + f"does not answer ({reason(each.error)})",
                               remedies.words("hung below", path=word)))
     return found or [ok("manager", where, "manager of %s, %s" % (
         counted(len(components), "component"), counted(len(slaves), "slave") + ", at " + published(node.ref)))]

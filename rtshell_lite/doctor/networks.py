@@ -28,8 +28,8 @@ def misled(check, where, ref, homes, elsewhere=""):
             return elsewhere and warn(check, where, "publishes %s: only this host can reach it, and %s takes part in the system" % (
                 told, printable(elsewhere)), _another_address("")) or None
         if here:
-            return warn(check, where, "publishes %s: only this host can reach it" % told, _another_address(homes[0]))
-        return fail(check, where, "publishes %s, which means this host, not its own" % told, _another_address(homes[0]))
+            return warn(check, where, f"publishes {told}: only this host can reach it", _another_address(homes[0]))
+        return fail(check, where, f"publishes {told}, which means this host, not its own", _another_address(homes[0]))
     if all(addresses.is_loopback(each) for each in homes):
         return None  # it was found by somebody here, and who else knows it cannot be seen
     found = _numeric(offered)
@@ -78,7 +78,7 @@ def outside(refs):
 
 
 def together(one, other):
-    """Whether two IP addresses are in the same network, as far as the networks of this host tell; None where they do not."""
+    """Whether two IP addresses are in the same network, as far as the networks of this host show; None where they do not."""
     if one == other or addresses.is_loopback(one) and addresses.is_loopback(other):
         return True
     known = False
@@ -101,7 +101,7 @@ def _networks():
                                  for number in (SIOCGIFADDR, SIOCGIFNETMASK)]
             except OSError:  # it has no such address, or this is no Linux
                 continue
-            found.append(ipaddress.ip_interface("%s/%s" % (address, mask)).network)
+            found.append(ipaddress.ip_interface(f"{address}/{mask}").network)
     return found
 
 

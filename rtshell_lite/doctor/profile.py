@@ -37,7 +37,7 @@ def _rates(profile):
                     found.append((fail if each.is_required else warn)(
                         "profile", where, "its execution context has a rate of %g Hz, in the file it is %g Hz" % (
                             context.rate, one.rate),
-                        remedies.command("set rate", option=remedies.option(index), path=where, rate="%g" % one.rate)))
+                        remedies.command("set rate", option=remedies.option(index), path=where, rate=f"{one.rate:g}")))
     return found
 
 

@@ -64,14 +64,14 @@ def _batch(waiting):
 
 
 def _watchable(each):
-    """(Watched, '') for a component whose rate can be seen from outside, else (None, why not, '' where that is told)."""
+    """(Watched, '') for a component whose rate can be seen from outside, else (None, why not, '' where that is reported)."""
     running = [(context, state) for context, state in zip(each.contexts, each.states)
                if context is not None and context.running and context.kind == "Periodic" and context.rate > 0]
     if each.error is not None or not running:
         return None, ""
     active = [context for context, state in running if state == "Active"]
     if not active:
-        return None, "it is %s" % component.merged(each.states)
+        return None, f"it is {component.merged(each.states)}"
     found = [port for port in each.ports if port.type == "DataOutPort"]
     if not found:
         return None, "it has no out port"
@@ -79,7 +79,7 @@ def _watchable(each):
 
 
 def _smallest(found):
-    """Of out ports, the one whose values cost least to fetch, as far as the types tell."""
+    """Of out ports, the one whose values cost least to fetch, as far as the types show."""
     return next((port for port in found if datatypes.has_fixed_size(port)), found[0])
 
 
@@ -126,6 +126,6 @@ def _finding(one, spent):
         return ok("rate", where, "rate not measured: nothing is written to " + name)
     kept = one.count / spent
     if one.count + 1 >= ENOUGH * one.rate * spent:  # one more may have been on its way
-        return ok("rate", where, "keeps %.1f of %g Hz (writes to %s)" % (kept, one.rate, name))
-    return warn("rate", where, "keeps %.1f of %g Hz, or does not write to %s in each cycle" % (kept, one.rate, name),
+        return ok("rate", where, f"keeps {kept:.1f} of {one.rate:g} Hz (writes to {name})")
+    return warn("rate", where, f"keeps {kept:.1f} of {one.rate:g} Hz, or does not write to {name} in each cycle",
                 remedies.words("load"))

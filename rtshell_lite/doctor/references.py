@@ -23,14 +23,14 @@ def _unreachable(visit, node):
     """Why an object cannot be used from here, from the outside in: its address, TCP, its process, itself."""
     where = str(node.path)
     if isinstance(node.error, errors.Garbled):
-        return [fail("reference", where, "the name is bound to what must not be used: %s" % reason(node.error),
+        return [fail("reference", where, f"the name is bound to what must not be used: {reason(node.error)}",
                      remedies.words("bad reference"))]
     if node.ref is None:
         return [fail("reference", where, "the name is bound to nothing (a nil reference)",
                      remedies.command("delete name", path=where))]
     offered = orb.addresses(node.ref)
     if not offered:
-        return []  # other transports: whether the object lives tells all
+        return []  # other transports: whether the object lives says all
     told = published(node.ref)
     misled = networks.misled("reference", where, node.ref, visit.addresses, visit.outside)
     if misled:
@@ -48,9 +48,9 @@ def _dead(visit, node, told):
         return fail("reference", where, "cannot tell from here whether it lives: %s is of another network than its name server, and "
                     "who has that address here refuses" % told, remedies.network(node.endpoint))
     if isinstance(node.error, errors.Gone):
-        message = "dead (zombie): who listens at %s now does not have it" % told
+        message = f"dead (zombie): who listens at {told} now does not have it"
     else:
-        message = "dead (zombie): nothing listens at %s" % told
+        message = f"dead (zombie): nothing listens at {told}"
     return fail("reference", where, message, remedies.command("delete zombie", path=where))
 
 
@@ -65,12 +65,12 @@ def _silent(visit, node, offered, told):
         return fail("reference", where, "cannot tell from here whether it lives: publishes %s%s, out of reach (%s)" % (
             told, apart, reason(failure)), remedies.network(offered[0]))
     if rule and reason(node.error) == orb.NO_USABLE_ADDRESS:
-        return fail("reference", where, "at %s: TCP connects, omniORB does not: %s forbids it" % (told, rule.text), rule.remedy)
+        return fail("reference", where, f"at {told}: TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
     if remedies.is_of_network(node.error, offered[0]):
         what = "TCP connects, but what is sent is not received" if isinstance(node.error, errors.Silent) else reason(node.error)
-        return fail("reference", where, "cannot tell from here whether it lives: at %s, %s" % (told, what),
+        return fail("reference", where, f"cannot tell from here whether it lives: at {told}, {what}",
                     remedies.network(offered[0]))
-    return fail("reference", where, "hung: %s accepts TCP, but %s" % (told, reason(node.error)),
+    return fail("reference", where, f"hung: {told} accepts TCP, but {reason(node.error)}",
                 remedies.of_silence(node.error, offered[0], where))
 
 
@@ -92,10 +92,10 @@ def _not_what_it_says(node):
     kind, expected = node.path.names[-1].kind, {"rtc": "component", "mgr": "manager"}
     what = printable(orb.address(node.ref).type_id) or node.what
     if kind not in expected and node.kind == "unknown":
-        return [ok("reference", str(node.path), "another CORBA object, %s, at %s" % (what, published(node.ref)))]
+        return [ok("reference", str(node.path), f"another CORBA object, {what}, at {published(node.ref)}")]
     if kind not in expected or node.kind == expected[kind] or node.kind in ("zombie", "silent"):
         return []
-    message = "somebody else's: not a %s but %s" % (expected[kind], what)
+    message = f"somebody else's: not a {expected[kind]} but {what}"
     return [fail("reference", str(node.path), message, remedies.words("name of another", path=shell_word(str(node.path))))]
 
 

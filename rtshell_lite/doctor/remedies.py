@@ -1,7 +1,7 @@
 """What rtdoctor says would mend something: all remedies, in one table, as each is tried by tests/commands/test_remedies.py.
 
 A remedy is a command, which can be pasted into a shell and followed blindly, or words, for a person to think about. Its first
-word tells which: only commands begin with a program of ours, or with unset. A command mends what was found, and changes nothing
+word says which: only commands begin with a program of ours, or with unset. A command mends what was found, and changes nothing
 but that; a name is deleted only where its object is dead for certain.
 """
 import collections

@@ -68,13 +68,13 @@ def _reach(visit, server):
     except _Stop as stop:
         visit.findings.append(stop.finding)
         return False
-    told = ", ".join("%s %.1f ms" % (name, 1000 * seconds) for name, seconds in times)
+    told = ", ".join(f"{name} {1000 * seconds:.1f} ms" for name, seconds in times)
     slow = [name for name, seconds in times if seconds > SLOW]
     if slow:
         cure = remedies.words("host file" if slow == ["name"] else "slow", host=printable(server.endpoint[0]))
-        visit.findings.append(warn("name server", where, "slow (%s)" % told, cure))
+        visit.findings.append(warn("name server", where, f"slow ({told})", cure))
     else:
-        visit.findings.append(ok("name server", where, "answers (%s)" % told))
+        visit.findings.append(ok("name server", where, f"answers ({told})"))
     return True
 
 
@@ -82,7 +82,7 @@ class _Stop(Exception):
     """A step failed, with this finding."""
 
     def __init__(self, where, message, remedy):
-        Exception.__init__(self)
+        super().__init__()
         self.finding = fail("name server", where, message, remedy)
 
 
@@ -103,7 +103,7 @@ def _transport(visit, endpoint, times):
     try:
         visit.addresses.extend(_timed(times, "name", lambda: addresses.resolve(host)))
     except errors.Error as e:
-        raise _Stop(where, "host name %s not known here (%s)" % (shown, reason(e)),
+        raise _Stop(where, f"host name {shown} not known here ({reason(e)})",
                     remedies.words("host name"))
     try:
         _timed(times, "TCP", lambda: addresses.connect(visit.addresses, port))
@@ -125,16 +125,16 @@ def _is_there(where, ref):
     except errors.Silent as e:
         if remedies.is_of_network(e, endpoint):
             raise _Stop(where, "cannot tell from here: TCP connects, but what is sent is not received", remedies.network(endpoint))
-        raise _Stop(where, "hung: accepts TCP, but %s" % reason(e), remedies.of_silence(e, endpoint, where))
+        raise _Stop(where, f"hung: accepts TCP, but {reason(e)}", remedies.of_silence(e, endpoint, where))
     except errors.Unreachable as e:
         if rule and reason(e) == orb.NO_USABLE_ADDRESS:
-            raise _Stop(where, "TCP connects, omniORB does not: %s forbids it" % rule.text, rule.remedy)
+            raise _Stop(where, f"TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
         if reason(e).startswith("garbled"):
-            raise _Stop(where, "what listens there does not speak CORBA (%s)" % reason(e), remedies.words("who listens", port=port))
+            raise _Stop(where, f"what listens there does not speak CORBA ({reason(e)})", remedies.words("who listens", port=port))
         raise _Stop(where, "cannot tell from here: TCP connects, then %s; who listens there does not speak CORBA, or the network "
                     "is broken" % reason(e), remedies.network(endpoint))
     except errors.Refused as e:
-        raise _Stop(where, "answers with %s" % reason(e), remedies.words("restart", port=port))
+        raise _Stop(where, f"answers with {reason(e)}", remedies.words("restart", port=port))
     if gone:
         raise _Stop(where, "a CORBA process, but no name server: a component or manager, perhaps",
                     remedies.words("correct port"))
@@ -144,7 +144,7 @@ def _is_context(where, ref):
     try:
         found = orb.call(where, ref, "_is_a", _NAMING_CONTEXT)
     except errors.Error as e:
-        raise _Stop(where, "is there, but does not say what it is (%s)" % reason(e),
+        raise _Stop(where, f"is there, but does not say what it is ({reason(e)})",
                     remedies.of_silence(e, orb.endpoint(ref), where))
     if not found:
         raise _Stop(where, "its object NameService is no naming context", remedies.words("correct or restart"))
@@ -165,7 +165,7 @@ def _below(visit, top):
         return []
     for node in nodes:
         if node.kind in ("server", "directory") and node.error is not None:
-            visit.findings.append(fail("context", str(node.path), "its names cannot be listed (%s)" % reason(node.error),
+            visit.findings.append(fail("context", str(node.path), f"its names cannot be listed ({reason(node.error)})",
                                        _list_again(node)))
     return nodes
 

@@ -9,7 +9,7 @@ def mismatches(found, properties):
     """Why a connection of the service Ports `found` is of no use: a list of reasons, empty when each consumer is served.
 
     `properties` are those of the connection, a dict: in them the consumers look for what providers have published
-    (protocol.md 10). A consumer that another connection of its port serves is well. Ports that list no interfaces tell nothing.
+    (protocol.md 10). A consumer that another connection of its port serves is well. Ports that list no interfaces say nothing.
     """
     if not all(each.interfaces for each in found):
         return []
@@ -23,7 +23,7 @@ def mismatches(found, properties):
 
 def _served(interface, properties):
     """True when the properties of a connection name a provider for a required interface."""
-    name = "%s.%s" % (interface.type_name, interface.instance_name)
+    name = f"{interface.type_name}.{interface.instance_name}"
     mapped = [value for key, value in properties.items() if key.endswith(".required." + name)]
     if mapped:
         return mapped[0] in NOBODY or mapped[0] in properties

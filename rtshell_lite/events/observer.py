@@ -1,4 +1,4 @@
-"""Being told what happens to a component: observers of both kinds and loggers, SDO services that we lend to it.
+"""Being told what happens to a component: observers of both kinds and loggers, SDO services that we attach to it.
 
 Sources: OpenRTM-aist's ComponentObserver.idl, Logger.idl, and that of FSM4RTC; the hints are those that C++ and Python send.
 """
@@ -37,7 +37,7 @@ _WORDS = {"UPDATE_CONFIG_SET": "CFG_UPDATE_SET", "UPDATE_CONFIG_PARAM": "CFG_UPD
 _PREFIXES = {"EC_EVENT": "EC_", "PORT_EVENT": "PORT_"}
 
 
-# ---- what is lent to a component ------------------------------------------------------------------------------
+# ---- subscriptions of a component ------------------------------------------------------------------------------
 
 def properties(node):
     """The properties of a component, a dict; its ports are asked before its profile, see `ports.ports`."""
@@ -55,8 +55,8 @@ def taken(properties):
     return [each.strip() for each in told.split(",") if each.strip()]
 
 
-class Loan:
-    """A service of ours that a component calls, from `lend` until `take_back`; both may be called on any lane."""
+class Subscription:
+    """A service of ours that a component calls, from `attach` until `detach`; both may be called on any lane."""
 
     remark = ""  # what the user has to know about it
 
@@ -66,11 +66,11 @@ class Loan:
         self.id = str(uuid.uuid4())
         self._served = None
         self._servant = _servant(interface, heard)
-        self._lock = threading.Lock()  # a component must not get what takes it back before what lends it
+        self._lock = threading.Lock()  # a component must not get what detaches it before what attaches it
         self._over = False
         self._configuration = None
 
-    def lend(self):
+    def attach(self):
         """Give it to the component, once more with the same id if it may have lost it. Raises Refused, Unreachable."""
         with self._lock:
             if self._over:
@@ -78,7 +78,7 @@ class Loan:
             if self._configuration is None:
                 self._configuration = self.node.call("get_configuration")
             if not orb.ask(self.where, self._configuration, "add_service_profile", self._profile()):
-                raise errors.Refused(self.where, "does not take %s" % self.interface)
+                raise errors.Refused(self.where, f"does not take {self.interface}")
 
     def _profile(self):
         from rtshell_lite.corba import servants
@@ -88,8 +88,8 @@ class Loan:
         ref = orb.narrow(orb.from_text(self.where, self._served.ior(self.node.endpoint)), SDOPackage.SDOService)
         return SDOPackage.ServiceProfile(self.id, self.interface, orb.nvlist(self.properties), ref)
 
-    def take_back(self):
-        """Let the component forget it, whatever became of `lend`. Raises Unreachable."""
+    def detach(self):
+        """Let the component forget it, whatever became of `attach`. Raises Unreachable."""
         self._over = True
         with self._lock:
             if self._configuration is not None:
@@ -101,14 +101,14 @@ class Loan:
 
     @property
     def address(self):
-        """Where the component calls us, HOST:PORT; '' before it was lent."""
+        """Where the component calls us, HOST:PORT; '' before it was attached."""
         if self._served is None:
             return ""
         return "%s:%d" % orb.endpoint(orb.from_text(self.where, self._served.ior(self.node.endpoint)))
 
 
 def observer(node, interface, kinds, heard):
-    """A Loan of an observer of the kind `interface` that is told of `kinds` (of KINDS), and of the component's end."""
+    """A Subscription of an observer of the kind `interface` that is told of `kinds` (of KINDS), and of the component's end."""
     if len(kinds) == len(KINDS):
         wanted = "ALL"
     else:
@@ -117,17 +117,17 @@ def observer(node, interface, kinds, heard):
     beats = {OBSERVER: ["heartbeat"], FSM_OBSERVER: ["rtc_heartbeat"] + ["ec_heartbeat"] * ("HEARTBEAT" in kinds)}[interface]
     properties = [("observed_status", wanted)]
     for beat in beats:
-        properties += [(beat + ".enable", "YES"), (beat + ".interval", "%g" % BEAT)]
-    return Loan(node, interface, properties, heard)
+        properties += [(beat + ".enable", "YES"), (beat + ".interval", f"{BEAT:g}")]
+    return Subscription(node, interface, properties, heard)
 
 
 def logger(node, level, names, heard):
-    """A Loan of a logger that is told records up to `level`, from the sources `names` (none: from all)."""
-    return Loan(node, LOGGER, [("logger.log_level", level), ("logger.filter", ",".join(names) or "ALL")], heard)
+    """A Subscription of a logger that is told records up to `level`, from the sources `names` (none: from all)."""
+    return Subscription(node, LOGGER, [("logger.log_level", level), ("logger.filter", ",".join(names) or "ALL")], heard)
 
 
 def _servant(interface, heard):
-    """The CORBA object of a Loan."""
+    """The CORBA object of a Subscription."""
     orb.start()
     from rtshell_lite.idl_stubs.observer import RTC__POA, OpenRTM__POA
     base = {OBSERVER: OpenRTM__POA.ComponentObserver, FSM_OBSERVER: RTC__POA.ComponentObserver,

@@ -1,4 +1,4 @@
-"""What happens to a component that tells nobody, as far as asking again and again shows it: states, contexts, configuration.
+"""What happens to a component that reports to nobody, as far as asking again and again shows it: states, contexts, configuration.
 
 Only questions are asked that change nothing and that a component answers at once: no profiles, for these make it check all
 its connections, and so connections are not watched.
@@ -91,4 +91,4 @@ class Poll:
         else:
             for name, value in self.set[1]:
                 if (name, value) not in was[1]:
-                    yield "CONFIG_EVENT", "%s.%s" % (self.set[0], name), "CFG_UPDATE_PARAM"
+                    yield "CONFIG_EVENT", f"{self.set[0]}.{name}", "CFG_UPDATE_PARAM"

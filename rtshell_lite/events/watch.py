@@ -1,4 +1,4 @@
-"""Following components for as long as one likes: what they tell, whether they live, when they come back."""
+"""Following components for as long as one likes: what they report, whether they live, when they come back."""
 import collections
 import threading
 import time
@@ -27,8 +27,8 @@ class Events:
     def __init__(self, kinds):
         self.kinds = set(kinds)
 
-    def loan(self, node, heard):
-        """The observer to lend to a component, of the first kind that it takes; None for one that takes none."""
+    def subscription(self, node, heard):
+        """The observer to attach to a component, of the first kind that it takes; None for one that takes none."""
         kinds = [observer.OBSERVER, observer.FSM_OBSERVER]
         if self.kinds - {LIFE, "HEARTBEAT"} == {"FSM_EVENT"}:  # else OpenRTM's own, which more components were built for
             kinds.reverse()
@@ -42,7 +42,7 @@ class Events:
         """Begin to poll a component. Raises Refused when that would show nothing of what is wanted."""
         if not self.kinds & (polling.SEEN | {LIFE}):
             wanted = ", ".join(sorted(self.kinds))
-            raise errors.Refused(str(node.path), "offers no observer, and polling does not show %s" % wanted)
+            raise errors.Refused(str(node.path), f"offers no observer, and polling does not show {wanted}")
         return polling.Poll(node, self.kinds)
 
 
@@ -54,15 +54,15 @@ class Records:
     def __init__(self, level, names):
         self.level, self.names = level, names
 
-    def loan(self, node, heard):
-        """The logger to lend to a component. Raises Refused for one that takes none."""
+    def subscription(self, node, heard):
+        """The logger to attach to a component. Raises Refused for one that takes none."""
         properties = observer.properties(node)
         if observer.LOGGER not in observer.taken(properties):
             raise errors.Refused(str(node.path), "takes no loggers")
-        loan = observer.logger(node, self.level, self.names, heard)
+        subscription = observer.logger(node, self.level, self.names, heard)
         if properties.get("language") == "C++":  # LoggerConsumer of 2.1 has no code that would
-            loan.remark = "takes a logger, but components of C++ (up to 2.1) write nothing to it"
-        return loan
+            subscription.remark = "takes a logger, but components of C++ (up to 2.1) write nothing to it"
+        return subscription
 
 
 class Watched:
@@ -71,30 +71,30 @@ class Watched:
     def __init__(self, watch, path):
         self.watch, self.path, self.where = watch, path, str(path)
         self.name = str(path.names[-1])  # how a line calls it; its path where two have the same
-        self.node = self.loan = self.poll = self.heard = None
+        self.node = self.subscription = self.poll = self.heard = None
         self.since = self.looked = time.monotonic()
-        self.ending = False  # it has told that it will exit
-        self.lent_again = False
-        self.mute = None  # what was told of its silence
+        self.ending = False  # it has announced that it will exit
+        self.attached_again = False
+        self.reported_silence = None  # what was reported of its silence
         self.doubtful = False  # its last answer was lost
         self.given_up = False
 
     def begin(self, node):
-        """Start to watch, on a lane. Raises Refused, Unreachable; what was lent is taken back when the watch ends."""
-        self.heard, self.ending, self.lent_again, self.mute, self.poll = None, False, False, None, None
-        self.loan = self.watch.what.loan(node, self.hear)
-        if self.loan is not None and self.watch.lent(self.loan):
-            self.loan.lend()
-            if self.loan.remark:
-                self.watch.note(self, self.loan.remark)
-        if self.loan is None:
+        """Start to watch, on a lane. Raises Refused, Unreachable; what was attached is detached when the watch ends."""
+        self.heard, self.ending, self.attached_again, self.reported_silence, self.poll = None, False, False, None, None
+        self.subscription = self.watch.what.subscription(node, self.hear)
+        if self.subscription is not None and self.watch.remember(self.subscription):
+            self.subscription.attach()
+            if self.subscription.remark:
+                self.watch.note(self, self.subscription.remark)
+        if self.subscription is None:
             self.poll = self.watch.what.poll(node)
-            self.watch.note(self, "offers no observer; it is polled (%g Hz), which shows no connections" % RATE)
+            self.watch.note(self, f"offers no observer; it is polled ({RATE:g} Hz), which shows no connections")
         self.since = self.looked = time.monotonic()
         self.node = node
 
     def hear(self, item):
-        """What it tells, on a thread of the ORB."""
+        """What it reports, on a thread of the ORB."""
         self.heard = time.monotonic()
         if isinstance(item, Event) and item.event == "FINALIZE":
             self.ending = True
@@ -103,7 +103,7 @@ class Watched:
     # ---- a look at it, five times a second, on the thread of its process ----
 
     def look(self):
-        """See what it does not tell itself."""
+        """See what it does not report itself."""
         now = time.monotonic()
         try:
             if self.node is None:
@@ -131,38 +131,38 @@ class Watched:
         """Is it time to ask whether it lives? While its heart beats it is left alone; a logger's component has none."""
         if self.ending:
             return True
-        beats = self.loan.interface != observer.LOGGER and now - max(self.heard or 0, self.since) < LATE
+        beats = self.subscription.interface != observer.LOGGER and now - max(self.heard or 0, self.since) < LATE
         return not beats and now - self.looked >= LOOK
 
     def is_heard(self):
-        """True when it has called us a moment ago, or was lent an observer."""
-        return self.mute is None and time.monotonic() - max(self.heard or 0, self.since) < LATE
+        """True when it has called us a moment ago, or was given an observer."""
+        return self.reported_silence is None and time.monotonic() - max(self.heard or 0, self.since) < LATE
 
     def _answers(self, now):
         """It lives: so much is known. Is it heard, too?"""
         self.doubtful = False
-        if self.mute == "NO_ANSWER" or self.mute and now - (self.heard or 0) < LATE:
+        if self.reported_silence == "NO_ANSWER" or self.reported_silence and now - (self.heard or 0) < LATE:
             self._tell("ANSWERS")
-            self.since, self.mute = now, None
-        beats = self.loan is not None and self.loan.interface != observer.LOGGER
+            self.since, self.reported_silence = now, None
+        beats = self.subscription is not None and self.subscription.interface != observer.LOGGER
         if beats and now - max(self.heard or 0, self.since) >= LOST:
-            self._silent("NO_HEARTBEAT", "no heartbeat for %g s" % LOST)
+            self._silent("NO_HEARTBEAT", f"no heartbeat for {LOST:g} s")
             self._unheard()
 
     def _unheard(self):
         """It lives, but does not call us, any more or at all. It may have lost the observer after a call that failed."""
-        if self.heard is not None and not self.lent_again:
-            self.lent_again, self.since = True, time.monotonic()
-            self.loan.lend()
+        if self.heard is not None and not self.attached_again:
+            self.attached_again, self.since = True, time.monotonic()
+            self.subscription.attach()
             return
         self.poll = polling.Poll(self.node, self.watch.what.kinds)
-        loan, self.loan, self.mute = self.loan, None, None
-        self.watch.note(self, "cannot call us at %s; it is polled from now on" % loan.address)
-        loan.take_back()  # its calls to an address that it cannot reach would only hold it up
+        subscription, self.subscription, self.reported_silence = self.subscription, None, None
+        self.watch.note(self, f"cannot call us at {subscription.address}; it is polled from now on")
+        subscription.detach()  # its calls to an address that it cannot reach would only hold it up
 
     def _silent(self, word, why):
-        if self.mute != word:
-            self.mute = word
+        if self.reported_silence != word:
+            self.reported_silence = word
             self._tell(word)
             self.watch.note(self, why)
 
@@ -175,9 +175,9 @@ class Watched:
                 exited = True
             except errors.Error:
                 pass
-        if self.loan is not None:
-            self.loan.forget()
-        self.node = self.loan = self.poll = None
+        if self.subscription is not None:
+            self.subscription.forget()
+        self.node = self.subscription = self.poll = None
         self._tell("EXITED" if exited else "DIED")
 
     def _return(self):
@@ -189,7 +189,7 @@ class Watched:
                 self._tell("BACK")
         except errors.Refused as e:
             self.given_up = True
-            self.watch.note(self, "is back, but %s" % e.why)
+            self.watch.note(self, f"is back, but {e.why}")
         except errors.Error:
             pass  # not yet
 
@@ -203,7 +203,7 @@ class Watch:
     def __init__(self, what, note):
         """`what`: Events or Records. `note` is called with lines about what is no event, on any thread."""
         self.what, self._note = what, note
-        self.watched, self._loans = [], []
+        self.watched, self._subscriptions = [], []
         self._items = interrupts.Mailbox(MOST)
         self.dropped = 0
         self._ended = threading.Event()
@@ -236,11 +236,11 @@ class Watch:
                 if not each.given_up:
                     each.look()
 
-    def lent(self, loan):
-        """Remember what has to be taken back; False when it is too late to lend anything."""
+    def remember(self, subscription):
+        """Remember what has to be taken back; False when it is too late to attach anything."""
         with self._guard:
             if not self._ended.is_set():
-                self._loans.append(loan)
+                self._subscriptions.append(subscription)
             return not self._ended.is_set()
 
     def put(self, watched, item):
@@ -257,12 +257,12 @@ class Watch:
         return item.kind not in KINDS and len(self.what.kinds) == len(KINDS)
 
     def note(self, watched, line):
-        self._note("%s: %s" % (watched.where, line))
+        self._note(f"{watched.where}: {line}")
 
     def follow(self, number, seconds, idle):
         """Yield (Watched, Event or Record) as they come: `number` of them (below 0: without end), for so many seconds.
 
-        `idle` is called a few times a second. Raises No when there were not `number` of them in time.
+        `idle` is called a few times a second. Raises Failed when there were not `number` of them in time.
         """
         end, wanted = time.monotonic() + seconds, number
         while number and self.watched:
@@ -277,8 +277,8 @@ class Watch:
         if self.dropped:
             self._note("%d lines dropped: they came faster than they could be printed" % self.dropped)
         if number > 0 and self.watched:
-            raise errors.No(", ".join(each.where for each in self.watched),
-                            "%d of %d within %gs" % (wanted - number, wanted, seconds))
+            raise errors.Failed(", ".join(each.where for each in self.watched),
+                                "%d of %d within %gs" % (wanted - number, wanted, seconds))
 
     def __enter__(self):
         return self
@@ -287,7 +287,7 @@ class Watch:
         self.close(hurried=kind is not None and not issubclass(kind, Exception))  # a signal
 
     def close(self, hurried=False):
-        """Take back all that was lent; bounded by the timeout. Reports who did not answer.
+        """Detach all that was attached; bounded by the timeout. Reports who did not answer.
 
         `hurried`: all are asked, and their answers not waited for; who was heard a moment ago will do it.
         """
@@ -296,10 +296,11 @@ class Watch:
                 self._ended.set()
             lanes.end = time.monotonic() + HURRY if hurried else None
             try:
-                values = lanes.each(self._loans, lambda loan: loan.take_back(), lambda loan: (loan.node.endpoint, loan.where))
+                values = lanes.each(self._subscriptions, lambda subscription: subscription.detach(),
+                                    lambda subscription: (subscription.node.endpoint, subscription.where))
             finally:
                 lanes.end = None
-        unheard = [each.loan for each in self.watched if not each.is_heard()]
-        for loan, value in zip(self._loans, values):
-            if isinstance(value, errors.Silent) and (loan in unheard or not hurried):
-                self._note("%s: does not answer; it still has our observer, and drops it when it calls us in vain" % loan.where)
+        unheard = [each.subscription for each in self.watched if not each.is_heard()]
+        for subscription, value in zip(self._subscriptions, values):
+            if isinstance(value, errors.Silent) and (subscription in unheard or not hurried):
+                self._note(f"{subscription.where}: does not answer; it still has our observer, and drops it when it calls us in vain")

@@ -24,7 +24,7 @@ RESET = Transition("reset", "rtreset", "reset_component", "Inactive", "Error")
 # RTC::ComponentProfile as text; `properties` is a list of (name, value) in the component's order.
 Profile = collections.namedtuple("Profile", "instance_name type_name description version vendor category parent properties")
 
-# RTC::ExecutionContextProfile and what else its interface tells. `rate` in Hz, `owner` and `participants` are references.
+# RTC::ExecutionContextProfile and what else its interface says. `rate` in Hz, `owner` and `participants` are references.
 Context = collections.namedtuple("Context", "handle ref kind rate running owner participants properties")
 
 
@@ -43,7 +43,7 @@ def until(reached, seconds):
 def profile(node, brief=False):
     """The Profile of a component. Ask its ports first (`ports.ports`): protocol rule, see `once_more`.
 
-    `brief`: with the first of its properties, which tells that there are any.
+    `brief`: with the first of its properties, which shows that there are any.
     """
     found = once_more(lambda: node.call("get_component_profile"))
     parent = once_more(lambda: orb.ask(node.path, found.parent, "get_sdo_id")) if found.parent else ""
@@ -105,7 +105,7 @@ def context_ref(node, index):
 
 
 def context(node, ref):
-    """All that one execution context tells about itself, a Context."""
+    """All that one execution context says of itself, a Context."""
     found = orb.ask(node.path, ref, "get_profile")
     return Context(handle=node.call("get_context_handle", ref), ref=ref, kind=_by_number(KINDS, found.kind), rate=found.rate,
                    running=orb.ask(node.path, ref, "is_running"), owner=found.owner, participants=found.participants,
@@ -186,7 +186,7 @@ def change_all(paths, transition, index=0, wait=None, dry_run=False):
             now = state_in(node, context_ref(node, index))
             return "" if now == transition.target else "%s%s %s" % (
                 transition.command, " -e %d" % index if index else "", shell_word(str(node.path)))
-        return "%s: %s" % (node.path, change(node, transition, index, wait))
+        return f"{node.path}: {change(node, transition, index, wait)}"
     return tree.on_components(paths, one)
 
 
@@ -240,7 +240,7 @@ def change_in(node, ref, transition, wait=None, called="this execution context",
         return before
     now = seen(lambda: state_in(node, ref))
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
-        raise errors.Refused(str(node.path), "cannot %s: %s" % (transition.name, _reason(code, before, now, transition)))
+        raise errors.Refused(str(node.path), f"cannot {transition.name}: {_reason(code, before, now, transition)}")
     seconds, start = lanes.timeout if wait is None else wait, time.monotonic()
     _until(node, ref, transition, now, seconds)
     if wait is not None:
@@ -249,7 +249,7 @@ def change_in(node, ref, transition, wait=None, called="this execution context",
 
 
 def seen(ask):
-    """What ask() tells after a change: who refuses to tell has perhaps done what was asked for. Raises Uncertain."""
+    """What ask() says after a change: who refuses to answer has perhaps done what was asked for. Raises Uncertain."""
     try:
         return ask()
     except errors.Refused as e:
@@ -266,12 +266,12 @@ def _reason(code, before, now, transition):
     if code == "PRECONDITION_NOT_MET" and now == "Error":
         return "it is in Error; reset it first" if before == "Error" else "it went to Error"
     if code == "PRECONDITION_NOT_MET" and now != transition.source:
-        return "it is %s, not %s" % (now, transition.source)
-    return "%s, it is %s" % (code, now)
+        return f"it is {now}, not {transition.source}"
+    return f"{code}, it is {now}"
 
 
 def stay(node, ref, transition, seconds):
-    """See that a component that is Active still is so a period of its execution context `ref` later, in so many seconds at most.
+    """See that a component that is Active is still Active a period of its execution context `ref` later, in so many seconds at most.
 
     Where onActivated fails, a component is Active for one period before it is in Error (all of OpenRTM-aist). Other states are
     there to stay. Raises Refused, and Unreachable where a period takes longer.
@@ -283,11 +283,11 @@ def stay(node, ref, transition, seconds):
     limit = start + max(seconds, POLL)
     while time.monotonic() < end:
         if time.monotonic() > limit:
-            raise errors.Unreachable(str(node.path), "Active, but not yet for a period (%gs) of its execution context" % (1 / rate))
+            raise errors.Unreachable(str(node.path), f"Active, but not yet for a period ({1 / rate:g}s) of its execution context")
         time.sleep(max(0, min(POLL, end - time.monotonic())))
         now = seen(lambda: state_in(node, ref))
         if now != transition.target:
-            raise errors.Refused(str(node.path), "cannot %s: it went to %s" % (transition.name, now))
+            raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to {now}")
 
 
 def _until(node, ref, transition, now, seconds):
@@ -295,12 +295,12 @@ def _until(node, ref, transition, now, seconds):
     limit, pause = time.monotonic() + seconds, POLL / 10
     while now != transition.target:
         if now == "Error" and transition.source != "Error":
-            raise errors.Refused(str(node.path), "cannot %s: it went to Error" % transition.name)
+            raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to Error")
         if not orb.ask(node.path, ref, "is_running"):
             raise errors.Refused(str(node.path), "cannot %s: its execution context is stopped%s" % (
                 transition.name, "; it takes part in others, named with -e (see rtec)" if context_refs(node)[1] else ""))
         if time.monotonic() > limit:
-            raise errors.Unreachable(str(node.path), "not %s within %gs, still %s" % (transition.target, seconds, now))
+            raise errors.Unreachable(str(node.path), f"not {transition.target} within {seconds:g}s, still {now}")
         time.sleep(pause)
         pause = min(2 * pause, POLL)
         now = seen(lambda: state_in(node, ref))
@@ -327,7 +327,7 @@ def exit_all(paths, wait=None, dry_run=False):
 def leave(node):
     """Let a component that is to exit leave the execution contexts of others, composites say, and wait until it has.
 
-    A context tells a component in its next cycle that it has left. Where that one has exited by then, the context's process ends
+    A context informs a component in its next cycle that it has left. Where that one has exited by then, the context's process ends
     with it (C++ 2.1). Raises Refused where a context does not let go of it.
     """
     asked, seconds = [], LEAVING
@@ -358,7 +358,7 @@ def _exit(node):
             raise
         return
     if code != "RTC_OK":
-        raise errors.Refused(str(node.path), "does not exit (%s)" % code)
+        raise errors.Refused(str(node.path), f"does not exit ({code})")
 
 
 def _has_ended(node):
@@ -378,7 +378,7 @@ def _has_ended(node):
 
 def _until_unbound(node, wait):
     if not until(lambda: _is_unbound(node), wait):
-        raise errors.Unreachable(str(node.path), "has exited, but its name is still bound after %gs" % wait)
+        raise errors.Unreachable(str(node.path), f"has exited, but its name is still bound after {wait:g}s")
 
 
 def _is_unbound(node):

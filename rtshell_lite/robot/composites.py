@@ -1,6 +1,6 @@
 """Composite components: the organisations that they own and that their members belong to (SDOPackage::Organization).
 
-Organization::get_owner is never asked: a C++ component tells it once in its life, and has no owner to tell for ever after.
+Organization::get_owner is never asked: a C++ component answers once in its life, and has no owner ever after.
 """
 import collections
 
@@ -12,7 +12,7 @@ from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 
 DEFAULT_NAME = "CompositeRTC"  # of a composite
 
-# One organisation: `members` are (instance name, reference), an errors.Error in the place of a name that was not told.
+# One organisation: `members` are (instance name, reference), an errors.Error in the place of a name that is not known.
 Organisation = collections.namedtuple("Organisation", "id ref members")
 COMPOSITE = "PeriodicECSharedComposite"
 EXPORTED = "exported_ports"  # parameter of a composite's set `default`: a comma-separated list of INSTANCE.port
@@ -61,9 +61,9 @@ def _path_text(places, name, ref):
     if isinstance(name, (errors.Gone, errors.ConnectionRefused)):
         return "Unknown (it is gone)"
     if isinstance(name, errors.Error):
-        return "Unknown (%s)" % name.why
+        return f"Unknown ({name.why})"
     path = places.path(name, ref)
-    return str(path) if path else "Unknown (%s)" % printable(name)
+    return str(path) if path else f"Unknown ({printable(name)})"
 
 
 def composites(node, contexts):
@@ -112,12 +112,12 @@ def member(path, must_live=True):
 
 
 def together(members):
-    """Live Members, each once with all the ports wanted of it. Raises No for two that a composite could not tell apart."""
+    """Live Members, each once with all the ports wanted of it. Raises Failed for two that a composite could not tell apart."""
     found = collections.OrderedDict()
     for m in members:
         known = found.setdefault(m.instance, m)
         if not _is(m, known.node.ref):
-            raise errors.No(str(m.node.path), "has the same name as %s; a composite cannot have both" % str(known.node.path))
+            raise errors.Failed(str(m.node.path), f"has the same name as {known.node.path!s}; a composite cannot have both")
         found[m.instance] = known._replace(ports=list(collections.OrderedDict.fromkeys(known.ports + m.ports)))
     return list(found.values())
 
@@ -131,7 +131,7 @@ def the_one(node):
 
 
 def check(node, one, joining, leaving):
-    """Raise No or NoSuch for Members that cannot join the Organisation `one` of a composite, or leave it.
+    """Raise Failed or NoSuch for Members that cannot join the Organisation `one` of a composite, or leave it.
 
     A dead member cannot leave: the composite calls it, and does not survive that (C++ 2.1: its process ends, at once or when it
     is activated; Python: its execution context stands still for ever). Its ports can be hidden.
@@ -139,9 +139,9 @@ def check(node, one, joining, leaving):
     known = {name: ref for name, ref in one.members if not isinstance(name, errors.Error)}
     for m in joining:
         if orb.same(m.node.ref, node.ref):
-            raise errors.No(str(node.path), "cannot be a member of itself")
+            raise errors.Failed(str(node.path), "cannot be a member of itself")
         if m.instance in known and not _is(m, known[m.instance]):
-            raise errors.No(str(node.path), "has another member called %s" % printable(m.instance))
+            raise errors.Failed(str(node.path), f"has another member called {printable(m.instance)}")
     for m in leaving:
         there = m.instance in known if m.node is None else _is(m, known.get(m.instance))
         lost = None if m.ports else _lost(one, m.instance)
@@ -154,7 +154,7 @@ def check(node, one, joining, leaving):
 def _lost(one, instance):
     """The error of a member of an Organisation that may be the one that is meant by a name, or None.
 
-    A composite takes the first one of the name; one that is dead cannot tell its own.
+    A composite takes the first one of the name; one that is dead cannot say its own.
     """
     for name, _ in one.members:
         if isinstance(name, errors.Error) or name == instance:
@@ -165,8 +165,8 @@ def _lost(one, instance):
 def _stays(node, m, error):
     """The error for a Member that cannot be removed, because it, or one that may have its name, has failed with `error`."""
     why = "a member that does not answer" if isinstance(error, errors.Silent) else "a dead member"
-    return errors.No(str(node.path), "cannot remove %s: letting go of %s would end this composite's process or stop its "
-                     "execution context; restart that process" % (printable(m.instance), why))
+    return errors.Failed(str(node.path), "cannot remove %s: letting go of %s would end this composite's process or stop its "
+                         "execution context; restart that process" % (printable(m.instance), why))
 
 
 def _is(m, ref):
@@ -175,28 +175,28 @@ def _is(m, ref):
 
 def add(node, one, members):
     """Make Members part of a composite and export their ports; lines that say what was done. Raises Refused."""
-    lines = _export(node, add_ports=["%s.%s" % (m.instance, port) for m in members for port in m.ports])
+    lines = _export(node, add_ports=[f"{m.instance}.{port}" for m in members for port in m.ports])
     there = [name for name, _ in one.members]
     new = [m for m in members if m.instance not in there]
     if new:  # an empty list is refused
         if not orb.ask(node.path, one.ref, "add_members", [m.node.typed for m in new]):
             raise errors.Refused(str(node.path), "does not take members")
-        lines += ["added component %s" % str(m.node.path) for m in new]
-    return lines + ["component %s is a member already" % str(m.node.path) for m in members if m not in new]
+        lines += [f"added component {m.node.path!s}" for m in new]
+    return lines + [f"component {m.node.path!s} is a member already" for m in members if m not in new]
 
 
 def remove(node, one, members):
-    """Remove Members, or hide their ports where they name some; lines that say what was done. Raises Refused, and No for one
+    """Remove Members, or hide their ports where they name some; lines that say what was done. Raises Refused, and Failed for one
     that has died since `check`.
     """
     going = [m for m in members if not m.ports]
-    hidden = ["%s.%s" % (m.instance, port) for m in members for port in m.ports]
+    hidden = [f"{m.instance}.{port}" for m in members for port in m.ports]
     lines = _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
     for m in going:
         _must_live(node, one, m)
         if not orb.ask(node.path, one.ref, "remove_member", to_wire(m.instance)):
-            raise errors.Refused(str(node.path), "does not remove member %s" % printable(m.instance))
-        lines.append("removed component %s" % printable(m.instance))
+            raise errors.Refused(str(node.path), f"does not remove member {printable(m.instance)}")
+        lines.append(f"removed component {printable(m.instance)}")
     return lines
 
 
@@ -220,9 +220,9 @@ def _export(node, add_ports=(), hide=(), hide_all_of=()):
         found.store({EXPORTED: ",".join(wanted)}, within)
         found.activate("default")
     return (["exported port " + printable(name) for name in wanted if name not in now]
-            + ["port %s is exported already" % printable(name) for name in add_ports if name in kept]
+            + [f"port {printable(name)} is exported already" for name in add_ports if name in kept]
             + ["hid port " + printable(name) for name in now if name not in wanted]
-            + ["port %s is hidden already" % printable(name) for name in hide if name not in now])
+            + [f"port {printable(name)} is hidden already" for name in hide if name not in now])
 
 
 # ---- rtcomp: find or make a composite on a manager, then change its members ------------------------------------
@@ -234,9 +234,9 @@ def compose(target, adding, removing, type_name=COMPOSITE, options="", dry_run=F
     change. Raises WrongKind, NoSuch, Refused, and what `tree.component` raises.
     """
     name = target.port or DEFAULT_NAME
-    argument = "%s?instance_name=%s%s" % (type_name, name, "&" + options if options else "")
+    argument = f"{type_name}?instance_name={name}{'&' + options if options else ''}"
     if any(c in name for c in "?&="):
-        raise errors.Usage("a composite cannot be called %s" % printable(name))
+        raise errors.Usage(f"a composite cannot be called {printable(name)}")
     manager.check_argument(argument)
     members = together([member(path) for path in adding])
     leaving = [member(path, must_live=False) for path in collections.OrderedDict.fromkeys(removing)]
@@ -245,7 +245,7 @@ def compose(target, adding, removing, type_name=COMPOSITE, options="", dry_run=F
         raise errors.WrongKind(str(target), "component or manager", "port")
     composite = holder if holder.kind == "component" else _of_manager(holder, name)
     if composite is None and leaving:
-        raise errors.No(str(holder.path), "cannot remove components or ports from a new composite")
+        raise errors.Failed(str(holder.path), "cannot remove components or ports from a new composite")
     if composite is not None:
         check(composite, the_one(composite), members, leaving)
     if dry_run:

@@ -72,7 +72,7 @@ class Configuration:
         raw = SDOPackage.ConfigurationSet(to_wire(within.id), self.raw[within.id].description,
                                           orb.nvlist(everything.items()))
         if not self._call("set_configuration_set_values", raw):
-            raise errors.Refused(self.where, "does not take values for configuration set %s" % printable(within.id))
+            raise errors.Refused(self.where, f"does not take values for configuration set {printable(within.id)}")
         if self.active:
             self.activate(self.active)
 
@@ -81,7 +81,7 @@ class Configuration:
         if set_id not in self.raw:
             raise errors.NoSuch(self.where, "configuration set", printable(set_id))
         if hidden(set_id):
-            raise errors.Refused(self.where, "configuration set %s holds metadata and cannot be active" % printable(set_id))
+            raise errors.Refused(self.where, f"configuration set {printable(set_id)} holds metadata and cannot be active")
 
     def activate(self, set_id):
         """Make `set_id` the active set. Raises NoSuch, Refused."""
@@ -91,7 +91,7 @@ class Configuration:
         except errors.Refused as e:
             why = e.why
         if why:
-            raise errors.Refused(self.where, "does not activate configuration set %s (%s)" % (printable(set_id), why))
+            raise errors.Refused(self.where, f"does not activate configuration set {printable(set_id)} ({why})")
 
     def apply(self, wanted, active=""):
         """Bring sets to the values in `wanted` ({set: {name: value}}), then activate `active`; all is checked first.
@@ -141,15 +141,15 @@ def _changed(within, values):
 
 def dumped(configuration, with_hidden=False):
     """The sets of a Configuration as lines: `[set]`, `[set] active`, `name=value`, control characters escaped."""
-    lines = ["# configuration of %s" % configuration.where]
+    lines = [f"# configuration of {configuration.where}"]
     for each in configuration.sets(with_hidden):
-        lines.append("[%s]%s" % (_spelt(each.id, "]"), " active" if each.active else ""))
-        lines += ["%s=%s" % (_spelt(name, "=#["), _end_seen(printable(value))) for name, value in each.values.items()]
+        lines.append(f"[{_spelt(each.id, ']')}]{' active' if each.active else ''}")
+        lines += [f"{_spelt(name, '=#[')}={_end_seen(printable(value))}" for name, value in each.values.items()]
     return lines
 
 
 def _end_seen(s):
-    """`s` such that an editor that strips blanks from the ends of lines does no harm."""
+    """`s` so that an editor that strips blanks from the ends of lines does no harm."""
     return s[:-1] + "\\x20" if s.endswith(" ") else s
 
 
@@ -162,7 +162,7 @@ _VALUE = re.compile(r"((?:[^=\\]|\\.)*)=(.*)\Z")
 
 
 def parsed(lines, file_name):
-    """Read what `dumped` wrote: ({set: {name: value}}, active set or ''). Raises errors.No with the line's number."""
+    """Read what `dumped` wrote: ({set: {name: value}}, active set or ''). Raises errors.Failed with the line's number."""
     wanted, active, current = collections.OrderedDict(), "", None
     for number, line in enumerate(lines, 1):
         line = line.rstrip("\r\n")
@@ -177,7 +177,7 @@ def parsed(lines, file_name):
             else:
                 _take_value(line, current)
         except ValueError as e:
-            raise errors.No("%s:%d" % (printable(file_name), number), e)
+            raise errors.Failed("%s:%d" % (printable(file_name), number), e)
     return wanted, active
 
 
@@ -196,7 +196,7 @@ def _take_value(line, values):
         raise ValueError("name=value before any [set]")
     name = unescaped(found.group(1))
     if name in values:
-        raise ValueError("%s has a value already" % printable(name))
+        raise ValueError(f"{printable(name)} has a value already")
     values[name] = unescaped(found.group(2))
 
 

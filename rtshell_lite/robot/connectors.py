@@ -10,9 +10,9 @@ def refuse_duplicate(found, name, connector_id):
     for each, connector in [(each, connector) for each in found for connector in each.connectors]:
         for what, wanted, value in (("id", connector_id, connector.id), ("name", name, connector.name)):
             if wanted and wanted == value:
-                raise errors.Refused(ports.label(each), "has a connection with %s %s already" % (what, printable(value)))
+                raise errors.Refused(ports.label(each), f"has a connection with {what} {printable(value)} already")
     for connector in ports.joining(found):
-        raise errors.Refused(ports.between(found), "already connected (id %s)" % printable(connector.id))
+        raise errors.Refused(ports.between(found), f"already connected (id {printable(connector.id)})")
 
 
 def command(labels, name, connector_id, given):
@@ -53,18 +53,18 @@ def connect_alone(port, name, properties):
     asked = RTC.ConnectorProfile(to_wire(name), "", [port.ref], orb.nvlist(sorted(properties.items())))
     code, made = orb.ask(ports.label(port), port.ref, "connect", asked)
     if str(code) != "RTC_OK":
-        raise errors.Refused(ports.label(port), "refused by the component (%s)" % code, name=str(code))
+        raise errors.Refused(ports.label(port), f"refused by the component ({code})", name=str(code))
     return ports.connector(made, ports.label(port))
 
 
 def _why_refused(code, found, connector_id):
     already = ports.joining(found)
     if code == "PRECONDITION_NOT_MET" and already:
-        return "already connected (id %s)" % printable(already[0].id)
+        return f"already connected (id {printable(already[0].id)})"
     if code == "PRECONDITION_NOT_MET" and connector_id:
-        return "refused; id %s is in use, or the component takes no ids (RtORB)" % printable(connector_id)
-    also = "; it is connected already (id %s)" % printable(already[0].id) if already else ""
-    return "refused by the component (%s)%s" % (code, also)
+        return f"refused; id {printable(connector_id)} is in use, or the component takes no ids (RtORB)"
+    also = f"; it is connected already (id {printable(already[0].id)})" if already else ""
+    return f"refused by the component ({code}){also}"
 
 
 def _tidy(found):
@@ -113,7 +113,7 @@ def _forget_elsewhere(port, connector):
 
 
 def _forgetting_failed(port, operation, connector_id):
-    """Ask a port to forget a connector; the errors.Error that tells why it may still have it, or None."""
+    """Ask a port to forget a connector; the errors.Error that says why it may still have it, or None."""
     try:
         code = str(orb.call(ports.label(port), port.ref, operation, connector_id))
     except errors.Silent:
@@ -122,8 +122,8 @@ def _forgetting_failed(port, operation, connector_id):
         return e
     if code == "RTC_OK":
         return None
-    # BAD_PARAMETER: it does not know the connector; or another end does not, which it has asked to tell all the others
-    return errors.Refused(ports.label(port), "cannot remove connection %s (%s)" % (printable(from_wire(connector_id)), code))
+    # BAD_PARAMETER: it does not know the connector; or another end does not, which it has asked to inform all the others
+    return errors.Refused(ports.label(port), f"cannot remove connection {printable(from_wire(connector_id))} ({code})")
 
 
 def disconnect_all(pairs, dry_run=False):
@@ -134,11 +134,11 @@ def disconnect_all(pairs, dry_run=False):
             continue
         seen.add(connector.id)
         if dry_run:
-            results.append("rtdis -i %s %s" % (shell_word(connector.id), shell_word(ports.label(each))))
+            results.append(f"rtdis -i {shell_word(connector.id)} {shell_word(ports.label(each))}")
             continue
         try:
             disconnect(each, connector)
-            results.append("%s: removed connection %s" % (ports.label(each), printable(connector.id)))
+            results.append(f"{ports.label(each)}: removed connection {printable(connector.id)}")
         except errors.Error as e:
             results.append(e)
     return results

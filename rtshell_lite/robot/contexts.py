@@ -49,8 +49,8 @@ def set_rate(node, index, rate):
     code = str(orb.ask(where, ref, "set_rate", rate))
     now = component.seen(lambda: orb.ask(where, ref, "get_rate"))
     if code != "RTC_OK" or not same_rate(now, rate):
-        raise errors.Refused(where, "does not take a rate of %g Hz (%s; it is %g Hz)" % (rate, code, now))
-    return "%s: %g Hz" % (node.path, now)
+        raise errors.Refused(where, f"does not take a rate of {rate:g} Hz ({code}; it is {now:g} Hz)")
+    return f"{node.path}: {now:g} Hz"
 
 
 def same_rate(now, wanted):
@@ -72,8 +72,8 @@ def _run(node, index, operation, wanted):
     ref, where = component.context_ref(node, index), str(node.path)
     code = str(orb.ask(where, ref, operation))  # PRECONDITION_NOT_MET where it is so already
     if bool(component.seen(lambda: orb.ask(where, ref, "is_running"))) != wanted:
-        raise errors.Refused(where, "its execution context does not %s (%s)" % (operation, code))
-    return "%s: %s" % (node.path, "running" if wanted else "stopped")
+        raise errors.Refused(where, f"its execution context does not {operation} ({code})")
+    return f"{node.path}: {'running' if wanted else 'stopped'}"
 
 
 def one_by_one(change, node, index, others):
@@ -88,17 +88,17 @@ def one_by_one(change, node, index, others):
 
 
 def attach(node, index, other):
-    """Let the component `other` take part in a context. Raises No, Refused, and what tells that `other` is gone."""
+    """Let the component `other` take part in a context. Raises Failed, Refused, and what says that `other` is gone."""
     ref, where = component.context_ref(node, index), str(node.path)
     orb.is_alive(str(other.path), other.ref)
     found = orb.ask(where, ref, "get_profile")
     if orb.same(found.owner, other.ref):
-        raise errors.No(where, "%s owns this execution context" % str(other.path))
+        raise errors.Failed(where, f"{other.path!s} owns this execution context")
     if not _takes_part(found, other):
         code = str(orb.ask(where, ref, "add_component", other.typed))
         if code != "RTC_OK" or not _takes_part(component.seen(lambda: orb.ask(where, ref, "get_profile")), other):
-            raise errors.Refused(where, "its execution context does not take %s (%s)" % (str(other.path), code))
-    return "%s: %s takes part" % (node.path, other.path)
+            raise errors.Refused(where, f"its execution context does not take {other.path!s} ({code})")
+    return f"{node.path}: {other.path} takes part"
 
 
 def detach(node, index, other):
@@ -110,8 +110,8 @@ def detach(node, index, other):
     code = str(orb.ask(where, ref, "remove_component", other.typed))
     seconds = max(SETTLE_TIME, 3 / found.rate if found.rate > 0 else 0)
     if not component.until(lambda: not _takes_part(component.seen(lambda: orb.ask(where, ref, "get_profile")), other), seconds):
-        raise errors.Refused(where, "its execution context does not let go of %s (%s)" % (str(other.path), code))
-    return "%s: %s left" % (node.path, other.path)
+        raise errors.Refused(where, f"its execution context does not let go of {other.path!s} ({code})")
+    return f"{node.path}: {other.path} left"
 
 
 def _takes_part(found, other):

@@ -28,7 +28,7 @@ class Machine:
     def _raw(self):
         code, structure = orb.ask(self.where, self.ref, "get_fsm_structure")
         if str(code) != "RTC_OK":
-            raise errors.Refused(self.where, "does not tell its structure (%s)" % code)
+            raise errors.Refused(self.where, f"does not tell its structure ({code})")
         return structure
 
     def structure(self):
@@ -62,7 +62,7 @@ class Machine:
         code = str(orb.ask(self.where, self.ref, "set_fsm_structure", structure))
         if code != "RTC_OK" or read(self._raw()) != wanted:
             why = code + (" but unchanged" if code == "RTC_OK" else "")
-            raise errors.Refused(self.where, "does not take it (%s)" % why)
+            raise errors.Refused(self.where, f"does not take it ({why})")
         return True
 
 

@@ -60,7 +60,7 @@ def check(word):
     if not word.startswith("corbaloc:"):
         parse(word)
     elif not _CORBALOC.match(word) or split_address(_CORBALOC.match(word).group("address"))[1] is None:
-        raise errors.BadPath("%s: not corbaloc:iiop:HOST[:PORT][/KEY]" % printable(word))
+        raise errors.BadPath(f"{printable(word)}: not corbaloc:iiop:HOST[:PORT][/KEY]")
 
 
 def check_argument(argument):
@@ -70,7 +70,7 @@ def check_argument(argument):
     """
     module, mark, pairs = argument.partition("?")
     if not module or "?" in pairs or any(pair and pair.count("=") != 1 for pair in pairs.split("&")):
-        raise errors.Usage("not MODULE[?KEY=VALUE&KEY=VALUE…]: %s" % printable(argument))
+        raise errors.Usage(f"not MODULE[?KEY=VALUE&KEY=VALUE…]: {printable(argument)}")
 
 
 def reference(word):
@@ -86,7 +86,7 @@ def _key(word):
 # ---- what it has ----------------------------------------------------------------------------------------------
 
 def components(node):
-    """(instance name, Node) of each component that lives; a master tells those of its slaves, too."""
+    """(instance name, Node) of each component that lives; a master lists those of its slaves, too."""
     return [(each.path.names[-1].id, each) for each in tree.managed(node) if each.kind == "component"]
 
 
@@ -116,7 +116,7 @@ def profile(node):
 def modules(node, operation="get_loadable_modules"):
     """Profiles of modules as dicts: get_loadable_modules, get_loaded_modules or get_factory_profiles.
 
-    Sorted, and each once. What slaves have loaded, a master can create: some masters tell of that, those of C++ 2.1 do not.
+    Sorted, and each once. What slaves have loaded, a master can create: some masters report that, those of C++ 2.1 do not.
     """
     found = _modules(node, operation)
     if operation != "get_loadable_modules":
@@ -146,25 +146,25 @@ def component_id(properties):
 def create(node, argument, wait=None):
     """Create a component and return its instance name. `argument` is MODULE[?key=value[&key=value…]].
 
-    `wait` (seconds): until it is initialised and the manager lists it. Raises Refused with what can be told of the reason.
+    `wait` (seconds): until it is initialised and the manager lists it. Raises Refused with what is known of the reason.
     """
     before = components(node)
     wanted = dict(pair.split("=", 1) for pair in argument.partition("?")[2].split("&") if "=" in pair).get("instance_name")
     if wanted in [name for name, _ in before]:
         # not refused by managers: two components of one name crash their process later (C++ 1.x)
-        raise errors.Refused(str(node.path), "has a component %s already" % printable(wanted))
+        raise errors.Refused(str(node.path), f"has a component {printable(wanted)} already")
     refs = (node.call("create_component", to_wire(spelt), seconds=CREATE_TIME) for spelt in _spellings(argument))
     ref = next((ref for ref in refs if ref is not None), None)
     if ref is None:
-        raise errors.Refused(str(node.path), "does not create %s (%s)" % (printable(argument), _why_not(node, argument)))
+        raise errors.Refused(str(node.path), f"does not create {printable(argument)} ({_why_not(node, argument)})")
     made = tree.Node(node.path, "component", ref)
     name = from_wire(component.seen(lambda: made.call("get_sdo_id")))
     if any(orb.same(ref, other.ref) for _, other in before):
-        raise errors.Refused(str(node.path), "made nothing new: it gave back %s, which was there" % printable(name))
+        raise errors.Refused(str(node.path), f"made nothing new: it gave back {printable(name)}, which was there")
     if name in [other for other, _ in before]:
         raise errors.Refused(str(node.path), _same_name(node, made, printable(name)))
     if wait is not None:
-        _until(wait, lambda: _is_ready(node, name, made), str(node.path), "%s is not ready" % printable(name))
+        _until(wait, lambda: _is_ready(node, name, made), str(node.path), f"{printable(name)} is not ready")
     return name
 
 
@@ -174,8 +174,8 @@ def _same_name(node, made, name):
     A factory of Python keeps the last name that it was given, makes another component of that name, and lists it nowhere.
     """
     if component.seen(lambda: _lists(node, made.ref)):
-        return "made a second component called %s: only one of them is found by that name; delete one" % name
-    return "made nothing of use: it gave back the name %s, which was there; give another one: ?instance_name=…" % name
+        return f"made a second component called {name}: only one of them is found by that name; delete one"
+    return f"made nothing of use: it gave back the name {name}, which was there; give another one: ?instance_name=…"
 
 
 def _spellings(argument):
@@ -190,14 +190,14 @@ def _spellings(argument):
 
 
 def _why_not(node, argument):
-    """What can be told of the reason: managers give none."""
+    """What is known of the reason: managers give none."""
     ident = argument.partition("?")[0]
     wanted = ident.split(":")[3] if ident.count(":") > 3 else ident
     there = modules(node, "get_factory_profiles")
     alike = [each for each in there if each.get("implementation_id") == wanted]
     if not alike:
         known = sorted({each.get("implementation_id", "") for each in there})
-        return "no factory %s; there are: %s" % (printable(wanted), printable(", ".join(known)) or "none")
+        return f"no factory {printable(wanted)}; there are: {printable(', '.join(known)) or 'none'}"
     if ident != wanted and ident not in map(component_id, alike):
         return "there is " + printable(", ".join(map(component_id, alike)))
     most = alike[0].get("max_instance", "0")
@@ -223,8 +223,8 @@ def delete(node, instance):
     component.leave(found[0])
     code = str(holder.call("delete_component", to_wire(instance), seconds=CREATE_TIME))
     if code != "RTC_OK":
-        raise errors.Refused(str(node.path), "does not delete %s (%s)" % (printable(instance), code))
-    _until(SETTLE_TIME, lambda: not _lists(node, found[0].ref), str(node.path), "still lists %s" % printable(instance))
+        raise errors.Refused(str(node.path), f"does not delete {printable(instance)} ({code})")
+    _until(SETTLE_TIME, lambda: not _lists(node, found[0].ref), str(node.path), f"still lists {printable(instance)}")
 
 
 def _slaves(node):
@@ -244,7 +244,7 @@ def load(node, file_path, function):
     code = str(node.call("load_module", to_wire(file_path), to_wire(function), seconds=CREATE_TIME))
     after = _loaded(node)
     if code != "RTC_OK" or not meant(file_path, after) and len(after) <= len(before):
-        raise errors.Refused(str(node.path), "did not load %s (it says %s)" % (printable(file_path), code))
+        raise errors.Refused(str(node.path), f"did not load {printable(file_path)} (it says {code})")
     return len(_modules(node, "get_factory_profiles")) - known
 
 
@@ -270,7 +270,7 @@ def _plain(path):
 
 
 def unload(node, word):
-    """Unload the module that `word` means, see `meant`. Raises NoSuch, No while a component of it lives, Refused.
+    """Unload the module that `word` means, see `meant`. Raises NoSuch, Failed while a component of it lives, Refused.
 
     A master is asked to unload its own, else the slave that has it. Returns the name under which the manager still offers to
     create what its code is gone for, '' if none: that would end its process (C++ 2.1).
@@ -285,21 +285,21 @@ def unload(node, word):
         if path not in found:
             continue
         _must_be_unused(each, path)
-        try:  # a master may tell of its slaves' modules, but refuses to unload them
+        try:  # a master may list its slaves' modules, but refuses to unload them
             code = str(each.call("unload_module", to_wire(path)))
         except errors.Refused as e:
             code = e.why
             continue
         if code == "RTC_OK" and _loaded(each).count(path) < found.count(path):
             return _still_offered(each, path)
-    raise errors.Refused(str(node.path), "did not unload %s (it says %s)" % (printable(path), code))
+    raise errors.Refused(str(node.path), f"did not unload {printable(path)} (it says {code})")
 
 
 def _must_be_unused(node, path):
-    """Raise No where a component of a compiled module lives: its code would vanish under it, and end its process (C++ 2.1)."""
+    """Raise Failed where a component of a compiled module lives: its code would vanish under it, and end its process (C++ 2.1)."""
     for answer in profiles(node, lambda each: each.endpoint == node.endpoint):
         if not isinstance(answer, errors.Error) and _is_of(path, dict(answer[1].properties)):
-            raise errors.No(str(node.path), "%s is in use by %s, whose process would end; delete it first" % (
+            raise errors.Failed(str(node.path), "%s is in use by %s, whose process would end; delete it first" % (
                 printable(path), printable(answer[1].instance_name)))
 
 
@@ -334,7 +334,7 @@ def shut_down(node, wait=None, above=()):
     results = [result for part in parts for result in ([part] if isinstance(part, errors.Error) else part)]
     left = [each for each, part in zip(slaves, parts) if isinstance(part, errors.Error) or not all(_done(one) for one in part)]
     if left:
-        return results + [errors.NotTried(str(node.path), "its slave %s still runs, and nobody else leads to it" % str(left[0].path))]
+        return results + [errors.NotTried(str(node.path), f"its slave {left[0].path!s} still runs, and nobody else leads to it")]
     return results + [_ended(node, END_TIME if wait is None else wait)]
 
 
@@ -347,14 +347,14 @@ def _ended(node, seconds):
     try:
         code = str(node.call("shutdown"))
         if code != "RTC_OK":
-            return errors.Refused(str(node.path), "does not shut down (%s)" % code)
+            return errors.Refused(str(node.path), f"does not shut down ({code})")
     except (errors.Silent, errors.Refused) as e:
         return e
     except errors.Unreachable:
         pass  # it may have ended before it answered
     if not component.until(lambda: _is_over(node), seconds):
-        return errors.Unreachable(str(node.path), "its process has not ended within %gs" % seconds)
-    return "shut down %s" % (node.path,)
+        return errors.Unreachable(str(node.path), f"its process has not ended within {seconds:g}s")
+    return f"shut down {node.path}"
 
 
 def _is_over(node):
@@ -369,4 +369,4 @@ def _is_over(node):
 
 def _until(limit, reached, where, otherwise):
     if not component.until(lambda: component.seen(reached), limit):
-        raise errors.Unreachable(where, "%s after %gs" % (otherwise, limit))
+        raise errors.Unreachable(where, f"{otherwise} after {limit:g}s")

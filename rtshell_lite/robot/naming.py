@@ -58,7 +58,7 @@ def _delete_zombie(node, dry_run):
 
 
 def _dead(node):
-    """Look at a node and return the zombie that it is. Raises WrongKind, or Silent for one that does not tell."""
+    """Look at a node and return the zombie that it is. Raises WrongKind, or Silent for one that does not say."""
     node, = tree.look([node])
     if node.kind == "silent":
         raise node.error
@@ -69,7 +69,7 @@ def _dead(node):
 
 def _unbind(path, dry_run, zombie=False):
     if dry_run:
-        return "rtdel %s%s" % ("-z " if zombie else "", shell_word(str(path)))
+        return f"rtdel {'-z ' if zombie else ''}{shell_word(str(path))}"
     server = tree.resolve(Path(path.server, (), None, False))
     try:
         server.call("unbind", orb.naming_name(path.names))
@@ -173,7 +173,7 @@ class _Deletion:
         if other is None and not aliases.is_foreign(above, node):
             return False
         what = "another name of " + str(other) if other else "a directory of the name server at %s:%d" % node.endpoint
-        self.note("%s: %s; only this name is deleted" % (node.path, printable(what)))
+        self.note(f"{node.path}: {printable(what)}; only this name is deleted")
         return True
 
 

@@ -1,4 +1,4 @@
-"""The objects of the RTC Tree: what each is, told by its reference, and whether it lives, told by itself."""
+"""The objects of the RTC Tree: what each is, which its reference says, and whether it lives, which it says itself."""
 import functools
 import time
 
@@ -23,10 +23,9 @@ class Node:
 
     path   its Path
     kind   root, server, directory, component, manager; zombie, whose object is gone; silent, a component or manager whose
-           process does not answer; unknown, any other object; unsure, one that has to be asked (`look`) because its
-           reference does not tell
+           process does not answer; unknown, any other object; unsure, one that has to be asked (`look`) because its reference does not say
     ref    its object reference; None at the root and for a nil reference
-    error  for kind `silent` and `zombie`: the errors.Error that tells why; for others: why what is below could not be listed
+    error  for kind `silent` and `zombie`: the errors.Error that says why; for others: why what is below could not be listed
     alias  the Path of the same directory where a walk entered it before; such a Node is not entered again; else None
     foreign  True for a naming context of another name server than that where it is bound; see `aliases.within`
     """
@@ -87,7 +86,7 @@ class Node:
             raise no_name_server(self) if self.kind == "server" else e
 
     def __repr__(self):
-        return "<%s %s>" % (self.kind, self.path)
+        return f"<{self.kind} {self.path}>"
 
 
 def no_name_server(node):
@@ -96,7 +95,7 @@ def no_name_server(node):
 
 
 def classified(path, ref, is_context=False):
-    """The Node for a reference found under `path`, by the type its IOR tells: no remote call.
+    """The Node for a reference found under `path`, by the type in its IOR: no remote call.
 
     `is_context`: it is bound as a naming context. The root of another name server, bound by federation, has no type.
     """
@@ -153,7 +152,7 @@ def _looked_at(node):
 
 
 def _sure(node):
-    """Ask an object that does not say what it is; a refusal to tell makes it unknown."""
+    """Ask an object that does not say what it is; a refusal to answer makes it unknown."""
     try:
         for kind, type_id in (("component", _RTOBJECT), ("manager", _MANAGER), ("directory", _CONTEXTS[0])):
             if orb.call(node.path, node.ref, "_is_a", type_id):
@@ -216,5 +215,5 @@ def _iterated(node, iterator, bindings, size):
     finally:
         orb.call(str(node.path), iterator, "destroy")
     if more:
-        cli.left_out("%s: only its first %d names are taken; its list of them does not end" % (node.path, len(bindings[:MOST])))
+        cli.left_out(f"{node.path}: only its first {len(bindings[:MOST])} names are taken; its list of them does not end")
     return bindings[:MOST]

@@ -47,7 +47,7 @@ def far_ends(node, found):
     """Names for the other ends of all connectors of the Ports `found` of one component.
 
     Returns a function reference → text: the path of the port there. Only the ports at those ends are asked, one call each;
-    whose they are is told by comparing their owner with what is bound in the name servers, without asking anyone else.
+    whose they are is found by comparing their owner with what is bound in the name servers, without asking anyone else.
     An end that does not answer or is bound nowhere is `Unknown (…)`.
     """
     own = {orb.identity(each.ref) for each in found}
@@ -62,12 +62,12 @@ def far_ends(node, found):
 
 
 def _place(found, places):
-    """The path of a Port, or what can be told where there is none."""
+    """The path of a Port, or what is known where there is none."""
     if isinstance(found, errors.Error):
-        return "Unknown (%s)" % found
+        return f"Unknown ({found})"
     if found.owner is None:
         return printable(found.name)
     path = places.path(found.name.rpartition(".")[0], found.owner)
     if path is None:
-        return "Unknown (%s)" % printable(found.name)
+        return f"Unknown ({printable(found.name)})"
     return str(path.with_port(ports.short_name(found.name, path.names[-1].id)))

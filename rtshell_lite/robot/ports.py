@@ -89,7 +89,7 @@ def label(port):
 def find(paths):
     """The Port that each path names, found in parallel, one call a port of its component.
 
-    An errors.Error stands in the place of what failed: NoSuch with what there is, and what `tree.component` raises.
+    An errors.Error takes the place of what failed: NoSuch with what there is, and what `tree.component` raises.
     """
     listed = tree.on_components([path.object() for path in paths], ports)
     return [found if isinstance(found, errors.Error) else named(path, found) for path, found in zip(paths, listed)]
@@ -104,7 +104,7 @@ def named(path, found):
     if exact or len(same_end) == 1:  # several: of members of a composite
         return (exact or same_end)[0]
     there = ", ".join(printable(short_name(each.name, instance)) for each in found) or "none"
-    return errors.NoSuch(str(path.object()), "port", "%s (its ports: %s)" % (printable(path.port), there))
+    return errors.NoSuch(str(path.object()), "port", f"{printable(path.port)} (its ports: {there})")
 
 
 # ---- matching -------------------------------------------------------------------------------------------------
@@ -138,7 +138,7 @@ def _data_mismatches(found, types, properties):
     reasons = []
     data_types = [each.properties.get("dataport.data_type", "") for each in found]
     if not all(same_type(data_types[0], other) for other in data_types[1:]):
-        reasons.append("data types differ (%s)" % ", ".join(printable(_short_type(t)) for t in data_types))
+        reasons.append(f"data types differ ({', '.join((printable(_short_type(t)) for t in data_types))})")
     for key, value in sorted(properties.items()):
         reasons += _not_offered(found, key, value)
     for key, _ in DEFAULTS:
@@ -152,10 +152,10 @@ def _not_offered(found, key, value):
     """Why some of the ports do not take this value of a property."""
     lacking = [(each, offer_without(each, key, value)) for each in found]
     lacking = [(each, offer) for each, offer in lacking if offer is not None]
-    what = "%s %s" % (_short_key(key), printable(value))
+    what = f"{_short_key(key)} {printable(value)}"
     if len(lacking) == len(found) > 1 and len({offer for _, offer in lacking}) == 1:
-        return ["no port has %s (all have: %s)" % (what, lacking[0][1])]
-    return ["%s has no %s (it has: %s)" % (label(each), what, offer) for each, offer in lacking]
+        return [f"no port has {what} (all have: {lacking[0][1]})"]
+    return [f"{label(each)} has no {what} (it has: {offer})" for each, offer in lacking]
 
 
 def offer_without(port, key, value):
@@ -209,9 +209,9 @@ def _service_mismatches(found, properties):
                 continue  # mapped by hand to an interface of another name
             named = [i for i in other.interfaces if i.instance_name == interface.instance_name]
             if not named:
-                reasons.append("%s has no interface %s" % (label(other), printable(interface.instance_name)))
+                reasons.append(f"{label(other)} has no interface {printable(interface.instance_name)}")
             elif all(i.polarity == interface.polarity for i in named):
-                reasons.append("both have interface %s %s" % (printable(interface.instance_name), interface.polarity.lower()))
+                reasons.append(f"both have interface {printable(interface.instance_name)} {interface.polarity.lower()}")
     return reasons
 
 
@@ -250,9 +250,9 @@ def without_rate(found, properties):
         return []
     rates = [each[key] for each in [properties] + [port.properties for port in found] for key in RATES if key in each]
     if not rates:
-        return ["a periodic connection needs a rate: %s=HZ" % RATES[0]]
+        return [f"a periodic connection needs a rate: {RATES[0]}=HZ"]
     try:
         positive = 0 < float(rates[0]) < float("inf")
     except ValueError:
         positive = False
-    return [] if positive else ["a periodic connection needs a rate in Hz above 0, not %s" % printable(rates[0])]
+    return [] if positive else [f"a periodic connection needs a rate in Hz above 0, not {printable(rates[0])}"]

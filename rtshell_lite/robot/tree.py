@@ -45,7 +45,7 @@ def _top(word):
         return parse("/" + word)
     top = parse(word)
     if top.port is not None:
-        raise errors.Usage("%s: a port is looked at with its component" % printable(word))
+        raise errors.Usage(f"{printable(word)}: a port is looked at with its component")
     return top
 
 
@@ -76,7 +76,7 @@ def lane(path):
 def resolve(path):
     """The Node at `path` (a Path or text; its port is left out). One call to the name server, none to a component.
 
-    A component or manager comes back unasked: `look` tells whether it lives. Raises NotFound, Misspelt, WrongKind, and
+    A component or manager comes back unasked: `look` says whether it lives. Raises NotFound, Misspelt, WrongKind, and
     Unreachable or Silent when the name server does not answer.
     """
     path = (parse(path) if isinstance(path, str) else path).object()
@@ -104,7 +104,7 @@ def _resolved(server, path):
     except errors.Unreachable as e:
         raise e if isinstance(e, errors.Silent) else _broken_off(server, path, e)
     node = classified(path, ref)
-    if ref is not None and not orb.address(ref).type_id:  # how it is bound tells more
+    if ref is not None and not orb.address(ref).type_id:  # how it is bound says more
         node = classified(path, ref, (path.names[-1], True) in bound(_resolved(server, path.parent())))
     return node
 
@@ -273,11 +273,11 @@ def _told_apart(profiles):
 
 
 def managed(node):
-    """Nodes of a manager's components; a master tells those of its slaves, too."""
+    """Nodes of a manager's components; a master lists those of its slaves, too."""
     refs = [ref for ref in node.call("get_components") if ref is not None]
     asked = [Node(node.path.child(Name("unknown%d" % i, "rtc")), "component", ref) for i, ref in enumerate(refs)]
     names = on_nodes(asked, lambda each: from_wire(each.call("get_sdo_id")))
-    return [judged(each, name) if isinstance(name, errors.Error)  # dead or silent: it cannot tell its name
+    return [judged(each, name) if isinstance(name, errors.Error)  # dead or silent: it cannot say its name
             else Node(node.path.child(Name(name, "rtc")), "component", each.ref) for each, name in zip(asked, names)]
 
 

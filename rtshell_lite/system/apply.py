@@ -16,13 +16,13 @@ UNDONE, STUCK = "undone", "not undone"
 
 
 class Outcome:
-    """What has become of a step: its `status`, one of the above, and the errors.Error that tells why."""
+    """What has become of a step: its `status`, one of the above, and the errors.Error that says why."""
 
     def __init__(self, step, status=UNTRIED, error=None):
         self.step, self.status, self.error = step, status, error
         self.before = self.after = None  # the answers to its step's jobs, before it was done and after
         self.flying = False  # True while it is being done
-        self.likely = False  # True for one that is so now, and that an earlier step may change
+        self.likely = False  # True for one that is done now, and that an earlier step may change
 
     @property
     def pending(self):
@@ -52,7 +52,7 @@ def check(outcomes):
     What an earlier step may change stays pending.
     """
     _look(outcomes)
-    _bury(outcomes)
+    _mark_dead(outcomes)
     changing = set()
     for each in outcomes:
         sites = {id(site) for site in each.step.sites}
@@ -86,12 +86,12 @@ def _roll_back(outcomes):
     while any(each.flying for each in outcomes) and time.monotonic() < limit:  # what is done later could not be undone
         time.sleep(lanes.TICK)
     for each in reversed([each for each in outcomes if each.status in (DONE, UNSURE)]):
-        each.fail(errors.No(each.step.where, "interrupted while it was undone"), STUCK)
+        each.fail(errors.Failed(each.step.where, "interrupted while it was undone"), STUCK)
         if each.after is None:  # it was interrupted before it was looked at again
             each.after = _answers([each])[0]
         failure = _tried(each, lambda: each.step.undo(each.before, each.after))
         try:
-            undone = not each.step.so(_answers([each])[0])
+            undone = not each.step.is_done(_answers([each])[0])
         except errors.Error as e:
             undone, failure = isinstance(e, errors.Gone), failure or e
         if undone and not each.flying:
@@ -101,7 +101,7 @@ def _roll_back(outcomes):
 
 
 def _levels(outcomes):
-    """Lists of outcomes, one after the other, such that no two of a list share a Site.
+    """Lists of outcomes, one after the other, so that no two of a list share a Site.
 
     The order of those that share one is kept, but among steps that are `free`: connections of one component after another
     to the next would make a list each.
@@ -149,7 +149,7 @@ def _look(outcomes):
     for each, answers in zip(ready, _answers(ready)):
         each.before = answers
         try:
-            if each.step.so(answers):
+            if each.step.is_done(answers):
                 each.status = SO
             else:
                 todo.append(each)
@@ -158,7 +158,7 @@ def _look(outcomes):
     return todo
 
 
-def _bury(outcomes, others=()):
+def _mark_dead(outcomes, others=()):
     """Note at the Sites which of their components have died or fallen silent meanwhile: nothing more is asked of them."""
     lost = [answer for each in outcomes for answer in (each.before or []) + (each.after or []) + [each.error]]
     if not any(isinstance(answer, errors.Unreachable) for answer in lost):
@@ -190,7 +190,7 @@ def _carry_out(level, outcomes):
     lost = [each for each in todo if not each.step.tolerant and _lost(each.after) and not _lost(each.after, errors.Silent)]
     for each, answers in zip(lost, _answers(lost)):  # one more look: what was done has to be known
         each.after = answers
-    _bury(level, outcomes)
+    _mark_dead(level, outcomes)
     for each, result in zip(todo, results):
         _judge(each, result if isinstance(result, errors.Error) else None)
     for each in level:
@@ -200,7 +200,7 @@ def _carry_out(level, outcomes):
 
 def _act(each):
     """Do a step, and note what is known of it if we are interrupted before it is judged."""
-    interrupted = errors.No(each.step.where, "interrupted while it was done")
+    interrupted = errors.Failed(each.step.where, "interrupted while it was done")
     each.fail(interrupted, UNSURE)
     each.flying = True
     try:
@@ -232,7 +232,7 @@ def _lost(answers, kind=errors.Error):
 def _judge(each, failure):
     """Tell by the look after a step what has become of it. `failure` is what the step itself said."""
     try:
-        if each.step.so(each.after):
+        if each.step.is_done(each.after):
             each.status, each.error = DONE, None
             return
         why = failure or errors.Refused(each.step.where, "was said to be done, but is not so")
@@ -240,7 +240,7 @@ def _judge(each, failure):
         e = next((site.error for site in each.step.sites if steps.is_gone(site.error)), e)
         why = e if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Silent) else failure or e
         if (_lost(each.after) is e or each.step.tolerant) and not steps.is_gone(e):
-            each.fail(errors.Unreachable(each.step.where, "%s; whether it was done is not known" % e.why), UNSURE)
+            each.fail(errors.Unreachable(each.step.where, f"{e.why}; whether it was done is not known"), UNSURE)
             return
     each.fail(why)
     _tried(each, lambda: each.step.tidy(each.after))

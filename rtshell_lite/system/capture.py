@@ -9,7 +9,7 @@ from rtshell_lite.robot import component, composites, configuration, places, por
 from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model, rtsprofile
 
-PATH_ID = "COMPONENT_PATH_ID"  # the property by which rtshell and RTSystemEditor tell where the component of an end is bound
+PATH_ID = "COMPONENT_PATH_ID"  # the property by which rtshell and RTSystemEditor say where the component of an end is bound
 # Fields of a model.DataPortConnector that stand for properties `dataport.…` of the connection.
 DATA_FIELDS = ("data_type", "interface_type", "dataflow_type", "subscription_type")
 
@@ -59,7 +59,7 @@ def _configuration(node):
 
 def component_id(profile):
     """The id of a component in an RtsProfile, from its Profile."""
-    return "RTC:%s:%s:%s:%s" % (profile.vendor, profile.category, profile.type_name, profile.version)
+    return f"RTC:{profile.vendor}:{profile.category}:{profile.type_name}:{profile.version}"
 
 
 def path_uri(node):
@@ -82,7 +82,7 @@ def capture(tops=(), all_components=False, with_states=False):
         if not isinstance(answer, errors.Error):
             found.append(answer)
         elif _is_zombie(node, answer):
-            notes.append("%s: zombie, left out" % str(node.path))
+            notes.append(f"{node.path!s}: zombie, left out")
         else:
             failures.append(answer)
             silent.add(node.endpoint)
@@ -118,7 +118,7 @@ def components(tops=()):
         if before is node:
             nodes.append(node)
         elif before.path != node.path:
-            notes.append("%s: the same component as %s" % (node.path, before.path))
+            notes.append(f"{node.path}: the same component as {before.path}")
     return nodes, failures, notes
 
 
@@ -171,7 +171,7 @@ def _component(each, found, notes):
             made.participants.append(model.Participant(component=_target(model.TargetComponent, member)))
             continue
         name = "that does not answer" if isinstance(name, errors.Error) else printable(name)
-        notes.append("%s: its member %s is not in the system, left out" % (each.node.path, name))
+        notes.append(f"{each.node.path}: its member {name} is not in the system, left out")
     made.participants.sort(key=lambda one: one.component.instance_name)
     return made
 
@@ -185,7 +185,7 @@ def _target(kind, each, **more):
 # ---- connections ----------------------------------------------------------------------------------------------
 
 def _connectors(found, silent, notes):
-    """The model's connectors, each once, with all its ends; what ends outside the system is told in `notes`.
+    """The model's connectors, each once, with all its ends; what ends outside the system is reported in `notes`.
 
     `silent` are the endpoints of processes that did not answer before: they are not asked again.
     """
@@ -225,7 +225,7 @@ def _end_key(end):
 
 def _outside(connectors, ends, silent):
     """A function (node, reference) → what to call a port that no component of the system has."""
-    wanted = collections.OrderedDict()  # by the node that tells of the connection
+    wanted = collections.OrderedDict()  # by the node that lists the connection
     for node, port, one, refs in connectors:
         refs = [ref for ref in refs if orb.identity(ref) not in ends and orb.endpoint(ref) not in silent]
         if refs:
@@ -319,7 +319,7 @@ def look(profile, function=ask):
         try:
             paths.append(path_of(each))
         except errors.BadPath as e:
-            paths.append(errors.No("/" + printable(each.path_uri), e))
+            paths.append(errors.Failed("/" + printable(each.path_uri), e))
     answers = iter(tree.on_components([one for one in paths if not isinstance(one, errors.Error)], function))
     return [one if isinstance(one, errors.Error) else next(answers) for one in paths]
 

@@ -58,7 +58,7 @@ def _strangers(profile, there, result):
         try:
             servers.add(capture.path_of(each)._replace(names=()))
         except errors.BadPath:
-            pass  # told before
+            pass  # reported before
     nodes, failures, _ = capture.components(sorted(servers, key=str))
     known = {orb.identity(found.node.ref) for _, found in there} | {capture.shown_path(each) for each in profile.components}
     strange = [node for node in nodes if orb.identity(node.ref) not in known and str(node.path) not in known]
@@ -100,7 +100,7 @@ def _extra(profile, there):
 def _do(check, found):
     """The Differences of one check."""
     if any(isinstance(one, errors.Error) and not _is_missing(one) for one in found):
-        return []  # told once
+        return []  # reported once
     missing = [isinstance(one, errors.Error) for one in found]
     if check.kind == "component":
         if missing[0]:
@@ -110,17 +110,17 @@ def _do(check, found):
         lines = []
         for number, each in enumerate(check.needs):
             if missing[number]:
-                message = "%s component missing: %s" % (_end_word(number), _path(each))
+                message = f"{_end_word(number)} component missing: {_path(each)}"
                 lines.append(_difference(check, message, each, _path(each)))
         if lines:
             return lines
     elif any(missing):
-        return []  # told with the component itself
+        return []  # reported with the component itself
     return list(check.differences(check, *found))
 
 
 def _is_missing(failure):
-    return isinstance(failure, (errors.NotFound, errors.WrongKind, errors.Gone, errors.ProcessGone, errors.No))
+    return isinstance(failure, (errors.NotFound, errors.WrongKind, errors.Gone, errors.ProcessGone, errors.Failed))
 
 
 def _end_word(number):
@@ -155,7 +155,7 @@ def line(check):
     if check.kind == "component":
         what = 'for %s component "%s", "%s" at path %s' % (
             "required" if check.required else "optional", printable(each.id), printable(each.instance_name), _path(each))
-    return "Check %s%s" % (what, " (Required)" if check.required else "")
+    return f"Check {what}{' (Required)' if check.required else ''}"
 
 
 def _component_check(each):
@@ -166,7 +166,7 @@ def _component_check(each):
                 found.profile.instance_name)
         actual = capture.component_id(found.profile)
         if actual != each.id:
-            yield _difference(check, "Component IDs mismatched: %s != %s" % (printable(actual), printable(each.id)), each,
+            yield _difference(check, f"Component IDs mismatched: {printable(actual)} != {printable(each.id)}", each,
                               each.id, actual)
     what = 'for %s component %s with ID "%s" and instance name "%s"' % (
         "required" if each.is_required else "optional", _path(each), printable(each.id), printable(each.instance_name))
@@ -183,7 +183,7 @@ def _configuration_checks(each):
             yield _difference(check, "Wrong configuration set is active on %s (Active set: %s)" % (
                 path, printable(found.active)), each, active, found.active or None)
     if active:
-        made.append(Check("active set", True, 'configuration set "%s" is active on component %s' % (printable(active), path),
+        made.append(Check("active set", True, f'configuration set "{printable(active)}" is active on component {path}',
                           [each], active_differences))
     for one in each.configuration_sets:
         if not one.configuration_data:
@@ -199,7 +199,7 @@ def _parameter_check(each, set_id, name, value):
     def differences(check, found):
         sets = {one.id: one.values for one in found.sets}
         if set_id not in sets:
-            yield _difference(check, "Invalid configuration set: %s on component %s" % (shown, path), each, set_id)
+            yield _difference(check, f"Invalid configuration set: {shown} on component {path}", each, set_id)
         elif name is not None and name not in sets[set_id]:
             yield _difference(check, "Invalid configuration parameter: %s in set %s on component %s" % (
                 printable(name), shown, path), each, value)
@@ -207,8 +207,8 @@ def _parameter_check(each, set_id, name, value):
             actual = sets[set_id][name]
             yield _difference(check, "Configuration parameter %s in set %s on component %s is incorrect (value: %s)" % (
                 printable(name), shown, path, printable(actual)), each, value, actual)
-    what = 'for set "%s" on component "%s"' % (shown, path) if name is None else \
-        'parameter "%s" in set "%s" on component "%s" is "%s"' % (printable(name), shown, path, printable(value))
+    what = f'for set "{shown}" on component "{path}"' if name is None else \
+        f'parameter "{printable(name)}" in set "{shown}" on component "{path}" is "{printable(value)}"'
     return Check("configuration", True, what, [each], differences)
 
 
@@ -219,13 +219,13 @@ def _members_check(each, locate):
     def differences(check, found, *rest):
         for member, other in zip(check.needs[1:], rest):
             if not any(orb.same(ref, other.node.ref) for _, ref in found.members):
-                yield _difference(check, "Component %s is not a member of %s" % (_path(member), _path(each)), each,
+                yield _difference(check, f"Component {_path(member)} is not a member of {_path(each)}", each,
                                   _path(member))
         for name, ref in found.members:
             if not any(orb.same(ref, other.node.ref) for other in rest):
                 name = "one that does not answer" if isinstance(name, errors.Error) else printable(name)
-                yield _difference(check, "Wrong member of %s: %s" % (_path(each), name), each, None, name)
-    return Check("members", each.is_required, "members of %s" % _path(each), [each] + [m for m in members if m is not None],
+                yield _difference(check, f"Wrong member of {_path(each)}: {name}", each, None, name)
+    return Check("members", each.is_required, f"members of {_path(each)}", [each] + [m for m in members if m is not None],
                  differences)
 
 
@@ -239,7 +239,7 @@ def _state_check(each, state, handle):
     def differences(check, found):
         actual = _state_in(found, handle) or component.merged(found.states.values())
         if actual.lower() != state.lower():
-            yield _difference(check, "Component %s is in incorrect state %s" % (_path(each), actual), each, state, actual)
+            yield _difference(check, f"Component {_path(each)} is in incorrect state {actual}", each, state, actual)
     what = "state is %s for %s%s" % (state, _path(each), " in execution context %s" % handle if handle is not None else "")
     return Check("state", each.is_required, what, [each], differences)
 
@@ -260,7 +260,7 @@ def _connection_check(connector, locate):
     """That all ends of a connection have it, with the properties that the profile gives it."""
     ends = [(locate(end), capture.port_of(end)) for end in connector.ends]
     known = [each for each, _ in ends if each is not None]
-    names = [(_path(each) if each is not None else "(%s)" % printable(end.instance_name)) + ":" + printable(port)
+    names = [(_path(each) if each is not None else f"({printable(end.instance_name)})") + ":" + printable(port)
              for (each, port), end in zip(ends, connector.ends)]
     between = names[0] + ("" if len(names) == 1 else " and " + " and ".join(names[1:]))
 
@@ -272,7 +272,7 @@ def _connection_check(connector, locate):
         at = [_port(each, one, name) for (each, name), one in zip(ends, found)]
         for number, port in enumerate(at):
             if port is None:
-                yield _difference(check, "%s port missing: %s" % (_end_word(number), names[number]), ends[number][0],
+                yield _difference(check, f"{_end_word(number)} port missing: {names[number]}", ends[number][0],
                                   ends[number][1], None, ends[number][1])
         if None in at:
             return

@@ -18,7 +18,7 @@ class Connection(steps.Step):
             if site not in sites:
                 sites.append(site)
         label = printable(connector.connector_id) or "without id"
-        steps.Step.__init__(self, sites, " to ".join(names), "connection %s of %s" % (label, " to ".join(names)))
+        super().__init__(sites, " to ".join(names), f"connection {label} of {' to '.join(names)}")
         self.connector, self.ends = connector, ends
 
     def jobs(self):
@@ -35,7 +35,7 @@ class Connect(Connection):
     kind = "connect"
 
     def __init__(self, connector, ends, ids):
-        Connection.__init__(self, connector, ends)
+        super().__init__(connector, ends)
         self.ids, self.given = ids, wanted_properties(connector)
         paths = [str(site.path.with_port(name)) for site, name in ends]
         self.command = connectors.command(paths, connector.name, connector.connector_id, self.given)
@@ -45,16 +45,16 @@ class Connect(Connection):
         site, name = self.ends[0]
         return site.look_at(name).endpoint
 
-    def so(self, answers):
+    def is_done(self, answers):
         at = steps.given(answers)
         if self.leftovers(at):
-            raise errors.Refused(self.where, "connection %s is there, but not complete" % printable(self.connector.connector_id))
+            raise errors.Refused(self.where, f"connection {printable(self.connector.connector_id)} is there, but not complete")
         have = self._ours(at[0], at)
         if have is None:
             ports.check(at, self.given)
             for other in ports.joining(at) if len(at) > 1 else []:
                 if other.id not in self.ids and len(other.ports) == len(at):
-                    raise errors.Refused(self.where, "already connected with another id (%s); rtdis removes that" % printable(other.id))
+                    raise errors.Refused(self.where, f"already connected with another id ({printable(other.id)}); rtdis removes that")
             return False
         for key, wanted, actual in compare.wrong_properties(self.connector, have):
             raise errors.Refused(self.where, "is connected with %s=%s, not %s; rtdis removes that" % (
@@ -111,11 +111,11 @@ class Disconnect(Connection):
 
     jobs = _looked_at
 
-    def so(self, answers):
+    def is_done(self, answers):
         there = [answer for answer in answers if not isinstance(answer, errors.Error)]
         self.last = [(port, one) for port, one in ((port, self._ours(port, there)) for port in there) if one is not None]
         for port, one in self.last[:1]:
-            self.command = "rtdis -i %s %s" % (shell_word(one.id), shell_word(ports.label(port)))
+            self.command = f"rtdis -i {shell_word(one.id)} {shell_word(ports.label(port))}"
         failed = [e for e in answers + [site.error for site in self.sites] if isinstance(e, errors.Error)]
         for e in failed:
             if not self.last and not steps.is_gone(e):

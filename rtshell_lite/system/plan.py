@@ -34,7 +34,7 @@ def make(profile, section, name, start=True):
     """The Plan of the `section` (activation, deactivation) of a profile; `name` is its file in messages.
 
     Where the plan is to `start` a system, the required components come first, and what waits for one depends on it. Raises
-    errors.No with all that is wrong: circles, names of what the file does not have, contradictions.
+    errors.Failed with all that is wrong: circles, names of what the file does not have, contradictions.
     """
     actions = _actions(profile, start)
     targets = _Targets(profile, actions)
@@ -48,14 +48,14 @@ def make(profile, section, name, start=True):
     contradictions = [line for action in planned for line in _contradictions(action, found[action.number])]
     problems = targets.problems + contradictions + list(_circles(planned))
     if problems:
-        raise errors.No(printable(name), "%s: %s" % (section.capitalize(), "; ".join(_once(problems))))
+        raise errors.Failed(printable(name), f"{section.capitalize()}: {'; '.join(_once(problems))}")
     if start:
         notes += _optional_before_required(planned)
     return Plan(planned, _once(notes))
 
 
 def _actions(profile, start):
-    """An Action without conditions for each context of each component; a component that tells none has one."""
+    """An Action without conditions for each context of each component; a component that lists none has one."""
     components = sorted(profile.components, key=lambda each: not each.is_required) if start else profile.components
     found = []
     for each in components:
@@ -81,19 +81,19 @@ class _Targets:
     def of(self, target):
         """Numbers of the actions: one, or all of a component whose context is not named; [] after a problem."""
         component = self._locate(target)
-        called = "%s (%s)" % (printable(target.instance_name), printable(target.component_id))
+        called = f"{printable(target.instance_name)} ({printable(target.component_id)})"
         if component is None:
-            self.problems.append("%s is not in the file" % called)
+            self.problems.append(f"{called} is not in the file")
             return []
         alike = self._alike.get((target.component_id, target.instance_name), [])
         if len(alike) > 1 and not target.property(capture.PATH_ID):
             paths = " or ".join(capture.shown_path(each) for each in alike)
-            self.problems.append("%s may be %s (the property %s tells)" % (called, paths, capture.PATH_ID))
+            self.problems.append(f"{called} may be {paths} (the property {capture.PATH_ID} tells)")
             return []
         actions = self._actions[id(component)]
         found = [action.number for action in actions if target.id in ("", action.context)]
         if not found:
-            self.problems.append("%s has no execution context %s in the file" % (actions[0].path, printable(target.id)))
+            self.problems.append(f"{actions[0].path} has no execution context {printable(target.id)} in the file")
         return found
 
 
@@ -111,17 +111,17 @@ def _with_conditions(action, conditions, targets, notes):
             for target in one.preceding.preceding_components:
                 text = ("Sync to %s" if sync else "After %s's action") % printable(target.instance_name)
                 after += [After(number, sync, one.preceding.timeout, text) for number in targets.of(target)]
-                said.append("%s/%s" % (order, text))
+                said.append(f"{order}/{text}")
         texts += said or [order]
     for text in _once(text for text in texts if texts.count(text) > 1):
-        notes.append("%s in execution context %s has a condition twice: %s" % (action.path, printable(action.context), text))
+        notes.append(f"{action.path} in execution context {printable(action.context)} has a condition twice: {text}")
     return action._replace(order=min([one.sequence for one in conditions], default=None), wait=max(waits, default=None),
                            after=tuple(_once(after)), texts=tuple(_once(texts)))
 
 
 def _contradictions(action, conditions):
     """Lines on conditions of one action that cannot be meant together."""
-    where = "%s in execution context %s: " % (action.path, printable(action.context))
+    where = f"{action.path} in execution context {printable(action.context)}: "
     plain = {one.sequence for one in conditions if one.wait_time is None and
              (one.preceding is None or not one.preceding.preceding_components)}
     waits = {one.wait_time.wait_time for one in conditions if one.wait_time is not None}
@@ -311,7 +311,7 @@ class Schedule:
 
     def _reason(self, how, other):
         failed = "was not tried" if self.ended[other.number] == NOT_TRIED else "failed"
-        return "it %s %s, which %s" % (how, other.path, failed)
+        return f"it {how} {other.path}, which {failed}"
 
     def next_time(self, now):
         """The next time after `now` at which something may be due by itself, None if there is none."""

@@ -24,7 +24,7 @@ def read(name, form=None, words=()):
         _move(profile, maps)
     for each in maps:
         if not each.used:
-            raise errors.Usage("--map %s: nothing in the file is there" % printable(each.word))
+            raise errors.Usage(f"--map {printable(each.word)}: nothing in the file is there")
     return profile
 
 
@@ -49,28 +49,28 @@ def _move(profile, maps):
 
 
 def _move_components(components, maps):
-    """Change their paths; returns {id of a component: the names of its instance, before and now}. Raises No: two at one place."""
+    """Change their paths; returns {id of a component: the names of its instance, before and now}. Raises Failed: two at one place."""
     names, taken = {}, {}
     for each in components:
         before, each.path_uri = path_in(each.path_uri), _moved(each.path_uri, maps)
         now = path_in(each.path_uri)
         if now.names and taken.setdefault(now, before) != before:
-            raise errors.No(str(now), "the file has two components here")
+            raise errors.Failed(str(now), "the file has two components here")
         is_bound_so = before.names and now.names and before.names[-1].id == each.instance_name
         names[id(each)] = each.instance_name, now.names[-1].id if is_bound_so else each.instance_name
     return names
 
 
 def _refuse_unclear(targets, components, names):
-    """Raise No for a target that may mean several components, of which only some have another name now."""
+    """Raise Failed for a target that may mean several components, of which only some have another name now."""
     called = {}  # what a target says of a component: the names that those have now
     for each in components:
         called.setdefault((each.id, each.instance_name), set()).add(names[id(each)][1])
     for target, _ in targets:
         key = target.component_id, target.instance_name
         if not target.property(capture.PATH_ID) and len(called.get(key, ())) > 1:
-            raise errors.No("%s (%s)" % (printable(key[1]), printable(key[0])),
-                            "there are several, of which --map renames some (the property %s tells which is meant)" % capture.PATH_ID)
+            raise errors.Failed(f"{printable(key[1])} ({printable(key[0])})",
+                                f"there are several, of which --map renames some (the property {capture.PATH_ID} tells which is meant)")
 
 
 def _elements(element):
@@ -134,7 +134,7 @@ def path_in(text):
 
 
 class Map:
-    """OLD=NEW: whole elements of paths and what stands for them here; anywhere, or, with a slash before OLD, at the start.
+    """OLD=NEW: whole elements of paths and what they are here; anywhere, or, with a slash before OLD, at the start.
 
     Raises Usage for what is no such thing, BadPath.
     """
@@ -142,7 +142,7 @@ class Map:
     def __init__(self, word):
         found = re.match(r"((?:[^=\\]|\\.)+)=(.+)\Z", word, re.DOTALL)
         if not found or not all(side.strip("/") for side in found.groups()):
-            raise errors.Usage("not OLD=NEW: %s" % printable(word))
+            raise errors.Usage(f"not OLD=NEW: {printable(word)}")
         self.word, self.used = word, False
         old, new = found.groups()
         self.anchored = old.startswith("/")
@@ -151,13 +151,13 @@ class Map:
 
     @staticmethod
     def _elements(word):
-        """(server, names) for the start of a path, and names, or None where it cannot stand elsewhere."""
+        """(server, names) for the start of a path, and names, or None where it cannot be elsewhere."""
         word = word.strip("/")
         top = path.parse("/" + word)
         if top.server is None:
-            raise errors.Usage("a map knows no . or ..: %s" % printable(word))
+            raise errors.Usage(f"a map knows no . or ..: {printable(word)}")
         if top.port is not None:
-            raise errors.Usage("a map knows no ports: %s" % printable(word))
+            raise errors.Usage(f"a map knows no ports: {printable(word)}")
         try:
             below = path.parse("/x/" + word)
         except errors.BadPath:
@@ -165,7 +165,7 @@ class Map:
         return top.object(), below.names if below.port is None and below.server == "x" else None
 
     def at_start(self, where):
-        """How many names behind the server of a Path it replaces; None where it does not fit."""
+        """How many names after the server of a Path it replaces; None where it does not fit."""
         count = len(self.top.names)
         same = path.split_address(self.top.server) == path.split_address(where.server)
         return count if same and where.names[:count] == self.top.names else None

@@ -1,11 +1,11 @@
-"""What becomes of the steps that change a system (rtresurrect, rtteardown) and of the actions of a plan (rtstart, rtstop), told."""
+"""What becomes of the steps that change a system (rtresurrect, rtteardown) and of the actions of a plan (rtstart, rtstop), in words."""
 import collections
 
 from rtshell_lite import cli, text
 
 
 def of_steps(args, outcomes, carry_out):
-    """Carry out steps (apply.Outcomes) and tell what has become of them; returns the exit status.
+    """Carry out steps (apply.Outcomes) and report what has become of them; returns the exit status.
 
     After --dry-run the commands that would do them by hand are printed instead. What is not required may fail without
     spoiling the status, as in rtshell. An interruption is passed on, after the report.
@@ -32,11 +32,11 @@ def _told(args, outcomes):
             tally.done += good and not args.rollback
             if each.status != "already so":
                 why = " because of " + each.error.where if each.error else ""
-                cli.detail("%s: %s%s" % (each.step.title, each.status, why))
+                cli.detail(f"{each.step.title}: {each.status}{why}")
         elif each.step.required:
             tally.add(each.error)
         else:
-            cli.note("%s (not required)" % each.error)
+            cli.note(f"{each.error} (not required)")
     if not args.dry_run:
         (cli.note if tally.statuses else cli.detail)(", ".join("%d %s" % (number, status) for status, number in counts.items() if number))
     return tally.status()
@@ -47,7 +47,7 @@ class Progress(cli.Tally):
 
     def __init__(self, as_json, verb, state):
         """`verb` is Activate, say, and `state` the one that it leads to."""
-        cli.Tally.__init__(self)
+        super().__init__()
         self.as_json, self.verb, self.state = as_json, verb, state
 
     def starting(self, action, line):
@@ -61,14 +61,14 @@ class Progress(cli.Tally):
         self._as_json(result)
         if error is None:
             self.add(action)
-            cli.detail("%s: %s%s" % (action.path, "already " if result.outcome == "already" else "", self.state))
+            cli.detail(f"{action.path}: {'already ' if result.outcome == 'already' else ''}{self.state}")
         elif action.component.is_required:
             self.add(error)
         else:
-            cli.say("Action failed: %s" % error)
+            cli.say(f"Action failed: {error}")
 
     def passed_over(self, result):
-        """An action will not be tried, for a reason that has been told."""
+        """An action will not be tried, for a reason that has been reported."""
         self._as_json(result)
 
     def _as_json(self, result):

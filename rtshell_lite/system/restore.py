@@ -15,16 +15,16 @@ Options = collections.namedtuple("Options", "create manager strict")
 # ---- where components are ---------------------------------------------------------------------------------------
 
 def _sites(profile):
-    """{id of a Component: its Site}. Raises No for two components at one place."""
+    """{id of a Component: its Site}. Raises Failed for two components at one place."""
     sites, taken = collections.OrderedDict(), {}
     for each in profile.components:
         where = relocate.path_in(each.path_uri)
         site = sites[id(each)] = steps.Site(each, where)
         if not where.names:
             site.where = capture.shown_path(each)
-            site.error = errors.No(site.where, "not the path of a component")
+            site.error = errors.Failed(site.where, "not the path of a component")
         if site.error is None and taken.setdefault(where, each) is not each:
-            raise errors.No(site.where, "the file has two components here")
+            raise errors.Failed(site.where, "the file has two components here")
     return sites
 
 
@@ -37,7 +37,7 @@ def _site_finder(locate, sites):
 
 
 def _visit(sites):
-    """Ask for each Site what there is; `error` tells of what is not there, or is another component than it should be."""
+    """Ask for each Site what there is; `error` says what is not there, or is another component than it should be."""
     asked = [site for site in sites if site.error is None]
     for site, found in zip(asked, tree.on_components([site.path for site in asked], capture.ask)):
         if isinstance(found, errors.Error):
@@ -55,7 +55,7 @@ def _visit(sites):
 # ---- restoring --------------------------------------------------------------------------------------------------
 
 def restoring(profile, options):
-    """The apply.Outcomes of the steps that restore a profile, all looked at: what is not pending is so, or cannot be done."""
+    """The apply.Outcomes of the steps that restore a profile, all looked at: what is not pending is done already, or cannot be done."""
     sites = _sites(profile)
     _visit(sites.values())
     locate = capture.locator(profile, options.strict)
@@ -88,7 +88,7 @@ def _creations(profile, outcomes, options, locate):
         word = named.get(id(site.each)) or _above(site.path) or options.manager
         try:
             if not word:
-                raise errors.No(site.where, "is not there, and nothing names a manager to create it (see --manager)")
+                raise errors.Failed(site.where, "is not there, and nothing names a manager to create it (see --manager)")
             if word not in holders:
                 holders[word] = Holder(word)
             holder = holders[word]
@@ -102,7 +102,7 @@ def _creations(profile, outcomes, options, locate):
 
 
 class Holder:
-    """A manager that is to create components; in Create it stands beside their Sites. Raises what `manager.find` raises."""
+    """A manager that is to create components; in Create it is beside their Sites. Raises what `manager.find` raises."""
 
     required, error, found = True, None, None
 
@@ -169,7 +169,7 @@ def _configurations(site):
         for name in [name for name in wanted if name not in known]:
             step = steps.Values(site, one.id, {name: wanted[name]})
             made.append(apply.Outcome(step, apply.FAILED, errors.NoSuch(
-                site.where, "configuration parameter", "%s in set %s" % (printable(name), printable(one.id)))))
+                site.where, "configuration parameter", f"{printable(name)} in set {printable(one.id)}")))
         differing = collections.OrderedDict((n, v) for n, v in known.items() if there.get(n) != v)
         if known:
             made.append(_on(site, steps.Values(site, one.id, differing or known), not differing))
@@ -200,20 +200,20 @@ def _rates(site):
         for index, context in enumerate(site.found.owned):
             if context.handle == int(one.id):
                 step = steps.Rate(site, index, context.handle, one.rate)
-                made.append(_on(site, step, step.so([site.found.owned])))
+                made.append(_on(site, step, step.is_done([site.found.owned])))
     return made
 
 
 # ---- connections ------------------------------------------------------------------------------------------------
 
 def _ends(connector, at):
-    """[(Site, port name)] of a connector. Raises No where the file does not tell which component an end is on."""
+    """[(Site, port name)] of a connector. Raises Failed where the file does not say which component an end is on."""
     ends = []
     for end in connector.ends:
         site = at(end)
         if site is None:
-            raise errors.No("connection " + (printable(connector.connector_id) or "without id"),
-                            "the file has no component for its end %s" % printable(end.port_name))
+            raise errors.Failed("connection " + (printable(connector.connector_id) or "without id"),
+                                f"the file has no component for its end {printable(end.port_name)}")
         ends.append((site, capture.port_of(end)))
     return ends
 
@@ -224,7 +224,7 @@ class _Unplaced(steps.Step):
     kind = "connect"
 
     def __init__(self, connector, error):
-        steps.Step.__init__(self, [], error.where, error.where)
+        super().__init__([], error.where, error.where)
 
 
 def _connections(profile, at):
@@ -260,7 +260,7 @@ def _seen(made, step):
             known = {orb.identity(port.ref) for port in at}
             refs = {orb.identity(ref): ref for _, one in left for ref in one.ports if ref is not None}
             return [(made[-1], [ref for key, ref in sorted(refs.items()) if key not in known])]
-        if step.so(at):
+        if step.is_done(at):
             outcome.status = apply.SO
     except errors.Error as e:
         outcome.fail(e)
@@ -275,7 +275,7 @@ def _mend(outcomes, in_use):
             printable(step.connector.connector_id))))
         return
     removal = connect_steps.Disconnect(step.connector, step.ends)
-    removal.so([site.named(site.found.ports, name) for site, name in step.ends])
+    removal.is_done([site.named(site.found.ports, name) for site, name in step.ends])
     outcomes.insert(0, apply.Outcome(removal))
 
 
@@ -318,8 +318,8 @@ def _removal(connector, at):
         return apply.Outcome(_Unplaced(connector, e), apply.FAILED, e)
     try:
         there = [site.named(site.found.ports, name) for site, name in step.ends if site.error is None]
-        return apply.Outcome(step, apply.SO if step.so(there) else apply.UNTRIED)
+        return apply.Outcome(step, apply.SO if step.is_done(there) else apply.UNTRIED)
     except errors.NoSuch as e:
         return apply.Outcome(step, apply.FAILED, e)
-    except errors.Error as e:  # an end that does not tell; it is reported itself
+    except errors.Error as e:  # an end that does not answer; it is reported itself
         return apply.Outcome(step, error=e)

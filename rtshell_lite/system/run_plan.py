@@ -10,7 +10,7 @@ from rtshell_lite.text import printable
 
 TICK = 1.0  # seconds that the main thread sleeps at most
 
-# What became of an action: `outcome` is one of plan.DONE …, `error` an errors.Error that tells why, None where all is well.
+# What became of an action: `outcome` is one of plan.DONE …, `error` an errors.Error that says why, None where all is well.
 Result = collections.namedtuple("Result", "action outcome error")
 
 # The execution contexts in which a component is to be changed: {handle: reference}, and those that it owns, in its order.
@@ -101,7 +101,7 @@ class Run:
     # ---- doing it ----
 
     def carry_out(self):
-        """Do it all. When an exception interrupts it, nothing more begins, and what has not ended is told all the same."""
+        """Do it all. When an exception interrupts it, nothing more begins, and what has not ended is reported all the same."""
         try:
             while not self._schedule.is_over():
                 now = time.monotonic()
@@ -202,7 +202,7 @@ class Run:
         if now == self.transition.target:
             return Result(action, plan.DONE, None)
         if now not in why:
-            failure = errors.Unreachable(where, "%s; it is %s now" % (why, now))
+            failure = errors.Unreachable(where, f"{why}; it is {now} now")
         return self._failed(action, failure)
 
     def _failed(self, action, error):
@@ -235,5 +235,5 @@ def _context(node, contexts, action):
         ref = contexts.by_place[action.place] if action.place < len(contexts.by_place) else None
     if ref is None:
         handles = ", ".join(str(handle) for handle in sorted(contexts.by_handle)) or "none"
-        raise errors.NoSuch(str(node.path), "execution context", "%s (it has %s)" % (printable(action.context), handles))
+        raise errors.NoSuch(str(node.path), "execution context", f"{printable(action.context)} (it has {handles})")
     return ref

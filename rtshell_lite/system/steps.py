@@ -1,4 +1,4 @@
-"""Single changes to a running system: each knows the command that does it, whether it is so already, how to do and undo it."""
+"""Single changes to a running system: each knows the command that does it, whether it is done already, how to do and undo it."""
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb
 from rtshell_lite.robot import component, composites, configuration, contexts, manager, ports, tree
@@ -8,7 +8,7 @@ MISSING = (errors.NotFound, errors.Gone, errors.ConnectionRefused)
 
 
 def is_gone(failure):
-    """True for an errors.Error that tells that a component is not there, or not any more."""
+    """True for an errors.Error that says that a component is not there, or not any more."""
     return isinstance(failure, MISSING) and not isinstance(failure, errors.NoNameServer)
 
 
@@ -64,11 +64,11 @@ class Step:
         return self.sites[0].node.endpoint
 
     def jobs(self):
-        """What has to be asked to know whether it is so: pairs of a Site and a lanes.Job."""
+        """What has to be asked to know whether it is done: pairs of a Site and a lanes.Job."""
         return []
 
-    def so(self, answers):
-        """Whether it is so, told by the answers to `jobs`. Raises an errors.Error if it cannot be told or done."""
+    def is_done(self, answers):
+        """Whether the system is in the wanted state, by the answers to `jobs`. Raises an errors.Error if that is not known."""
         return True
 
     def act(self, answers):
@@ -98,7 +98,7 @@ class Present(Step):
     kind = "component"
 
     def __init__(self, site):
-        Step.__init__(self, [site], site.where, "component " + site.where)
+        super().__init__([site], site.where, "component " + site.where)
 
 
 # ---- making components ------------------------------------------------------------------------------------------
@@ -109,13 +109,13 @@ class Create(Step):
     kind = "create"
 
     def __init__(self, site, holder, identity):
-        Step.__init__(self, [site, holder], site.where, "component %s, created by %s" % (site.where, holder.where))
+        super().__init__([site, holder], site.where, f"component {site.where}, created by {holder.where}")
         self.required = site.required
         self.site, self.holder = site, holder
-        self.argument = "%s?instance_name=%s" % (identity, site.instance)
-        self.command = "rtmgr -c %s --wait %s" % (shell_word(self.argument), shell_word(holder.where))
+        self.argument = f"{identity}?instance_name={site.instance}"
+        self.command = f"rtmgr -c {shell_word(self.argument)} --wait {shell_word(holder.where)}"
         if any(c in site.instance + identity for c in "?&="):
-            raise errors.No(self.where, "a manager cannot create a component of this name or id")
+            raise errors.Failed(self.where, "a manager cannot create a component of this name or id")
 
     @property
     def endpoint(self):
@@ -132,7 +132,7 @@ class Create(Step):
             return None
         return node
 
-    def so(self, answers):
+    def is_done(self, answers):
         self.site.node = given(answers)[0]
         return self.site.node is not None
 
@@ -140,10 +140,10 @@ class Create(Step):
         name = manager.create(self.holder.node, self.argument, wait=manager.SETTLE_TIME)
         if name != self.site.instance:
             manager.delete(self.holder.node, name)
-            raise errors.Refused(self.where, "its manager made %s instead; deleted again" % printable(name))
+            raise errors.Refused(self.where, f"its manager made {printable(name)} instead; deleted again")
         if not component.until(lambda: self._there() is not None, manager.SETTLE_TIME):
             manager.delete(self.holder.node, name)
-            raise errors.Refused(self.where, "%s made it, but it is not bound here; deleted again" % self.holder.where)
+            raise errors.Refused(self.where, f"{self.holder.where} made it, but it is not bound here; deleted again")
 
     def undo(self, before, after):
         manager.delete(self.holder.node, self.site.instance)
@@ -159,7 +159,7 @@ class Members(Step):
 
     def __init__(self, site, members):
         names = ", ".join(printable(each.instance) for each in members)
-        Step.__init__(self, [site] + members, site.where, "members %s of %s" % (names, site.where))
+        super().__init__([site] + members, site.where, f"members {names} of {site.where}")
         self.site, self.members = site, members
         there = [ref for _, ref in site.found.members] if site.found else []
         new = [one for one in members if one.node is None or not any(orb.same(ref, one.node.ref) for ref in there)]
@@ -169,7 +169,7 @@ class Members(Step):
     def jobs(self):
         return [(self.site, lanes.Job(self.endpoint, self.where, lambda: composites.the_one(self.site.node)))]
 
-    def so(self, answers):
+    def is_done(self, answers):
         return not self._lacking(answers)
 
     def _lacking(self, answers):
@@ -194,7 +194,7 @@ class Values(Step):
     kind = "configuration"
 
     def __init__(self, site, set_id, values):
-        Step.__init__(self, [site], site.where, "configuration set %s of %s" % (printable(set_id), site.where))
+        super().__init__([site], site.where, f"configuration set {printable(set_id)} of {site.where}")
         self.site, self.set_id, self.values = site, set_id, values
         self.kept = None  # the set that was active before, which it has to be again
         self.command = configuration.command(site.where, set_id, "set", *["%s=%s" % item for item in values.items()])
@@ -208,7 +208,7 @@ class Values(Step):
         found.check(self.values, within)
         return found, within
 
-    def so(self, answers):
+    def is_done(self, answers):
         found, within = self._now(answers)
         return all(within.values[name] == value for name, value in self.values.items()) and (
             self.kept is None or found.active == self.kept)
@@ -230,13 +230,13 @@ class Active(Step):
     kind = "active set"
 
     def __init__(self, site, set_id):
-        Step.__init__(self, [site], site.where, "active configuration set %s of %s" % (printable(set_id), site.where))
+        super().__init__([site], site.where, f"active configuration set {printable(set_id)} of {site.where}")
         self.site, self.set_id = site, set_id
         self.command = configuration.command(site.where, set_id, "act")
 
     jobs = Values.jobs
 
-    def so(self, answers):
+    def is_done(self, answers):
         found, = given(answers)
         if self.set_id == "default" and not found.sets():
             return True  # components without configuration have no set at all, and files name this one nevertheless
@@ -258,9 +258,9 @@ class Rate(Step):
     kind = "rate"
 
     def __init__(self, site, index, handle, rate):
-        Step.__init__(self, [site], site.where, "rate of execution context %d of %s" % (handle, site.where))
+        super().__init__([site], site.where, "rate of execution context %d of %s" % (handle, site.where))
         self.site, self.index, self.handle, self.rate = site, index, handle, rate
-        words = ["rtec"] + ["-e", str(index)] * bool(index) + [site.where, "rate", "%r" % rate]
+        words = ["rtec"] + ["-e", str(index)] * bool(index) + [site.where, "rate", f"{rate!r}"]
         self.command = " ".join(map(shell_word, words))
 
     def jobs(self):
@@ -270,7 +270,7 @@ class Rate(Step):
         owned, _ = component.context_refs(self.site.node)
         return [component.context(self.site.node, ref) for ref in owned]
 
-    def so(self, answers):
+    def is_done(self, answers):
         _, context = self._number(given(answers)[0])
         return contexts.same_rate(context.rate, self.rate)
 

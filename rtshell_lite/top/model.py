@@ -25,10 +25,10 @@ REST = 5.0  # seconds for which what is dead or silent is left alone
 # ---- one component --------------------------------------------------------------------------------------------
 
 class _Context:
-    """An execution context as it was seen last. `deaf` is when it may be asked again, if its process did not answer."""
+    """An execution context as it was seen last. `retry_after` is when it may be asked again, if its process did not answer."""
 
     def __init__(self, ref):
-        self.ref, self.rate, self.running, self.deaf = ref, None, None, 0.0
+        self.ref, self.rate, self.running, self.retry_after = ref, None, None, 0.0
 
 
 class _Entry:
@@ -90,11 +90,11 @@ class _Entry:
 
     def _of(self, context, ask, otherwise):
         """ask(), or `otherwise` where a context of another process does not answer; that is left alone for a while."""
-        if time.monotonic() < context.deaf:
+        if time.monotonic() < context.retry_after:
             return otherwise
         found = component.elsewhere(self.node, context.ref, ask, None)
         if found is None:
-            context.deaf = time.monotonic() + REST
+            context.retry_after = time.monotonic() + REST
         return otherwise if found is None else found
 
     def _look_at_ports(self):
@@ -103,7 +103,7 @@ class _Entry:
             found = ports.ports(self.node)
             self.ports = len(found)
             self.connections = len({connector.id for port in found for connector in port.connectors})
-        except errors.Error as e:  # it has just told its state: the ports are what is wrong
+        except errors.Error as e:  # it has just given its state: the ports are what is wrong
             self.ports = self.connections = None
             pause = PORTS_SILENT if isinstance(e, errors.Silent) else PORTS
         self._ports_due = time.monotonic() + pause
@@ -201,7 +201,7 @@ class Top:
     def _look(self, mine):
         """Look at components of one process, one call at a time; False when it did not answer.
 
-        Two silent ones, or the only one, tell that the process hangs: the rest is not asked.
+        Two silent ones, or the only one, mean that the process hangs: the rest is not asked.
         """
         heard, silent = False, []
         for each in sorted(mine, key=lambda each: each.silenced):
@@ -254,7 +254,7 @@ class Top:
     # ---- acting ----
 
     def change(self, path, transition):
-        """Take the component at a path (text) through a component.Transition; `news` tells the state that it is then in."""
+        """Take the component at a path (text) through a component.Transition; `news` has the state that it is then in."""
         self._on(path, transition.command, lambda node: component.change(node, transition))
 
     def show(self, path):

@@ -17,13 +17,12 @@ ENTER = ("\n", "\r", curses.KEY_ENTER)
 BACKSPACE = ("\x08", "\x7f", curses.KEY_BACKSPACE)
 HINTS = "? keys  q end  / filter  s sort  a activate  d deactivate  r reset  c cat"
 
-HELP = """\
-up down j k   select a component; also PgUp PgDn Home End
+HELP = f"""up down j k   select a component; also PgUp PgDn Home End
 a             activate the selected component, as rtact does
 d             deactivate it, as rtdeact
 r             reset it, as rtreset
 c Enter       show all about it, as rtcat -l
-s             sort by the next of: %s
+s             sort by the next of: {', '.join(rows.SORTS)}
 /             filter: words of paths, or states, all of which have to match;
               Enter keeps it, Esc drops it
 h ?           these keys
@@ -31,8 +30,7 @@ Ctrl-L        draw everything anew
 q             end; here, and in what c shows: go back
 
 STATE is ? of what does not answer, - of a zombie. RATE is the execution
-context's, in Hz. CONN counts connections.\
-""" % ", ".join(rows.SORTS)
+context's, in Hz. CONN counts connections."""
 
 # curses colours of states: (number of the pair, foreground, background, attributes); -1 is the terminal's own
 COLOURS = {"Active": (1, curses.COLOR_GREEN, -1, curses.A_BOLD), "Inactive": (2, curses.COLOR_BLUE, -1, curses.A_BOLD),
@@ -46,8 +44,8 @@ def impossible():
     try:
         curses.setupterm(os.environ.get("TERM") or "unknown", sys.stdout.fileno())
     except curses.error:
-        return "the terminal %s is not known here" % text.printable(os.environ.get("TERM") or "(TERM is not set)")
-    return "" if curses.tigetstr("cup") else "the terminal %s has no pages" % text.printable(os.environ["TERM"])
+        return f"the terminal {text.printable(os.environ.get('TERM') or '(TERM is not set)')} is not known here"
+    return "" if curses.tigetstr("cup") else f"the terminal {text.printable(os.environ['TERM'])} has no pages"
 
 
 @contextlib.contextmanager
@@ -166,11 +164,11 @@ class Page:
         news = self.looking.news()
         for (command, path), value in news:
             if isinstance(value, Exception):
-                self.message = "%s: %s" % (command, value)
+                self.message = f"{command}: {value}"
             elif command == "rtcat":
                 self.message, self.over, self.over_first = "", value, 0
             else:
-                self.message = "%s: %s: %s" % (command, path, value)
+                self.message = f"{command}: {path}: {value}"
         return bool(news)
 
     # ---- keys ----
@@ -238,10 +236,10 @@ class Page:
         if (transition is None and key != "c" and key not in ENTER) or self.selected is None:
             return
         if transition:
-            self.message = "%s: %s …" % (transition.command, self.selected)
+            self.message = f"{transition.command}: {self.selected} …"
             self.looking.change(self.selected, transition)
         else:
-            self.message = "rtcat: %s …" % self.selected
+            self.message = f"rtcat: {self.selected} …"
             self.looking.show(self.selected)
 
     # ---- drawing ----
@@ -266,7 +264,7 @@ class Page:
 
     def _draw_head(self, every, height, width):
         """The summary, the flow of ports, the head of the columns; returns the number of lines."""
-        self._put(0, "%s%s" % (rows.summary(every), "; those with: " + self.wanted if self.wanted else ""), curses.A_BOLD)
+        self._put(0, f"{rows.summary(every)}{'; those with: ' + self.wanted if self.wanted else ''}", curses.A_BOLD)
         rates = [rows.rate_line(meter.rate()) for meter in self.meters]
         most = max(height // 3, 1)
         if len(rates) > most:
@@ -301,7 +299,7 @@ class Page:
         elif self.over is not None:
             line = "q back  up down PgUp PgDn"
         elif row and row.failure:
-            line = "%s: %s" % (row.path, rows.reason(row.path, row.failure))
+            line = f"{row.path}: {rows.reason(row.path, row.failure)}"
         else:
             line = HINTS
         return _wrapped(self._spelt(line), max(width, 1))
@@ -310,7 +308,7 @@ class Page:
         height, width = self.window.getmaxyx()
         if y >= height:
             return
-        with contextlib.suppress(curses.error):  # the cursor cannot go behind the last cell; it is written all the same
+        with contextlib.suppress(curses.error):  # the cursor cannot go after the last cell; it is written all the same
             self.window.addstr(y, 0, _clipped(self._spelt(line), width), attributes)
 
     def _spelt(self, line):

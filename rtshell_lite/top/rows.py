@@ -6,7 +6,7 @@ from rtshell_lite import text
 SORTS = ("name", "state", "rate", "connections")
 STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)  # the order by state: trouble first
 
-# One component. `name` tells it from the others; `kind` is component, zombie or silent, or unknown: a part of the tree that
+# One component. `name` distinguishes it from the others; `kind` is component, zombie or silent, or unknown: a part of the tree that
 # cannot be listed. `state` is ? for what does not answer and - for a zombie; `rate` in Hz, of the first context that runs, else
 # of the first one; `running` whether any does; `ports` and `connections` are counts. What is not known (yet) is None. `failure`
 # is an errors.Error or None.
@@ -38,7 +38,7 @@ def summary(rows):
 
 def line(row):
     """A Row as a line below HEAD; it begins with the state."""
-    rate = "-" if row.rate is None else "stopped" if row.running is False else "%g" % row.rate
+    rate = "-" if row.rate is None else "stopped" if row.running is False else f"{row.rate:g}"
     connections = "-" if row.connections is None else str(row.connections)
     mark = {"zombie": "*", "silent": "?"}.get(row.kind, "")
     why = ": " + reason(row.path, row.failure) if row.failure else ""
@@ -57,12 +57,12 @@ def rate_line(rate):
 def _size(bytes_per_second):
     for factor, unit in ((1e9, "GB/s"), (1e6, "MB/s"), (1e3, "kB/s")):
         if bytes_per_second >= factor:
-            return "%.1f %s" % (bytes_per_second / factor, unit)
-    return "%.0f B/s" % bytes_per_second
+            return f"{bytes_per_second / factor:.1f} {unit}"
+    return f"{bytes_per_second:.0f} B/s"
 
 
 def reason(path, failure):
-    """Why something failed, in one line for the terminal, without the path that stands before it."""
+    """Why something failed, in one line for the terminal, without the path before it."""
     return text.safe(failure.why if failure.where == path else str(failure))
 
 

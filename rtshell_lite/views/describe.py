@@ -46,30 +46,25 @@ def lines(found, level, ends, paint):
     paint  colours words (see `text.painter`)
     """
     profile = found.profile
-    yield "%s  %s" % (found.node.name, paint(component.merged(found.states)))
+    yield f"{found.node.name}  {paint(component.merged(found.states))}"
     kind = ("Composite" if found.compositions else "Monolithic") + (" composite member" if found.parents else "")
-    for line in _pairs([("Category", profile.category), ("Description", profile.description),
-                        ("Instance name", profile.instance_name), ("Type name", profile.type_name),
-                        ("Vendor", profile.vendor), ("Version", profile.version), ("Parent", profile.parent),
-                        ("Type", kind)], "  "):
-        yield line
+    yield from _pairs([("Category", profile.category), ("Description", profile.description),
+                       ("Instance name", profile.instance_name), ("Type name", profile.type_name),
+                       ("Vendor", profile.vendor), ("Version", profile.version), ("Parent", profile.parent),
+                       ("Type", kind)], "  ")
     if profile.properties and level < 2:
         yield " +Extra properties"
     elif profile.properties:
         yield "  Extra properties:"
-        for line in _pairs(sorted(profile.properties), "    "):
-            yield line
+        yield from _pairs(sorted(profile.properties), "    ")
     # with -ll rtshell indents what follows by a blank or two more, and there are scripts that cut by column
     tag, more = (" ", "  ") if level > 1 else ("", "")
-    for line in composition_lines(found, level, tag, more, paint):
-        yield line
+    yield from composition_lines(found, level, tag, more, paint)
     for context in found.contexts:
         if _owned(context):
-            for line in context_lines(context, found, level, tag, more, paint):
-                yield line
+            yield from context_lines(context, found, level, tag, more, paint)
     for port in found.ports:
-        for line in port_lines(port, profile.instance_name, level, ends, paint, tag, more):
-            yield line
+        yield from port_lines(port, profile.instance_name, level, ends, paint, tag, more)
 
 
 def _pairs(items, indent):
@@ -83,37 +78,33 @@ def _owned(context):
 def composition_lines(found, level, tag, more, paint):
     """The lines of the compositions that a component owns and of those that it belongs to.
 
-    Here and below, `tag` stands before headings, `more` is the further indentation of what is below them.
+    Here and below, `tag` comes before headings, `more` is the further indentation of what is below them.
     """
     sign = "-" if level else "+"
     for one, members in found.compositions:
-        yield "%s%sComposition %s" % (tag, sign, paint(printable(found.profile.instance_name), "bold"))
-        for line in text.pairs([("ID", printable(one))] + [("Member", path) for path in members], more + "  ") if level else ():
-            yield line
+        yield f"{tag}{sign}Composition {paint(printable(found.profile.instance_name), 'bold')}"
+        yield from text.pairs([("ID", printable(one))] + [("Member", path) for path in members], more + "  ") if level else ()
     for one, name, path in found.parents:
-        yield "%s%sParent composition %s" % (tag, sign, paint(printable(name), "bold"))
-        for line in text.pairs([("ID", printable(one)), ("Path", path)], more + "  ") if level else ():
-            yield line
+        yield f"{tag}{sign}Parent composition {paint(printable(name), 'bold')}"
+        yield from text.pairs([("ID", printable(one)), ("Path", path)], more + "  ") if level else ()
 
 
 def context_lines(context, found, level, tag, more, paint):
     """The lines of one execution context."""
     sign = "-" if level else "+"
-    yield "%s%sExecution Context %s" % (tag, sign, paint(str(context.handle), "bold"))
+    yield f"{tag}{sign}Execution Context {paint(str(context.handle), 'bold')}"
     if not level:
         return
     items = [("State", "Running" if context.running else "Stopped"), ("Kind", context.kind), ("Rate", str(float(context.rate)))]
     owner = _instance(context.owner, found)
-    for line in _pairs(items + ([("Owner", owner)] if owner else []), more + "  "):
-        yield line
+    yield from _pairs(items + ([("Owner", owner)] if owner else []), more + "  ")
     if context.participants:
         yield more + (" +" if level < 2 else " -") + "Participants"
         for participant in context.participants if level > 1 else ():
             yield more + "    " + printable(_instance(participant, found))
     if context.properties:
         yield more + (" +" if level < 2 else " -") + "Extra properties"
-        for line in _pairs(sorted(context.properties), more + "    ") if level > 1 else ():
-            yield line
+        yield from _pairs(sorted(context.properties), more + "    ") if level > 1 else ()
 
 
 def _instance(ref, found):
@@ -130,27 +121,24 @@ def _instance(ref, found):
 
 def port_lines(port, instance, level, ends, paint, tag="", more=""):
     """The lines of one port of the component called `instance`."""
-    yield "%s%s%s: %s" % (tag, "-" if level else "+", port.type, paint(printable(ports.short_name(port.name, instance)), "bold"))
+    yield f"{tag}{'-' if level else '+'}{port.type}: {paint(printable(ports.short_name(port.name, instance)), 'bold')}"
     if not level:
         return
-    for line in _pairs(sorted(port.properties.items()), more + "  "):
-        yield line
+    yield from _pairs(sorted(port.properties.items()), more + "  ")
     for interface in port.interfaces:
         yield more + "  Interface:"
-        for line in _pairs(zip(("Instance name", "Type name", "Polarity"), interface), more + "    "):
-            yield line
+        yield from _pairs(zip(("Instance name", "Type name", "Polarity"), interface), more + "    ")
     listed = 0
     for connector in port.connectors:
         far = [end for end in map(ends, connector.ports) if end]
         listed += len(far)
         if not far:
             continue
-        yield "%s %sConnected to  %s" % (more, "-" if level > 1 else "+", paint(far[0], "bold"))
+        yield f"{more} {'-' if level > 1 else '+'}Connected to  {paint(far[0], 'bold')}"
         for end in far[1:]:
             yield more + " " * 16 + paint(end, "bold")
         if level > 1:
-            for line in _pairs([("Name", connector.name), ("ID", connector.id)] + _shown(connector), more + "    "):
-                yield line
+            yield from _pairs([("Name", connector.name), ("ID", connector.id)] + _shown(connector), more + "    ")
     others = len(port.connectors) - listed
     if others > 0:
         yield "%s  (%d other connection%s)" % (more, others, "s" if others > 1 else "")

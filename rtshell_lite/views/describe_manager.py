@@ -6,7 +6,7 @@ from rtshell_lite.robot import manager, tree
 from rtshell_lite.text import printable
 
 # All that rtcat knows of one manager: `profile` a dict, `loaded` and `loadable` lists of file paths; the latter is None if the
-# manager does not tell it, for the reason in `error`.
+# manager does not say it, for the reason in `error`.
 Found = collections.namedtuple("Found", "node profile loaded loadable error")
 
 # Heading or None, then the lines below it: key of the profile, label.
@@ -32,13 +32,13 @@ def collect(node):
 
 
 def lines(found):
-    """The lines of rtcat for a manager; what a version does not tell is left out."""
+    """The lines of rtcat for a manager; what a version does not say is left out."""
     for heading, entries in _SECTIONS:
         if heading and any(key in found.profile for key, _ in entries):
             yield heading + ":"
         for key, label in entries:
             if key in found.profile:
-                yield "%s%s: %s" % ("  " if heading else "", label, printable(found.profile[key]))
+                yield f"{'  ' if heading else ''}{label}: {printable(found.profile[key])}"
     yield "Loaded modules:"
     for path in found.loaded:
         yield "  Filepath: " + printable(path)

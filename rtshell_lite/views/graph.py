@@ -94,13 +94,13 @@ def heads(graph, number):
         words.append("(not in the profile)")
     if box.state is not None:
         words.append(box.state)
-    words += ["(in %s)" % printable(each.name) for each in graph.boxes if number in each.members]
+    words += [f"(in {printable(each.name)})" for each in graph.boxes if number in each.members]
     made = ["made of " + ", ".join(printable(graph.boxes[member].name) for member in box.members)] if box.members else []
     return ["  ".join(words)] + made
 
 
 def in_order(graph):
-    """Numbers of the boxes such that data flows downwards where it can; as they come where it goes round in a circle."""
+    """Numbers of the boxes so that data flows downwards where it can; as they come where it goes round in a circle."""
     waiting, order = collections.OrderedDict.fromkeys(range(len(graph.boxes))), []
     above = {number: set() for number in waiting}
     for one, _, other, _, service in graph.edges:
@@ -135,9 +135,8 @@ def dot(graph):
         ids = _port_ids(box)
         ports.append(ids)
         if not box.members or box.left or box.right:
-            yield "  %s [%s];" % (_node_id(name), ", ".join(_attributes(box, ids)))
-    for line in _clusters(graph, names):
-        yield line
+            yield f"  {_node_id(name)} [{', '.join(_attributes(box, ids))}];"
+    yield from _clusters(graph, names)
     for service in (False, True):
         for one, out, other, into, is_service in graph.edges:
             if is_service == service:
@@ -147,17 +146,17 @@ def dot(graph):
 
 
 def _attributes(box, ids):
-    cells = ["|".join("<%s>%s" % (ids[port], _label(port)) for port in side) for side in (box.left, box.right)]
+    cells = ["|".join(f"<{ids[port]}>{_label(port)}" for port in side) for side in (box.left, box.right)]
     attributes = ['label="{{%s}|%s|{%s}}"' % (cells[0], _label(box.name), cells[1])]
     if box.missing:
         attributes.append("style=dashed")
     elif box.state is not None:
-        attributes.append("style=filled, fillcolor=%s" % COLOURS.get(box.state, "lightgrey"))
+        attributes.append(f"style=filled, fillcolor={COLOURS.get(box.state, 'lightgrey')}")
     return attributes
 
 
 def _clusters(graph, names):
-    """Composites around their members, however deep; one with ports of its own stands inside, too."""
+    """Composites around their members, however deep; one with ports of its own is inside, too."""
     levels = [(None, iter(graph.tops))]  # composites around this place, and what is still to come in each
     while levels:
         composite, rest = levels[-1]
@@ -168,14 +167,14 @@ def _clusters(graph, names):
                 yield _indent(levels) + "}"
         elif number == composite or not graph.boxes[number].members:
             if composite is not None:
-                yield "%s%s;" % (_indent(levels), _node_id(names[number]))
+                yield f"{_indent(levels)}{_node_id(names[number])};"
         else:
             box = graph.boxes[number]
             yield "%ssubgraph %s {" % (_indent(levels), _node_id("cluster_" + names[number]))
             levels.append((number, iter([number] * bool(box.left or box.right) + box.members)))
-            yield '%slabel="%s";' % (_indent(levels), _label(box.name))
+            yield f'{_indent(levels)}label="{_label(box.name)}";'
             if box.state is not None:
-                yield "%sbgcolor=%s;" % (_indent(levels), COLOURS.get(box.state, "lightgrey"))
+                yield f"{_indent(levels)}bgcolor={COLOURS.get(box.state, 'lightgrey')};"
 
 
 def _indent(levels):
@@ -190,7 +189,7 @@ def _word(name):
 
 
 def _told_apart(names):
-    """The names, numbers behind those that were there before."""
+    """The names, numbers after those that were there before."""
     seen, told = set(), []
     for name in names:
         number, wanted = 1, name
@@ -208,7 +207,7 @@ def _node_id(name):
 
 
 def _port_ids(box):
-    """An identifier for each port of a box: the part of its name behind the last dot, a number where that will not do."""
+    """An identifier for each port of a box: the part of its name after the last dot, a number where that will not do."""
     ids = {}
     for number, port in enumerate(box.left + box.right, 1):
         short = port.rpartition(".")[2]

@@ -57,8 +57,7 @@ def lines(picture):
     width = max([item.x + item.width for item in boxes] or [0]) + _MARGIN + (_LANE * 4 if around else 0)
     yield _HEAD % (width, bottom + len(around) * _LANE)
     for item in boxes:
-        for line in _drawn(item):
-            yield line
+        yield from _drawn(item)
     lane = bottom - _MARGIN // 2
     for edge, way in zip(picture.edges, ways):
         yield _line(edge, boxes, way, lane)
@@ -66,7 +65,7 @@ def lines(picture):
     yield "</svg>"
 
 
-# ---- where things stand ---------------------------------------------------------------------------------------
+# ---- where things are -----------------------------------------------------------------------------------------
 
 def _columns(picture, boxes):
     """(columns, lists of Items; for each edge the Items that it passes, None for one that goes around)."""
@@ -85,7 +84,7 @@ def _columns(picture, boxes):
         if number in used:
             columns[column[number]].append(boxes[number])
     for number in order:
-        if number not in used:  # it may stand anywhere
+        if number not in used:  # it may be anywhere
             min(columns, key=lambda items: sum(item.height + _BELOW for item in items)).append(boxes[number])
     ways = []
     for one, _, other, _, _ in picture.edges:
@@ -103,7 +102,7 @@ def _columns(picture, boxes):
 
 
 def _sort(columns):
-    """Order each column by where its neighbours stand in theirs, so that few lines cross."""
+    """Order each column by where its neighbours are in theirs, so that few lines cross."""
     for items in columns:
         _number(items)
     for _ in range(_SWEEPS):
@@ -182,7 +181,7 @@ def _escaped(text):
 
 
 def _line(edge, boxes, way, lane):
-    """The line for an edge; a browser tells what it connects where the mouse points at it. `lane`: y of one that goes around."""
+    """The line for an edge; a browser shows what it connects where the mouse points at it. `lane`: y of one that goes around."""
     one, out, other, into, service = edge
     (x, y, side), (to_x, to_y, to_side) = boxes[one].port(out), boxes[other].port(into)
     if way is None:
@@ -196,7 +195,7 @@ def _line(edge, boxes, way, lane):
         path += _curve(x, y, side, to_x, to_y, to_side)
     looks = 'stroke-dasharray="5,3" marker-end="url(#dot)"' if service else 'marker-end="url(#arrow)"'
     name = "%s:%s to %s:%s" % tuple(map(printable, (boxes[one].box.name, out, boxes[other].box.name, into)))
-    return '<path d="%s" fill="none" stroke="black" %s><title>%s</title></path>' % (path, looks, _escaped(name))
+    return f'<path d="{path}" fill="none" stroke="black" {looks}><title>{_escaped(name)}</title></path>'
 
 
 def _curve(x, y, side, to_x, to_y, to_side):

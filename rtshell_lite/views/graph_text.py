@@ -50,11 +50,11 @@ def _stack(picture):
     for place, number in enumerate(in_order(picture)):
         box = picture.boxes[number]
         rows.append(Row("├", "", "┤") if place else Row("┌", "", "┐"))
-        rows += [Row("│", " %s " % head, "│") for head in heads(picture, number)]
+        rows += [Row("│", f" {head} ", "│") for head in heads(picture, number)]
         for side, mark in ((box.left, "│"), (box.right, ">")):
             for port in side:
                 at[number, port] = len(rows)
-                rows.append(Row("│", " %s " % printable(port), mark))
+                rows.append(Row("│", f" {printable(port)} ", mark))
     return rows + [Row("└", "", "┘")] * bool(rows), at
 
 

@@ -77,14 +77,14 @@ def _asked_once(node):
 def figures(node):
     """The Figures of one component."""
     from rtshell_lite.robot import component, ports  # not needed, and not loaded, for names alone
-    owned, participating = component.context_refs(node)  # tells whether the component itself is there
+    owned, participating = component.context_refs(node)  # shows whether the component itself is there
     try:
         state = component.merged(component.states(node, owned + participating))
         found = ports.ports(node, brief=True)
     except (errors.Gone, errors.ConnectionRefused) as e:
         # a port or context passed on that something behind it is gone; the component has answered
         why = "one of them is gone" if isinstance(e, errors.Gone) else "connection refused"
-        raise errors.Unreachable(str(node.path), "does not tell its ports or states (%s)" % why)
+        raise errors.Unreachable(str(node.path), f"does not tell its ports or states ({why})")
     counts = []
     for _, kind in COUNTED:
         of_kind = [each for each in found if kind in (None, each.type)]
@@ -137,8 +137,8 @@ def as_dict(node, found):
 
 
 def silent_ones(nodes):
-    """The line that tells how many of `nodes` did not answer, '' when all did."""
+    """The line that says how many of `nodes` did not answer, '' when all did."""
     silent = [node.name for node in nodes if node.kind == "silent"]
     names = ", ".join(silent[:5] + ["…"] * (len(silent) > 5))
     objects = [node for node in nodes if node.kind in ("component", "manager", "silent", "zombie")]
-    return "%d of %d did not answer (%s)" % (len(silent), len(objects), names) if silent else ""
+    return f"{len(silent)} of {len(objects)} did not answer ({names})" if silent else ""

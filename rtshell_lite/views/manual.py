@@ -1,4 +1,4 @@
-"""The manual of a component, made from what it tells about itself: what rtdoc prints."""
+"""The manual of a component, made from what it says of itself: what rtdoc prints."""
 import collections
 
 from rtshell_lite.data import datatypes
@@ -32,7 +32,7 @@ def collect(node, graph=False):
         if parts:
             sections.append(Section(key, TITLES.get(key, key), parts))
         elif "__order__" in said:
-            notes.append("unknown section in order: %s" % printable(key))
+            notes.append(f"unknown section in order: {printable(key)}")
     return Manual(profile.type_name, profile.description, fields, sections, notes)
 
 
@@ -85,11 +85,11 @@ def _configuration_section(sets):
 def _graph(title, rows):
     """The component with its data ports in the language of Graphviz."""
     name = _node_id(title)
-    lines = ["rankdir=LR;", '%s [shape=Mrecord, label="%s"];' % (name, _quoted(title))]
+    lines = ["rankdir=LR;", f'{name} [shape=Mrecord, label="{_quoted(title)}"];']
     for port, kind, _, _ in rows:
         if kind not in ports.DATA:
             continue
-        lines.append('%s [shape=plaintext, label="%s"];' % (_node_id(port), _quoted(port)))
+        lines.append(f'{_node_id(port)} [shape=plaintext, label="{_quoted(port)}"];')
         lines.append("%s -> %s;" % ((_node_id(port), name) if kind == "DataInPort" else (name, _node_id(port))))
     return Graph(lines)
 
@@ -97,7 +97,7 @@ def _graph(title, rows):
 def _node_id(name):
     for character, word in ((".", "_dot_"), ("/", "_slash_"), ("(", "_lpar_"), (")", "_rpar_")):
         name = name.replace(character, word)
-    return name if name.isidentifier() else '"%s"' % _quoted(name)
+    return name if name.isidentifier() else f'"{_quoted(name)}"'
 
 
 def _quoted(name):

@@ -13,7 +13,7 @@ def _lines_of(text):
 def rst(manual):
     """reStructuredText, as rtshell lays it out."""
     lines = _underlined(manual.title, "=") + _lines_of(manual.description) + [""]
-    lines += [":%s: %s" % (name, " ".join(_lines_of(value))) for name, value in manual.fields]
+    lines += [f":{name}: {' '.join(_lines_of(value))}" for name, value in manual.fields]
     for section in manual.sections:
         lines += [""] + _underlined(section.title, "-")
         for number, part in enumerate(section.parts):
@@ -55,11 +55,11 @@ pre { background: #eee; padding: .6em }"""
 def html(manual):
     """One self-contained HTML page."""
     title = _html(manual.title)
-    lines = ["<!DOCTYPE html>", '<html lang="en">', "<head>", '<meta charset="utf-8">', "<title>%s</title>" % title,
-             "<style>", _STYLE, "</style>", "</head>", "<body>", "<h1>%s</h1>" % title, "<p>%s</p>" % _html(manual.description)]
-    lines += ["<dl>"] + ["<dt>%s</dt><dd>%s</dd>" % (_html(n), _html(v)) for n, v in manual.fields] + ["</dl>"]
+    lines = ["<!DOCTYPE html>", '<html lang="en">', "<head>", '<meta charset="utf-8">', f"<title>{title}</title>",
+             "<style>", _STYLE, "</style>", "</head>", "<body>", f"<h1>{title}</h1>", f"<p>{_html(manual.description)}</p>"]
+    lines += ["<dl>"] + [f"<dt>{_html(n)}</dt><dd>{_html(v)}</dd>" for n, v in manual.fields] + ["</dl>"]
     for section in manual.sections:
-        lines.append("<h2>%s</h2>" % _html(section.title))
+        lines.append(f"<h2>{_html(section.title)}</h2>")
         for part in section.parts:
             lines += _html_part(part)
     return lines + ["</body>", "</html>"]
@@ -72,7 +72,7 @@ def _html(text):
 
 def _html_part(part):
     if isinstance(part, Table):
-        lines = ["<table>", "<caption>%s</caption>" % _html(part.title)]
+        lines = ["<table>", f"<caption>{_html(part.title)}</caption>"]
         for tag, row in [("th", part.header)] + [("td", row) for row in part.rows]:
             lines.append("<tr>%s</tr>" % "".join("<%s>%s</%s>" % (tag, _html(cell), tag) for cell in row))
         return lines + ["</table>"]
@@ -92,7 +92,7 @@ def latex(manual):
     lines = [r"\documentclass{article}", r"\usepackage[utf8]{inputenc}", r"\usepackage[T1]{fontenc}", r"\usepackage{longtable}",
              r"\begin{document}", r"\section*{%s}" % _latex(manual.title), _latex(manual.description), "",
              r"\begin{description}"]
-    lines += [r"\item[%s] %s" % (_latex(n), _latex(v)) for n, v in manual.fields] + [r"\end{description}"]
+    lines += [rf"\item[{_latex(n)}] {_latex(v)}" for n, v in manual.fields] + [r"\end{description}"]
     for section in manual.sections:
         lines.append(r"\subsection*{%s}" % _latex(section.title))
         for part in section.parts:

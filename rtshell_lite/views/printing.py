@@ -48,7 +48,7 @@ class Channel:
         try:
             return str(self.formatter(value))
         except USER_ERRORS as e:
-            raise errors.No(self.label, "the formatter fails (%s: %s)" % (type(e).__name__, e))
+            raise errors.Failed(self.label, f"the formatter fails ({type(e).__name__}: {e})")
 
     def record(self, message):
         """A Message as a dict for JSON."""
@@ -85,7 +85,7 @@ def formatter(name, directories=()):
     try:
         found = getattr(importlib.import_module(module), function, None) if module else None
     except (ImportError, SyntaxError) as e:
-        raise errors.No("#" + name, "cannot import %s (%s)" % (module, e))
+        raise errors.Failed("#" + name, f"cannot import {module} ({e})")
     finally:
         sys.path[:] = before
     if not callable(found):
@@ -170,17 +170,17 @@ class Board:
 
 
 def figure_line(each):
-    """One port's figures in words; what cannot be told is left out."""
+    """One port's figures in words; what is not known is left out."""
     if not each["values"]:
         return "no values"
     words = ["%d values" % each["values"]]
     if each["rate"] is not None:
-        words += ["%.1f Hz" % each["rate"], "gap %s/%s/%s ms" % tuple(_ms(each[k]) for k in ("gap_min", "gap_mean", "gap_max")),
-                  "jitter %s ms" % _ms(each["jitter"])]
+        words += [f"{each['rate']:.1f} Hz", "gap %s/%s/%s ms" % tuple(_ms(each[k]) for k in ("gap_min", "gap_mean", "gap_max")),
+                  f"jitter {_ms(each['jitter'])} ms"]
     if each["bytes_per_second"] is not None:
         words.append(_bytes(each["bytes_per_second"]) + "/s")
     if each["age_mean"] is not None:
-        words.append("age %s ms" % _ms(each["age_mean"]))
+        words.append(f"age {_ms(each['age_mean'])} ms")
     if each["absent"]:
         words.append("%d cycle%s did not come" % (each["absent"], "" if each["absent"] == 1 else "s"))
     for what in ("disordered", "repeated", "dropped"):
@@ -190,12 +190,12 @@ def figure_line(each):
 
 
 def _ms(seconds):
-    return "%.3g" % (seconds * 1000) if abs(seconds) < 1 else "%.0f" % (seconds * 1000)
+    return f"{seconds * 1000:.3g}" if abs(seconds) < 1 else f"{seconds * 1000:.0f}"
 
 
 def _bytes(number):
     for unit in ("B", "kB", "MB"):
         if number < 1000:
-            return "%.3g %s" % (number, unit)
+            return f"{number:.3g} {unit}"
         number /= 1000.0
-    return "%.3g GB" % number
+    return f"{number:.3g} GB"

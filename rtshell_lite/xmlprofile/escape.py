@@ -10,19 +10,19 @@ from rtshell_lite.text import is_plain, judged
 _ILLEGAL = "\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff"
 _SPELT = "(?:00(?:0[0-8BCEF]|1[0-9A-F]|5F)|D[89A-F][0-9A-F]{2}|FFF[EF])"
 # An underscore that would begin such a spelling is spelt itself; what is illegal begins with one once it is spelt.
-_TO_SPELL = re.compile("[%s]|_(?=x%s[_%s])" % (_ILLEGAL, _SPELT, _ILLEGAL))
-_TO_READ = re.compile("_x(%s)_" % _SPELT)
-_ILLEGAL_ONE = re.compile("[%s]" % _ILLEGAL)
+_TO_SPELL = re.compile(f"[{_ILLEGAL}]|_(?=x{_SPELT}[_{_ILLEGAL}])")
+_TO_READ = re.compile(f"_x({_SPELT})_")
+_ILLEGAL_ONE = re.compile(f"[{_ILLEGAL}]")
 _INVISIBLE = "\x7f-\x9f\xad\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb\U000e0000-\U000e0fff"
-_MARKUP = re.compile("[&<>\"\t\n\r%s]" % _INVISIBLE)
+_MARKUP = re.compile(f"[&<>\"\t\n\r{_INVISIBLE}]")
 
 
 def quoted(text):
-    """`text` as it stands in an attribute between double quotes, or as the content of an element."""
+    """`text` as it is written in an attribute between double quotes, or as the content of an element."""
     if text.isalnum() and is_plain(text):  # most are
         return text
     if _TO_SPELL.search(text):
-        text = _TO_SPELL.sub(lambda found: "_x%04X_" % ord(found.group()), text)
+        text = _TO_SPELL.sub(lambda found: f"_x{ord(found.group()):04X}_", text)
     return marked(text)
 
 

@@ -30,7 +30,7 @@ class Child(Field):
     child = True
 
     def __init__(self, name, tag, kind, required=False, within=None, also=()):
-        Field.__init__(self, name, tag, kind, None, required, also=also)
+        super().__init__(name, tag, kind, None, required, also=also)
         self.within = within
 
 
@@ -101,7 +101,7 @@ class Element:
         known = len(own)
         own.update(values)
         if len(own) > known:
-            raise TypeError("%s has no %s" % (type(self).__name__, ", ".join(list(own)[known:])))
+            raise TypeError(f"{type(self).__name__} has no {', '.join(list(own)[known:])}")
 
     def __eq__(self, other):
         if type(self) is not type(other) or (self.foreign or None) != (other.foreign or None):
@@ -119,7 +119,7 @@ class Element:
         """What is wrong with this element, as a reader found it with the fields `given`; None if nothing is."""
         for field in self.FIELDS:
             if field.required and field.name not in given:
-                return "%s is missing" % field.local
+                return f"{field.local} is missing"
         return None
 
     def property(self, name, default=None):

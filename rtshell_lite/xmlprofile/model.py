@@ -1,7 +1,7 @@
 """What an RtsProfile says about a system: components, connections, the order of starting and stopping.
 
 Plain classes without files and without CORBA. FIELDS of a class is its whole schema: both file forms are read and
-written by it, and names.py tells how each spells it. Version 0.1 is turned into these classes, too (version01.py).
+written by it, and names.py says how each spells it. Version 0.1 is turned into these classes, too (version01.py).
 
     Component(id="RTC:Acme:nav:Planner:2.0", path_uri="localhost/Planner0.rtc", instance_name="Planner0")
 
@@ -99,7 +99,7 @@ class Participant(Element):
 
 
 class Location(Element):
-    """Where a component stands in a drawing of the system."""
+    """Where a component is in a drawing of the system."""
 
     FIELDS = tuple(
         Field(name, "rtsExt:" + name, INTEGER, 0, always=True, key=name) for name in ("x", "y", "height", "width")) + (
@@ -137,7 +137,7 @@ class Group(Element):
 # ---- connections ------------------------------------------------------------------------------------------------
 
 class Connector(Element):
-    """A connection. Files know a source and a target; ends beyond these stand in an element that other tools pass over."""
+    """A connection. Files know a source and a target; ends beyond these are in an element that other tools pass over."""
 
     @property
     def ends(self):
@@ -149,7 +149,7 @@ class Connector(Element):
         self.source, self.target, self.further_ends = (list(ports[:2]) + [None, None])[:2] + [list(ports[2:])]
 
     def fault(self, given):
-        return Element.fault(self, given) or (None if self.ends else "neither source nor target")
+        return super().fault(given) or (None if self.ends else "neither source nor target")
 
 
 FURTHER_ENDS = Children("further_ends", "rtsExt:FurtherEnds", TargetPort)
@@ -192,7 +192,7 @@ class ServicePortConnector(Connector):
 # ---- the order of starting and stopping -------------------------------------------------------------------------
 
 class WaitTime(Element):
-    FIELDS = (Field("wait_time", "rts:waitTime", INTEGER, 0, always=True),)  # milliseconds, counted as plan.py tells
+    FIELDS = (Field("wait_time", "rts:waitTime", INTEGER, 0, always=True),)  # milliseconds, counted as plan.py says
 
 
 class Preceding(Element):
@@ -236,7 +236,7 @@ SECTIONS = tuple(Child(name, "rts:" + local, MessageSending) for name, local in 
 
 
 class RtsProfile(Element):
-    """A whole system. Dates are text as XML has them, such as 2024-03-05T14:07:09 or with fraction and zone behind."""
+    """A whole system. Dates are text as XML has them, such as 2024-03-05T14:07:09 or with fraction and zone after."""
 
     FIELDS = (
         Field("id", "rts:id", always=True),

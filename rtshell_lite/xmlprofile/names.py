@@ -95,7 +95,7 @@ def is_clark(name):
     if not local or set(local) & set(" \t\r\n<>&/=\"':!?"):
         return False
     try:
-        expat.ParserCreate().Parse("<%s/>" % local, True)
+        expat.ParserCreate().Parse(f"<{local}/>", True)
     except (expat.ExpatError, UnicodeError):
         return False
     return True

@@ -14,7 +14,7 @@ XML, YAML = "xml", "yaml"
 def load(data, name, form=None):
     """The profile in a file: `data` is its bytes, or its text as files.read gives it. Raises errors.BadProfile.
 
-    `name` is the file in messages. The form is told by the content unless it is given.
+    `name` is the file in messages. The content shows the form unless it is given.
     """
     if isinstance(data, str):
         try:

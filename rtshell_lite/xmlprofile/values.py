@@ -21,7 +21,7 @@ def from_text(field, text):
         return _boolean(word)
     if field.kind == fields.INTEGER:
         if not _WHOLE.match(word):
-            raise ValueError("%s: not a whole number" % shown(text))
+            raise ValueError(f"{shown(text)}: not a whole number")
         return int(word)
     return _number(word)
 
@@ -36,7 +36,7 @@ def _boolean(word):
         return True
     if word.lower() in ("false", "0", "no", "off"):
         return False
-    raise ValueError("%s: neither true nor false" % shown(word))
+    raise ValueError(f"{shown(word)}: neither true nor false")
 
 
 def _number(word):
@@ -45,7 +45,7 @@ def _number(word):
             return float(word)
     except ValueError:
         pass
-    raise ValueError("%s: not a number" % shown(word))
+    raise ValueError(f"{shown(word)}: not a number")
 
 
 def from_number(field, value):
@@ -53,11 +53,11 @@ def from_number(field, value):
     if field.kind == fields.BOOLEAN:
         return _boolean(str(value))
     if isinstance(value, bool):
-        raise ValueError("%s: not a number" % str(value).lower())
+        raise ValueError(f"{str(value).lower()}: not a number")
     if field.kind == fields.NUMBER:
         return scalars.as_float(value)
     if value != value or abs(value) >= 10 ** 18 or value != int(value):
-        raise ValueError("%s: not a whole number" % value)
+        raise ValueError(f"{value}: not a whole number")
     return int(value)
 
 
@@ -76,4 +76,4 @@ _SPECIAL = {"inf": "INF", "-inf": "-INF", "nan": "NaN"}
 def shown(text):
     """A piece of a file in a message, short."""
     text = str(text)
-    return '"%s"' % (text if len(text) <= 40 else text[:37] + "...")
+    return f"\"{text if len(text) <= 40 else text[:37] + '...'}\""

@@ -1,6 +1,6 @@
-"""RtsProfile 0.1 as 0.2: moves what stands elsewhere there. Works on nodes of xml.py, which a table of fields reads then.
+"""RtsProfile 0.1 as 0.2: moves what is elsewhere there. Works on nodes of xml.py, which a table of fields reads then.
 
-In 0.1 a connection stands inside its source port and names its target alone, and a component holds its own conditions
+In 0.1 a connection is inside its source port and names its target alone, and a component holds its own conditions
 for starting up; names that differ only in spelling are understood by the fields themselves.
 """
 import re
@@ -10,7 +10,7 @@ from rtshell_lite.xmlprofile import model, names
 RTS = names.NAMESPACES["rts"] + names.SEPARATOR
 _SECTIONS = {field.local for field in model.SECTIONS}
 _CONNECTORS = {"DataPortConnectors": "sourceDataPort", "ServicePortConnectors": "sourceServicePort"}
-MOST_COPIES = 250000  # what stands beside the conditions of a section goes into each of them
+MOST_COPIES = 250000  # what is beside the conditions of a section goes into each of them
 _DURATION = re.compile(r"P(?:(\d{1,6})D)?(?:T(?:(\d{1,6})H)?(?:(\d{1,6})M)?(?:(\d{1,9}(?:\.\d{1,9})?)S)?)?\Z", re.ASCII)
 
 
@@ -44,7 +44,7 @@ def _split_participants(component):
 
 
 def _node(like, local, attributes=None, content=()):
-    """A new node, which stands where the node `like` stood."""
+    """A new node, which takes the place of the node `like`."""
     node = type(like)(RTS + local, attributes or {}, like.line, like.column)
     node.content = list(content)
     return node

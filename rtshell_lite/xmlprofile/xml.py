@@ -131,14 +131,14 @@ def _decoder(data, reader):
             return codecs.getincrementaldecoder(encoding)()
     except LookupError:
         pass
-    reader.fail("encoding %s is not supported here" % values.shown(encoding))
+    reader.fail(f"encoding {values.shown(encoding)} is not supported here")
 
 
 def _decoded(decoder, chunk, final, reader):
     try:
         return decoder.decode(chunk, final).encode("utf-8")
     except UnicodeError as e:
-        reader.fail("not in the encoding that it declares (%s)" % getattr(e, "reason", e))
+        reader.fail(f"not in the encoding that it declares ({getattr(e, 'reason', e)})")
 
 
 # ---- reading: nodes to the model --------------------------------------------------------------------------------
@@ -150,7 +150,7 @@ def read(data, name):
     def fail(node, reason):
         raise errors.BadProfile(name, node.line, node.column, reason)
     if root.local not in ("RtsProfile", "RTSystemProfile"):  # the last one is the schema's name in version 0.1
-        fail(root, "not an RtsProfile: its root element is %s" % values.shown(root.local))
+        fail(root, f"not an RtsProfile: its root element is {values.shown(root.local)}")
     version01.upgrade(root, fail)
     return _element(root, model.RtsProfile, fail)
 
@@ -166,13 +166,13 @@ def _element(node, cls, fail):
             item = child.text() if field.kind == fields.TEXT else _element(child, field.kind, fail)
             found.setdefault(field.name, []).append(item)
         elif field.name in found:
-            fail(child, "more than one %s in %s" % (child.local, node.local))
+            fail(child, f"more than one {child.local} in {node.local}")
         else:
             found[field.name] = _element(child, field.kind, fail)
     element = cls(**found)
     fault = element.fault(found)
     if fault:
-        fail(node, "%s: %s" % (node.local, fault))
+        fail(node, f"{node.local}: {fault}")
     return element
 
 
@@ -199,7 +199,7 @@ def _value(node, field, text, fail):
     try:
         return values.from_text(field, escape.unspelt(text))
     except ValueError as e:
-        fail(node, "%s: %s" % (field.local, e))
+        fail(node, f"{field.local}: {e}")
 
 
 def _foreign(found):
@@ -237,7 +237,7 @@ def write(profile):
     """The text of an XML file, which says that it is UTF-8."""
     writer = _Writer()
     writer.element("rts:RtsProfile", profile, "")
-    spaces = "".join(' xmlns:%s="%s"' % (prefix, escape.marked(uri)) for uri, prefix in writer.prefixes.items()
+    spaces = "".join(f' xmlns:{prefix}="{escape.marked(uri)}"' for uri, prefix in writer.prefixes.items()
                      if uri != names.XML)
     head = "<rts:RtsProfile"
     writer.lines[0] = head + spaces + writer.lines[0][len(head):]  # now that all namespaces are known
@@ -256,7 +256,7 @@ class _Writer:
     def element(self, tag, element, indent):
         head = [indent, "<", tag]
         if element.XSI_TYPE:
-            head.append(' xsi:type="%s"' % element.XSI_TYPE)
+            head.append(f' xsi:type="{element.XSI_TYPE}"')
         children = []
         for field in element.FIELDS:
             value = getattr(element, field.name)
@@ -265,7 +265,7 @@ class _Writer:
             elif field.child:
                 children += [(field, value)] if value is not None else []
             elif value is not None and (field.always or value != field.default):
-                head.append(' %s="%s"' % (field.tag, escape.quoted(values.to_text(field, value))))
+                head.append(f' {field.tag}="{escape.quoted(values.to_text(field, value))}"')
         foreign = element.foreign or _NOTHING
         head += [self.attribute(*pair) for pair in sorted(foreign.attributes.items())]
         if not (children or foreign.elements or foreign.keys):
@@ -279,11 +279,11 @@ class _Writer:
         for key, data in sorted(foreign.keys.items()):
             item = fields.ForeignElement(names.clark(names.YAML_KEY), {"name": key}, [yaml_writer.write(data)])
             self.lines.append(indent + "    " + self.foreign(item))
-        self.lines.append("%s</%s>" % (indent, tag))
+        self.lines.append(f"{indent}</{tag}>")
 
     def child(self, field, value, indent):
         if field.kind == fields.TEXT:
-            self.lines.append("%s<%s>%s</%s>" % (indent, field.tag, escape.quoted(value), field.tag))
+            self.lines.append(f"{indent}<{field.tag}>{escape.quoted(value)}</{field.tag}>")
         else:
             self.element(field.tag, value, indent)
 
@@ -296,11 +296,11 @@ class _Writer:
         return self.prefixes[space] + ":" + local
 
     def attribute(self, name, text):
-        return ' %s="%s"' % (self.name(name), escape.quoted(text))
+        return f' {self.name(name)}="{escape.quoted(text)}"'
 
     def foreign(self, element):
         """On one line: blanks between elements that also hold text would be text."""
         tag = self.name(element.tag)
         head = "<" + tag + "".join(self.attribute(*pair) for pair in sorted(element.attributes.items()))
         content = "".join(escape.quoted(item) if isinstance(item, str) else self.foreign(item) for item in element.content)
-        return "%s>%s</%s>" % (head, content, tag) if content else head + "/>"
+        return f"{head}>{content}</{tag}>" if content else head + "/>"

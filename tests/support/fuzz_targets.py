@@ -144,7 +144,7 @@ class Logs(Target):
                     told.append(meaning.line(channels, entry, 20))
                     json.loads(text.json_line(meaning.record(channels, entry)))
                 told += export.csv_lines(channels, entries, entries)
-        except errors.No as e:
+        except errors.Failed as e:
             raise Refused(str(e))
         for line in told:
             if not line.isprintable():
@@ -188,7 +188,7 @@ class Idl(Target):
             file.write(data)
         try:
             types = parser.parse_file(self.file, [os.path.join(DATA, "idl", "valid")])
-        except (errors.BadIdl, errors.No) as e:
+        except (errors.BadIdl, errors.Failed) as e:
             raise Refused(str(e))
         for type_id, descriptor in types.items():
             plain = type_json.plain(descriptor)

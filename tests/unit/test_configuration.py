@@ -68,7 +68,7 @@ class Text(unittest.TestCase):
                                 ("[a]\nb=\\U00110000", "x.conf:2:"),
                                 ("[a]\nb=1\nb=1", "x.conf:3: b has a value already"),
                                 ("[a] active\n[b] active", "x.conf:2: a second active set")):
-            with self.assertRaises(errors.No) as caught:
+            with self.assertRaises(errors.Failed) as caught:
                 parsed(text)
             self.assertTrue(str(caught.exception).startswith(complaint), str(caught.exception))
 

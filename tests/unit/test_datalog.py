@@ -58,7 +58,7 @@ class Case(unittest.TestCase):
         try:
             with logfile.load(self.name) as log:
                 return log, list(log.entries())
-        except errors.No:
+        except errors.Failed:
             return None
 
 
@@ -80,7 +80,7 @@ class Files(Case):
             place = log.index.points[1][1]
         damaged = data[:place + 1] + struct.pack("<I", 7) + data[place + 5:]
         self.put(damaged)
-        with self.assertRaisesRegex(errors.No, "record to another file"):
+        with self.assertRaisesRegex(errors.Failed, "record to another file"):
             self.write([], append=True)
         with open(self.name, "rb") as file:
             self.assertEqual(file.read(), damaged)
@@ -93,9 +93,9 @@ class Files(Case):
     def test_nothing_else_is_gone_on_with(self):
         for data in (b"no log", b"\x80\x04", b"x" + self.write(messages(1))[1:]):
             self.put(data)
-            with self.assertRaisesRegex(errors.No, "not a log that"):
+            with self.assertRaisesRegex(errors.Failed, "not a log that"):
                 self.write([], append=True)
-            with self.assertRaisesRegex(errors.No, "not a log of text"):
+            with self.assertRaisesRegex(errors.Failed, "not a log of text"):
                 textlog.Writer(self.name, CHANNELS, [None, None], True)
             with open(self.name, "rb") as file:
                 self.assertEqual(file.read(), data)
@@ -104,7 +104,7 @@ class Files(Case):
         first = textlog.Writer(self.name, CHANNELS, [None, None])
         first.write(messages(1))
         for append in (True, False):
-            with self.assertRaisesRegex(errors.No, "another rtlog"):
+            with self.assertRaisesRegex(errors.Failed, "another rtlog"):
                 textlog.Writer(self.name, CHANNELS, [None, None], append)
         first.close()
         textlog.Writer(self.name, CHANNELS, [None, None], True).close()
@@ -159,13 +159,13 @@ class Files(Case):
         self.write([(0, 1, True, b"x"), (1, 2, True, b"y")], append=True, channels=other)
         log, found = self.read()
         self.assertEqual([log.channels[entry.channel].name for entry in found], ["a", "b", "c", "a"])
-        with self.assertRaisesRegex(errors.No, "a is of type"):
+        with self.assertRaisesRegex(errors.Failed, "a is of type"):
             writer.Writer(self.name, [CHANNELS[0]._replace(type_id="T")], START, append=True)
 
     def test_two_at_once(self):
         first = writer.Writer(self.name, CHANNELS, START)
         for append in (False, True):
-            with self.assertRaisesRegex(errors.No, "another rtlog"):
+            with self.assertRaisesRegex(errors.Failed, "another rtlog"):
                 writer.Writer(self.name, CHANNELS, START, append)
         first.close()
 
@@ -176,7 +176,7 @@ class Files(Case):
         def second(descriptor):
             tried.append(descriptor)
             if len(tried) == 1:
-                with self.assertRaises(errors.No):
+                with self.assertRaises(errors.Failed):
                     writer.Writer(self.name, CHANNELS, START)
         written = messages(5)
         with mock.patch("os.fsync", second):
@@ -193,7 +193,7 @@ class Files(Case):
                 self.write(written)
             lock(file, name)
         lock = writer.lock
-        with mock.patch.object(writer, "lock", meanwhile), self.assertRaisesRegex(errors.No, "another rtlog"):
+        with mock.patch.object(writer, "lock", meanwhile), self.assertRaisesRegex(errors.Failed, "another rtlog"):
             writer.Writer(self.name, CHANNELS, START)
         self.assertEqual(self.read()[1], as_read(written))
 
@@ -201,7 +201,7 @@ class Files(Case):
         self.put(blocks.MAGIC + b"no header")
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always", ResourceWarning)
-            with self.assertRaises(errors.No):
+            with self.assertRaises(errors.Failed):
                 writer.Writer(self.name, CHANNELS, START, True)
             with mock.patch.object(textlog.Writer, "_prepare", side_effect=OSError), self.assertRaises(OSError):
                 textlog.Writer(self.name, CHANNELS, [None, None])
@@ -255,7 +255,7 @@ class Damage(Case):
         return len(blocks.MAGIC) + blocks.BLOCK.size + length
 
     def test_changed_anywhere(self):
-        """No changed octet gives a message that never was, or anything but errors.No."""
+        """No changed octet gives a message that never was, or anything but errors.Failed."""
         chance = random.Random(1)
         written = messages(30)
         data, known = self.write(written), set(as_read(written))

@@ -30,7 +30,7 @@ class Playing(Case):
             self.assertEqual(self.numbers(start, end), list(numbers), (start, end))
         self.assertEqual(self.numbers(1700000000.0025, 1700000000.0055, False), [3, 4, 5])
         for start, end, by_index in [(10, None, True), (1800000000, None, False), (None, 1600000000, False)]:
-            with self.assertRaises(errors.No):
+            with self.assertRaises(errors.Failed):
                 self.numbers(start, end, by_index)
 
     def test_pace(self):
@@ -85,7 +85,7 @@ class Timestamps(Case):
 
     def test_data_that_is_none(self):
         self.assertEqual(self.channels.data(self.entries[3], True, START + 1), b"xyz")
-        with self.assertRaisesRegex(errors.No, "entry 3: RTC.TimedLong: the data end"):
+        with self.assertRaisesRegex(errors.Failed, "entry 3: RTC.TimedLong: the data end"):
             self.channels.data(self.entries[3], False, START + 1)
         self.assertEqual(meaning.line(self.channels, self.entries[3]), "3 bytes: 78797a")
         self.assertEqual(self.channels.unreadable, 1)
@@ -114,7 +114,7 @@ class Types(Case):
             fields = meaning.record(channels, entry)
             self.assertEqual((fields["hex"], fields["little_endian"]), ("010000000200000007000000", True))
             self.assertEqual(channels.data(entry, True, START + 5), entry.data)
-            with self.assertRaisesRegex(errors.No, "type IDL:Own/Type:1.0 is not known; name its IDL file"):
+            with self.assertRaisesRegex(errors.Failed, "type IDL:Own/Type:1.0 is not known; name its IDL file"):
                 channels.data(entry, False)
 
 

@@ -146,7 +146,7 @@ class Named(unittest.TestCase):
     def test_faults_show_at_once(self):
         with self.assertRaises(errors.BadIdl):
             datatypes.Types(idl=[self.file("broken.idl", "struct {")]).load()
-        with self.assertRaises(errors.No):
+        with self.assertRaises(errors.Failed):
             datatypes.Types(idl=["/nowhere/x.idl"]).load()
 
     @unittest.skipUnless(omniORB and os.path.exists(OMNIIDL), "needs omniidl")

@@ -113,7 +113,7 @@ class Writing(Case):
             return found
         for number, way in enumerate((record, lambda path: textlog.Writer(path, CHANNELS, [None]))):
             with self.subTest(number), mock.patch("rtshell_lite.files.destination", late):
-                with self.assertRaises((OSError, errors.No)):
+                with self.assertRaises((OSError, errors.Failed)):
                     way(self.path("log%d" % number))
                 self.assertFalse(os.path.exists(canary))
 
@@ -134,7 +134,7 @@ class Writing(Case):
             link = self.path("link%d" % number)
             os.symlink(target, link)
             os.lchown(link, STRANGER, STRANGER)
-            with self.subTest(number), self.assertRaisesRegex(errors.No, "somebody else"):
+            with self.subTest(number), self.assertRaisesRegex(errors.Failed, "somebody else"):
                 way(link)
         self.assertEqual(self.text("mine"), "old")
 
@@ -165,7 +165,7 @@ class Writing(Case):
             path = self.path(name, "x" if name == "old" else None)
             first = writer.Writer(path, CHANNELS, 1)
             for way in (record, lambda path: record(path, append=True)):
-                with self.assertRaisesRegex(errors.No, "another rtlog"):
+                with self.assertRaisesRegex(errors.Failed, "another rtlog"):
                     way(path)
             first.close()
             record(path, append=True)
@@ -178,7 +178,7 @@ class Writing(Case):
             if file.mode == "rb":
                 os.rename(self.path("other", "another's"), path)
             real(file, name)
-        with mock.patch("rtshell_lite.datalog.writer.lock", late), self.assertRaisesRegex(errors.No, "another rtlog"):
+        with mock.patch("rtshell_lite.datalog.writer.lock", late), self.assertRaisesRegex(errors.Failed, "another rtlog"):
             record(path)
         self.assertEqual(self.text("log"), "another's")
 
@@ -197,7 +197,7 @@ class Endless(Case):
     def test_devices_and_fifos_are_not_read(self):
         for path in (self.fifo(), "/dev/zero", "/dev/tty", "/dev/urandom"):
             for name, read in self.readers().items():
-                with self.subTest("%s %s" % (name, path)), self.assertRaises((errors.No, FileNotFoundError)):
+                with self.subTest("%s %s" % (name, path)), self.assertRaises((errors.Failed, FileNotFoundError)):
                     read(path)
 
     def test_what_a_shell_hands_over_is_read(self):
@@ -212,7 +212,7 @@ class Endless(Case):
         with open(self.path("large"), "wb") as file:
             file.truncate(1 << 40)      # it has a hole
         for name in ("read", "idl", "log"):
-            with self.subTest(name), self.assertRaises((errors.No, errors.BadIdl)):
+            with self.subTest(name), self.assertRaises((errors.Failed, errors.BadIdl)):
                 self.readers()[name](self.path("large"))
 
     def test_a_directory_is_told_by_its_name(self):
@@ -223,7 +223,7 @@ class Endless(Case):
     def test_a_fifo_that_nobody_reads_is_not_waited_for(self):
         fifo = self.fifo()
         for number, way in enumerate(list(WAYS.values()) + [lambda path: textlog.Writer(path, CHANNELS, [None])]):
-            with self.subTest(number), self.assertRaisesRegex(errors.No, "nobody reads"):
+            with self.subTest(number), self.assertRaisesRegex(errors.Failed, "nobody reads"):
                 way(fifo)
 
     def test_a_fifo_that_somebody_reads_gets_it(self):

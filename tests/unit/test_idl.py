@@ -114,7 +114,7 @@ class Invalid(unittest.TestCase):
                 self.assertEqual(str(caught.exception).replace(os.path.dirname(path) + os.sep, ""), expected)
 
     def test_not_there(self):
-        with self.assertRaises(errors.No):
+        with self.assertRaises(errors.Failed):
             parser.parse_file(os.path.join(DATA, "missing.idl"))
 
     def test_types_in_log_files_that_cannot_be(self):

@@ -53,7 +53,7 @@ class Making(unittest.TestCase):
         return plan.lines(make(*args, **more).actions, "Activate")
 
     def refused(self, message, *args):
-        with self.assertRaises(errors.No) as caught:
+        with self.assertRaises(errors.Failed) as caught:
             make(*args)
         self.assertEqual(str(caught.exception), "a.xml: Activation: " + message)
 
@@ -139,7 +139,7 @@ class Making(unittest.TestCase):
         names = ["C%d" % number for number in range(3000)]
         made = make(names, *[after(name, other) for name, other in zip(names[1:], names)])
         self.assertEqual(len(made.actions), 3000)
-        with self.assertRaises(errors.No):
+        with self.assertRaises(errors.Failed):
             make(names, after(names[0], names[-1]), *[after(name, other) for name, other in zip(names[1:], names)])
 
     def test_random_circles(self):
@@ -154,7 +154,7 @@ class Making(unittest.TestCase):
             if not any((name, name) in reached for name in names):
                 make(names, *conditions)
                 continue
-            with self.assertRaises(errors.No, msg=str(seed)) as caught:
+            with self.assertRaises(errors.Failed, msg=str(seed)) as caught:
                 make(names, *conditions)
             for part in str(caught.exception).split("these wait for each other: ")[1:]:
                 way = [word[3:-4] for word in part.rstrip("; ").split(" for ")]

@@ -70,7 +70,7 @@ class Files(Case):
         own = files._class("mine", "Own")
         specs = [files.spec("a", "IDL:mine/Own:1.0", own)]
         data = files.log([files.make(own, x=1)], specs=specs, classes=files.CLASSES + (own,))
-        with self.assertRaisesRegex(errors.No, "mine.Own is none of the classes"):
+        with self.assertRaisesRegex(errors.Failed, "mine.Own is none of the classes"):
             self.read(data)
         self.assertEqual(self.read(data, ["mine"])[1][0].value, {"x": 1})
 
@@ -81,14 +81,14 @@ class Files(Case):
         for size in range(1, len(data)):
             try:
                 log, found = self.read(data[:size])
-            except errors.No:
+            except errors.Failed:
                 continue
             self.assertEqual([entry.value for entry in found], whole[:len(found)])
             counts.add(len(found))
         self.assertEqual(counts, {0, 1, 2, 3})
 
     def test_changed_anywhere(self):
-        """Only errors.No, or values of plain types."""
+        """Only errors.Failed, or values of plain types."""
         chance = random.Random(2)
         for data in (files.log(files.values(4)), files.python2_log(files.values(4)), files.log(files.values(4), 0)):
             for _ in range(500):
@@ -98,7 +98,7 @@ class Files(Case):
                 try:
                     log, found = self.read(bytes(changed))
                     list(log.notes())
-                except errors.No:
+                except errors.Failed:
                     continue
                 for entry in found:
                     self.plain(entry.value)
@@ -161,7 +161,7 @@ class Hostile(Case):
         for hostile in self.CALLS + self.FAULTS[1:]:
             log, found = self.read(data + hostile)
             self.assertEqual((len(found), log.torn), (2, len(hostile)), hostile)
-        with self.assertRaisesRegex(errors.No, "os.system is none of the classes"):
+        with self.assertRaisesRegex(errors.Failed, "os.system is none of the classes"):
             self.read(b"\x80\x04" + self.CALLS[1])
 
     def test_attributes_are_inert(self):
@@ -230,7 +230,7 @@ class Hostile(Case):
         for header in (1, (1,), (1.0, 2), (1.0, [2]), ("x", []), (float("nan"), []), (1e300, []), (1.0, [None]), (1.0, {})):
             try:
                 log, found = self.read(pickle.dumps(header, 2) + b" " * 256)
-            except errors.No:
+            except errors.Failed:
                 continue
             self.assertEqual(found, [])
 

@@ -23,7 +23,7 @@ def expression(parser, depth=0, level=0):
 def _worked_out(parser, token, one, other):
     whole = is_whole(one) and is_whole(other)
     if not whole and not (all(is_whole(n) or isinstance(n, float) for n in (one, other)) and token.word in "+-*/"):
-        raise parser.fault("%s does not go with these" % token.word, token)
+        raise parser.fault(f"{token.word} does not go with these", token)
     try:
         found = {"|": _or, "^": _xor, "&": _and, "<<": _left, ">>": _right, "+": _sum, "-": _difference, "*": _product,
                  "/": _quotient, "%": _rest}[token.word](one, other)
@@ -93,7 +93,7 @@ def _unary(parser, depth):
         token = parser.advance()
         found = _unary(parser, depth + 1)
         if not (is_whole(found) or isinstance(found, float) and token.word != "~"):
-            raise parser.fault("%s does not go with this" % token.word, token)
+            raise parser.fault(f"{token.word} does not go with this", token)
         return -found if token.word == "-" else ~found if token.word == "~" else found
     if parser.is_mark("("):
         parser.advance()
@@ -125,7 +125,7 @@ def _literal(parser):
     if token.kind == "name" or parser.is_mark("::"):
         found = parser.look_up()
         if found.sort not in ("constant", "item"):
-            raise parser.fault("not a constant: %s" % token.word, token)
+            raise parser.fault(f"not a constant: {token.word}", token)
         return found.what
     raise parser.fault("expected a constant")
 
@@ -137,7 +137,7 @@ def _number(parser, token):
     try:
         return tokens.whole(word) if tokens.is_whole(word) else float(word.rstrip("dD"))
     except ValueError:
-        raise parser.fault("not a number: %s" % word, token)
+        raise parser.fault(f"not a number: {word}", token)
 
 
 def text(parser, token):
@@ -168,4 +168,4 @@ def check(parser, descriptor, value, token):
         return value
     if sort == ENUM and value in descriptors.items(switch):
         return value
-    raise parser.fault("not a constant of type %s" % descriptors.words(descriptor), token)
+    raise parser.fault(f"not a constant of type {descriptors.words(descriptor)}", token)

@@ -17,7 +17,7 @@ def parse_file(path, include=()):
     """The types that an IDL file and its includes define: {repository id: descriptor}, typedefs as aliases.
 
     `include` are directories for #include; the IDL files of OpenRTM's own data types come along and need none.
-    Raises BadIdl with file, line and column, and errors.No for a file that cannot be read.
+    Raises BadIdl with file, line and column, and errors.Failed for a file that cannot be read.
     """
     return Parser(tokens.tokens(path, include)).types()
 
@@ -40,7 +40,7 @@ class Parser:
             self.definition(0)
         for entry in self.announced:
             if entry.hole[0] is None:
-                raise self.fault("%s is announced, but not described" % entry.name, entry.token)
+                raise self.fault(f"{entry.name} is announced, but not described", entry.token)
         return {type_id: descriptor for type_id, descriptor in self.made.values()}
 
     # ---- tokens -----------------------------------------------------------------------------------------------
@@ -58,7 +58,7 @@ class Parser:
             self.at += 1
 
     def advance(self):
-        """The token that stands here; go past it."""
+        """The token at this place; skip it."""
         token = self.token
         if token.kind != "end":
             self.at += 1
@@ -66,7 +66,7 @@ class Parser:
         return token
 
     def fault(self, why, token=None):
-        """The BadIdl that tells what is wrong with a token, or with the one that stands here."""
+        """The BadIdl for a token, or for the one at this place."""
         token = token or self.token
         return errors.BadIdl(printable(token.file), token.line, token.column, why)
 
@@ -77,9 +77,9 @@ class Parser:
         return self.token.kind == "name" and self.token.word in words
 
     def take(self, word):
-        """Go past this word or mark. Raises BadIdl when something else stands there."""
+        """Skip this word or mark. Raises BadIdl when something else is there."""
         if self.token.kind not in ("mark", "name") or self.token.word != word:
-            raise self.fault("expected %s, not %s" % (word, printable(self.token.word)))
+            raise self.fault(f"expected {word}, not {printable(self.token.word)}")
         return self.advance()
 
     def _file(self, word):
@@ -105,10 +105,10 @@ class Parser:
         word, _, value = rest.strip().partition(" ")
         quoted = _QUOTED.match(value.strip())
         if name == "ID" and quoted is None or name == "version" and not re.match(r"\d+\.\d+\Z", value.strip()):
-            raise self.fault("#pragma %s cannot be read" % name, token)
+            raise self.fault(f"#pragma {name} cannot be read", token)
         entry = self._of_pragma(word)
         if entry is None:
-            raise self.fault("#pragma %s: not declared: %s" % (name, printable(word)), token)
+            raise self.fault(f"#pragma {name}: not declared: {printable(word)}", token)
         if name == "ID":
             self._rename(entry, quoted.group(1))
         elif entry.type_id:
@@ -138,23 +138,23 @@ class Parser:
         """An identifier being declared; one escaped with _ without it. Raises BadIdl for a keyword."""
         token = self.token
         if token.kind != "name":
-            raise self.fault("expected the name of %s, not %s" % (what, printable(token.word)))
+            raise self.fault(f"expected the name of {what}, not {printable(token.word)}")
         self.advance()
         if token.word.startswith("_"):
             if not token.word[1:2].isalpha():
-                raise self.fault("not a name: %s" % token.word, token)
+                raise self.fault(f"not a name: {token.word}", token)
             return token.word[1:]
         if token.word.lower() in KEYWORDS:
-            raise self.fault("a word of IDL cannot be a name: %s" % token.word, token)
+            raise self.fault(f"a word of IDL cannot be a name: {token.word}", token)
         return token.word
 
     def declare(self, entry, token):
         """Put a name into this scope. Raises BadIdl when it is there already, in whatever case."""
         old = self.scope.names.get(entry.name.lower())
         if old is not None:
-            raise self.fault("%s is declared already%s" % (entry.name, "" if old.name == entry.name else " as " + old.name), token)
+            raise self.fault(f"{entry.name} is declared already{'' if old.name == entry.name else ' as ' + old.name}", token)
         if entry.name.lower() == self.scope.name.lower() and self.scope.name:
-            raise self.fault("%s is the name of what is around it" % entry.name, token)
+            raise self.fault(f"{entry.name} is the name of what is around it", token)
         self.scope.names[entry.name.lower()] = entry
         return entry
 
@@ -171,7 +171,7 @@ class Parser:
         while self.is_mark("::"):
             self.advance()
             if not isinstance(found.what, Scope):
-                raise self.fault("%s holds no names" % written, start)
+                raise self.fault(f"{written} holds no names", start)
             found = found.what.own(self.plain())
             written += "::" + self._last
             self._same_case(found, written, start)
@@ -181,22 +181,22 @@ class Parser:
         """Go past a name without scopes: the name. Raises BadIdl for anything else, keywords included."""
         token = self.token
         if token.kind != "name":
-            raise self.fault("expected a name, not %s" % printable(token.word))
+            raise self.fault(f"expected a name, not {printable(token.word)}")
         if token.word.lower() in KEYWORDS:
-            raise self.fault("expected a name, not %s" % token.word)
+            raise self.fault(f"expected a name, not {token.word}")
         self._last = self.advance().word.lstrip("_")
         return self._last
 
     def _same_case(self, found, written, token):
         last = written.rpartition(":")[2]
         if found is None:
-            raise self.fault("not declared: %s" % written, token)
+            raise self.fault(f"not declared: {written}", token)
         if found.name != last:
-            raise self.fault("%s is declared as %s" % (written, found.name), token)
+            raise self.fault(f"{written} is declared as {found.name}", token)
 
     def new_id(self, name):
         """The repository id of what is declared here under a name (CORBA 3.0, 10.7.1)."""
-        return "IDL:%s:1.0" % "/".join(filter(None, [self.scope.prefix, name]))
+        return f"IDL:{'/'.join(filter(None, [self.scope.prefix, name]))}:1.0"
 
     # ---- definitions ------------------------------------------------------------------------------------------
 
@@ -221,7 +221,7 @@ class Parser:
         elif word == "import":
             self._skip()
         else:
-            raise self.fault("expected a definition, not %s" % printable(self.token.word))
+            raise self.fault(f"expected a definition, not {printable(self.token.word)}")
         self.take(";")
 
     def _opening(self, word, depth):
@@ -247,7 +247,7 @@ class Parser:
         outer, self.scope = self.scope, entry.what
         while not self.is_mark("}"):
             if self.token.kind == "end":
-                raise self.fault("%s %s has no end" % (word, name), token)
+                raise self.fault(f"{word} {name} has no end", token)
             if word == "module" or self.is_word("typedef", "const", "exception", "struct", "union", "enum", "native", "typeid",
                                                 "typeprefix") or self.is_mark(";"):
                 self.definition(depth + 1)
@@ -270,7 +270,7 @@ class Parser:
         while open_marks or not self.is_mark(";"):
             token = self.token
             if token.kind == "end" or token.kind == "mark" and token.word in "})]" and (not open_marks or open_marks[-1] != token.word):
-                raise self.fault("expected %s, not %s" % (open_marks[-1] if open_marks else ";", printable(token.word)),
+                raise self.fault(f"expected {open_marks[-1] if open_marks else ';'}, not {printable(token.word)}",
                                  start if token.kind == "end" else token)
             if token.kind == "mark" and token.word in BRACKETS:
                 open_marks.append(BRACKETS[token.word])
@@ -300,7 +300,7 @@ class Parser:
         elif isinstance(entry.what, Scope):
             entry.what.prefix = "/".join(filter(None, [text, entry.name]))
         else:
-            raise self.fault("%s holds no names" % entry.name, token)
+            raise self.fault(f"{entry.name} holds no names", token)
 
     def _native(self, depth):
         self.advance()
@@ -347,7 +347,7 @@ class Parser:
         return self.weights.get(id(descriptor), (1, 1)) if isinstance(descriptor, tuple) else (1, 1)
 
     def weigh(self, descriptor, weight, depth):
-        """The descriptor, its weight noted: that and the depth are of what stands in it. Raises BadIdl."""
+        """The descriptor, its weight noted: that and the depth are of what is in it. Raises BadIdl."""
         if weight > descriptors.LARGEST or depth > descriptors.DEEPEST:
             raise self.fault("a type too large or nested too deep")
         self.weights[id(descriptor)] = (weight + 1, depth + 1)

@@ -38,7 +38,7 @@ _CONDITION = re.compile(r"\s*(?:(defined)\s*(?:\(\s*([A-Za-z_]\w*)\s*\)|([A-Za-z
 
 
 def tokens(path, include=()):
-    """The tokens of an IDL file and of what it includes; the last is of kind `end`. Raises BadIdl, errors.No."""
+    """The tokens of an IDL file and of what it includes; the last is of kind `end`. Raises BadIdl, errors.Failed."""
     source = _Source(list(include))
     source.file(path, 0)
     last = source.found[-1] if source.found else Token("", "", path, 1, 1)
@@ -62,7 +62,7 @@ def _read(path):
         with files.opened(path) as file:
             data = file.read(LARGEST + 1)
     except (OSError, ValueError) as e:
-        raise errors.No(printable(path), getattr(e, "strerror", None) or str(e))
+        raise errors.Failed(printable(path), getattr(e, "strerror", None) or str(e))
     if len(data) > LARGEST:
         raise errors.BadIdl(printable(path), 1, 1, "larger than %d bytes" % LARGEST)
     return (data[3:] if data[:3] == b"\xef\xbb\xbf" else data).decode("latin-1")
@@ -130,11 +130,11 @@ class _File:
             if body is None:
                 used.append(Token(kind, word, token.file, token.line, token.column))
             elif isinstance(body, str):
-                raise self.fault("a macro with parameters: %s" % word)
+                raise self.fault(f"a macro with parameters: {word}")
             else:
                 words[:0] = [part + (seen | {word},) for part in body]
             if len(used) + len(words) > MACRO:
-                raise self.fault("a macro that grows too large: %s" % token.word)
+                raise self.fault(f"a macro that grows too large: {token.word}")
         return used
 
     # ---- lines for the preprocessor ---------------------------------------------------------------------------
@@ -147,7 +147,7 @@ class _File:
         elif active and name in ("include", "define", "undef", "pragma", "error"):
             getattr(self, "_" + name)(rest)
         elif active and name not in ("", "line", "ident", "warning"):
-            raise self.fault("not known: #%s" % name)
+            raise self.fault(f"not known: #{name}")
 
     def _condition(self, name, rest, active):
         if name in ("if", "ifdef", "ifndef"):
@@ -156,7 +156,7 @@ class _File:
             if len(self.conditions) > DEEPEST:
                 raise self.fault("conditions within conditions too deep")
         elif not self.conditions or self.conditions[-1][3] and name != "endif":
-            raise self.fault("#%s without #if" % name)
+            raise self.fault(f"#{name} without #if")
         elif name == "endif":
             self.conditions.pop()
         else:
@@ -169,7 +169,7 @@ class _File:
             return bool(_Condition(self, rest).value())
         word = _NAME.match(rest)
         if word is None:
-            raise self.fault("#%s needs a name" % name)
+            raise self.fault(f"#{name} needs a name")
         return (word.group() in self.source.macros) == (name == "ifdef")
 
     def _define(self, rest):
@@ -184,7 +184,7 @@ class _File:
         while at < len(body):
             match = _TOKEN.match(body, at)
             if match is None:
-                raise self.fault("a macro that cannot be read: %s" % word.group())
+                raise self.fault(f"a macro that cannot be read: {word.group()}")
             if match.lastgroup not in ("space", "comment"):
                 parts.append((match.lastgroup, match.group()))
             at = match.end()
@@ -208,7 +208,7 @@ class _File:
         if path is None and os.path.basename(name) in OF_ORBS:
             return
         if path is None:
-            raise self.fault("no such file to include: %s (-I DIR names where to look)" % printable(name))
+            raise self.fault(f"no such file to include: {printable(name)} (-I DIR names where to look)")
         self.source.found.append(Token("file", "begin", self.path, self.line, 1))
         self.source.file(path, self.depth + 1)
         self.source.found.append(Token("file", "end", self.path, self.line, 1))
@@ -231,7 +231,7 @@ class _Condition:
         while text[at:].strip():
             match = _CONDITION.match(text, at)
             if match is None or len(self.words) > 200:
-                raise file.fault("a condition that cannot be read: #if %s" % printable(text[:60]))
+                raise file.fault(f"a condition that cannot be read: #if {printable(text[:60])}")
             self.words.append(self._meant(*match.groups()))
             at = match.end()
         self.words.reverse()
@@ -246,7 +246,7 @@ class _Condition:
         try:
             return whole(number) if number else _of_macro(macros.get(name))
         except ValueError as e:
-            raise self.file.fault("a condition that cannot be read: %s" % e)
+            raise self.file.fault(f"a condition that cannot be read: {e}")
 
     def value(self):
         found = self._either(0)

@@ -34,7 +34,7 @@ def _positive(parser):
 
 
 def _within(parser, least, most, words):
-    """The whole number that comes next. Raises BadIdl for one out of range, of which `words` tell."""
+    """The whole number that comes next. Raises BadIdl for one out of range, which `words` name."""
     token = parser.token
     value = constants.expression(parser)
     if not constants.is_whole(value) or not least <= value <= most:
@@ -76,7 +76,7 @@ def _basic(parser):
             break
         words += " " + parser.advance().word
     if words not in BASIC:
-        raise parser.fault("not a type: %s" % words)
+        raise parser.fault(f"not a type: {words}")
     return BASIC[words]
 
 
@@ -91,7 +91,7 @@ def _named(parser):
         return (OBJECT, entry.type_id, entry.name)
     if entry.sort == "unknown":
         return (OBJECT, parser.new_id(entry.name), entry.name)
-    raise parser.fault("not a type: %s" % entry.name, token)
+    raise parser.fault(f"not a type: {entry.name}", token)
 
 
 def _of_corba(parser):
@@ -99,11 +99,11 @@ def _of_corba(parser):
     parser.advance()
     parser.take("::")
     name = parser.plain()
-    return descriptors.TYPECODE if name == "TypeCode" else (OBJECT, "IDL:omg.org/CORBA/%s:1.0" % name, name)
+    return descriptors.TYPECODE if name == "TypeCode" else (OBJECT, f"IDL:omg.org/CORBA/{name}:1.0", name)
 
 
 def _bound(parser):
-    """A bound with the bracket behind it; `>>` is a shift there, as omniidl has it."""
+    """A bound with the bracket after it; `>>` is a shift there, as omniidl has it."""
     parser.advance()
     value = _positive(parser)
     parser.take(">")
@@ -147,7 +147,7 @@ def constructed(parser, depth):
     if parser.is_mark(";"):
         return None
     if entry.sort == "type":
-        raise parser.fault("%s is declared already" % name, token)
+        raise parser.fault(f"{name} is declared already", token)
     if word == "struct" or not parser.is_word("switch"):
         parser.take("{")
     made = within(parser, entry, lambda: (_struct if word == "struct" else _union)(parser, entry, name, depth))
@@ -181,7 +181,7 @@ def within(parser, entry, parse):
 def _struct(parser, entry, name, depth):
     found = members(parser, depth)
     if not found:
-        raise parser.fault("a struct without members: %s" % name, entry.token)
+        raise parser.fault(f"a struct without members: {name}", entry.token)
     return parser.weighed(descriptors.struct(entry.type_id, name, found), [inner for _, inner in found])
 
 
@@ -207,7 +207,7 @@ def _one_more(parser, name, names, token):
     A member may be called like a type, which omniidl forbids.
     """
     if name.lower() in names:
-        raise parser.fault("a second member of the name %s" % name, token)
+        raise parser.fault(f"a second member of the name {name}", token)
     names.add(name.lower())
 
 
@@ -217,7 +217,7 @@ def _union(parser, entry, name, depth):
     token = parser.token
     switch = type_spec(parser, depth + 1)
     if descriptors.kind(descriptors.target(switch)) not in descriptors.LABELS:
-        raise parser.fault("a union cannot be switched by %s" % descriptors.words(switch), token)
+        raise parser.fault(f"a union cannot be switched by {descriptors.words(switch)}", token)
     parser.take(")")
     parser.take("{")
     cases, default, labels, names = [], -1, set(), set()
@@ -232,7 +232,7 @@ def _union(parser, entry, name, depth):
                 default = len(cases)
             cases.append((label, member, whole))
     if not cases:
-        raise parser.fault("a union without members: %s" % name, entry.token)
+        raise parser.fault(f"a union without members: {name}", entry.token)
     if default >= 0:
         cases[default] = (_unused(parser, switch, labels, entry.token),) + cases[default][1:]
     return parser.weighed(descriptors.union(entry.type_id, name, switch, cases, default),
@@ -240,7 +240,7 @@ def _union(parser, entry, name, depth):
 
 
 def _labels(parser, switch, labels):
-    """The labels before one member of a union, None for default; they join the set `labels` of those that stood before."""
+    """The labels before one member of a union, None for default; they join the set `labels` of those that came before."""
     found = []
     while parser.is_word("case", "default"):
         token = parser.advance()
@@ -254,7 +254,7 @@ def _labels(parser, switch, labels):
         labels.add(label)
         parser.take(":")
     if not found:
-        raise parser.fault("expected case or default, not %s" % printable(parser.token.word))
+        raise parser.fault(f"expected case or default, not {printable(parser.token.word)}")
     return found
 
 

@@ -7,13 +7,13 @@ from rtshell_lite.xmlprofile.yaml.scalars import BREAK, TAB
 MOST_NODES = 500000  # with aliases replaced; a system of 1,000 components and 2,000 connections has 200,000
 DEEPEST = 150  # levels; 64 of XML become twice as many at worst, and Python's stack holds 1,000 calls
 
-_SPACE = re.compile("[ %s]*(#)?" % BREAK)
-_COMMENT = re.compile("[^%s\0]*" % BREAK)
-_MARKER = re.compile(r"(?:---|\.\.\.)(?=[ \0%s])" % BREAK)
+_SPACE = re.compile(f"[ {BREAK}]*(#)?")
+_COMMENT = re.compile(f"[^{BREAK}\x00]*")
+_MARKER = re.compile(rf"(?:---|\.\.\.)(?=[ \0{BREAK}])")
 
 
 class Node:
-    """A value and where it stands: str, list of Node, or dict of str to Node. `tag`: how text was meant, None for plain."""
+    """A value and its place: str, list of Node, or dict of str to Node. `tag`: how text was meant, None for plain."""
 
     __slots__ = "value", "pos", "tag", "height"
 
@@ -54,7 +54,7 @@ class Document:
         return pos - start
 
     def skip(self, pos):
-        """Where the next token stands, behind blanks, comments and ends of lines."""
+        """The position of the next token, after blanks, comments and ends of lines."""
         while True:
             found = _SPACE.match(self.text, pos)
             if not found.group(1):
@@ -65,7 +65,7 @@ class Document:
         return found.end()
 
     def next_token(self, pos):
-        """Where the next token stands, and its column; -1 at the end of the document."""
+        """The position of the next token, and its column; -1 at the end of the document."""
         pos = self.skip(pos)
         return pos, self.here(pos)
 

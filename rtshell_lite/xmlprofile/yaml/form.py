@@ -1,6 +1,6 @@
 """RtsProfile files in YAML: from the nodes of reader.py to the model, and from the model to plain data.
 
-A file is one mapping with the key rtsProfile. What only XML knows stands under keys of its own:
+A file is one mapping with the key rtsProfile. What only XML knows is under keys of its own:
 
     xml::attributes: {'{namespace}name': text}
     xml::elements: [{element: '{namespace}name', attributes: {...}, content: [text or element]}]
@@ -21,10 +21,10 @@ def read(text, name):
     """The profile that a YAML file, str or bytes, holds. Raises BadProfile; `name` is for messages."""
     doc, root = reader.parse(text, name)
     if not isinstance(root.value, dict) or ROOT not in root.value:
-        doc.fail(root.pos, "not an RtsProfile: the key %s is missing" % ROOT)
+        doc.fail(root.pos, f"not an RtsProfile: the key {ROOT} is missing")
     profile = _element(doc, root.value[ROOT], model.RtsProfile, 1)
     if profile.version == "0.1":
-        profile.version = "0.2"  # its spellings are understood; what stands elsewhere in 0.1, only XML ever had
+        profile.version = "0.2"  # its spellings are understood; what is elsewhere in 0.1, only XML ever had
     return profile
 
 
@@ -59,13 +59,13 @@ def _element(doc, node, cls, depth):
         elif key == names.ELEMENTS:
             _foreign(found).elements += _elements(doc, value, table, depth + 1)
         elif field:
-            doc.fail(value.pos, "%s was given before, spelt otherwise" % values.shown(key))
+            doc.fail(value.pos, f"{values.shown(key)} was given before, spelt otherwise")
         else:
             _foreign(found).keys[key] = _plain(doc, value)
     element = cls(**found)
     fault = element.fault(found)
     if fault:
-        doc.fail(node.pos, "%s: %s" % (cls.__name__, fault))
+        doc.fail(node.pos, f"{cls.__name__}: {fault}")
     return element
 
 
@@ -77,7 +77,7 @@ def _pairs(doc, node, table):
         elif isinstance(value.value, dict):
             for inner in value.value.items():
                 if inner[0] in node.value:
-                    doc.fail(inner[1].pos, "%s stands here and one level above" % values.shown(inner[0]))
+                    doc.fail(inner[1].pos, f"{values.shown(inner[0])} stands here and one level above")
                 yield inner
         elif not _is_null(value):
             doc.fail(value.pos, "a mapping is needed here")
@@ -141,7 +141,7 @@ def _date(doc, node):
     rest = "".join(str(parts.pop(key, "")) for key in ("fraction", "zone"))
     for key, value in zip(_DATE_KEYS, numbers):
         if not isinstance(value, int) or not 0 <= value <= (9999 if key == "year" else 99):
-            doc.fail(node.pos, "not a date: %s is %s" % (key, values.shown(value)))
+            doc.fail(node.pos, f"not a date: {key} is {values.shown(value)}")
     text = "%04d-%02d-%02dT%02d:%02d:%02d" % tuple(numbers) + rest
     if parts or not _DATE.match(text):
         doc.fail(node.pos, "not a date of year, month, day, hour, minute, second")
@@ -161,7 +161,7 @@ def _attributes(doc, node, table=None):
         doc.fail(node.pos, "a mapping is needed here")
     for name, value in node.value.items():
         if not names.is_clark(name) or table and (names.raw(name) in table.attributes or names.raw(name) == names.TYPE):
-            doc.fail(value.pos, "%s cannot be an attribute here" % values.shown(name))
+            doc.fail(value.pos, f"{values.shown(name)} cannot be an attribute here")
     return {name: _text(doc, value) for name, value in node.value.items()}
 
 
@@ -182,7 +182,7 @@ def _foreign_element(doc, node, table, depth):
         doc.fail(at.pos, "an element is needed here: its name, attributes and content")
     known = table and table.children.get(names.raw(tag))
     if known and known.kind != fields.TEXT:
-        doc.fail(at.pos, "%s is no foreign element" % values.shown(tag))
+        doc.fail(at.pos, f"{values.shown(tag)} is no foreign element")
     items = [_foreign_element(doc, item, None, depth + 1) if isinstance(item.value, dict) else _text(doc, item)
              for item in (content.value if content else [])]
     return fields.ForeignElement(tag, attributes, fields.tidy(items))

@@ -5,7 +5,7 @@ plain types, %YAML, one document. Refused with line and column: anything else, a
 anchors given twice, merge keys, several documents. Nothing is ever evaluated.
 
 Most functions take a document and a position and return where they ended and a node: (doc, pos) -> (pos, Node). Those of
-block style end at the next token, which is what tells them from flow style.
+block style end at the next token, which distinguishes them from flow style.
 """
 import re
 
@@ -17,16 +17,16 @@ MOST_CHARACTERS = 16 << 20
 MOST_LINES = 1000000  # two for each of the values that there may be
 
 _BLANKS = re.compile(" *")
-_END_OF_LINE = re.compile(" *(?:#|[%s\0])" % BREAK)
-_DASH = re.compile("-(?=[ \0%s])" % BREAK)
-_QUESTION = re.compile(r"\?(?=[ \0%s])" % BREAK)
-_COLON = re.compile(" *:(?=[ \0%s])" % BREAK)
+_END_OF_LINE = re.compile(f" *(?:#|[{BREAK}\x00])")
+_DASH = re.compile(f"-(?=[ \x00{BREAK}])")
+_QUESTION = re.compile(rf"\?(?=[ \0{BREAK}])")
+_COLON = re.compile(f" *:(?=[ \x00{BREAK}])")
 _ANCHOR = re.compile(r"([&*])([\w-]+)", re.ASCII)
-_TAG = re.compile(r"!(?:<tag:yaml\.org,2002:(\w+)>|!(\w+)|(?=[ \0%s]))" % BREAK, re.ASCII)
+_TAG = re.compile(rf"!(?:<tag:yaml\.org,2002:(\w+)>|!(\w+)|(?=[ \0{BREAK}]))", re.ASCII)
 _FORBIDDEN = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
 # What most lines of a profile are, `key: value` or `key:` alone; reading such a line at once saves two thirds of the time.
 _SIMPLE = re.compile(r"([A-Za-z][\w:]*):( (?:([\w/.+][!\"$-~]*(?<!:))|'([^'%s\t]*)'))?\n( *)(?=[!-\"$-~])" % BREAK, re.ASCII)
-_DIRECTIVE = re.compile(r"%%YAML +1\.\d+ *(?:#[^%s]*)?[%s]" % (BREAK, BREAK))
+_DIRECTIVE = re.compile(rf"%YAML +1\.\d+ *(?:#[^{BREAK}]*)?[{BREAK}]")
 
 
 def parse(text, name):
@@ -42,7 +42,7 @@ def parse(text, name):
         doc.fail(0, "more than %d lines" % MOST_LINES)
     bad = _FORBIDDEN.search(doc.text)
     if bad:
-        doc.fail(bad.start(), "a character that YAML does not allow (U+%04X)" % ord(bad.group()))
+        doc.fail(bad.start(), f"a character that YAML does not allow (U+{ord(bad.group()):04X})")
     doc.other_breaks = [c for c in BREAK[1:] if c in doc.text]
     doc.text += "\0"  # so that a token always has something behind it
     return doc, _document(doc)
@@ -54,7 +54,7 @@ def _decoded(doc, data):
         return data.decode(encoding)
     except UnicodeDecodeError as e:
         doc.text = data[:e.start].decode(encoding, "replace")
-        doc.fail(len(doc.text), "not %s (%s)" % (encoding.upper(), e.reason))
+        doc.fail(len(doc.text), f"not {encoding.upper()} ({e.reason})")
 
 
 def _document(doc):
@@ -77,7 +77,7 @@ def _document(doc):
 
 
 def _line_end(doc, pos):
-    """Check that nothing follows on this line; where the next token stands."""
+    """Check that nothing follows on this line; the position of the next token."""
     if not _END_OF_LINE.match(doc.text, pos):
         pos = _BLANKS.match(doc.text, pos).end()
         doc.fail(pos, {":": "a colon and a blank inside text: put quotes around it, or mend the indentation", "\t": scalars.TAB}
@@ -88,9 +88,9 @@ def _line_end(doc, pos):
 # ---- block style ------------------------------------------------------------------------------------------------
 
 def _value(doc, pos, indent, depth, compact, dashes=False):
-    """The value behind `key:`, `- ` or `? ` at column `indent`, and the next token.
+    """The value after `key:`, `- ` or `? ` at column `indent`, and the next token.
 
-    compact: another collection may begin on the same line. dashes: a list may stand at the column of its key.
+    compact: another collection may begin on the same line. dashes: a list may be at the column of its key.
     """
     start = pos
     pos, anchor, tag = _properties(doc, pos)
@@ -108,7 +108,7 @@ def _value(doc, pos, indent, depth, compact, dashes=False):
 
 
 def _check_below(doc, pos, column, indent, anchor, tag):
-    """Refuse a second anchor or tag of a node whose first ones end their line: the one that is missing may stand below."""
+    """Refuse a second anchor or tag of a node whose first ones end their line: the one that is missing may be below."""
     while (anchor or tag) and column > indent and not _is_key(doc, pos):
         end, second_anchor, second_tag = _properties(doc, pos)
         if anchor and second_anchor or tag and second_tag:
@@ -120,7 +120,7 @@ def _check_below(doc, pos, column, indent, anchor, tag):
 
 
 def _below(doc, pos, column, indent, depth, dashes=True):
-    """The value whose first token stands below its key or dash at column `indent`: at `pos`, in `column`."""
+    """The value whose first token is below its key or dash at column `indent`: at `pos`, in `column`."""
     if column > indent:
         return _block(doc, pos, indent, depth)
     if dashes and column == indent and _DASH.match(doc.text, pos):
@@ -198,7 +198,7 @@ def _is_key(doc, pos):
 
 
 def _key(doc, pos, column, depth):
-    """A key, and where its colon stands."""
+    """A key, and where its colon is."""
     if _QUESTION.match(doc.text, pos):
         pos, node = _value(doc, pos + 1, column, depth + 1, True)
         if isinstance(node.value, str):
@@ -219,7 +219,7 @@ def _key(doc, pos, column, depth):
 
 
 def _inline(doc, pos, indent, depth, tag):
-    """A value that stands, or begins, on this line; the next token."""
+    """A value that is, or begins, on this line; the next token."""
     pos = _BLANKS.match(doc.text, pos).end()
     c = doc.text[pos]
     if c in "|>":
@@ -261,7 +261,7 @@ def _anchored(doc, anchor, count, result):
     """Remember `result`, (pos, node), by its anchor; it was begun when there were `count` nodes."""
     if anchor:
         if anchor in doc.anchors:
-            doc.fail(result[1].pos, "the anchor &%s was given before" % anchor)
+            doc.fail(result[1].pos, f"the anchor &{anchor} was given before")
         _measure(result[1])
         doc.anchors[anchor] = (result[1], doc.nodes - count)
     return result
@@ -287,17 +287,17 @@ def _alias(doc, pos, depth):
 
 
 def _tagged(doc, pos, node, tag):
-    """`node` with a tag that stands before it."""
+    """`node` with the tag before it."""
     wanted = "map" if isinstance(node.value, dict) else "seq" if isinstance(node.value, list) else None
     if not tag or tag in (wanted, "!"):
         return node
     if wanted or tag in ("map", "seq"):
-        doc.fail(pos, "the tag !!%s does not fit" % tag)
+        doc.fail(pos, f"the tag !!{tag} does not fit")
     return Node(node.value, node.pos, tag)
 
 
 def _scalar(doc, pos, depth, tag, indent=-1, key=False, flow=False):
-    """Text in quotes or without, or an alias; (pos behind it, node)."""
+    """Text in quotes or without, or an alias; (pos after it, node)."""
     pos = _BLANKS.match(doc.text, pos).end()
     c = doc.text[pos]
     if c == "*":
@@ -310,7 +310,7 @@ def _scalar(doc, pos, depth, tag, indent=-1, key=False, flow=False):
     else:
         end, text = scalars.bare(doc, pos, indent, flow, key)
     if tag in ("map", "seq"):
-        doc.fail(pos, "the tag !!%s does not fit" % tag)
+        doc.fail(pos, f"the tag !!{tag} does not fit")
     if tag == "!":
         tag, quotes = None, False  # PyYAML's reading of a tag without a name
     return end, doc.node(text, pos, depth, tag or ("str" if quotes else None))
@@ -319,7 +319,7 @@ def _scalar(doc, pos, depth, tag, indent=-1, key=False, flow=False):
 # ---- flow style -------------------------------------------------------------------------------------------------
 
 def _flow(doc, pos, depth, tag):
-    """[...] or {...}; (pos behind it, node)."""
+    """[...] or {...}; (pos after it, node)."""
     mapping = doc.text[pos] == "{"
     items = {} if mapping else []
     node = doc.node(items, pos, depth)

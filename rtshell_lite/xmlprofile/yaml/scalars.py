@@ -13,10 +13,10 @@ TAGS = {"!", "str", "int", "float", "bool", "null", "binary", "timestamp", "map"
 
 _NOT_FIRST = re.compile("[\t %s\0,\\[\\]{}#&*!|>'\"%%@`]|[-?:](?=[\t %s\0])" % (BREAK, BREAK))
 _NOT_FIRST_IN_FLOW = re.compile("[\t %s\0,\\[\\]{}#&*!|>'\"%%@`?:]|-(?=[\t %s\0])" % (BREAK, BREAK))
-_STOP = re.compile(":(?=[\t %s\0])| #|[\t%s\0]" % (BREAK, BREAK))
+_STOP = re.compile(f":(?=[\t {BREAK}\x00])| #|[\t{BREAK}\x00]")
 _STOP_IN_FLOW = re.compile(":(?=[\t %s\0,\\[\\]{}])| #|[\t%s\0,\\[\\]{}]" % (BREAK, BREAK))
-_SPACE = re.compile("[ %s]*" % BREAK)
-_MARKER = re.compile(r"[%s](?:---|\.\.\.)(?=[ \0%s])" % (BREAK, BREAK))
+_SPACE = re.compile(f"[ {BREAK}]*")
+_MARKER = re.compile(rf"[{BREAK}](?:---|\.\.\.)(?=[ \0{BREAK}])")
 _ALIAS = re.compile(r"\*[\w-]+", re.ASCII)
 
 
@@ -76,7 +76,7 @@ def _check_length(doc, pos, end):
 
 # ---- text in quotes ---------------------------------------------------------------------------------------------
 
-_ANY_SPACE = re.compile("[ \t%s]+" % BREAK)
+_ANY_SPACE = re.compile(f"[ \t{BREAK}]+")
 _ESCAPE = re.compile(r"\\(?:x([0-9A-Fa-f]{2})|u([0-9A-Fa-f]{4})|U([0-9A-Fa-f]{8})|([%s])([ \t%s]*)|(.))|[ \t%s]+"
                      % (BREAK, BREAK, BREAK), re.DOTALL)
 _ESCAPED = {"0": "\0", "a": "\a", "b": "\b", "t": "\t", "\t": "\t", "n": "\n", "v": "\v", "f": "\f", "r": "\r",
@@ -133,15 +133,15 @@ def _closing(doc, pos):
 
 # ---- literal and folded text ------------------------------------------------------------------------------------
 
-_HEADER = re.compile(r"([|>])(?:([-+])([1-9])?|([1-9])([-+])?)?(?: +#[^%s\0]*| *)(?=[%s\0])" % (BREAK, BREAK))
-_LINE = re.compile("[^%s\0]*" % BREAK)
+_HEADER = re.compile(rf"([|>])(?:([-+])([1-9])?|([1-9])([-+])?)?(?: +#[^{BREAK}\0]*| *)(?=[{BREAK}\0])")
+_LINE = re.compile(f"[^{BREAK}\x00]*")
 
 
 def block(doc, pos, indent):
-    """Lines behind | or >, in a collection at column `indent`. The steps are those of PyYAML."""
+    """Lines after | or >, in a collection at column `indent`. The steps are those of PyYAML."""
     header = _HEADER.match(doc.text, pos)
     if not header:
-        doc.fail(pos, "only digits, + and - may stand behind %s" % doc.text[pos])
+        doc.fail(pos, f"only digits, + and - may stand behind {doc.text[pos]}")
     text, folds = doc.text, header.group(1) == ">"
     keep, digit = header.group(2) or header.group(5), header.group(3) or header.group(4)
     start, pos = pos, header.end()
@@ -151,7 +151,7 @@ def block(doc, pos, indent):
         width += int(digit) - 1
     else:
         blanks = _SPACE.match(text, pos).group()
-        width = max([width] + [len(line) for line in re.split("[%s]" % BREAK, blanks)])
+        width = max([width] + [len(line) for line in re.split(f"[{BREAK}]", blanks)])
     pos, empty, here = _empty_lines(text, pos, width)
     pieces, ending = [], ""
     while here == width and text[pos] != "\0":
@@ -238,7 +238,7 @@ def plain(node):
 def _matched(pattern, text, what):
     found = len(text) <= LONGEST_NUMBER and pattern.match(text)
     if not found:
-        raise ValueError("not a %s" % what)
+        raise ValueError(f"not a {what}")
     return found
 
 

@@ -9,7 +9,7 @@ _UNSAFE = re.compile(r": | #|:\Z| \Z|\A(?:---|\.\.\.)")
 _DOUBLE = re.compile(r'[^ !#-\[\]-~]')
 _ESCAPES = {"\0": "0", "\a": "a", "\b": "b", "\t": "t", "\n": "n", "\v": "v", "\f": "f", "\r": "r", "\x1b": "e",
             '"': '"', "\\": "\\", "\x85": "N", "\xa0": "_", "\u2028": "L", "\u2029": "P"}
-_LONGEST_KEY = 1000  # PyYAML reads longer ones only behind a question mark
+_LONGEST_KEY = 1000  # PyYAML reads longer ones only after a question mark
 
 
 def write(data):
@@ -20,12 +20,12 @@ def write(data):
 
 
 def _node(lines, head, indent, data):
-    """Append a value: `head` is what stands before it on its line, `indent` what stands before further lines of it."""
+    """Append a value: `head` is what comes before it on its line, `indent` what comes before further lines of it."""
     if isinstance(data, dict) and data:
         for key in sorted(data):
             name = scalar(key)
             if len(name) > _LONGEST_KEY:
-                lines.append("%s? %s" % (head, name))
+                lines.append(f"{head}? {name}")
                 name = indent
             else:
                 name = head + name
@@ -47,7 +47,7 @@ def _pair(lines, name, indent, value):
         lines.append(name + ":")
         _node(lines, indent, indent, value)
     else:
-        lines.append("%s: %s" % (name, scalar(value)))
+        lines.append(f"{name}: {scalar(value)}")
 
 
 def scalar(value):
@@ -61,7 +61,7 @@ def scalar(value):
     if isinstance(value, str):
         return _text(value)
     if isinstance(value, bytes):
-        return '!!binary "%s"' % binascii.b2a_base64(value).decode("ascii").strip()
+        return f"!!binary \"{binascii.b2a_base64(value).decode('ascii').strip()}\""
     if isinstance(value, int):
         digits = str(value)
         return digits if len(digits) <= scalars.LONGEST_NUMBER else hex(value)  # which is how it was read
@@ -84,4 +84,4 @@ def _text(value):
 def _escape(found):
     c = found.group()
     n = ord(c)
-    return "\\" + (_ESCAPES.get(c) or ("x%02X" % n if n < 0x100 else "u%04X" % n if n < 0x10000 else "U%08X" % n))
+    return "\\" + (_ESCAPES.get(c) or (f"x{n:02X}" if n < 0x100 else f"u{n:04X}" if n < 0x10000 else f"U{n:08X}"))
