@@ -286,7 +286,7 @@ class Special(unittest.TestCase):
 
 
 class Readme(Case):
-    """README.md; test_manpages compares the Japanese one with it."""
+    """README.md; test_documentation compares the Japanese one with it."""
 
     def test_lines(self):
         self.robot.prepare(SYSTEM)
