@@ -24,22 +24,24 @@ def documents():
 
 def with_rows(japanese, english):
     """The Japanese README with a row for each command of the English one, and no other."""
-    wanted = {name: row.group() for row in ROW.finditer(manpages.sections(english)["Commands"]) for name in _names(row)}
-    table, kept, present = manpages.sections(japanese)["コマンド"], [], set()
-    rows = list(ROW.finditer(table))
-    for row in rows:
-        names = [name for name in _names(row) if name in wanted]
-        present.update(names)
-        kept += [row.group().replace(row.group(1), ", ".join(names), 1)] * bool(names)
-    for row in dict.fromkeys(wanted.values()):
-        names = [name for name in wanted if wanted[name] == row and name not in present]
-        kept += [ROW.sub(lambda found: found.group().replace(found.group(1), ", ".join(names), 1), row)] * bool(names)
-    return japanese.replace(table[rows[0].start():rows[-1].end()], "".join(kept))
+    source, target = manpages.sections(english)["Commands"], manpages.sections(japanese)["コマンド"]
+    wanted = [name for row in ROW.finditer(source) for name in _names(row)]
+    present = [name for row in ROW.finditer(target) for name in _names(row)]
+    rows = [_only(row, wanted) for row in ROW.finditer(target)]
+    rows += [_only(row, set(wanted) - set(present)) for row in ROW.finditer(source)]
+    begin, end = re.search(ROW.pattern + "(?:.*\n)*?(?=\n|$)", target, re.MULTILINE).span()
+    return japanese.replace(target, target[:begin] + "".join(rows) + target[end:])
 
 
 def _names(row):
     """The commands that a row of a table is about."""
     return row.group(1).split(", ")
+
+
+def _only(row, wanted):
+    """The row with those of its commands that are wanted; "" without any."""
+    names = [name for name in _names(row) if name in wanted]
+    return "| " + ", ".join(names) + row.group()[row.end(1) - row.start():] if names else ""
 
 
 def main():

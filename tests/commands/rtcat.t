@@ -342,3 +342,12 @@ On a terminal the state, the handle of a context, names of ports and of what the
   ConsoleOut0.rtc  Inactive
   $ tty 80 rtcat --json ConsoleOut0.rtc:in | grep -c '\['
   1
+
+What tests/support/invocations.py has to know of it:
+
+invocation: -ll A
+invocation: A:out
+invocation: --json A B
+looking: -ll A B
+looking: --json A
+broken component: 5

@@ -143,3 +143,10 @@ Connected already: OpenRTM refuses the same pair twice, unless told otherwise; -
   $ rtcon -d -p dataport.allow_dup_connection=YES ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected (id id-1)
   [6]
+
+What tests/support/invocations.py has to know of it:
+
+invocation: A:out B:in
+invocation: B:in A:out
+invocation: --dry-run A:out B:in
+looking: --dry-run A:out B:in

@@ -287,3 +287,10 @@ A name server that is not there, a path that is none, a file that cannot be writ
   both.xml
   c
   c.yaml
+
+What tests/support/invocations.py has to know of it:
+
+invocation: -o OUT SERVER
+invocation: -y SERVER
+invocation: --all SERVER
+broken component: 0 5

@@ -174,3 +174,9 @@ Typed on a terminal without the function, it says what is missing; -q does not.
   rtcwd: this shell has not changed; put  eval "$(rtcwd --shell)"  in your profile
   $ tty 120 rtcwd -q ..
   /localhost:$PORT
+
+What tests/support/invocations.py has to know of it:
+
+invocation: SERVER/x.host_cxt
+looking: SERVER
+broken component: 3

@@ -153,3 +153,9 @@ No such thing, or not that kind of thing:
   $ rtdis ConsoleIn0.rtc:out ConsoleIn0.rtc:out
   rtdis: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: not connected
   [1]
+
+What tests/support/invocations.py has to know of it:
+
+invocation: A:out B:in
+invocation: A
+invocation: -i id A

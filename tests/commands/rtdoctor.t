@@ -169,3 +169,13 @@ Ctrl-C ends it, whatever hangs:
   [130]
   $ within 0.5-2.5 rtdoctor -q --timeout 0.5 --profile robot.rtsys | grep -c hung; resume robot
   5
+
+What tests/support/invocations.py has to know of it:
+
+invocation: SERVER
+invocation: --json SERVER
+invocation: A
+invocation: --profile FILE SERVER
+looking: -q A
+broken server: 1
+broken component: 1

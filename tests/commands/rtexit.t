@@ -112,3 +112,9 @@ Not a component, and wrong usage:
   ConsoleOut0
   SequenceInComponent0
   SequenceOutComponent0
+
+What tests/support/invocations.py has to know of it:
+
+invocation: A
+invocation: --wait 0.5 A
+fatal: components that others need may end

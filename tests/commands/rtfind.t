@@ -276,3 +276,13 @@ The common options:
   $ rtfind / >&-
   rtfind: cannot write the output: Bad file descriptor
   [1]
+
+What tests/support/invocations.py has to know of it:
+
+invocation: SERVER
+invocation: SERVER --state error
+invocation: --json SERVER -t z
+invocation: SERVER -n none --wait 0.5
+looking: --json SERVER
+lasting: SERVER -n none --wait 60
+broken component: 0 1

@@ -153,3 +153,10 @@ Wrong usage is found before anything is asked:
   rtfsm: seteventprofiles: not NAME:TYPE: a: (see --help)
   [2]
   $ ctl calls
+
+What tests/support/invocations.py has to know of it:
+
+invocation: A getstate
+invocation: A getstructure
+invocation: A seteventprofiles a:TimedLong
+looking: A getstate

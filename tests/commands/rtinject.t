@@ -172,3 +172,11 @@ Refused, dead, silent:
   $ RTSHELL_TIMEOUT=0.5 within 0.5-2 rtinject -c '{"data": 1}' Far0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/Far0.rtc: no answer within 0.5s
   [4]
+
+What tests/support/invocations.py has to know of it:
+
+invocation: --anyway -c {"data":1} A:in
+invocation: -c {"data":1} -n 3 -r 100 B:in A:in
+invocation: --anyway -c 1 -n 3 -r 100 B:in A:in
+lasting: --anyway -n -1 -r 50 -c {"data":1} B:in
+broken component: 5

@@ -212,3 +212,10 @@ What cannot be recorded; the others are:
   $ rtlog -t 0.1 -f x /localhost:x
   rtlog: /localhost:x: localhost:x is not a name server (host or host:tcpport)
   [2]
+
+What tests/support/invocations.py has to know of it:
+
+invocation: -f OUT -t 0.5 A:out
+invocation: -p -f LOG A:in
+invocation: -p --anyway -f LOG A:in
+lasting: -f OUT A:out

@@ -166,3 +166,12 @@ What is no out port:
   $ rtprint -p . -m nomodule ConsoleIn0.rtc:out
   rtprint: nomodule: no such module in .: No module named 'nomodule'
   [3]
+
+What tests/support/invocations.py has to know of it:
+
+invocation: -t 0.5 A:out
+invocation: -n 1 -t 0.5 --raw A:out B:out
+invocation: --pull -t 0.5 A:out
+invocation: --stats -t 0.5 A:out
+lasting: A:out
+broken component: 5

@@ -58,3 +58,7 @@ Its output can be refused:
   $ rtpwd >&-
   rtpwd: cannot write the output: Bad file descriptor
   [1]
+
+What tests/support/invocations.py has to know of it:
+
+local: it contacts nobody

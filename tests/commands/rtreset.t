@@ -64,3 +64,9 @@ Usage:
   [2]
   $ rtreset --help | head -1
   usage: rtreset [-e N] [--wait [SECONDS]] [--dry-run] [-v] [-q]
+
+What tests/support/invocations.py has to know of it:
+
+invocation: A
+invocation: --wait 0.5 A B
+broken component: 5 6

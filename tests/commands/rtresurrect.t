@@ -194,3 +194,11 @@ What is no profile, no such option:
   $ rtresurrect --no-partial a.xml
   rtresurrect: unrecognized arguments: --no-partial (see --help)
   [2]
+
+What tests/support/invocations.py has to know of it:
+
+invocation: FILE
+invocation: --dry-run FILE
+invocation: --rollback FILE
+looking: --dry-run FILE
+broken component: 5

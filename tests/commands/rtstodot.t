@@ -248,3 +248,11 @@ Files that are none, told with line and column:
   $ rtstodot a.xml b.xml
   rtstodot: unrecognized arguments: b.xml (see --help)
   [2]
+
+What tests/support/invocations.py has to know of it:
+
+invocation: --live FILE
+invocation: --live --text FILE
+invocation: --live --svg FILE
+looking: --live --text FILE
+broken component: 5

@@ -110,3 +110,11 @@ Where nothing is at all, the file is not of this system; nor is a map that fits 
   $ rtteardown --create a.xml
   rtteardown: unrecognized arguments: --create (see --help)
   [2]
+
+What tests/support/invocations.py has to know of it:
+
+invocation: FILE
+invocation: --dry-run FILE
+invocation: --rollback FILE
+looking: --dry-run FILE
+broken component: 0 5

@@ -185,3 +185,9 @@ Wrong usage is found before anything is asked:
   rttop: empty path
   [2]
   $ ctl calls
+
+What tests/support/invocations.py has to know of it:
+
+invocation: -n 1 A
+lasting: A
+broken component: 0 5

@@ -92,3 +92,8 @@ Wrong usage:
   $ rtvlog -n x Motor0.rtc
   rtvlog: argument -n/--number: invalid int value: 'x' (see --help)
   [2]
+
+What tests/support/invocations.py has to know of it:
+
+invocation: -t 0.5 A
+lasting: A

@@ -166,3 +166,10 @@ Wrong usage is found before anything is asked:
   rtwatch: argument -t: not a number of seconds above 0: 0 (see --help)
   [2]
   $ ctl calls
+
+What tests/support/invocations.py has to know of it:
+
+invocation: -t 0.5 A
+invocation: -f LIFE_EVENT -t 0.5 A B
+lasting: A
+broken component: 5
