@@ -179,7 +179,7 @@ ones from their end:
   rtact: argument -e/--exec-context/--exec_context: expected one argument (see --help)
   [2]
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: A
 invocation: --wait 0.5 A B

@@ -343,7 +343,7 @@ On a terminal the state, the handle of a context, names of ports and of what the
   $ tty 80 rtcat --json ConsoleOut0.rtc:in | grep -c '\['
   1
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: -ll A
 invocation: A:out
@@ -351,3 +351,4 @@ invocation: --json A B
 looking: -ll A B
 looking: --json A
 broken component: 5
+examples: asking

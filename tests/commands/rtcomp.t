@@ -196,7 +196,7 @@ One component given several times is one member, with all the ports:
   rtcomp: hid port ConsoleOut0.in
   rtcomp: removed component ConsoleOut0
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: -a B A
 invocation: -a B:in MGR:Arm

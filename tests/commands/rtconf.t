@@ -266,7 +266,7 @@ Wrong usage:
   +mode0
   +mode1*
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: -l A
 invocation: A get p

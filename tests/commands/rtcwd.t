@@ -175,8 +175,9 @@ Typed on a terminal without the function, it says what is missing; -q does not.
   $ tty 120 rtcwd -q ..
   /localhost:$PORT
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: SERVER/x.host_cxt
 looking: SERVER
 broken component: 3
+examples: asking

@@ -262,7 +262,7 @@ C++ 1.1, RtORB and Python:
   rtec: /localhost:$PORT/test.host_cxt/Old0.rtc: /localhost:$PORT/test.host_cxt/Old1.rtc left
   rtec: /localhost:$PORT/test.host_cxt/Old0.rtc: /localhost:$PORT/test.host_cxt/Py0.rtc left
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: A
 invocation: --json A

@@ -277,7 +277,7 @@ The common options:
   rtfind: cannot write the output: Bad file descriptor
   [1]
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: SERVER
 invocation: SERVER --state error
@@ -286,3 +286,4 @@ invocation: SERVER -n none --wait 0.5
 looking: --json SERVER
 lasting: SERVER -n none --wait 60
 broken component: 0 1
+examples: asking

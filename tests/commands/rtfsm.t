@@ -154,7 +154,7 @@ Wrong usage is found before anything is asked:
   [2]
   $ ctl calls
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: A getstate
 invocation: A getstructure

@@ -343,7 +343,7 @@ failure, for the path given by name neither.
   $ rtls -0 Mock0.rtc | tr '\0' '\n'
   /localhost:$PORT/test.host_cxt/Mock0.rtc
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: -lR SERVER
 invocation: -l SERVER
@@ -353,3 +353,4 @@ invocation: A
 looking: -lR SERVER
 looking: --json -l SERVER
 broken component: 0 5
+examples: asking

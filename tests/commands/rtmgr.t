@@ -259,7 +259,7 @@ stand in no name server; they have an address, too:
   rtmgr: corbaloc::localhost:S: connection refused; is the manager running?
   $ rtls
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: -r MGR
 invocation: -c Mock MGR

@@ -59,6 +59,7 @@ Its output can be refused:
   rtpwd: cannot write the output: Bad file descriptor
   [1]
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 local: it contacts nobody
+examples: asking

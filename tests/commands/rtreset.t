@@ -65,7 +65,7 @@ Usage:
   $ rtreset --help | head -1
   usage: rtreset [-e N] [--wait [SECONDS]] [--dry-run] [-v] [-q]
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: A
 invocation: --wait 0.5 A B

@@ -195,7 +195,7 @@ What is no profile, no such option:
   rtresurrect: unrecognized arguments: --no-partial (see --help)
   [2]
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: FILE
 invocation: --dry-run FILE

@@ -190,7 +190,7 @@ Files that are none:
   $ echo '<rts:RtsProfile xmlns:rts="http://www.openrtp.org/namespaces/rts"/>' | rtstart --dry-run | wc -l
   1
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: FILE
 invocation: --json --wait 0.5 FILE

@@ -249,10 +249,11 @@ Files that are none, told with line and column:
   rtstodot: unrecognized arguments: b.xml (see --help)
   [2]
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: --live FILE
 invocation: --live --text FILE
 invocation: --live --svg FILE
 looking: --live --text FILE
 broken component: 5
+examples: asking

@@ -160,7 +160,7 @@ A process that hangs keeps the others waiting no longer than the timeout:
   rtstop: unrecognized arguments: b.xml (see --help)
   [2]
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: FILE
 invocation: --json --wait 0.5 FILE

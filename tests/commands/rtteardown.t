@@ -111,10 +111,12 @@ Where nothing is at all, the file is not of this system; nor is a map that fits 
   rtteardown: unrecognized arguments: --create (see --help)
   [2]
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: FILE
 invocation: --dry-run FILE
 invocation: --rollback FILE
 looking: --dry-run FILE
 broken component: 0 5
+prepared: rtresurrect robot.rtsys && rtstart -q robot.rtsys >/dev/null
+example: rtcryo | rtteardown <- rtresurrect robot.rtsys && rtstart -q robot.rtsys >/dev/null

@@ -93,7 +93,9 @@ Wrong usage:
   rtvlog: argument -n/--number: invalid int value: 'x' (see --help)
   [2]
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: -t 0.5 A
 lasting: A
+examples: endless
+prepared: world observed

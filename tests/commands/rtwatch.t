@@ -167,9 +167,11 @@ Wrong usage is found before anything is asked:
   [2]
   $ ctl calls
 
-What tests/support/invocations.py has to know of it:
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: -t 0.5 A
 invocation: -f LIFE_EVENT -t 0.5 A B
 lasting: A
 broken component: 5
+examples: endless
+examples: asking

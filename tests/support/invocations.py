@@ -10,6 +10,8 @@ At the margin of a transcript, as a rule at its end:
   broken server: 1        … and of such a name server
   fatal: why              components that others need may end by it
 
+What is special about its examples is stated there, too: see tests/commands/test_examples.py.
+
 Words stand for things: SERVER a name server (or another directory), A and B components (A:out an out port, A:in an in port),
 MGR a manager, FILE an RtsProfile that connects A:out to B:in, OUT a file to write, LOG a log that was recorded before.
 """
