@@ -29,7 +29,7 @@ def with_rows(japanese, english):
     present = [name for row in ROW.finditer(target) for name in _names(row)]
     rows = [_only(row, wanted) for row in ROW.finditer(target)]
     rows += [_only(row, set(wanted) - set(present)) for row in ROW.finditer(source)]
-    begin, end = re.search(ROW.pattern + "(?:.*\n)*?(?=\n|$)", target, re.MULTILINE).span()
+    begin, end = re.search(ROW.pattern + "(?:.+\n)*", target, re.MULTILINE).span()
     return japanese.replace(target, target[:begin] + "".join(rows) + target[end:])
 
 
