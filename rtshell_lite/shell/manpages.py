@@ -1,17 +1,12 @@
-"""Manual pages, made from what is written elsewhere: `python3 -m rtshell_lite.shell.manpages`, in a checkout, writes them below man/
-and lists them in setup.cfg.
-
-The page of a command says what its docstring and its parser say; rtshell_lite(7) what README.md says, its Japanese version
-what README.ja.md says. tests/unit/test_manpages.py fails when one of them is out of date.
+"""Manual pages: that of a command says what its docstring and its parser say; rtshell_lite(7) what README.md says, its Japanese
+version what README.ja.md says.
 """
 import argparse
-import os
 import re
 
-from rtshell_lite import __version__, files, options
+from rtshell_lite import __version__, options
 from rtshell_lite.shell import installation
 
-ROOT = os.path.dirname(installation.PACKAGE)
 # The parts of the READMEs that make rtshell_lite(7), and the headings of its first and its last section.
 SECTIONS = {
     "README.md": ("NAME", "DESCRIPTION", ["Commands", "Paths", "Environment", "Exit status", "Scripts"], "SEE ALSO"),
@@ -22,36 +17,18 @@ SUMMARIES = {"README.md": "shell commands for robots built from OpenRTM-aist com
 WIDEST = 76
 
 
-def pages():
-    """All pages: {path below man/: text}."""
+def pages(readmes):
+    """All pages, {path below man/: text}, given the text of both READMEs by their names."""
     commands = installation.commands()
     found = {"man1/%s.1" % name: _command_page(name, path) for name, path in commands.items()}
-    found["man7/rtshell_lite.7"] = _overview("README.md", commands)
-    found["ja/man7/rtshell_lite.7"] = _overview("README.ja.md", commands)
+    found["man7/rtshell_lite.7"] = _overview("README.md", readmes["README.md"], commands)
+    found["ja/man7/rtshell_lite.7"] = _overview("README.ja.md", readmes["README.ja.md"], commands)
     return found
 
 
-def main():
-    """Write the pages of a checkout, and remove those of commands that are gone."""
-    wanted, top = pages(), os.path.join(ROOT, "man")
-    for directory, _, names in list(os.walk(top)):
-        for name in names:
-            if os.path.relpath(os.path.join(directory, name), top) not in wanted:
-                os.remove(os.path.join(directory, name))
-    for name, text in wanted.items():
-        os.makedirs(os.path.dirname(os.path.join(top, name)), exist_ok=True)
-        files.write(os.path.join(top, name), text)
-    config = os.path.join(ROOT, "setup.cfg")
-    files.write(config, packaged(files.read(config), wanted))
-
-
-def packaged(config, names):
-    """The text of setup.cfg, with pages of these names as its data files."""
-    lines = []
-    for directory in sorted({os.path.dirname(name) for name in names}):
-        lines += ["share/man/%s =" % directory]
-        lines += ["    man/" + name for name in sorted(names) if os.path.dirname(name) == directory]
-    return re.sub(r"(?<=\n\[options.data_files\]\n)(?:[^\n\[].*\n)*", "\n".join(lines) + "\n", config)
+def sections(markdown):
+    """The sections of a README: {title: text}."""
+    return dict(re.findall(r"^#+ (.*)\n((?:```(?:.*\n)*?```\n|(?!#+ ).*\n)*)", markdown, re.MULTILINE))
 
 
 # ---- a command ------------------------------------------------------------------------------------------------
@@ -62,6 +39,7 @@ def _command_page(name, path):
     shown = [action for action in parser._actions if action.help is not argparse.SUPPRESS]
     summary, _, rest = module.__doc__.strip().partition("\n\n")
     details, _, examples = ("\n" + rest).partition("\nexamples:\n")
+    details, _, fields = details.partition("\nJSON:\n")
     lines = [_header(name, 1), ".SH NAME", "%s \\- %s" % (name, _text(summary.rstrip(".").replace("\n", " "))),
              ".SH SYNOPSIS", ".B " + name,
              " ".join(["[\\fIoption\\fR ...]"] + [_argument(action) for action in shown if not action.option_strings])]
@@ -70,6 +48,8 @@ def _command_page(name, path):
     lines += [".SH OPTIONS"]
     for action in sorted(shown, key=lambda action: bool(action.option_strings)):
         lines += [".TP", _label(action), _text(parser._get_formatter()._expand_help(action))]
+    if fields:
+        lines += [".SH JSON"] + _entries(fields)
     statuses = options.EXIT_STATUSES.partition("\n")[2]
     lines += [".SH EXAMPLES"] + _literal(examples.rstrip().split("\n"))
     lines += [".SH EXIT STATUS"] + _paragraphs("\n".join(line.strip() for line in statuses.split("\n")))
@@ -78,7 +58,7 @@ def _command_page(name, path):
 
 
 def _header(name, section):
-    return '.\\" Written by python3 -m rtshell_lite.shell.manpages\n.TH %s %d "" "rtshell_lite %s" "rtshell_lite"\n.nh\n.ad l' % (
+    return '.\\" Written by python3 -m rtshell_lite.shell.documentation\n.TH %s %d "" "rtshell_lite %s" "rtshell_lite"\n.nh\n.ad l' % (
         name.upper() if section == 1 else name, section, __version__)
 
 
@@ -111,16 +91,20 @@ def _paragraphs(text):
     return lines
 
 
+def _entries(text):
+    """Indented lines, each a paragraph; those indented more go on with the one before."""
+    return [line for entry in re.split("\n  (?! )", "\n" + text.rstrip())[1:] for line in (".PP", _text(" ".join(entry.split())))][1:]
+
+
 # ---- the overview ---------------------------------------------------------------------------------------------
 
-def _overview(readme, commands):
+def _overview(readme, text, commands):
     name, description, titles, see_also = SECTIONS[readme]
-    text = files.read(os.path.join(ROOT, readme))
-    sections = dict(re.findall(r"^#+ (.*)\n((?:```(?:.*\n)*?```\n|(?!#+ ).*\n)*)", text, re.MULTILINE))
+    parts = sections(text)
     lines = [_header("rtshell_lite", 7), ".SH " + name, "rtshell_lite \\- " + _text(SUMMARIES[readme]), ".SH " + description]
-    lines += _markdown(sections["rtshell_lite"])
+    lines += _markdown(parts["rtshell_lite"])
     for title in titles:
-        lines += [".SH " + title.upper()] + _markdown(sections[title])
+        lines += [".SH " + title.upper()] + _markdown(parts[title])
     links = ["\\fB%s\\fR(1)" % command for command in sorted(commands)]
     return "\n".join(lines + [".SH " + see_also, ", ".join(links)]) + "\n"
 
@@ -178,7 +162,3 @@ def _literal(lines):
     if max(map(len, lines)) > WIDEST:
         lines = [part for line in lines for part in re.sub(r"(?<=\S) {2,}", "\n        ", line, 1).split("\n")]
     return [".PP", ".RS 2", ".nf"] + [_text(line[2:]) or "\\&" for line in lines] + [".fi", ".RE"]
-
-
-if __name__ == "__main__":
-    main()

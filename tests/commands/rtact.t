@@ -178,3 +178,10 @@ ones from their end:
   $ rtact Multi0.rtc -e
   rtact: argument -e/--exec-context/--exec_context: expected one argument (see --help)
   [2]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: A
+invocation: --wait 0.5 A B
+lasting: --wait 60 A
+broken component: 5 6

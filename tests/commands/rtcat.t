@@ -342,3 +342,13 @@ On a terminal the state, the handle of a context, names of ports and of what the
   ConsoleOut0.rtc  Inactive
   $ tty 80 rtcat --json ConsoleOut0.rtc:in | grep -c '\['
   1
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: -ll A
+invocation: A:out
+invocation: --json A B
+looking: -ll A B
+looking: --json A
+broken component: 5
+examples: asking

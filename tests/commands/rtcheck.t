@@ -248,3 +248,13 @@ Paths are told as commands take them:
 
   $ sed 's,/ConsoleIn0.rtc",/Con\\/sole\\.In.rtc",' a.xml | rtcheck --dry-run | head -1
   Check for required component "RTC:Shinji Kurihara:example:ConsoleIn:1.0", "ConsoleIn0" at path /localhost:$PORT/test.host_cxt/Con\/sole.In.rtc (Required)
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: FILE
+invocation: --extra --json FILE
+looking: -s Inactive FILE
+broken component: 1 5
+prepared: rtresurrect robot.rtsys && rtstart -q robot.rtsys >/dev/null
+example: rtcheck -s Inactive robot.rtsys <- rtstop -q robot.rtsys >/dev/null
+example: rtcheck --extra robot.rtsys -> 1

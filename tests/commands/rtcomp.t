@@ -195,3 +195,11 @@ One component given several times is one member, with all the ports:
   $ rtcomp -v -r manager.mgr/ConsoleOut0.rtc -r manager.mgr/ConsoleOut0.rtc manager.mgr/Arm.rtc
   rtcomp: hid port ConsoleOut0.in
   rtcomp: removed component ConsoleOut0
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: -a B A
+invocation: -a B:in MGR:Arm
+invocation: -r B A
+broken component: 3
+fatal: components that others need may end

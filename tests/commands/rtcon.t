@@ -143,3 +143,11 @@ Connected already: OpenRTM refuses the same pair twice, unless told otherwise; -
   $ rtcon -d -p dataport.allow_dup_connection=YES ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected (id id-1)
   [6]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: A:out B:in
+invocation: B:in A:out
+invocation: --dry-run A:out B:in
+looking: --dry-run A:out B:in
+example: rtcon -p dataport.subscription_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in <- rtdis ConsoleIn0.rtc

@@ -265,3 +265,15 @@ Wrong usage:
   +default
   +mode0
   +mode1*
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: -l A
+invocation: A get p
+invocation: A set p 1
+invocation: A act default
+invocation: A diff B
+invocation: A dump
+looking: -l A
+looking: --json A
+broken component: 3

@@ -287,3 +287,11 @@ A name server that is not there, a path that is none, a file that cannot be writ
   both.xml
   c
   c.yaml
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: -o OUT SERVER
+invocation: -y SERVER
+invocation: --all SERVER
+broken component: 0 5
+examples: asking

@@ -174,3 +174,10 @@ Typed on a terminal without the function, it says what is missing; -q does not.
   rtcwd: this shell has not changed; put  eval "$(rtcwd --shell)"  in your profile
   $ tty 120 rtcwd -q ..
   /localhost:$PORT
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: SERVER/x.host_cxt
+looking: SERVER
+broken component: 3
+examples: asking

@@ -76,3 +76,9 @@ Usage:
   examples:
     rtdeact ConsoleIn0.rtc ConsoleOut0.rtc     stop both
     rtdeact --wait 5 Motor0.rtc                … and wait until it is Inactive
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: A
+invocation: --wait 0.5 A B
+broken component: 5 6

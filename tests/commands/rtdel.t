@@ -199,3 +199,15 @@ A name server in which there is always one more directory below is given up:
 
   $ rtdel --recursive /localhost:$BOTTOMLESS/deeper.host_cxt 2>&1 | sed 's|/deeper[^:]*|/…|'
   rtdel: /localhost:$BOTTOMLESS/…: more than 64 directories deep
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: -z SERVER
+invocation: A
+invocation: -z A
+invocation: --dry-run --recursive SERVER/x.host_cxt
+looking: --dry-run -z SERVER
+broken server: 3
+broken component: 0 3
+fatal: components that others need may end
+example: rtdel -z Motor0.rtc <- kill -9 $ROBOT; until rtfind / -t z -q; do sleep 0.1; done

@@ -153,3 +153,11 @@ No such thing, or not that kind of thing:
   $ rtdis ConsoleIn0.rtc:out ConsoleIn0.rtc:out
   rtdis: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: not connected
   [1]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: A:out B:in
+invocation: A
+invocation: -i id A
+prepared: rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+example: rtdis -i 68f0a2bc-e582-11f1-9d6a-e5443183122b ConsoleIn0.rtc:out <- rtcon -i 68f0a2bc-e582-11f1-9d6a-e5443183122b ConsoleIn0.rtc:out ConsoleOut0.rtc:in

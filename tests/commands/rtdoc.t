@@ -217,3 +217,11 @@ A component that is hung, and one that is dead:
   $ resume these; kill-mock these; rtdoc Motor0.rtc
   rtdoc: /localhost:$PORT/test.host_cxt/Motor0.rtc: connection refused; its process is gone (zombie)
   [4]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: A
+invocation: -f rst A
+invocation: --json A
+looking: A
+examples: asking

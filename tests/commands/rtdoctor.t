@@ -169,3 +169,14 @@ Ctrl-C ends it, whatever hangs:
   [130]
   $ within 0.5-2.5 rtdoctor -q --timeout 0.5 --profile robot.rtsys | grep -c hung; resume robot
   5
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: SERVER
+invocation: --json SERVER
+invocation: A
+invocation: --profile FILE SERVER
+looking: -q A
+broken server: 1
+broken component: 1
+examples: asking

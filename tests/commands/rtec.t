@@ -261,3 +261,13 @@ C++ 1.1, RtORB and Python:
   $ rtec -v Old0.rtc detach Old1.rtc Py0.rtc
   rtec: /localhost:$PORT/test.host_cxt/Old0.rtc: /localhost:$PORT/test.host_cxt/Old1.rtc left
   rtec: /localhost:$PORT/test.host_cxt/Old0.rtc: /localhost:$PORT/test.host_cxt/Py0.rtc left
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: A
+invocation: --json A
+invocation: A rate 100
+invocation: A start
+invocation: A attach B
+invocation: --measure=0.3 A
+looking: A

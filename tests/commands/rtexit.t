@@ -112,3 +112,10 @@ Not a component, and wrong usage:
   ConsoleOut0
   SequenceInComponent0
   SequenceOutComponent0
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: A
+invocation: --wait 0.5 A
+fatal: components that others need may end
+example: rtexit --wait Motor0.rtc Sensor0.rtc <- world

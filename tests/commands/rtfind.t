@@ -276,3 +276,14 @@ The common options:
   $ rtfind / >&-
   rtfind: cannot write the output: Bad file descriptor
   [1]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: SERVER
+invocation: SERVER --state error
+invocation: --json SERVER -t z
+invocation: SERVER -n none --wait 0.5
+looking: --json SERVER
+lasting: SERVER -n none --wait 60
+broken component: 0 1
+examples: asking

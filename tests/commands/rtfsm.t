@@ -153,3 +153,10 @@ Wrong usage is found before anything is asked:
   rtfsm: seteventprofiles: not NAME:TYPE: a: (see --help)
   [2]
   $ ctl calls
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: A getstate
+invocation: A getstructure
+invocation: A seteventprofiles a:TimedLong
+looking: A getstate

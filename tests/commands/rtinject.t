@@ -172,3 +172,12 @@ Refused, dead, silent:
   $ RTSHELL_TIMEOUT=0.5 within 0.5-2 rtinject -c '{"data": 1}' Far0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/Far0.rtc: no answer within 0.5s
   [4]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: --anyway -c {"data":1} A:in
+invocation: -c {"data":1} -n 3 -r 100 B:in A:in
+invocation: --anyway -c 1 -n 3 -r 100 B:in A:in
+lasting: --anyway -n -1 -r 50 -c {"data":1} B:in
+broken component: 5
+example: rtinject -c 'RTC.TimedLong({time}, 42)' ConsoleOut0.rtc:in <- rtact ConsoleOut0.rtc

@@ -212,3 +212,12 @@ What cannot be recorded; the others are:
   $ rtlog -t 0.1 -f x /localhost:x
   rtlog: /localhost:x: localhost:x is not a name server (host or host:tcpport)
   [2]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: -f OUT -t 0.5 A:out
+invocation: -p -f LOG A:in
+invocation: -p --anyway -f LOG A:in
+lasting: -f OUT A:out
+prepared: rtact Source0.rtc ConsoleOut0.rtc
+example: rtlog --json -f run.rtlog | grep force <- rtlog -f run.rtlog -t 1 Source0.rtc:number.force

@@ -342,3 +342,15 @@ failure, for the path given by name neither.
   {"error": "/localhost:$PORT/test.host_cxt/Mock0.rtc: connection refused; its process is gone (zombie)", "kind": "zombie", "name": "Mock0.rtc", "path": "/localhost:$PORT/test.host_cxt/Mock0.rtc"}
   $ rtls -0 Mock0.rtc | tr '\0' '\n'
   /localhost:$PORT/test.host_cxt/Mock0.rtc
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: -lR SERVER
+invocation: -l SERVER
+invocation: SERVER
+invocation: --json -l SERVER
+invocation: A
+looking: -lR SERVER
+looking: --json -l SERVER
+broken component: 0 5
+examples: asking

@@ -258,3 +258,12 @@ stand in no name server; they have an address, too:
   $ rtmgr -r corbaloc::localhost:$S 2>&1 | sed s/$S/S/
   rtmgr: corbaloc::localhost:S: connection refused; is the manager running?
   $ rtls
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: -r MGR
+invocation: -c Mock MGR
+invocation: -l Mock.so:MockInit -m --loaded --factories MGR
+invocation: -d Mock0 MGR
+looking: -r MGR
+broken component: 3

@@ -166,3 +166,15 @@ What is no out port:
   $ rtprint -p . -m nomodule ConsoleIn0.rtc:out
   rtprint: nomodule: no such module in .: No module named 'nomodule'
   [3]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: -t 0.5 A:out
+invocation: -n 1 -t 0.5 --raw A:out B:out
+invocation: --pull -t 0.5 A:out
+invocation: --stats -t 0.5 A:out
+lasting: A:out
+broken component: 5
+examples: endless
+examples: asking
+example: rtprint --idl arm.idl Arm0.rtc:status <- echo 'module Arm { struct Status { long error; }; };' >arm.idl

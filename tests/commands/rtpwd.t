@@ -58,3 +58,8 @@ Its output can be refused:
   $ rtpwd >&-
   rtpwd: cannot write the output: Bad file descriptor
   [1]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+local: it contacts nobody
+examples: asking

@@ -64,3 +64,9 @@ Usage:
   [2]
   $ rtreset --help | head -1
   usage: rtreset [-e N] [--wait [SECONDS]] [--dry-run] [-v] [-q]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: A
+invocation: --wait 0.5 A B
+broken component: 5 6

@@ -194,3 +194,11 @@ What is no profile, no such option:
   $ rtresurrect --no-partial a.xml
   rtresurrect: unrecognized arguments: --no-partial (see --help)
   [2]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: FILE
+invocation: --dry-run FILE
+invocation: --rollback FILE
+looking: --dry-run FILE
+broken component: 5

@@ -161,3 +161,8 @@ Its connections may be old ones: what has ended meanwhile is told as ever, and i
   Inactive  1/0  0/0  1/0  0/0  Doomed0.rtc
   Inactive  1/0  0/0  1/0  0/0  Doomed1.rtc
   -  -  -  -  -  *Doomed0.rtc
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: -c {ls_-l_SERVER;cat_A}
+broken component: 0 5

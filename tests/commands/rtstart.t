@@ -189,3 +189,10 @@ Files that are none:
   [2]
   $ echo '<rts:RtsProfile xmlns:rts="http://www.openrtp.org/namespaces/rts"/>' | rtstart --dry-run | wc -l
   1
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: FILE
+invocation: --json --wait 0.5 FILE
+looking: --dry-run FILE
+broken component: 5

@@ -248,3 +248,12 @@ Files that are none, told with line and column:
   $ rtstodot a.xml b.xml
   rtstodot: unrecognized arguments: b.xml (see --help)
   [2]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: --live FILE
+invocation: --live --text FILE
+invocation: --live --svg FILE
+looking: --live --text FILE
+broken component: 5
+examples: asking

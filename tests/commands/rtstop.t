@@ -159,3 +159,9 @@ A process that hangs keeps the others waiting no longer than the timeout:
   $ rtstop a.xml b.xml
   rtstop: unrecognized arguments: b.xml (see --help)
   [2]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: FILE
+invocation: --json --wait 0.5 FILE
+broken component: 5

@@ -110,3 +110,13 @@ Where nothing is at all, the file is not of this system; nor is a map that fits 
   $ rtteardown --create a.xml
   rtteardown: unrecognized arguments: --create (see --help)
   [2]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: FILE
+invocation: --dry-run FILE
+invocation: --rollback FILE
+looking: --dry-run FILE
+broken component: 0 5
+prepared: rtresurrect robot.rtsys && rtstart -q robot.rtsys >/dev/null
+example: rtcryo | rtteardown <- rtresurrect robot.rtsys && rtstart -q robot.rtsys >/dev/null

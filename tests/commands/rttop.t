@@ -185,3 +185,11 @@ Wrong usage is found before anything is asked:
   rttop: empty path
   [2]
   $ ctl calls
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: -n 1 A
+lasting: A
+broken component: 0 5
+examples: endless
+examples: asking

@@ -92,3 +92,10 @@ Wrong usage:
   $ rtvlog -n x Motor0.rtc
   rtvlog: argument -n/--number: invalid int value: 'x' (see --help)
   [2]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: -t 0.5 A
+lasting: A
+examples: endless
+prepared: world observed

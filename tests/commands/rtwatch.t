@@ -166,3 +166,12 @@ Wrong usage is found before anything is asked:
   rtwatch: argument -t: not a number of seconds above 0: 0 (see --help)
   [2]
   $ ctl calls
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: -t 0.5 A
+invocation: -f LIFE_EVENT -t 0.5 A B
+lasting: A
+broken component: 5
+examples: endless
+examples: asking

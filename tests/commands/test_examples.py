@@ -1,8 +1,13 @@
 """Every example in docstrings (and so in --help and the manual pages) and in README.md does what it says.
 
 Each line is run by sh in a directory with robot.rtsys in it, on a robot of mock components, fresh for each command that may
-change it. A new command's examples are run without a word here, unless they need something special: see PREPARED, NAMES,
-STATUS, and to be quick ASKING, ENDLESS.
+change it. What is special about those of a command is stated in its transcript, as in tests/support/invocations.py:
+
+  examples: asking        they only ask: they share a robot whose system runs, with those of other such commands, and are quick
+  examples: endless       they are run at the same time, and some end with Ctrl-C
+  prepared: SHELL         what is done before them; `world WORDS` starts that world instead of the robot
+  example: LINE <- SHELL  what is done before this one; `world` alone starts the robot anew
+  example: LINE -> 1      its exit status
 """
 import ast
 import os
@@ -14,8 +19,9 @@ import sys
 import tempfile
 import unittest
 
-import worlds
+import invocations
 import processes
+import worlds
 from worlds import Server, World
 
 import rtshell_lite
@@ -30,25 +36,12 @@ ROBOT = ["ConsoleIn:ConsoleIn0", "ConsoleOut:ConsoleOut0", "Sensor:Sensor0", "Co
 CONTEXT = "robot.host_cxt"
 SYSTEM = "rtresurrect robot.rtsys && rtstart -q robot.rtsys >/dev/null"
 
-# What is done before the examples of a command, or before one line; a tuple is the world that is there instead, from the start.
 FRESH = ("these",) + tuple(ROBOT)
-PREPARED = {
-    "rtcheck": SYSTEM, "rtteardown": SYSTEM,
-    "rtcheck -s Inactive robot.rtsys": "rtstop -q robot.rtsys >/dev/null",
-    "rtcon -p dataport.subscription_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in": "rtdis ConsoleIn0.rtc",
-    "rtcryo | rtteardown": SYSTEM,
-    "rtdis": "rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in",
-    "rtdis -i 68f0a2bc-e582-11f1-9d6a-e5443183122b ConsoleIn0.rtc:out":
-        "rtcon -i 68f0a2bc-e582-11f1-9d6a-e5443183122b ConsoleIn0.rtc:out ConsoleOut0.rtc:in",
-    "rtdel -z Motor0.rtc": "kill -9 $ROBOT; until rtfind / -t z -q; do sleep 0.1; done",
-    "rtexit --wait Motor0.rtc Sensor0.rtc": FRESH,
-    "rtinject -c 'RTC.TimedLong({time}, 42)' ConsoleOut0.rtc:in": "rtact ConsoleOut0.rtc",
-    "rtlog": "rtact Source0.rtc ConsoleOut0.rtc",
-    "rtlog --json -f run.rtlog | grep force": "rtlog -f run.rtlog -t 1 Source0.rtc:number.force",
-    "rtprint --idl arm.idl Arm0.rtc:status": "echo 'module Arm { struct Status { long error; }; };' >arm.idl",
-    "rtvlog": ("observed",),
-    "until rtfind -q --state active / -n Motor0.rtc; do sleep 1; done": "rtact Motor0.rtc",
-}
+STATED = [re.match("(.*) (<-|->) (.*)$", words).groups() for lines in invocations.stated("example").values() for words in lines]
+# What is done before the examples of a command, or before one line.
+PREPARED = {command: lines[0] for command, lines in invocations.stated("prepared").items()}
+PREPARED.update({line: what for line, arrow, what in STATED if arrow == "<-"})
+PREPARED["until rtfind -q --state active / -n Motor0.rtc; do sleep 1; done"] = "rtact Motor0.rtc"  # in README.md
 # Things that mocks do not have, and what stands for them. All hosts are this one.
 NAMES = [
     ("arm.host_cxt", CONTEXT), ("old.host_cxt=robot2.host_cxt", "%s=%s" % (CONTEXT, CONTEXT)),
@@ -65,13 +58,10 @@ NAMES = [
     (r"(?<![\w/.:@=])(localhost|robot1:2809|robot1|robot2:2810)(?=[ ;]|$)", "/localhost:@PORT@"),
 ]
 # Statuses other than 0.
-STATUS = {
-    """rtls -l | while read -r state ports in out svc name; do [ "$state" = Error ] && rtreset "$name"; done""": 1,  # no Error
-    "rtcheck --extra robot.rtsys": 1,  # the robot has more
-}
-ENDLESS = ("rtprint", "rtvlog", "rtwatch", "rttop")  # some of whose examples end with Ctrl-C
-# What only asks: these share a robot whose system runs, and their examples are run at the same time.
-ASKING = ("rtcat", "rtcryo", "rtcwd", "rtdoc", "rtdoctor", "rtfind", "rtls", "rtprint", "rtpwd", "rtstodot", "rttop", "rtwatch")
+STATUS = {line: int(what) for line, arrow, what in STATED if arrow == "->"}
+STATUS["""rtls -l | while read -r state ports in out svc name; do [ "$state" = Error ] && rtreset "$name"; done"""] = 1  # no Error
+ENDLESS, ASKING = ([command for command, lines in invocations.stated("examples").items() if word in lines]
+                   for word in ("endless", "asking"))
 ELSEWHERE = {  # run by other tests
     "eval": "test_completion", "rtcwd --shell": "test_completion",
 }
@@ -162,9 +152,9 @@ class Robot:
         return self.manager.ready.split()[-1]
 
     def prepare(self, what):
-        if isinstance(what, tuple):
+        if what and what.split()[0] == "world":
             self.close()
-            self.begin(what)
+            self.begin(what.split()[1:] or FRESH)
         elif what:
             status, said = self.run(what)
             if status:
@@ -286,7 +276,7 @@ class Special(unittest.TestCase):
 
 
 class Readme(Case):
-    """README.md; test_manpages compares the Japanese one with it."""
+    """README.md; test_documentation compares the Japanese one with it."""
 
     def test_lines(self):
         self.robot.prepare(SYSTEM)

@@ -4,7 +4,6 @@ tests/run gives the built wheel in RTSHELL_WHEEL and omniORBpy's in RTSHELL_OMNI
 needs neither of them installed.
 """
 import ast
-import configparser
 import glob
 import os
 import re
@@ -16,18 +15,14 @@ import tempfile
 import unittest
 import zipfile
 
+import invocations
+
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WHEEL, OMNIORB_WHEEL = (os.environ.get(name) and os.path.abspath(os.environ[name])
                         for name in ("RTSHELL_WHEEL", "RTSHELL_OMNIORB_WHEEL"))
 LARGEST = 600000
 MISSING = "omniORBpy is not installed"
-# Arguments with which a command must ask somebody; the others get one path.
-ASKING = {"rtcon": ["/localhost/a.rtc:o", "/localhost/b.rtc:i"], "rtlog": ["/localhost/a.rtc:o"],
-          "rtprint": ["/localhost/a.rtc:o"], "rtinject": ["-c", "RTC.TimedLong({time}, 1)", "/localhost/a.rtc:i"],
-          "rtfsm": ["/localhost/a.rtc", "getstate"], "rtls": [], "rtpwd": [], "rttop": [],
-          "rtconf": ["/localhost/a.rtc", "list"], "rtmgr": ["-r", "/localhost/a.mgr"], "rtstodot": ["--live"]}
-# These contact nothing, have a file to read first, or tell it as a finding.
-LOCAL = {"rtpwd", "rtsh", "rtcheck", "rtresurrect", "rtteardown", "rtstart", "rtstop", "rtdoctor"}
+REPORTING = {"rtsh", "rtdoctor"}  # that omniORBpy is missing is what their commands say, or a finding
 
 
 def names(directory, suffix=""):
@@ -56,16 +51,18 @@ def run(words, **keywords):
 
 
 class Checkout(unittest.TestCase):
-    """bin/, setup.cfg and tests/commands/ name the same commands; each command is what a command is."""
-
-    def test_bin_and_setup_cfg_agree(self):
-        config = configparser.ConfigParser()
-        config.read_string(read("setup.cfg"))
-        self.assertEqual(sorted(config["options"]["scripts"].split()), ["bin/" + name for name in names("bin")])
+    """bin/ and tests/commands/ name the same commands; each command is what a command is."""
 
     def test_every_command_has_a_transcript(self):
         """rtls.t, and rtls-names.t for a topic of its own."""
-        self.assertEqual(sorted({name.partition("-")[0] for name in names("tests/commands", ".t")}), names("bin"))
+        self.assertEqual(sorted({name.partition("-")[0] for name in names("tests/commands", ".t")}), names("bin"),
+                         "a command NAME has a transcript tests/commands/NAME.t")
+
+    def test_every_command_says_how_it_is_run(self):
+        """By the tests that run all commands."""
+        stated = set(invocations.stated("invocation")) | set(invocations.stated("local"))
+        self.assertEqual(sorted(set(names("bin")) - stated), [], "to be stated in tests/commands/NAME.t by a line such as "
+                         "'invocation: A' or 'local: it contacts nobody': see tests/support/invocations.py")
 
     def test_commands_can_be_read_and_run(self):
         for name in names("bin"):
@@ -153,10 +150,17 @@ class Robot(unittest.TestCase):
                 self.assertIn("examples:\n  " + name, out)
                 self.assertRegex(out, "usage: %s " % name)
                 self.assertEqual(run(start + ["--version"], environment=environment)[0], 0)
-                asking = start + ASKING.get(name, ["/localhost/a.rtc"])
+                asking = start + self.asking(name)
                 self.check_line(name, 2, run(asking + ["--nonsense"], environment=environment), "--nonsense")
-                if name not in LOCAL:
+                if name in invocations.stated("invocation") and name not in REPORTING:
                     self.check_line(name, 1, run(asking, environment=environment), MISSING)
+
+    def asking(self, name):
+        """Words with which a command must ask somebody, if it ever does."""
+        places = {"SERVER": "/localhost/a.cxt", "A": "/localhost/a.rtc", "B": "/localhost/b.rtc", "MGR": "/localhost/a.mgr",
+                  "FILE": os.path.join(ROOT, "tests", "data", "valid", "as-rtcryo-writes.xml"),
+                  "OUT": os.path.join(self.directory, "out")}
+        return invocations.words(invocations.stated("invocation").get(name, [""])[0], places)
 
     def check_line(self, prog, status, result, part):
         """One line on stderr, nothing on stdout."""

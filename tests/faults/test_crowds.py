@@ -44,7 +44,8 @@ class SideBySide(unittest.TestCase):
         meant = {"SERVER": home, "A": home + "/ConsoleIn0.rtc", "B": home + "/ConsoleOut0.rtc", "MGR": home + "/manager.mgr",
                  "OUT": "out", "LOG": log}
         meant["FILE"] = around.profile(text, "crowd.yaml", server, meant["A"], meant["B"])
-        lines = invocations.LOOKING + ["rtfsm %s/Microwave0.rtc getstructure" % home, "rtconf -l %s/ConfigSample0.rtc" % home]
+        lines = ["%s %s" % (command, line) for command, lines in sorted(invocations.stated("looking").items()) for line in lines]
+        lines += ["rtfsm %s/Microwave0.rtc getstructure" % home, "rtconf -l %s/ConfigSample0.rtc" % home]
 
         def look(line):
             ran = running.run(invocations.words(line, meant), around.top, RTCTREE_NAMESERVERS=server[1:])

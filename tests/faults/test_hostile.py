@@ -23,7 +23,7 @@ except ImportError:
     raise unittest.SkipTest("needs omniORBpy")
 
 KEYS = list(wicked.STRINGS)
-FATAL = {"rtexit", "rtdel", "rtcomp", "rtmgr"}  # after these the world is another
+FATAL = set(invocations.stated("fatal")) | {"rtmgr"}  # after these the world is another
 USAGE = {"rtinject": {70}}   # the value is none for the type of these ports
 READING = ("-d -f LOG", "-p -f LOG", "--csv -f LOG", "--json -f LOG")  # rtlog without asking anybody
 EACH = 2                # strings that each command line meets
@@ -107,8 +107,7 @@ class Case:
 
 
 def cases():
-    found = [(command, line) for command, lines in sorted(invocations.ASKING.items())
-             if command in invocations.all_commands() for line in lines]
+    found = [(command, line) for command, lines in sorted(invocations.stated("invocation").items()) for line in lines]
     found += [("rtlog", line) for line in READING]
     chosen = [(command, line, key) for number, (command, line) in enumerate(found)
               for key in running.sample(KEYS, EACH, number)]

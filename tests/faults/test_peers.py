@@ -33,16 +33,10 @@ LIST_LIMIT = 60.0       # seconds for 20,000 names, each of which is asked for a
 PATIENCE = {"rtdoctor": 3, "rtsh": 2}
 
 BAD = {4}               # the peer is dead, silent or garbled
-# What the status may be besides, by role and command: the answer of those that look is that the peer is bad, what asks only
-# the name server does not notice a bad component, and so on.
-ALSO = {
-    "server": {"rtdoctor": {1}, "rtdel": {3}},
-    "component": {
-        "rtcheck": {1, 5}, "rtdoctor": {1}, "rtdel": {0, 3}, "rtls": {0, 5}, "rttop": {0, 5}, "rtfind": {0, 1}, "rtcwd": {3}, "rtmgr": {3},
-        "rtteardown": {0, 5}, "rtcryo": {0, 5}, "rtcomp": {3}, "rtsh": {0, 5}, "rtstodot": {5}, "rtresurrect": {5},
-        "rtstart": {5}, "rtstop": {5}, "rtact": {5, 6}, "rtdeact": {5, 6}, "rtreset": {5, 6}, "rtcat": {5}, "rtconf": {3},
-        "rtwatch": {5}, "rtinject": {5}, "rtprint": {5}},
-}
+# What the status may be besides: the answer of those that look is that the peer is bad, what asks only the name server does not
+# notice a bad component, and so on.
+ALSO = {role: invocations.statuses(role) for role in ("server", "component")}
+DELETING = invocations.stated("invocation")["rtdel"]
 
 
 class Case:
@@ -62,7 +56,7 @@ class Case:
         else:
             name = self.mode
             if self.command == "rtdel":  # after which it is gone
-                name += "-%d" % invocations.ASKING["rtdel"].index(self.line)
+                name += "-%d" % DELETING.index(self.line)
             top = server + "/%s.host_cxt" % name
             a = "%s/%s.rtc" % (top, self.mode)
             names = {"SERVER": top, "A": a, "B": server + "/test.host_cxt/ConsoleOut0.rtc", "MGR": a}
@@ -129,7 +123,7 @@ def setUpModule():
     text, log = around.files(server)
     ports = around.faulty(*MODES)
     for mode in MODES:
-        for name in [mode] + ["%s-%d" % (mode, number) for number, _ in enumerate(invocations.ASKING["rtdel"])]:
+        for name in [mode] + ["%s-%d" % (mode, number) for number, _ in enumerate(DELETING)]:
             faulty.bind("%s/%s.host_cxt" % (server[1:], name), {mode: ports[mode]})
 
 
@@ -138,8 +132,7 @@ def tearDownModule():
 
 
 def cases():
-    found = [(command, line) for command, lines in sorted(invocations.ASKING.items())
-             if command in invocations.all_commands() for line in lines]
+    found = [(command, line) for command, lines in sorted(invocations.stated("invocation").items()) for line in lines]
     return [Case(number, command, line, mode, role) for number, (command, line, mode, role) in enumerate(
         (command, line, mode, role) for role in ("server", "component") for command, line in found for mode in MODES)]
 

@@ -39,7 +39,7 @@ LANES = 4
 TIMES = 30 if running.THOROUGH else 3   # how often each command is interrupted
 PORTS = ("ConsoleIn0:out", "ConsoleOut0:in", "Motor0:in", "Motor0:out", "Mock0:in", "Mock0:out")
 COMPONENTS = ("ConsoleIn0", "ConsoleOut0", "Microwave0", "Motor0", "Mock0")  # that may have observers
-FATAL = {"rtexit", "rtdel", "rtcomp"}   # these may end what the others need
+FATAL = set(invocations.stated("fatal"))
 
 
 class Lane:
@@ -168,14 +168,10 @@ def wrong_files(where, command):
 
 def cases():
     found, dice = [], random.Random(7)
-    for command, lines in sorted(invocations.ASKING.items()):
-        if command in invocations.all_commands():
-            for _ in range(TIMES):
-                found.append((command, dice.choice(lines), 0.4))
-    for command, line in sorted(invocations.LASTING.items()):
-        if command in invocations.all_commands() and line:
-            for _ in range(TIMES):
-                found.append((command, line, 1.0))
+    for command, lines in sorted(invocations.stated("invocation").items()):
+        found += [(command, dice.choice(lines), 0.4) for _ in range(TIMES)]
+    for command, lines in sorted(invocations.stated("lasting").items()):
+        found += [(command, line, 1.0) for line in lines for _ in range(TIMES)]
     return [Case(number, *(each + (SIGNALS[number % 3],))) for number, each in enumerate(found)]
 
 
@@ -211,7 +207,7 @@ class Signals(unittest.TestCase):
     def test_the_terminal_is_as_it_was(self):
         """Also for those that take it over, ended at any moment; Ctrl-C is typed."""
         dice = random.Random(11)
-        for words in [words for words in (["rttop"], ["rtsh"]) if words[0] in invocations.all_commands()]:
+        for words in ["rttop"], ["rtsh"]:
             for which in ("\x03", signal.SIGTERM, signal.SIGHUP) * (10 if running.THOROUGH else 2):
                 if (words[0], which) == ("rtsh", "\x03"):
                     which = "\x04"  # Ctrl-C ends a line only

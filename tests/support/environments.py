@@ -15,7 +15,7 @@ import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 STORE = os.path.join(ROOT, ".venv-tests")
-SOURCES = ["setup.cfg", "pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md", "bin", "man", "rtshell_lite"]
+SOURCES = ["setup.py", "setup.cfg", "pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md", "bin", "man", "rtshell_lite"]
 
 
 class Failed(Exception):

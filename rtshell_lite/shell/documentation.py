@@ -1,0 +1,61 @@
+"""What is generated for a reader: `python3 -m rtshell_lite.shell.documentation`, in a checkout, writes it.
+
+That is the manual pages below man/, and in README.ja.md a row for each command that its table lacks, in English until somebody
+translates it. tests/unit/test_documentation.py fails when one of them is out of date.
+"""
+import os
+import re
+
+from rtshell_lite import files
+from rtshell_lite.shell import installation, manpages
+
+ROOT = os.path.dirname(installation.PACKAGE)
+ROW = re.compile(r"^\| (`rt.*?) \| .*\n", re.MULTILINE)
+
+
+def documents():
+    """All that is generated: {path below the checkout: text}."""
+    english, japanese = (files.read(os.path.join(ROOT, name)) for name in ("README.md", "README.ja.md"))
+    japanese = with_rows(japanese, english)
+    found = {"man/" + name: text for name, text in manpages.pages({"README.md": english, "README.ja.md": japanese}).items()}
+    found["README.ja.md"] = japanese
+    return found
+
+
+def with_rows(japanese, english):
+    """The Japanese README with a row for each command of the English one, and no other."""
+    source, target = manpages.sections(english)["Commands"], manpages.sections(japanese)["コマンド"]
+    wanted = [name for row in ROW.finditer(source) for name in _names(row)]
+    present = [name for row in ROW.finditer(target) for name in _names(row)]
+    rows = [_only(row, wanted) for row in ROW.finditer(target)]
+    rows += [_only(row, set(wanted) - set(present)) for row in ROW.finditer(source)]
+    begin, end = re.search(ROW.pattern + "(?:.+\n)*", target, re.MULTILINE).span()
+    return japanese.replace(target, target[:begin] + "".join(rows) + target[end:])
+
+
+def _names(row):
+    """The commands that a row of a table is about."""
+    return row.group(1).split(", ")
+
+
+def _only(row, wanted):
+    """The row with those of its commands that are wanted; "" without any."""
+    names = [name for name in _names(row) if name in wanted]
+    return "| " + ", ".join(names) + row.group()[row.end(1) - row.start():] if names else ""
+
+
+def main():
+    """Write all that is generated, and remove the pages of commands that are gone."""
+    wanted = documents()
+    for directory, _, names in list(os.walk(os.path.join(ROOT, "man"))):
+        for path in [os.path.join(directory, name) for name in names]:
+            if os.path.relpath(path, ROOT) not in wanted:
+                os.remove(path)
+    for name, text in wanted.items():
+        path = os.path.join(ROOT, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        files.write(path, text)
+
+
+if __name__ == "__main__":
+    main()
