@@ -39,13 +39,13 @@ def unpack(directory, wheels):
     from rtshell_lite.shell.unpack import unpack
     if not directory or ":" in directory:
         raise errors.Usage("%s: cannot stand in PATH" % (directory or "''"))
-    print("export PATH=%s:$PATH" % shlex.quote(unpack(directory, wheels)))
+    print(f"export PATH={shlex.quote(unpack(directory, wheels))}:$PATH")
 
 
 def unknown(name):
     """The message for what is no command."""
     near = difflib.get_close_matches(name, installation.commands(), 1)
-    return "%s: no such command" % name + ("; did you mean %s?" % near[0] if near else "")
+    return f"{name}: no such command" + (f"; did you mean {near[0]}?" if near else "")
 
 
 def summaries():

@@ -112,7 +112,7 @@ def _uses(doc, prog):
     uses = {}
     for line in doc.partition("\nexamples:")[0].split("\n"):
         words = re.split(r" {2,}", line.strip())[0].replace(" ...", "").split(" ")
-        if line.startswith("  %s PATH " % prog):
+        if line.startswith(f"  {prog} PATH "):
             names = [word.strip("[]") for word in words[2:] if word.strip("[]").islower()]
             uses.update((name, [word.strip("[]") for word in words[2:] if word.strip("[]").isupper()]) for name in names)
     return uses

@@ -25,7 +25,7 @@ def commands():
     archive = wheel()
     found = _in_wheel(archive) if archive else next(filter(None, map(_in_directory, _places())), {})
     if not found:
-        raise errors.Error("the commands are missing: they are not beside %s" % PACKAGE)
+        raise errors.Error(f"the commands are missing: they are not beside {PACKAGE}")
     return found
 
 

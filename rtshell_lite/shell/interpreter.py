@@ -34,7 +34,7 @@ def split(line):
         if not found:
             raise errors.BadLine("a quote or a backslash without its other half: " + printable(line[at:].strip()))
         if found.group("operator"):
-            raise errors.BadLine("%s: only a real shell has that; quote it if it belongs to a word" % found.group("operator"))
+            raise errors.BadLine(f"{found.group('operator')}: only a real shell has that; quote it if it belongs to a word")
         if found.group("word"):
             words.append(_unquoted(found.group("word")))
         elif words:
@@ -129,5 +129,5 @@ def _status(words, last):
     if not words:
         return last
     if len(words) > 1 or not re.match(r"\d+$", words[0]):
-        raise errors.BadLine("exit: not a status: %s" % printable(" ".join(words)))
+        raise errors.BadLine(f"exit: not a status: {printable(' '.join(words))}")
     return int(words[0]) & 255

@@ -20,7 +20,7 @@ WIDEST = 76
 def pages(readmes):
     """All pages, {path below man/: text}, given the text of both READMEs by their names."""
     commands = installation.commands()
-    found = {"man1/%s.1" % name: _command_page(name, path) for name, path in commands.items()}
+    found = {f"man1/{name}.1": _command_page(name, path) for name, path in commands.items()}
     found["man7/rtshell_lite.7"] = _overview("README.md", readmes["README.md"], commands)
     found["ja/man7/rtshell_lite.7"] = _overview("README.ja.md", readmes["README.ja.md"], commands)
     return found
@@ -64,16 +64,16 @@ def _header(name, section):
 
 def _argument(action):
     """A positional argument in the synopsis."""
-    word = "\\fI%s\\fR" % _text(action.metavar or action.dest.upper())
-    return {None: word, "?": "[%s]" % word, "*": "[%s ...]" % word, "+": "%s ..." % word}[action.nargs]
+    word = f"\\fI{_text(action.metavar or action.dest.upper())}\\fR"
+    return {None: word, "?": f"[{word}]", "*": f"[{word} ...]", "+": f"{word} ..."}[action.nargs]
 
 
 def _label(action):
     """An argument or option with its value, as the heading of what it does."""
     value = _text(action.metavar or action.dest.upper())
     if not action.option_strings:
-        return "\\fI%s\\fR" % value
-    names = ", ".join("\\fB%s\\fR" % _text(name) for name in action.option_strings)
+        return f"\\fI{value}\\fR"
+    names = ", ".join(f"\\fB{_text(name)}\\fR" for name in action.option_strings)
     if action.nargs == 0:
         return names
     return names + (" [\\fI%s\\fR]" if action.nargs == "?" else " \\fI%s\\fR") % value
@@ -105,7 +105,7 @@ def _overview(readme, text, commands):
     lines += _markdown(parts["rtshell_lite"])
     for title in titles:
         lines += [".SH " + title.upper()] + _markdown(parts[title])
-    links = ["\\fB%s\\fR(1)" % command for command in sorted(commands)]
+    links = [f"\\fB{command}\\fR(1)" for command in sorted(commands)]
     return "\n".join(lines + [".SH " + see_also, ", ".join(links)]) + "\n"
 
 
@@ -140,7 +140,7 @@ def _joined(rows):
 def _text(s):
     """Plain text for troff; what is not ASCII is written such that any terminal and any troff can show it."""
     s = s.replace("\\", "\\e").replace("-", "\\-")
-    s = "".join(c if c < "\x80" or _wide(c) else "\\[u%04X]" % ord(c) for c in s)
+    s = "".join(c if c < "\x80" or _wide(c) else f"\\[u{ord(c):04X}]" for c in s)
     # Japanese has no blanks to break lines at: they may break between any two characters but before 、。 and brackets' ends
     s = re.sub("([\u3000-\u9fff\uff00-\uffef])(?=[\u3010-\u9fff])", r"\1\\:", s)
     return "\\&" + s if s[:1] in (".", "'") else s
@@ -154,7 +154,7 @@ def _prose(s):
     """Text with `code` in bold and [links](elsewhere) as their text."""
     s = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", s)
     pieces = s.split("`")
-    return "".join("\\fB%s\\fR" % _text(piece) if i % 2 else _text(piece) for i, piece in enumerate(pieces))
+    return "".join(f"\\fB{_text(piece)}\\fR" if i % 2 else _text(piece) for i, piece in enumerate(pieces))
 
 
 def _literal(lines):

@@ -12,7 +12,7 @@ LENGTH = 1000  # lines that it keeps
 def text():
     """What stands before the cursor: the working directory."""
     try:
-        return "rtsh %s> " % str(parse("."))
+        return f"rtsh {parse('.')!s}> "
     except errors.BadPath:  # RTCSH_CWD came from elsewhere
         return "rtsh ?> "
 

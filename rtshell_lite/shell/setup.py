@@ -128,7 +128,7 @@ def answers(shell, line, found, typed):
     """The lines that complete a Line in a shell, for `found` (candidates: text, final, help); `typed` is what it replaces."""
     if shell == "fish":  # which quotes by itself, and puts a blank behind all but / : =
         more = [each.text + ":" for each in found if not each.final and each.text[-1] not in "/:="]
-        return ["%s\t%s" % (each.text, each.help) if each.help else each.text for each in found] + more
+        return [f"{each.text}\t{each.help}" if each.help else each.text for each in found] + more
     written = []
     for text, final, _ in found:
         rest = _quoted(text[len(line.words[-1]):], line.quote)

@@ -52,7 +52,7 @@ class Files:
 
     def add(self, name, content, program=False):
         if name in self.contents:
-            raise errors.Error("%s: comes twice in what is to be laid out" % name)
+            raise errors.Error(f"{name}: comes twice in what is to be laid out")
         self.contents[name] = content, program
 
     def add_package(self, package):
@@ -72,9 +72,9 @@ class Files:
                     if target:
                         self.add(target, wheel.read(member), bool(member.external_attr >> 16 & 0o111))
         except OSError as e:
-            raise errors.Error("%s: %s" % (path, e.strerror or e))
+            raise errors.Error(f"{path}: {e.strerror or e}")
         except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError, ValueError) as e:
-            raise errors.Error("%s: not a wheel, or a damaged one (%s)" % (path, e))
+            raise errors.Error(f"{path}: not a wheel, or a damaged one ({e})")
 
     def write(self):
         """Write beside the targets, flush the disk, then rename: the commands last, so that they find what they import."""
@@ -87,7 +87,7 @@ class Files:
             for name, temporary in zip(order, temporaries):
                 os.rename(temporary, os.path.join(self.directory, *name.split("/")))
         except OSError as e:
-            raise errors.Error("%s: %s" % (self.directory, e.strerror))
+            raise errors.Error(f"{self.directory}: {e.strerror}")
         finally:
             for temporary in filter(os.path.lexists, temporaries):
                 os.unlink(temporary)
@@ -96,7 +96,7 @@ class Files:
         content, program = self.contents[name]
         directory, _, last = os.path.join(self.directory, *name.split("/")).rpartition(os.sep)
         os.makedirs(directory, exist_ok=True)
-        temporary = os.path.join(directory, ".%s.%s.tmp" % (last[:50], os.urandom(8).hex()))
+        temporary = os.path.join(directory, f".{last[:50]}.{os.urandom(8).hex()}.tmp")
         file = create(temporary, 0o600)
         try:
             with file:
@@ -113,7 +113,7 @@ def _target(wheel, name):
     if name.endswith("/"):
         return None
     if re.search(r"[\\:\0]|^/|(^|/)(\.{0,2})(/|$)", name):
-        raise errors.Error("%s: refused: it holds a file named %r" % (wheel, name))
+        raise errors.Error(f"{wheel}: refused: it holds a file named {name!r}")
     data = re.match(r"[^/]+\.data/([^/]+)/(.*)", name)
     if data is None:
         return "lib/" + name
@@ -124,7 +124,7 @@ def _check_tags(path):
     """Refuse a wheel for another Python or machine: it would be found, and fail to import."""
     match = re.match(r"[^-]+-[^-]+(?:-\d[^-]*)?-([^-]+)-([^-]+)-([^-]+)\.whl$", os.path.basename(path))
     if match is None:
-        raise errors.Error("%s: not the name of a wheel" % path)
+        raise errors.Error(f"{path}: not the name of a wheel")
     pythons, abis, platforms = (tags.split(".") for tags in match.groups())
     minor = sys.version_info[1]
     fitting = {"py3", "py3%d" % minor, "cp3%d" % minor}
@@ -134,15 +134,15 @@ def _check_tags(path):
         raise errors.Error("%s: made for %s, but this Python is cp3%d" % (path, ".".join(pythons), minor))
     machine = "_" + sysconfig.get_platform().rpartition("-")[2]
     if "any" not in platforms and not any(platform.endswith(machine) for platform in platforms):
-        raise errors.Error("%s: made for %s, but this machine is %s" % (path, ".".join(platforms), machine[1:]))
+        raise errors.Error(f"{path}: made for {'.'.join(platforms)}, but this machine is {machine[1:]}")
 
 
 def _command(source):
     """A command's file with the running Python in its first line, and the way to DIR/lib behind its docstring."""
     python = sys.executable or "/usr/bin/env python3"
     if sys.executable and (re.search(r"\s", python) or len(os.fsencode(python)) > 120):
-        raise errors.Error("%s: cannot be named in the first line of a script (blanks, or too long)" % python)
+        raise errors.Error(f"{python}: cannot be named in the first line of a script (blanks, or too long)")
     lines = source.decode("utf-8").replace(FIND_LIBRARY, "").splitlines(True)
     first = ast.parse("".join(lines)).body[1].lineno - 1  # the docstring is statement 0
-    text = "".join(["#!%s\n" % python] + lines[1:first] + [FIND_LIBRARY] + lines[first:])
+    text = "".join([f"#!{python}\n"] + lines[1:first] + [FIND_LIBRARY] + lines[first:])
     return text.encode("utf-8")
