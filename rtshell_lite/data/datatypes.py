@@ -3,13 +3,12 @@
 Where a type is looked for: the standard types; what the user names, IDL files and compiled stubs; what the component offers.
 """
 import importlib
-import importlib.util
 import json
 import struct
 import sys
 
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, orb
+from rtshell_lite.corba import descriptors, orb, stubs
 from rtshell_lite.data import cdr, type_json, values
 from rtshell_lite.text import from_wire, printable
 
@@ -150,12 +149,7 @@ def standard(name):
         return None
     orb.import_omniorb()
     for module in parts[:-1] or STANDARD:
-        if module == "RTC":
-            from rtshell_lite.idl_stubs.data import RTC
-            found = _descriptor_of(RTC, parts[-1])
-        else:
-            from rtshell_lite.idl_stubs.data import Img
-            found = _descriptor_of(Img, parts[-1])
+        found = _descriptor_of(stubs.module("data." + module), parts[-1])
         if found is not None:
             return found
     return None
@@ -182,7 +176,7 @@ def _best(known, name):
 def _imported(name, path):
     """The module of stubs that the user named. Raises NoSuch when it cannot be imported."""
     orb.start()  # without omniORB no stub can be
-    _lend_standard_stubs()
+    stubs.lend_standard()
     own, sys.path[:0] = list(sys.path), path
     try:
         return importlib.import_module(name)
@@ -191,15 +185,6 @@ def _imported(name, path):
         raise errors.NoSuch(printable(name), "module" + where, printable(str(e)))
     finally:
         sys.path[:] = own
-
-
-def _lend_standard_stubs():
-    """Stubs import those of the files that theirs included: OpenRTM-aist-Python's where it is installed, else ours."""
-    orb.import_omniorb()
-    from rtshell_lite.idl_stubs import data
-    for name in ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "InterfaceDataTypes_idl", "CameraCommonInterface_idl"):
-        if name not in sys.modules and importlib.util.find_spec(name) is None:
-            sys.modules[name] = importlib.import_module(f"{data.__name__}.{name}")
 
 
 def _of_module(module):

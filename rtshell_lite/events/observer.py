@@ -8,7 +8,7 @@ import time
 import uuid
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, stubs
 from rtshell_lite.robot import component, ports
 from rtshell_lite.text import from_wire
 
@@ -82,11 +82,10 @@ class Subscription:
 
     def _profile(self):
         from rtshell_lite.corba import servants
-        from rtshell_lite.idl_stubs.component import SDOPackage
         if self._served is None:
             self._served = servants.Served(self._servant)
-        ref = orb.narrow(orb.from_text(self.where, self._served.ior(self.node.endpoint)), SDOPackage.SDOService)
-        return SDOPackage.ServiceProfile(self.id, self.interface, orb.nvlist(self.properties), ref)
+        ref = orb.narrow(orb.from_text(self.where, self._served.ior(self.node.endpoint)), stubs.named("component.SDOPackage.SDOService"))
+        return stubs.named("component.SDOPackage.ServiceProfile")(self.id, self.interface, orb.nvlist(self.properties), ref)
 
     def detach(self):
         """Let the component forget it, whatever became of `attach`. Raises Unreachable."""
@@ -129,9 +128,8 @@ def logger(node, level, names, heard):
 def _servant(interface, heard):
     """The CORBA object of a Subscription."""
     orb.start()
-    from rtshell_lite.idl_stubs.observer import RTC__POA, OpenRTM__POA
-    base = {OBSERVER: OpenRTM__POA.ComponentObserver, FSM_OBSERVER: RTC__POA.ComponentObserver,
-            LOGGER: OpenRTM__POA.Logger}[interface]
+    base = stubs.named({OBSERVER: "observer.OpenRTM__POA.ComponentObserver", FSM_OBSERVER: "observer.RTC__POA.ComponentObserver",
+                        LOGGER: "observer.OpenRTM__POA.Logger"}[interface])
 
     class Listener(base):  # type: ignore[misc, valid-type]
         def update_status(self, kind, hint):

@@ -3,7 +3,7 @@ import collections
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import lanes, orb, stubs
 from rtshell_lite.robot import tree
 from rtshell_lite.text import from_wire, shell_word
 
@@ -86,8 +86,8 @@ def participating_context_refs(node):
 
 
 def _refs(node, operation):
-    from rtshell_lite.idl_stubs.component import RTC
-    return [orb.narrow(ref, RTC.ExecutionContextService) for ref in node.call(operation) if ref is not None]
+    context_service = stubs.named("component.RTC.ExecutionContextService")
+    return [orb.narrow(ref, context_service) for ref in node.call(operation) if ref is not None]
 
 
 def context_ref(node, index):

@@ -1,8 +1,10 @@
 """Connectors between ports: connect, disconnect, and what refuses it."""
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, stubs
 from rtshell_lite.robot import component, ports
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
+
+PROFILE = "component.RTC.ConnectorProfile"
 
 
 def refuse_duplicate(found, name, connector_id):
@@ -30,10 +32,9 @@ def connect(found, name="", connector_id="", given=None):
     """
     given = given or {}
     ports.check(found, given)
-    from rtshell_lite.idl_stubs.component import RTC
     name = name or ports.short_name(found[0].name, found[0].node.path.names[-1].id) + "_".join(
         ports.short_name(each.name, each.node.path.names[-1].id) for each in found[1:])
-    asked = RTC.ConnectorProfile(to_wire(name), to_wire(connector_id), [each.ref for each in found],
+    asked = stubs.named(PROFILE)(to_wire(name), to_wire(connector_id), [each.ref for each in found],
                                  orb.nvlist(sorted(ports.connection_properties(found, given).items())))
     code, made = orb.call(ports.between(found), found[0].ref, "connect", asked)
     if str(code) != "RTC_OK":
@@ -47,10 +48,9 @@ def connect_alone(port, name, properties):
 
     Raises Refused, Unreachable.
     """
-    from rtshell_lite.idl_stubs.component import RTC
     for reason in ports.without_rate([port], properties):
         raise errors.Refused(ports.label(port), reason)
-    asked = RTC.ConnectorProfile(to_wire(name), "", [port.ref], orb.nvlist(sorted(properties.items())))
+    asked = stubs.named(PROFILE)(to_wire(name), "", [port.ref], orb.nvlist(sorted(properties.items())))
     code, made = orb.ask(ports.label(port), port.ref, "connect", asked)
     if str(code) != "RTC_OK":
         raise errors.Refused(ports.label(port), f"refused by the component ({code})", name=str(code))

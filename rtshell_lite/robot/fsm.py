@@ -1,6 +1,6 @@
 """State machines of FSM4RTC: the SDO service RTC::ExtendedFsmService of a component."""
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, stubs
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 
 SERVICE = "IDL:omg.org/RTC/ExtendedFsmService:1.0"
@@ -13,13 +13,12 @@ class Machine:
     """
 
     def __init__(self, node):
-        from rtshell_lite.idl_stubs.fsm import RTC
         self.where = str(node.path)
         found = [profile.service for profile in node.call("get_service_profiles")
                  if SERVICE in (profile.interface_type, profile.id) and profile.service is not None]
         if not found:
             raise errors.NoSuch(self.where, "SDO service", "ExtendedFsmService (it is no state machine of FSM4RTC)")
-        self.ref = orb.narrow(found[0], RTC.ExtendedFsmService)
+        self.ref = orb.narrow(found[0], stubs.named("fsm.RTC.ExtendedFsmService"))
 
     def state(self):
         """The name of the current state."""
@@ -45,10 +44,10 @@ class Machine:
 
     def set_event_profiles(self, pairs, dry_run=False):
         """Replace its event profiles by `pairs` of name and data type; True as `set_structure` returns it."""
-        from rtshell_lite.idl_stubs.fsm import RTC
+        made = stubs.named("fsm.RTC.FsmEventProfile")
 
         def change(structure):
-            structure.event_profiles = [RTC.FsmEventProfile(to_wire(name), to_wire(kind)) for name, kind in pairs]
+            structure.event_profiles = [made(to_wire(name), to_wire(kind)) for name, kind in pairs]
         return self._set(change, _pairs, pairs, dry_run)
 
     def _set(self, change, read, wanted, dry_run):

@@ -3,7 +3,7 @@ import functools
 import time
 
 from rtshell_lite import cli, errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import lanes, orb, stubs
 from rtshell_lite.path import Name
 from rtshell_lite.text import LONGEST, from_wire
 
@@ -68,11 +68,8 @@ class Node:
     def _narrowed(self):
         if self.kind in ("server", "directory"):
             return orb.context(self.ref)
-        if self.kind == "manager":
-            from rtshell_lite.idl_stubs.manager import RTM
-            return orb.narrow(self.ref, RTM.Manager)
-        from rtshell_lite.idl_stubs.component import OpenRTM
-        return orb.narrow(self.ref, OpenRTM.DataFlowComponent)
+        interface = "manager.RTM.Manager" if self.kind == "manager" else "component.OpenRTM.DataFlowComponent"
+        return orb.narrow(self.ref, stubs.named(interface))
 
     def call(self, operation, *args, **more):
         """Call an operation of its object; errors name its path."""

@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import cli, errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, stubs
 from rtshell_lite.robot import component, tree
 from rtshell_lite.text import cut, from_wire, printable
 
@@ -38,9 +38,8 @@ def in_system(found):
 
 def refs(node):
     """References of the ports of a component."""
-    from rtshell_lite.idl_stubs.component import RTC
-    found = cli.first(MOST_PORTS, node.call("get_ports"), node.path, "ports")
-    return [orb.narrow(ref, RTC.PortService) for ref in found if ref is not None]
+    found, port_service = cli.first(MOST_PORTS, node.call("get_ports"), node.path, "ports"), stubs.named("component.RTC.PortService")
+    return [orb.narrow(ref, port_service) for ref in found if ref is not None]
 
 
 def port(node, ref, failures=None, brief=False):

@@ -12,8 +12,7 @@ ONCE = "it reads the source: one Python is enough"
 # Files and packages of rtshell_lite import from those before them, never from those after them.
 ORDER = """__init__ errors interrupts text files path idl_stubs corba options cli
            robot data xmlprofile datalog system events views top doctor shell __main__ bin""".split()
-OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only
-STUBBED = ("corba", "robot", "data", "events")  # may import stubs, inside functions: a command pays for those that it uses
+OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only, like stubs
 PRINTING = ("bin", "__main__.py", "cli.py", "system/reports.py")
 CATCH_ALL = ("cli.py", "corba/lanes.py")
 LONGEST = 400
@@ -99,14 +98,9 @@ class Layers(unittest.TestCase):
                  if path.endswith("/__init__.py") and place(path) and not (len(tree.body) == 1 and ast.get_docstring(tree))]
         self.assertEqual(wrong, [])
 
-    def test_omniorb_has_one_home(self):
+    def test_omniorb_and_stubs_have_one_home(self):
         wrong = [(path, dotted) for path, dotted, _ in self.arrows
-                 if dotted.split(".")[0] in OMNIORB and not is_in(path, ["corba"])]
-        self.assertEqual(wrong, [])
-
-    def test_stubs_are_imported_where_they_are_needed(self):
-        wrong = [(path, dotted) for path, dotted, inside in self.arrows if ".idl_stubs" in dotted
-                 and not (is_in(path, STUBBED) and (inside or path == "rtshell_lite/corba/servants.py"))]
+                 if (dotted.split(".")[0] in OMNIORB or ".idl_stubs" in dotted) and not is_in(path, ["corba"])]
         self.assertEqual(wrong, [])
 
     @unittest.skipUnless(hasattr(sys, "stdlib_module_names"), "Python before 3.10 does not list its own modules")

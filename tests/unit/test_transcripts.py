@@ -128,7 +128,7 @@ class Running(unittest.TestCase):
         self.assertEqual(run(text)[:2], ("pass", ""))
 
     def test_deadline_ctrl_c_and_terminal(self):
-        text = "  $ within 0-9 true\n\n  $ within 5-9 true\n  took 0* s, not 5-9 (glob)\n  [99]\n\n" \
+        text = "  $ within 0-9 true\n\n  $ within 5-9 true\n  took 0* s (*), not 5-9 (glob)\n  [99]\n\n" \
                "  $ interrupt 0.1 sleep 600\n  [130]\n\n" \
                "  $ tty 50 sh -c 'stty size; test -t 1'\n  24 50\n"
         self.assertEqual(run(text)[:2], ("pass", ""))

@@ -1,0 +1,29 @@
+"""The stubs of OpenRTM's IDL by their names: nothing outside corba/ imports one.
+
+Each package of stubs is imported when something of it is first asked for: a command pays for those that it uses.
+"""
+import functools
+import importlib
+import sys
+
+STANDARD = ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "InterfaceDataTypes_idl", "CameraCommonInterface_idl")
+
+
+def module(name):
+    """A module of stubs: `data.RTC` of idl_stubs."""
+    return importlib.import_module("rtshell_lite.idl_stubs." + name)
+
+
+@functools.lru_cache(maxsize=None)
+def named(name):
+    """A class of stubs by package, IDL module and name: `component.RTC.PortService`, `observer.OpenRTM__POA.Logger`."""
+    where, _, last = name.rpartition(".")
+    return getattr(module(where), last)
+
+
+def lend_standard():
+    """Let a user's stubs import those of the files that theirs included: OpenRTM-aist-Python's where installed, else ours."""
+    import importlib.util  # takes long
+    for name in STANDARD:
+        if name not in sys.modules and importlib.util.find_spec(name) is None:
+            sys.modules[name] = module("data." + name)
