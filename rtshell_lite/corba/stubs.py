@@ -3,7 +3,6 @@
 Each package of stubs is imported when something of it is first asked for: a command pays for those that it uses.
 """
 import functools
-import importlib
 import sys
 
 STANDARD = ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "InterfaceDataTypes_idl", "CameraCommonInterface_idl")
@@ -11,6 +10,7 @@ STANDARD = ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "Interface
 
 def module(name):
     """A module of stubs: `data.RTC` of idl_stubs."""
+    import importlib  # rtls without -l needs no stub
     return importlib.import_module("rtshell_lite.idl_stubs." + name)
 
 

@@ -201,14 +201,14 @@ class Bench:
     def hung(self):
         live = worlds.World("two")
         for count in (0, 1, 4, 16):
-            worlds = [worlds.World("these", "ConsoleIn:Hung%d" % number) for number in range(count)]
-            for world in worlds:
+            stopped = [worlds.World("these", "ConsoleIn:Hung%d" % number) for number in range(count)]
+            for world in stopped:
                 world.process.send_signal(signal.SIGSTOP)
             for words in (["rtls", "--timeout", "1", "."], ["rtls", "-l", "--timeout", "1", "."],
                           ["rtcat", "--timeout", "1", "ConsoleIn0.rtc"]):
                 one = self.ours(words)
                 print("%2d hung processes: %-24s %.2f s, status %d" % (count, " ".join(words), one[1], one[3]), flush=True)
-            for world in worlds:
+            for world in stopped:
                 world.close()
             self.ours(["rtdel", "-q", "-z"])
         live.close()

@@ -316,13 +316,13 @@ def record():
     """Run all commands once against omniNames and mocks."""
     import worlds
     worlds.start_name_server()
-    worlds = [worlds.World(*words) for words in WORLDS]
+    running = [worlds.World(*words) for words in WORLDS]
     recorder = Recorder()
     place = "127.0.0.1:%d" % recorder.front(worlds.Server.port)
     environment = dict(worlds.ENVIRONMENT, RTCTREE_NAMESERVERS=place, RTCSH_CWD="/" + place)
     for name, *words in COMMANDS:
         subprocess.run([sys.executable, os.path.join(fuzz.ROOT, "bin", name)] + words, env=environment)
-    for world in worlds:
+    for world in running:
         world.close()
     worlds.Server.stop()
     with open(RECORDED, "w") as file:
