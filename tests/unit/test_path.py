@@ -52,6 +52,7 @@ class Parsing(unittest.TestCase):
         self.assertEqual(parse("/ssliop:robot:2811/x").server, "ssliop:robot:2811")
         found = parse("http://robot:80/ns#a.cxt/C0.rtc")
         self.assertEqual((found.server, len(found.names)), ("http://robot:80/ns", 2))
+        self.assertEqual((str(found), parse(str(found))), ("/http://robot:80/ns#/a.cxt/C0.rtc", found))
 
     def test_names_split_at_the_last_dot(self):
         self.assertEqual(parse("/h/foo.example.org.host_cxt").names[0], Name("foo.example.org", "host_cxt"))
