@@ -72,6 +72,19 @@ class Parsing(unittest.TestCase):
                 parse(typed, "/")
             self.assertEqual(caught.exception.status, 2)
 
+    def test_absolute_paths_need_no_working_directory(self):
+        self.check("/h/a.cxt/b.rtc", "/h/a.cxt/b.rtc", "/other/c.cxt")
+
+    def test_a_host_is_no_dots(self):
+        for typed in ("/\\.\\./a.rtc", "/\\./a.rtc", "/\\.\\.:2809/a.rtc"):
+            with self.assertRaises(errors.BadPath, msg=typed):
+                parse(typed)
+
+    def test_parents_and_children_are_not_written_with_a_slash(self):
+        below = parse("/h/a.cxt/")
+        self.assertFalse(below.child(Name("b", "rtc")).directory)
+        self.assertFalse(parse("/h/a.cxt/b.cxt/").parent().directory)
+
     def test_parents_and_children(self):
         path = parse("/h/a.cxt/C0.rtc:in")
         self.assertEqual(str(path.object()), "/h/a.cxt/C0.rtc")
