@@ -56,7 +56,6 @@ class Published(unittest.TestCase):
         self.assertFalse(self.certain("192.168.0.7", ["10.77.0.2"]))
         self.assertFalse(self.certain("172.17.0.1", ["10.77.0.2"]))
 
-
     def test_who_is_apart(self):
         for published, apart in (("172.17.0.1", True), ("10.77.0.3", False), ("8.8.8.8", True), ("", False)):
             with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)] if published else []):

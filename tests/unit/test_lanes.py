@@ -188,5 +188,23 @@ class Gather(unittest.TestCase):
             lanes.ask("p", "p", refused)
 
 
+class Calls(unittest.TestCase):
+    def ended(self, function):
+        calls = lanes.Calls()
+        calls.start("p", "key", function)
+        return calls.ended(5)
+
+    def test_what_they_return_or_raise(self):
+        refused = errors.Refused("x", "no")
+
+        def refuse():
+            raise refused
+        self.assertEqual(self.ended(lambda: 1), ("key", 1))
+        self.assertEqual(self.ended(refuse), ("key", refused))
+        with self.assertRaises(KeyError):
+            self.ended(lambda: {}["x"])
+        self.assertIsNone(lanes.Calls().ended(0))
+
+
 if __name__ == "__main__":
     unittest.main()

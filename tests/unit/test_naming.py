@@ -18,7 +18,7 @@ class Server:
 
 class Unbinding(unittest.TestCase):
     def unbound(self, refusal):
-        with mock.patch.object(tree, "resolve", lambda _: Server(refusal)):
+        with mock.patch.object(tree, "resolve", lambda _: Server(refusal)), mock.patch.object(naming.orb, "naming_name", list):
             return naming._unbind(path.parse("/localhost/a.host_cxt/Gone0.rtc"), False)
 
     def test_a_name_that_has_gone_since_it_was_looked_at(self):
