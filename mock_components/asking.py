@@ -27,6 +27,7 @@ log COMPONENT LEVEL NAME MESSAGE  hand a record to its loggers, as no real compo
 observers COMPONENT        the interface types of what is registered with it
 mute COMPONENT [N]         it loses them, and the N next ones, too
 fsm COMPONENT STATE        let a state machine change its state
+misname [NAME]             a manager gives that name to all that it makes, whatever is asked for
 forsake COMPONENT          it ends, but a manager goes on listing it
 components                 instance names
 port                       IIOP port: of a manager, corbaloc:iiop:1.2@127.0.0.1:PORT/manager

@@ -97,6 +97,9 @@ class Commands:
     def fsm(self, component, state):
         self.stage.components[component].go(state)
 
+    def misname(self, name=None):
+        self.stage.misname = name
+
     def forsake(self, component):
         self.stage.forsake(component)
 

@@ -93,7 +93,7 @@ class Manager(RTM__POA.Manager):
 
     def _instance_name(self, spec, arguments):
         """As given, now or (in Python) earlier to the same factory; else the type with the first free number."""
-        name = arguments.get("instance_name")
+        name = self.stage.misname or arguments.get("instance_name")
         if self.flavour.sticky_name:
             name = name or self.names_kept.get(spec.implementation_id)
             self.names_kept[spec.implementation_id] = name

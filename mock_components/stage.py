@@ -23,6 +23,7 @@ class Stage:
         self.listed = {}                # instance name -> component that a manager lists: the first of that name
         self.twins = {}                 # name that two components have had at a time -> how many of them are gone
         self.manager = None             # the manager of this process, if it has one
+        self.misname = None             # what that calls all that it makes, whatever is asked for
         self.children = []              # further processes, to be ended with this one
         self.controls = []              # their control sockets
         self.ready = []                 # what is said after `ready` and the number of components

@@ -35,6 +35,13 @@ A component that takes longer than the half second that its context waits:
   cpp11:
   Inactive  1/0  0/0  1/0  0/0  Slow0.rtc
 
+C++ 1.1 answers only after ten periods, which may be longer than the timeout; who waits for the state waits for the answer:
+
+  $ cd=/localhost:$PORT/cpp11.host_cxt; rtec $cd/ConsoleIn0.rtc rate 8; rtact --wait $cd/ConsoleIn0.rtc
+  $ within 1.2-9 rtdeact -v --timeout 0.5 --wait=8 $cd/ConsoleIn0.rtc
+  rtdeact: /localhost:$PORT/cpp11.host_cxt/ConsoleIn0.rtc: Inactive
+  $ rtec $cd/ConsoleIn0.rtc rate 100
+
 In Error, it cannot be deactivated:
 
   $ for n in '' 2 3 4 5 6; do ctl @these$n error ConsoleIn0; done

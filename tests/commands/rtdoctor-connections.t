@@ -26,6 +26,11 @@ One-sided; told differently at both ends; of different types; left by a tool tha
   fail  /localhost:$PORT/test.host_cxt/Want0.rtc:MyService: connected to /localhost:$PORT/test.host_cxt/Want1.rtc:MyService: nobody in it provides interface myservice0 (MyService), which /localhost:$PORT/test.host_cxt/Want1.rtc:MyService requires; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Want0.rtc:MyService
   [1]
 
+The kind of finding is in the JSON:
+
+  $ rtdoctor --json . | grep one-sided | grep -o '"check": "[^"]*"'
+  "check": "connection"
+
 What it says can be pasted:
 
   $ doctor -q . | sed -n 's/.*one-sided.*; try: //p' > mend; sh ./mend; doctor -q . | grep In0.rtc

@@ -114,6 +114,27 @@ A manager that is none, or does not know how; one that binds its components else
   Sensor0.rtc
   SequenceInComponent0.rtc
   manager.mgr/
+
+One that gives a name of its own to what it makes: that is not left behind.
+
+  $ rtcryo --all localhost:$PORT/test.host_cxt/ConfigSample0.rtc > one.xml; rtmgr -d ConfigSample0 manager.mgr; ctl slave 1 misname Other0
+  $ rtresurrect --create --manager manager.mgr one.xml; rtls
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: its manager made Other0 instead; deleted again
+  rtresurrect: 1 failed, 7 not tried
+  Arm.rtc
+  ConsoleIn0.rtc
+  ConsoleOut0.rtc
+  Motor0.rtc
+  Sensor0.rtc
+  SequenceInComponent0.rtc
+  manager.mgr/
+  $ ctl slave 1 misname; rtresurrect --create --manager manager.mgr -v one.xml
+  rtresurrect: component /localhost:$PORT/test.host_cxt/ConfigSample0.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
+  rtresurrect: configuration set mode1 of /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: done
+  rtresurrect: 2 done, 6 already so
+
+--manager alone means nothing:
+
   $ rtresurrect --manager manager.mgr a.xml
   rtresurrect: --manager is for --create (see --help)
   [2]

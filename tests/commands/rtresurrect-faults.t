@@ -101,6 +101,23 @@ With --rollback it undoes all, what was being done, too, as soon as that has com
   [124]
   $ ctl @these3 reset; rtteardown --dry-run a.xml; rtresurrect a.xml; rtcheck -s inactive a.xml
 
+The configuration set that was active before is active again:
+
+  $ rtconf ConfigSample0.rtc list; rtconf ConfigSample0.rtc act mode0; rtteardown a.xml; ctl @these3 fail notify_connect 1 UNKNOWN
+  +default
+  +mode0
+  +mode1*
+  $ rtresurrect --rollback -v a.xml; rtconf ConfigSample0.rtc list
+  rtresurrect: active configuration set mode1 of /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: undone
+  rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: undone
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: refused by the component (BAD_PARAMETER)
+  rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: not tried
+  rtresurrect: 19 already so, 2 undone, 1 failed, 1 not tried
+  +default
+  +mode0*
+  +mode1
+  $ rtresurrect a.xml; rtcheck -s inactive a.xml
+
 A name server that is not there:
 
   $ rtresurrect --map localhost:$PORT=localhost:1 a.xml

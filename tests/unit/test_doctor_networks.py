@@ -8,7 +8,7 @@ from unittest import mock
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import lanes
-from rtshell_lite.doctor import addresses, limits, managers, networks, remedies, waiting
+from rtshell_lite.doctor import addresses, limits, managers, networks, references, remedies, waiting
 from rtshell_lite.robot import tree
 
 ONCE = "it asks nobody"
@@ -55,6 +55,31 @@ class Published(unittest.TestCase):
         self.assertTrue(self.certain("8.8.8.8", ["10.77.0.2"]))
         self.assertFalse(self.certain("192.168.0.7", ["10.77.0.2"]))
         self.assertFalse(self.certain("172.17.0.1", ["10.77.0.2"]))
+
+    def test_who_is_apart(self):
+        for published, apart in (("172.17.0.1", True), ("10.77.0.3", False), ("8.8.8.8", True), ("", False)):
+            with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)] if published else []):
+                self.assertEqual(networks.is_apart(None, ["10.77.0.2"]), apart, published)
+
+    def silent(self, published, failure):
+        """What is said of an object that publishes an address, bound at 10.77.0.2, when a connection ends so; whether to delete it."""
+        node = tree.Node(path.parse("/robot/A0.rtc"), "silent", None, errors.Silent("/robot/A0.rtc", "no answer within 1s"))
+        visit = mock.Mock(probes={(published, 4000): failure}, addresses=["10.77.0.2"])
+        with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)]), \
+                mock.patch.object(addresses, "arrives", lambda where: True):
+            found = references._silent(visit, node, [(published, 4000)], published + ":4000")
+        return found.message, "rtdel" in found.remedy
+
+    def test_why_an_object_is_silent(self):
+        refused, lost = errors.ConnectionRefused("10.77.0.3:4000"), errors.Unreachable("10.77.0.3:4000", "no route to host")
+        self.assertEqual(self.silent("10.77.0.3", refused), ("dead: nothing listens at 10.77.0.3:4000", True))
+        self.assertEqual(self.silent("10.77.0.3", lost), (
+            "cannot tell from here whether it lives: publishes 10.77.0.3:4000, out of reach (no route to host)", False))
+        for failure, why in ((refused, "connection refused"), (lost, "no route to host")):
+            self.assertEqual(self.silent("172.17.0.1", failure), (
+                "cannot tell from here whether it lives: publishes 172.17.0.1:4000, of another network than its name server, "
+                "out of reach (%s)" % why, False))
+        self.assertEqual(self.silent("10.77.0.3", None)[0], "hung: 10.77.0.3:4000 accepts TCP, but no answer within 1s")
 
 
 class BelowManagers(unittest.TestCase):

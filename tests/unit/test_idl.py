@@ -65,6 +65,21 @@ def by_omniidl(path, directory):
     return {type_id: compared(part) for type_id, part in json.loads(out.decode()).items()}
 
 
+def nested(times):
+    """A type in a log file: sequences within sequences."""
+    return '["sequence",' * times + '"long"' + ",0]" * times
+
+
+def union(discriminator, default, label):
+    """A type in a log file: a union of one member."""
+    return json.dumps(["union", "IDL:U:1.0", "U", discriminator, default, [[label, "a", "long"]]])
+
+
+def wide(count):
+    """A type in a log file: a struct of so many members."""
+    return '["struct","IDL:S:1.0","S",[%s]]' % ",".join('["a%x","long"]' % number for number in range(count))
+
+
 class Valid(unittest.TestCase):
     maxDiff = None
 
@@ -119,9 +134,16 @@ class Invalid(unittest.TestCase):
 
     def test_types_in_log_files_that_cannot_be(self):
         for text in ('["fixed", Infinity, 1]', '["fixed", 5, "2"]', '["string", Infinity]', '["array", "long", NaN]', '["string"]', "[]",
-                     '["union", "IDL:U:1.0", "U", "long", -1, [[1e400, "a", "long"]]]'):
-            with self.assertRaises(errors.BadType):
+                     '["union", "IDL:U:1.0", "U", "long", -1, [[1e400, "a", "long"]]]',
+                     union("long", 1, 1), union("long", -2, 1), union("long", 0.0, 1), union("char", -1, "ab"), union("char", -1, 1),
+                     " " * type_json.LARGEST + '"long"', nested(descriptors.DEEPEST + 1), wide(descriptors.LARGEST)):
+            with self.assertRaises(errors.BadType, msg=text[:80]):
                 type_json.descriptor(text.encode())
+
+    def test_types_in_log_files_that_can_just_be(self):
+        for text in (union("long", 0, 1), union("char", -1, "b"), " " * (type_json.LARGEST - 6) + '"long"', nested(descriptors.DEEPEST),
+                     wide(descriptors.LARGEST - 1)):
+            type_json.descriptor(text.encode())
 
     def bounded(self, text, reason):
         start = time.monotonic()

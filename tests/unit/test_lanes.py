@@ -128,6 +128,34 @@ class Gather(unittest.TestCase):
         self.assertIsInstance(values[0], errors.Silent)
         self.assertEqual(lanes.gather([self.job("p", lambda: 1)]), [1])  # at once
 
+    def test_who_has_answered_all_is_not_silent_because_another_hangs(self):
+        lanes.gather([self.job("fast", lambda: 1), self.job("hung", self.release.wait)])
+        self.assertEqual(lanes.ask("fast", "fast", lambda: 2), 2)
+
+    def test_to_wait_for_a_slot_is_no_silence(self):
+        slots = lanes.Slots(1)
+
+        def call():
+            with slots:
+                return "done"
+        slots.__enter__()
+        threading.Timer(lanes.timeout + 3 * lanes.GRACE, slots.__exit__).start()
+        self.assertEqual(lanes.gather([self.job("p", call), self.job("q", call)]), ["done", "done"])
+
+    def test_at_most_so_many_calls_are_in_slots(self):
+        slots, now, most, lock = lanes.Slots(2), [0], [0], threading.Lock()
+
+        def call():
+            with slots:
+                with lock:
+                    now[0] += 1
+                    most[0] = max(most[0], now[0])
+                self.release.wait(0.002)
+                with lock:
+                    now[0] -= 1
+        lanes.gather([self.job(number % 5, call) for number in range(60)])
+        self.assertEqual((most[0], now[0]), (2, 0))
+
     def test_many_that_ask_one_silent_process_wait_once(self):
         def outer():
             return lanes.ask("other", "other", self.release.wait)
@@ -158,6 +186,24 @@ class Gather(unittest.TestCase):
         self.assertEqual(lanes.ask("p", "p", lambda: 3), 3)
         with self.assertRaises(errors.Refused):
             lanes.ask("p", "p", refused)
+
+
+class Calls(unittest.TestCase):
+    def ended(self, function):
+        calls = lanes.Calls()
+        calls.start("p", "key", function)
+        return calls.ended(5)
+
+    def test_what_they_return_or_raise(self):
+        refused = errors.Refused("x", "no")
+
+        def refuse():
+            raise refused
+        self.assertEqual(self.ended(lambda: 1), ("key", 1))
+        self.assertEqual(self.ended(refuse), ("key", refused))
+        with self.assertRaises(KeyError):
+            self.ended(lambda: {}["x"])
+        self.assertIsNone(lanes.Calls().ended(0))
 
 
 if __name__ == "__main__":

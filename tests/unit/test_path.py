@@ -52,6 +52,7 @@ class Parsing(unittest.TestCase):
         self.assertEqual(parse("/ssliop:robot:2811/x").server, "ssliop:robot:2811")
         found = parse("http://robot:80/ns#a.cxt/C0.rtc")
         self.assertEqual((found.server, len(found.names)), ("http://robot:80/ns", 2))
+        self.assertEqual((str(found), parse(str(found))), ("/http://robot:80/ns#/a.cxt/C0.rtc", found))
 
     def test_names_split_at_the_last_dot(self):
         self.assertEqual(parse("/h/foo.example.org.host_cxt").names[0], Name("foo.example.org", "host_cxt"))
@@ -70,6 +71,19 @@ class Parsing(unittest.TestCase):
             with self.assertRaises(errors.BadPath, msg=typed) as caught:
                 parse(typed, "/")
             self.assertEqual(caught.exception.status, 2)
+
+    def test_absolute_paths_need_no_working_directory(self):
+        self.check("/h/a.cxt/b.rtc", "/h/a.cxt/b.rtc", "/other/c.cxt")
+
+    def test_a_host_is_no_dots(self):
+        for typed in ("/\\.\\./a.rtc", "/\\./a.rtc", "/\\.\\.:2809/a.rtc"):
+            with self.assertRaises(errors.BadPath, msg=typed):
+                parse(typed)
+
+    def test_parents_and_children_are_not_written_with_a_slash(self):
+        below = parse("/h/a.cxt/")
+        self.assertFalse(below.child(Name("b", "rtc")).directory)
+        self.assertFalse(parse("/h/a.cxt/b.cxt/").parent().directory)
 
     def test_parents_and_children(self):
         path = parse("/h/a.cxt/C0.rtc:in")

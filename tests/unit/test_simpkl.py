@@ -202,7 +202,9 @@ class Hostile(Case):
         deep = b"]" * 50000 + b"a" * 49999
         tuples = b")" + b"\x85" * 50000
         inside = b"]q\x00h\x00a"
-        for value in (laughs, deep, tuples, inside):
+        words = b"}q\x000" + b"".join(b"}(U\x01ah%cU\x01bh%cuq%c0" % (i, i, i + 1) for i in range(18)) + b"h\x12"
+        inside_words = b"}q\0U\x01ah\0s"
+        for value in (laughs, deep, tuples, inside, words, inside_words):
             entry = b"\x80\x02(K\x00" + stamp + b"X\x07\0\0\0numbers" + value + b"\x86K\x00K\x00t."
             tracemalloc.start()
             log, found = self.read(files.log([]) + entry)

@@ -84,10 +84,12 @@ class Terminal(unittest.TestCase):
 
     def test_shell_words_are_one_word_of_the_same_text(self):
         import subprocess
-        words = ["plain/a.rtc:in", "it's", "$(touch canary)", "a b", "", "-rf", "`x`", "日本", "\\x1b"]
-        line = "printf '%s\\n' " + " ".join(text.shell_word(word) for word in words)
-        said = subprocess.run(["sh", "-c", line], stdout=subprocess.PIPE, check=True).stdout.decode("utf-8")
-        self.assertEqual(said.splitlines(), words)
+        words = ["plain/a.rtc:in", "it's", "$(touch canary)", "a b", "", "-rf", "`x`", "日本", "\\x1b", "\x1b[2Jred", "\x1b", "\x017",
+                 "tab\there", "bell\x07\x7f it's", "two\nlines\n", "\n", "\x1b\n", "bad\udcff\udc80", "\u202e\u2028", "\r"]
+        line = "printf '%s\\0' " + " ".join(text.shell_word(word) for word in words)
+        self.assertTrue(all(c.isprintable() or c == "\n" for c in line), ascii(line))
+        said = subprocess.run(["sh", "-c", line], stdout=subprocess.PIPE, check=True).stdout.decode("utf-8", "surrogateescape")
+        self.assertEqual(said.split("\0")[:-1], words)
 
 
 class Layout(unittest.TestCase):

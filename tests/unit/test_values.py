@@ -6,6 +6,7 @@ import glob
 import json
 import os
 import random
+import struct
 import tempfile
 import time
 import unittest
@@ -98,8 +99,9 @@ class RoundTrips(unittest.TestCase):
         self.assertEqual(text.decode(bytes(8) + bytes(4), True).data, "")  # a string of length 0, as some ORBs send it
         self.assertEqual(text.decode(bytes(8) + b"\3\0\0\0\xe9x\0", True).data, "\udce9x")
         wide = TYPES.named("TimedWString")
-        for units in (b"\xff\xfea\0", b"\xfe\xff\0a", b"\0a"):
-            self.assertEqual(wide.decode(bytes(8) + bytes([len(units), 0, 0, 0]) + units, True).data, "a")
+        for units, expected in ((b"\xff\xfea\0", "a"), (b"\xfe\xff\0a", "a"), (b"\0a", "a"), (b"\xff\xfe\0\xd8", "\ud800"),
+                                (b"\xfe\xff\xd8\0", "\ud800"), (b"\xd8\0", "\ud800")):
+            self.assertEqual(wide.decode(bytes(8) + bytes([len(units), 0, 0, 0]) + units, True).data, expected, units)
 
 
 class Text(unittest.TestCase):
@@ -185,6 +187,14 @@ class Text(unittest.TestCase):
         self.assertEqual(values.raw(b""), ["0 bytes"])
         self.assertEqual(values.raw(bytes(40), limit=16)[2], "… 24 more")
 
+    def test_what_raw_bytes_might_say(self):
+        for data, guesses in ((b"\2\0\0\0\xff\0", ["string '\\xff'", "sequence of 2 octets"]),
+                              (b"\2\0\0\0\xff\1", ["sequence of 2 octets"]), (b"\1\0\0\0\xff\0", ["sequence of 1 shorts"]),
+                              (struct.pack("<f", 1.5), ["long 1069547520", "float 1.5"]), (bytes(4), ["long 0", "float 0.0"]),
+                              (struct.pack("<f", 1e30), ["long 1900671690"]), (struct.pack("<f", 1e-30), ["long 228737632"])):
+            with self.subTest(data=data):
+                self.assertEqual([line for line in values.raw(data) if "maybe" in line], ["maybe: " + guess for guess in guesses])
+
 
 class Written(unittest.TestCase):
     def test_forms(self):
@@ -195,6 +205,7 @@ class Written(unittest.TestCase):
                 self.assertEqual(values.text(made(text, "TimedLong")), "[1.500000000] 42")
         self.assertEqual(made("RTC.TimedOctetSeq({time}, 'é')").data, b"\xc3\xa9")
         self.assertEqual(made('{"data": "w6k="}', "TimedOctetSeq").data, b"\xc3\xa9")
+        self.assertEqual(made("RTC.TimedOctet({time}, b'x')").data, 0x78)
         self.assertEqual(made("[1, 2.5]", "TimedDoubleSeq").data, [1.0, 2.5])
         self.assertEqual(made("True", "TimedBoolean").data, True)
         self.assertEqual(made("RTC.TimedString({time}, 'a' \"b\")").data, "ab")
@@ -223,6 +234,8 @@ class Written(unittest.TestCase):
                 ("RTC.TimedChar({time}, 'ab')", "RTC.TimedChar: data: not a char: 'ab'"),
                 ("RTC.TimedString({time}, 'a\\0b')", "RTC.TimedString: data: a string holds no NUL"),
                 ("RTC.TimedString({time}, 5)", "RTC.TimedString: data: not a string: 5"),
+                ("RTC.TimedOctet({time}, b'xy')", "RTC.TimedOctet: data: not an octet: b'xy'"),
+                ("RTC.TimedOctet({time}, b'')", "RTC.TimedOctet: data: not an octet: b''"),
                 ("RTC.TimedOctetSeq({time}, [1, 256])",
                  "RTC.TimedOctetSeq: data[1]: out of range for an octet (0 to 255): 256"),
                 ("RTC.TimedPose2D({time}, RTC.Pose2D(RTC.Point2D(1, 'x'), 0))",
@@ -243,6 +256,21 @@ class Written(unittest.TestCase):
         self.refused("RTC.TimedDouble({time}, 1)", "RTC.TimedDouble: not the type that is wanted, RTC.TimedLong", "TimedLong")
         self.refused('{"data": "no base64!"}',
                      "RTC.TimedOctetSeq: data: octets are written as a list of numbers or in base64: 'no base64!'", "TimedOctetSeq")
+
+    def test_bounded_text(self):
+        with tempfile.TemporaryDirectory() as directory:
+            path = os.path.join(directory, "bounded.idl")
+            with open(path, "w") as file:
+                file.write("struct Bounded { string<3> a; wstring<3> b; };")
+            types = Own([path])
+        value = values.Expression("Bounded('abc', '日本語')", types).value(0)
+        self.assertEqual((value.a, value.b), ("abc", "日本語"))
+        for text, reason in (("Bounded('abcd', '')", "Bounded: a: longer than 3 bytes of UTF-8"),
+                             ("Bounded('日本', '')", "Bounded: a: longer than 3 bytes of UTF-8"),
+                             ("Bounded('', 'abcd')", "Bounded: b: longer than 3 characters")):
+            with self.assertRaises(errors.BadValue) as caught:
+                values.Expression(text, types).value(0)
+            self.assertEqual(str(caught.exception), reason)
 
     def test_what_cannot_be_read(self):
         for text, reason in (

@@ -48,6 +48,9 @@ class Reading(unittest.TestCase):
     def test_text_at_the_end_has_no_line_that_it_did_not_have(self):
         self.assertEqual([read("|\n a"), read("|\n a\n"), read("|+\n a\n\n"), read("|-\n a\n"), read(">\n a\n b\n\n")],
                          ["a", "a\n", "a\n\n", "a", "a b\n"])
+        for text, expected in (("|\n  x\n  ", "x\n"), ("|\n  ", ""), ("|\n\n  ", ""), (">\n  x\n  ", "x\n"), ("|+\n  x\n  ", "x\n"),
+                               ("|-\n  x\n  ", "x"), ("|\n  x\n   ", "x\n ")):
+            self.assertEqual(read("a: " + text), {"a": expected}, text)
 
     def test_an_alias_is_the_same_value(self):
         self.assertEqual(read("- &x {a: &y 1}\n- *x\n- *y\n- &z 2\n- *z\n"), [{"a": 1}, {"a": 1}, 1, 2, 2])

@@ -1,0 +1,276 @@
+#!/usr/bin/env python3
+"""Spoil a module of rtshell_lite in one place after another, and see whether a test fails. What survives is a hole in the tests,
+or a change that changes nothing.
+
+    python3 tests/mutate.py data/statistics.py [--seed N] [--most N] [--tests N]
+
+Runs in a copy of the checkout, on a Python from 3.8 on that has omniORBpy: this one, or what `tests/run` has made below
+.venv-tests. Which tests cover a module is read from imports: the nearest of tests/unit that import it, directly or through
+others, and the transcripts of the nearest commands that do. Each runs once unspoilt, which tells those that pass and how long
+they take; then the quickest come first, up to the first that fails. A test that takes three times as long, and 10 s, fails.
+"""
+import argparse
+import ast
+import glob
+import itertools
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+COMPARISONS = {"<": ["<=", ">"], "<=": ["<", ">="], ">": [">=", "<"], ">=": [">", "<="], "==": ["!="], "!=": ["=="], "is": ["is not"],
+               "is not": ["is"], "in": ["not in"], "not in": ["in"]}
+OTHERS = {"and": ["or"], "or": ["and"], "+": ["-"], "-": ["+"], "*": ["/"], "//": ["*"], "/": ["*"]}
+DELETED = (ast.Expr, ast.Raise, ast.AugAssign, ast.Break, ast.Continue, ast.Delete)
+
+
+# ---- what is changed ------------------------------------------------------------------------------------------
+
+class Source:
+    """The text of a module, and where its nodes are in it, in bytes."""
+
+    def __init__(self, data):
+        self.data, self.tree = data, ast.parse(data)
+        self.meaning = ast.dump(self.tree)
+        self.lines = [0]
+        for line in data.splitlines(True):
+            self.lines.append(self.lines[-1] + len(line))
+
+    def start(self, node):
+        return self.lines[node.lineno - 1] + node.col_offset
+
+    def end(self, node):
+        return self.lines[node.end_lineno - 1] + node.end_col_offset
+
+    def spoilt(self, start, end, new):
+        """The text with another piece at one place, its lines where they were; None where that means the same, or nothing."""
+        old = self.data[start:end]
+        data = self.data[:start] + new.encode() + b"\\\n" * (old.count(b"\n") - new.count("\n")) + self.data[end:]
+        try:
+            return data if ast.dump(ast.parse(data)) != self.meaning else None
+        except (SyntaxError, ValueError):
+            return None
+
+
+def mutations(source):
+    """Triples (start, end, new text) of all places that can be changed."""
+    skipped = set()
+    for node in ast.walk(source.tree):
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) or isinstance(node, ast.JoinedStr):
+            skipped.update(ast.walk(node))  # docstrings; the inner nodes of an f-string have no places of their own
+    for node in ast.walk(source.tree):
+        if node not in skipped:
+            for name in [cls.__name__ for cls in type(node).__mro__ if "_" + cls.__name__ in globals()]:
+                yield from globals()["_" + name](source, node)
+
+
+def _between(source, left, right, operators):
+    """Other operators between two operands."""
+    start, end = source.end(left), source.start(right)
+    gap = source.data[start:end].decode()
+    found = re.match(r"[\s)\\]*([-+*/<>=!]+|(?:is|not|and|or|in)(?: +(?:not|in)\b)?)", gap)
+    for new in operators.get(found.group(1), ()) if found else ():
+        yield start + found.start(1), start + found.end(1), new
+
+
+def _Compare(source, node):
+    for left, right in zip([node.left] + node.comparators, node.comparators):
+        yield from _between(source, left, right, COMPARISONS)
+
+
+def _BinOp(source, node):
+    yield from _between(source, node.left, node.right, OTHERS)
+
+
+def _BoolOp(source, node):
+    for left, right in zip(node.values, node.values[1:]):
+        yield from _between(source, left, right, OTHERS)
+        yield source.start(left), source.start(right), ""
+    yield source.end(node.values[-2]), source.end(node.values[-1]), ""
+
+
+def _UnaryOp(source, node):
+    if isinstance(node.op, ast.Not):
+        yield source.start(node), source.start(node.operand), ""
+
+
+def _If(source, node):
+    if isinstance(node.test, (ast.Name, ast.Attribute, ast.Call)):
+        yield source.start(node.test), source.start(node.test), "not "
+
+
+_While = _IfExp = _If
+
+
+def _Return(source, node):
+    if node.value is not None:
+        yield source.start(node.value), source.end(node.value), "None"
+
+
+def _Constant(source, node):
+    if isinstance(node.value, bool):
+        yield source.start(node), source.end(node), str(not node.value)
+    elif isinstance(node.value, (int, float)):
+        yield source.start(node), source.end(node), repr(node.value + 1)
+    elif isinstance(node.value, (str, bytes)) and node.lineno == node.end_lineno and len(node.value.split()) < 2:
+        yield source.start(node), source.end(node), repr(node.value + ("x" if isinstance(node.value, str) else b"x"))
+
+
+def _stmt(source, node):
+    assigned = isinstance(node, ast.Assign) and not any(isinstance(target, (ast.Name, ast.Tuple)) for target in node.targets)
+    if isinstance(node, DELETED) or assigned:
+        yield source.start(node), source.end(node), "pass"
+
+
+def _ExceptHandler(source, node):
+    if isinstance(node.type, ast.Tuple):
+        for item in node.type.elts:
+            yield source.start(item), source.end(item), "()"
+    elif node.type:
+        yield source.start(node.type), source.end(node.type), "()"
+
+
+def _Call(source, node):
+    """Arguments dropped: the last of several without a name, and each that has one."""
+    before = source.end(node.func)
+    for number, argument in enumerate(node.args):
+        if number == len(node.args) - 1 > 0:
+            yield before, source.end(argument), ""
+        before = source.end(argument)
+    for keyword in node.keywords:
+        end = source.end(keyword.value)
+        yield (before, end, "") if node.args or keyword is not node.keywords[0] else (before, end, "(")
+        before = end
+
+
+# ---- which tests cover it -------------------------------------------------------------------------------------
+
+def imported(path):
+    """Files of ours that a Python file imports, anywhere in it."""
+    with open(path, "rb") as file:
+        tree = ast.parse(file.read())
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.Import, ast.ImportFrom)):
+            for name in node.names:
+                dotted = name.name if isinstance(node, ast.Import) else "%s.%s" % (node.module, name.name)
+                for part in (dotted, dotted.rpartition(".")[0]):
+                    yield from filter(os.path.isfile, [os.path.join(root, part.replace(".", "/") + ".py")
+                                                       for root in (ROOT, os.path.join(ROOT, "tests", "support"))])
+
+
+def covering(path, most):
+    """Test modules of tests/unit that import a file, the nearest first, and transcripts of the nearest commands, by turns; at most
+    so many of each: `unit/test_path` …, `commands/rtls.t` …"""
+    files = [file for pattern in ("rtshell_lite/**/*.py", "tests/support/*.py", "tests/unit/test_*.py", "bin/rt*")
+             for file in sorted(glob.glob(os.path.join(glob.escape(ROOT), pattern), recursive=True)) if "/idl_stubs/" not in file]
+    arrows = {file: set(imported(file)) for file in files}
+    near, reached = [path], {path}
+    for file in near:
+        near += [other for other in files if file in arrows[other] and other not in reached]
+        reached.update(near)
+    modules = ["unit/" + os.path.basename(file)[:-3] for file in near if "/tests/unit/" in file]
+    modules.sort(key="unit/test_{}".format(os.path.basename(path)[:-3]).__ne__)  # the one of its name comes first
+    commands = [os.path.basename(file) for file in near if os.path.dirname(file) == os.path.join(ROOT, "bin")]
+    written = sorted(os.listdir(os.path.join(ROOT, "tests", "commands")), key=lambda file: ("-" in file, file))
+    by_turns = itertools.zip_longest(*[[file for file in written if re.match(name + r"(-.*)?\.t$", file)] for name in commands])
+    transcripts = ["commands/" + file for turn in by_turns for file in turn if file]
+    return modules[:most] + transcripts[:most]
+
+
+class Tests:
+    """The tests in a copy of the checkout, where a module can be spoilt."""
+
+    def __init__(self, copy, python):
+        shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(".git", ".venv*", "__pycache__", ".*.tmp"))
+        subprocess.call([python, "-m", "compileall", "-q", copy], stdout=subprocess.DEVNULL)
+        sys.path.insert(0, os.path.join(copy, "tests", "support"))
+        import runner  # of the copy: all that it starts is of the copy, too
+        self.copy, self.python, self.runner, self.marker = copy, python, runner, runner.mark()
+        self.environment = dict(os.environ, PYTHONPATH=copy, PYTHONDONTWRITEBYTECODE="1")
+
+    def passes(self, name, limit):
+        """Does a test pass within so many seconds?"""
+        if name.endswith(".t"):
+            setting = self.runner.transcripts.Setting(self.python)
+            path = os.path.join(self.copy, "tests", name)
+            return self.runner.transcripts.run_case(path, "dash", setting, time_limit=limit)[0] == "pass"
+        self.runner.MODULE_LIMIT = limit
+        outcomes = [outcome[1] for outcome in self.runner.run_module(name, self.python, self.environment, [])]
+        return "pass" in outcomes and "fail" not in outcomes
+
+    def timed(self, names):
+        """Limits in seconds by name, of those that pass; the quickest first."""
+        seconds = {}
+        for name in names:
+            begun = time.monotonic()
+            if self.passes(name, 120):
+                seconds[name] = time.monotonic() - begun
+            else:
+                print("left out, as it fails unspoilt: " + name, flush=True)
+        return {name: 3 * seconds[name] + 10 for name in sorted(seconds, key=seconds.get)}
+
+    def killer(self, path, data, limits):
+        """The first test that fails when the file at `path` is `data`, or None."""
+        for old in glob.glob(os.path.join(os.path.dirname(path), "__pycache__", os.path.basename(path)[:-3] + ".*")):
+            os.remove(old)
+        with open(path, "wb") as file:
+            file.write(data)
+        try:
+            return next((name for name in limits if not self.passes(name, limits[name])), None)
+        finally:
+            self.runner.left_behind(self.marker)
+
+
+def find_python():
+    """A Python that has omniORBpy, or None."""
+    for path in [sys.executable] + sorted(glob.glob(os.path.join(glob.escape(ROOT), ".venv-tests", "3.*", "bin", "python"))):
+        if not subprocess.call([path, "-c", "import omniORB"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL):
+            return path
+    return None
+
+
+def options():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("module", help="a file below rtshell_lite, such as data/statistics.py")
+    parser.add_argument("--seed", default="1", help="which places are chosen (1)")
+    parser.add_argument("--most", type=int, default=40, metavar="N", help="places at most (40)")
+    parser.add_argument("--tests", type=int, default=8, metavar="N", help="so many test modules, and transcripts, at most (8)")
+    args = parser.parse_args()
+    if not os.path.isfile(os.path.join(ROOT, "rtshell_lite", args.module)):
+        parser.error("no such file below rtshell_lite: " + args.module)
+    if sys.version_info < (3, 8):
+        parser.error("needs Python 3.8: those before do not know where expressions end")
+    return args
+
+
+def main():
+    args, python = options(), find_python()
+    if not python:
+        sys.exit("mutate.py: no Python with omniORBpy is here; tests/run makes one")
+    inner = os.path.join("rtshell_lite", args.module)
+    with open(os.path.join(ROOT, inner), "rb") as file:
+        source = Source(file.read())
+    places = sorted({place for place in mutations(source) if source.spoilt(*place)})
+    chosen = sorted(random.Random(args.seed).sample(places, min(args.most, len(places))))
+    with tempfile.TemporaryDirectory(prefix="rt-mutate-") as directory:
+        tests = Tests(os.path.join(directory, "copy"), python)
+        limits = tests.timed(covering(os.path.join(ROOT, inner), args.tests))
+        print("covered by: " + " ".join(limits), flush=True)
+        survived = 0
+        for start, end, new in chosen:
+            if tests.killer(os.path.join(tests.copy, inner), source.spoilt(start, end, new), limits) is None:
+                survived += 1
+                line = source.data.count(b"\n", 0, start) + 1
+                whole = source.data.splitlines()[line - 1].decode().strip()
+                print("%s:%d: %r -> %r in: %s" % (inner, line, source.data[start:end].decode(), new, whole), flush=True)
+    print("%d of %d places spoilt, %d killed, %d survived" % (len(chosen), len(places), len(chosen) - survived, survived))
+    return 1 if survived else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,54 @@
+"""Descriptors that others made, and what is made of them: broken, a peer's type or a user's stubs harm who reads them."""
+import unittest
+
+from rtshell_lite import errors
+from rtshell_lite.corba import descriptors
+from rtshell_lite.corba.descriptors import CHAR, ENUM, INDIRECT, SEQUENCE, STRUCT
+
+LONG = next(kind for kind, words in descriptors.NAMES.items() if words == "long")
+
+
+def struct(*members):
+    """A descriptor as omniORB has it, IDL:Node:1.0, of (name, descriptor) pairs."""
+    return (STRUCT, object, "IDL:Node:1.0", "Node") + tuple(part for member in members for part in member)
+
+
+def itself():
+    """How omniORB names a type inside itself."""
+    return (INDIRECT, ["IDL:Node:1.0"])
+
+
+class Adopted(unittest.TestCase):
+    def test_a_type_within_a_sequence_of_itself(self):
+        found = descriptors.adopted(struct(("value", LONG), ("children", (SEQUENCE, itself(), 0))))
+        self.assertIs(dict(descriptors.members(found))["children"][1][1][0], found)
+
+    def test_a_type_that_contains_itself_has_no_end(self):
+        inner = (SEQUENCE, struct(("value", LONG), ("self", itself())), 0)
+        for members in ([("self", itself())], [("value", LONG), ("children", inner)]):
+            with self.assertRaises(errors.BadType) as caught:
+                descriptors.adopted(struct(*members))
+            self.assertEqual(str(caught.exception), "Node: contains itself")
+
+
+class Labels(unittest.TestCase):
+    def test_a_label_is_one_character(self):
+        self.assertEqual(descriptors.label(CHAR, "a"), "a")
+        for wrong in ("ab", "", 5, None, b"a", ["a"]):
+            with self.assertRaises(errors.BadType, msg=wrong):
+                descriptors.label(CHAR, wrong)
+
+
+class Items(unittest.TestCase):
+    def test_items_are_equal_by_their_enum_and_number(self):
+        one, same, other = (descriptors.enum(identifier, "Colour", ["RED", "GREEN"]) for identifier in
+                            ("IDL:Colour:1.0", "IDL:Colour:1.0", "IDL:Other:1.0"))
+        self.assertEqual(descriptors.kind(one), ENUM)
+        self.assertEqual(list(one[3]), list(same[3]))
+        self.assertEqual(len(set(one[3]) | set(same[3])), 2)
+        for wrong in (one[3][1], other[3][0], 0, "RED", None):
+            self.assertNotEqual(one[3][0], wrong)
+
+
+if __name__ == "__main__":
+    unittest.main()
