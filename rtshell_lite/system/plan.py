@@ -237,7 +237,7 @@ class Schedule:
         self._steps = collections.deque(_steps(actions))
         self._step = []
         self._waiting = [action for action in in_order(actions) if _waits(action)]
-        self._told, self._started = set(), set()
+        self._told = set()
         self._failed = []  # required actions in steps that failed, with an order
 
     def told(self, number):
@@ -274,9 +274,7 @@ class Schedule:
         return found
 
     def _judged(self, action, reason):
-        if reason is None:
-            self._started.add(action.number)
-        else:
+        if reason is not None:
             self.end(action.number, NOT_TRIED)
         return action, reason
 

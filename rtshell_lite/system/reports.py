@@ -37,7 +37,7 @@ def _told(args, outcomes):
             tally.add(each.error)
         else:
             cli.note(f"{each.error} (not required)")
-    if not args.dry_run:
+    if any(counts.values()) and not args.dry_run:
         (cli.note if tally.statuses else cli.detail)(", ".join("%d %s" % (number, status) for status, number in counts.items() if number))
     return tally.status()
 
