@@ -31,7 +31,7 @@ def run(args):
         return unpack(args.unpack, args.words)
     if args.words:
         raise errors.Usage(unknown(args.words[0]))
-    print("\n".join(["commands (COMMAND --help tells more):"] + summaries()))
+    print("\n".join(["commands (COMMAND --help says more):"] + summaries()))
 
 
 def unpack(directory, wheels):

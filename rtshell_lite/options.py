@@ -103,7 +103,7 @@ def parser(arguments, doc, prog):
     arguments(parser)
     taken = parser._option_string_actions  # rtcryo has a -v of its own
     parser.add_argument(*[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
-                        help="tell on stderr what is done")
+                        help="report on stderr what is done")
     parser.add_argument("-q", "--quiet", action="store_true", help="no notes on stderr, errors only")
     if "--timeout" in taken:  # how long rtprint, rtinject and rtlog run
         parser.set_defaults(timeout=_default_timeout())

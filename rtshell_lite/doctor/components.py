@@ -130,7 +130,7 @@ def _stopped_answering(each, hung):
             return fail("component", each.where, "%s, %swaiting for a far end that does not answer" % (
                 message, "" if known else "maybe "), remedies.words("hung first", paths=" and ".join(paths)))
         return fail("component", each.where, message, remedies.of_silence(e, each.node.endpoint, each.where))
-    return fail("component", each.where, f"does not tell {each.asking} ({reason(e)})",
+    return fail("component", each.where, f"does not say {each.asking} ({reason(e)})",
                 remedies.of_silence(e, each.node.endpoint, each.where))
 
 

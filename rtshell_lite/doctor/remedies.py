@@ -52,7 +52,7 @@ WORDS = {
     "start name server": "start the name server there: rtm-naming {port}",
     "restart name server": "restart the name server that has it",
     "restart": "restart it; netstat -ltnp | grep :{port} there names its process",
-    "correct port": "correct the port; netstat -ltnp | grep omniNames there tells it",
+    "correct port": "correct the port; netstat -ltnp | grep omniNames there shows it",
     "correct or restart": "correct the port, or restart it",
     "no such path": "see what is there: rtls {path}",
     "stale names": "when the dead names in it are deleted it is empty; then: rtdel {path}",

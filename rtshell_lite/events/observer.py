@@ -1,4 +1,4 @@
-"""Being told what happens to a component: observers of both kinds and loggers, SDO services that we attach to it.
+"""Being informed of what happens to a component: observers of both kinds and loggers, SDO services that we attach to it.
 
 Sources: OpenRTM-aist's ComponentObserver.idl, Logger.idl, and that of FSM4RTC; the hints are those that C++ and Python send.
 """

@@ -86,7 +86,7 @@ class Configuration:
         """Make `set_id` the active set. Raises NoSuch, Refused."""
         self.check_active(set_id)
         try:
-            why = "" if self._call("activate_configuration_set", to_wire(set_id)) else "it says no"
+            why = "" if self._call("activate_configuration_set", to_wire(set_id)) else "the component refused"
         except errors.Refused as e:
             why = e.why
         if why:

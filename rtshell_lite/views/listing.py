@@ -84,7 +84,7 @@ def figures(node):
     except (errors.Gone, errors.ConnectionRefused) as e:
         # a port or context passed on that something behind it is gone; the component has answered
         why = "one of them is gone" if isinstance(e, errors.Gone) else "connection refused"
-        raise errors.Unreachable(str(node.path), f"does not tell its ports or states ({why})")
+        raise errors.Unreachable(str(node.path), f"does not say its ports or states ({why})")
     counts = []
     for _, kind in COUNTED:
         of_kind = [each for each in found if kind in (None, each.type)]

@@ -109,7 +109,7 @@ Odd names are typed as they are listed, and can be quoted from an error message:
   $ rtact --dry-run "$odd/"'$(id);'"'"'"*.rtc' "$odd/"'co\:lon.rtc' "$odd/"'\e' "$odd/"'\...rtc' | sh
   $ rtact --dry-run "$odd/"'$(id);'"'"'"*.rtc' "$odd/"'co\:lon.rtc' "$odd/"'\e' "$odd/"'\...rtc'
 
-Dead and silent peers. The dead are told at once, the silent after --timeout, once for all of a process:
+Dead and silent peers. The dead are reported at once, the silent after --timeout, once for all of a process:
 
   $ kill-mock these; hang these2
   $ rtact Dead0.rtc
@@ -128,7 +128,7 @@ Dead and silent peers. The dead are told at once, the silent after --timeout, on
   rtact: RTSHELL_TIMEOUT: not a number of seconds above 0: never (see --help)
   [2]
 
-Several paths: all are tried, each failure is told, and the status is 5 when something was done or when the failures differ:
+Several paths: all are tried, each failure is reported, and the status is 5 when something was done or when the failures differ:
 
   $ within 0.4-1.4 rtact --timeout 0.5 -v Dead0.rtc ConsoleIn0.rtc Nope0.rtc Hung0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)

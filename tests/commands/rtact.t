@@ -123,7 +123,7 @@ In a stopped execution context nothing changes (with Python components it does):
   INACTIVE
   ACTIVE
 
-Components of OpenRTM 1.1 accept at once and change later, if at all; only --wait tells what came of it:
+Components of OpenRTM 1.1 accept at once and change later, if at all; only --wait reports what came of it:
 
   $ rtact ../oldstopped.host_cxt/ConsoleIn0.rtc
   $ ctl @stopped2 state ConsoleIn0

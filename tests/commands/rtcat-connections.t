@@ -118,7 +118,7 @@ Three ports in one connection, and a component connected to itself, of which its
   -DataInPort: in
    +Connected to  /localhost:$PORT/test.host_cxt/Sensor0.rtc:out
 
-What is connected is told even if it is bound nowhere, its process hangs, or has died:
+What is connected is shown even if it is bound nowhere, its process hangs, or has died:
 
   $ rtdel $far/ConsoleOut0.rtc
   $ rtcat -l ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected

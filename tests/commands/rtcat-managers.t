@@ -1,4 +1,4 @@
-rtcat of managers: what they say of themselves, their modules. What a version does not tell is left out.
+rtcat of managers: what they say of themselves, their modules. What a version does not say is left out.
 
 world: manager --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 world: manager --flavour cpp2 --context cpp2.host_cxt/%n.rtc

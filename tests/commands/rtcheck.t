@@ -76,7 +76,7 @@ Connections, of both kinds, with all their ends and all their properties:
   [1]
   $ rtcon -i service MyServiceConsumer0.rtc:MyService MyServiceProvider0.rtc:MyService
 
-Components: missing ones, other ones. What is not required is told, and does not count:
+Components: missing ones, other ones. What is not required is reported, and does not count:
 
   $ rtdis ConsoleIn0.rtc; rtcon -i three -p x=y ConsoleIn0.rtc:out ConsoleOut0.rtc:in ConsoleOut1.rtc:in; rtcheck a.xml
   $ rtcheck two.xml
@@ -184,7 +184,7 @@ The context of the composite counts, not those of its members, which are stopped
   $ rtcryo --all -q localhost:$PORT2 -o c.xml; rtact --wait=5 /localhost:$PORT2/test.host_cxt/composite0.rtc
   $ rtcheck c.xml
 
-What cannot be asked is told once, and no difference:
+What cannot be asked is reported once, and is no difference:
 
   $ hang linked; within 0.4-2 rtcheck --timeout 0.5 a.xml
   rtcheck: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 0.5s
@@ -221,7 +221,7 @@ Files that are none:
   rtcheck: unrecognized arguments: b.xml (see --help)
   [2]
 
-What the components have beyond the file is told with --extra:
+What the components have beyond the file is reported with --extra:
 
   $ mock robot; rtdeact --wait MyServiceConsumer0.rtc MyServiceProvider0.rtc; rtcryo -o r.xml /localhost:$PORT; rtcheck --extra -s Inactive r.xml
   rtcryo: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: zombie, left out
@@ -244,7 +244,7 @@ What the components have beyond the file is told with --extra:
   {"actual": "less", "check": "connection", "expected": null, "message": "Connection not in the file: less between /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Motor0.rtc:in", "path": "/localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Motor0.rtc:in", "required": true}
   {"actual": "0", "check": "configuration", "expected": null, "message": "Configuration parameter not in the file: motor_id in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "required": true}
 
-Paths are told as commands take them:
+Paths are written as commands take them:
 
   $ sed 's,/ConsoleIn0.rtc",/Con\\/sole\\.In.rtc",' a.xml | rtcheck --dry-run | head -1
   Check for required component "RTC:Shinji Kurihara:example:ConsoleIn:1.0", "ConsoleIn0" at path /localhost:$PORT/test.host_cxt/Con\/sole.In.rtc (Required)

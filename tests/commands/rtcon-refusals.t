@@ -1,4 +1,4 @@
-When rtcon does not connect: it tells why, and nothing is left behind.
+When rtcon does not connect: it says why, and nothing is left behind.
 
 world: console
 world: these Mock:Mock0 ConsoleIn:ConsoleIn1 Motor MyServiceProvider

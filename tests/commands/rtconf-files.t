@@ -152,7 +152,7 @@ All is checked before the first change:
   $ rtconf ConfigSample0.rtc get int_param0
   3
 
-What is wrong in a text is told with its line, before anything is contacted:
+What is wrong in a text is reported with its line, before anything is contacted:
 
   $ printf 'int_param0=9\n' > bad.conf; rtconf Nope0.rtc load bad.conf
   rtconf: bad.conf:1: name=value before any [set]

@@ -11,7 +11,7 @@ Components are saved from where they are bound, not from below their managers, a
   pathUri="localhost:$PORT/test.host_cxt/ConsoleIn0.rtc"
   pathUri="localhost:$PORT/test.host_cxt/ConsoleOut0.rtc"
 
-So is a component that is bound twice, which is told:
+So is a component that is bound twice, which is reported:
 
   $ rtcryo --all localhost:$PORT 127.0.0.1:$PORT | grep -o 'pathUri="[^"]*"'
   rtcryo: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: the same component as /127.0.0.1:$PORT/test.host_cxt/ConsoleIn0.rtc

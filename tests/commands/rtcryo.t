@@ -223,7 +223,7 @@ What the system is called, and where it is written; --verbose tells what was sav
   rtcryo: 2 components without connections left out; --all saves them, too
   <?xml version="1.0" encoding="UTF-8"?>
 
-Only some name servers, or a part of one; what is connected to the outside is told:
+Only some name servers, or a part of one; what is connected to the outside is reported:
 
   $ rtcryo localhost:$PORT | grep -c pathUri
   rtcryo: 2 components without connections left out; --all saves them, too

@@ -41,7 +41,7 @@ One port: all its connections:
   motor outin
   motor outin
 
-A component: all connections of all its ports; one of two of its own ports is told once:
+A component: all connections of all its ports; one of two of its own ports is reported once:
 
   $ rtcon -i own Motor0.rtc:out Mock0.rtc:in; rtcon -i loop Mock0.rtc:out Mock0.rtc:in
   $ rtdis -v Mock0.rtc

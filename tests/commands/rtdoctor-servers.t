@@ -27,7 +27,7 @@ faulty: refused dead-host silent drip reset close garbage late-silent late-reset
   fail  /robot.invalid: host name robot.invalid not known here (*); try: correct the name, or write its address into /etc/hosts (glob)
   [1]
   $ doctor -q localhost:$(ctl port)
-  fail  /localhost:*: a CORBA process, but no name server: a component or manager, perhaps; try: correct the port; netstat -ltnp | grep omniNames there tells it (glob)
+  fail  /localhost:*: a CORBA process, but no name server: a component or manager, perhaps; try: correct the port; netstat -ltnp | grep omniNames there shows it (glob)
   [1]
   $ within 0.5-1.5 rtdoctor -q --timeout 0.5 localhost:$DEAD_HOST > out; grep -v "this host's name" out
   fail  /localhost:$DEAD_HOST: no TCP connection to 127.0.0.1 port $DEAD_HOST (no answer within 0.5s); try: look at what is between here and localhost: firewall (port $DEAD_HOST), route (ip route get localhost), MTU and loss (ping localhost)
@@ -38,7 +38,7 @@ faulty: refused dead-host silent drip reset close garbage late-silent late-reset
   fail  /localhost:$LATE_SILENT: its names cannot be listed (no answer within 0.5s); try: restart the name server that has it
   [1]
 
-All of them at once take no longer than one, and every one is told:
+All of them at once take no longer than one, and every one is reported:
 
   $ within 0.5-2 rtdoctor -q --timeout 0.5 localhost:$REFUSED localhost:$RESET localhost:$CLOSE localhost:$GARBAGE \
   > localhost:$LATE_RESET localhost:$DEAD_HOST localhost:$SILENT localhost:$DRIP localhost:$LATE_SILENT > out

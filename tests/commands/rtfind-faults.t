@@ -10,7 +10,7 @@ alone: it measures
 once: it is the peers that differ here
 
 A hung component is a component, but nobody knows its state. By its name it is found without asking.
-The same goes for one whose reference does not tell what it is, and which does not answer.
+The same goes for one whose reference does not say what it is, and which does not answer.
 
   $ within 0.3-0.8 rtfind --timeout 0.3 . -t c
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc

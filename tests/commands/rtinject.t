@@ -76,7 +76,7 @@ It leaves no connection:
   rtinject: RTC.TimedLong: data: not a long: 'x'
   [2]
 
-What does not fit is told before anything is sent:
+What does not fit is reported before anything is sent:
 
   $ ctl reset
   $ rtinject -c 'foo(' ConsoleOut0.rtc:in

@@ -1,4 +1,4 @@
-rtlog never makes a sender wait for a disk: what does not fit into memory is dropped, counted and told.
+rtlog never makes a sender wait for a disk: what does not fit into memory is dropped, counted and reported.
 
 world: senders 50 4000000
 alone: the time that a sender takes

@@ -67,7 +67,7 @@ A pipe is no place for a log to be read from, but one to write to:
   rtlog: pipe: a pipe; logs are read from files
   [1]
 
-A component that hangs is told of, and does not hold up the others, or the end:
+A component that hangs is reported, and does not hold up the others, or the end:
 
   $ RTSHELL_TIMEOUT=0.5 rtlog -t 5 -f g.rtlog Source0.rtc:number.a ConsoleIn0.rtc:out 2> told & until rtlog --json -f g.rtlog 2>/dev/null | grep -q number; do :; done
   $ hang senders; wait $!

@@ -71,7 +71,7 @@ Until a time; -1, or no end at all, is until Ctrl-C, and stdin does not matter:
   closed": true
   $ ctl connectors Source0:number
 
-Without a file name there is one of the time; -q does not tell it:
+Without a file name there is one of the time; -q does not report it:
 
   $ mkdir here; cd here; rtlog -i -e 1 Source0.rtc:number 2>&1 | sed 's/[0-9]\{5,\}/EPOCH/'; ls | sed 's/[0-9]\{5,\}/EPOCH/'; cd ..
   rtlog: recording to rtlog_EPOCH.rtlog

@@ -61,7 +61,7 @@ As a name server:
   ConsoleIn0.rtc
   ConsoleOut0.rtc
 
-As components, beside good ones (the directory does not tell what they are; their names say that they are components):
+As components, beside good ones (the directory does not say what they are; their names say that they are components):
 
   $ export RTCSH_CWD=/localhost:$PORT/bad.host_cxt
   $ within 0-1 rtls --timeout 0.5

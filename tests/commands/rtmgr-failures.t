@@ -7,7 +7,7 @@ world: deadslave --context deadslave.host_cxt/%n.rtc
 world: deadchild --context deadchild.host_cxt/%n.rtc
 faulty: silent reset garbage
 
-Wrong usage is told before anything is contacted:
+Wrong usage is reported before anything is contacted:
 
   $ RTCTREE_NAMESERVERS=nowhere.invalid rtmgr nowhere/manager.mgr
   rtmgr: nothing to do: no option says what (see --help)

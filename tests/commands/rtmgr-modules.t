@@ -66,7 +66,7 @@ A module of C++ whose component lives: its process would end at the next call. I
   Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
   -         -    -    -    -    manager.mgr
 
-A master of C++ 2.1 does not tell what its slaves have; rtmgr asks them, too:
+A master of C++ 2.1 does not list what its slaves have; rtmgr asks them, too:
 
   $ rtmgr --factories manager.mgr
   RTC:AIST:example:ConsoleIn:C++:2.0.0

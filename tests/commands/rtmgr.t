@@ -143,14 +143,14 @@ says RTC_OK whatever happens; it is looked whether it is there:
   /opt/openrtm/components/c++/examples/rtc/Motor.so
   /opt/openrtm/components/c++/examples/rtc/Sensor.so
 
-A file that is there already, or a wrong function, adds nothing; that is told (unless with -q), and is no failure:
+A file that is there already, or a wrong function, adds nothing; that is reported (unless with -q), and is no failure:
 
   $ rtmgr -v -l Motor.so:MotorInit manager.mgr
   rtmgr: Motor.so adds nothing that can be created: it was loaded before, or MotorInit is the wrong function
   rtmgr: loaded Motor.so
   $ rtmgr -q -l SeqIn.so:WrongInit manager.mgr
 
--s sets a configuration value; most are read only when a manager starts, and that is told:
+-s sets a configuration value; most are read only when a manager starts, and that is reported:
 
   $ rtmgr -v -s logger.log_level=DEBUG manager.mgr
   rtmgr: set logger.log_level=DEBUG

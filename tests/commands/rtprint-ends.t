@@ -1,4 +1,4 @@
-However rtprint ends, its connections are removed; ports that die, hang or are disconnected are told.
+However rtprint ends, its connections are removed; ports that die, hang or are disconnected are reported.
 
 world: two
 world: senders 50 12
@@ -69,7 +69,7 @@ Where components cannot reach us, they drop the connection at their first value;
   [2]
   $ export RTCTREE_ORB_ARGS=
 
-Hung for a while: that is told, and it goes on:
+Hung for a while: that is reported, and it continues:
 
   $ export RTSHELL_TIMEOUT=0.5
   $ rtprint Source0.rtc:number >lines 2>told & pid=$!; until [ -s lines ]; do :; done

@@ -64,7 +64,7 @@ As JSON:
   {"command": null, "error": null, "path": "/localhost:$PORT/test.host_cxt/ConfigSample0.rtc", "required": true, "result": "already", "step": "component"}
   {"command": "rtcon -n MyServiceMyService -i service -p port.port_type=CorbaPort /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService", "error": null, "path": "/localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService", "required": true, "result": "already", "step": "connect"}
 
-Components that are missing, or are others than they should be, are told; the rest is restored. What was not tried is told
+Components that are missing, or are others than they should be, are reported; the rest is restored. What was not tried is reported
 with -v:
 
   $ rtteardown a.xml; rtdel MyServiceProvider0.rtc; rtec Motor0.rtc rate 500

@@ -94,7 +94,7 @@ The exit status is that of the last command; with -e that of the first that fail
   rtsh: exit: not a status: 1 2
   [2]
 
-What it does not understand, or leaves to a real shell; in a file the line is told, and the others are run:
+What it does not understand, or leaves to a real shell; in a file the line is reported, and the others are run:
 
   $ rtsh -c 'rtlss; pwd'
   rtsh: rtlss: no such command; did you mean rtls?
@@ -152,7 +152,7 @@ The connections stay open, so a second command asks no more than the first:
   ConsoleOut0.rtc
   5 _non_existent
 
-Its connections may be old ones: what has ended meanwhile is told as ever, and is no failure where it would be none:
+Its connections may be old ones: what has ended meanwhile is reported as ever, and is no failure where it would be none:
 
   $ mock these ConsoleIn:Doomed0 ConsoleIn:Doomed1
   $ { echo 'ls -l Doomed0.rtc Doomed1.rtc'; until [ -s said ]; do sleep 0.1; done; kill-mock these; echo "cryo --all -o a.xml $RTCSH_CWD; ls -l Doomed0.rtc"; } | rtsh > said; cat said

@@ -118,7 +118,7 @@ What is wrong with a plan is found before anything is asked:
   rtstart: /localhost:$PORT/test.host_cxt/Motor0.rtc in execution context 0 has a condition twice: Order 1
   $ calls
 
-Nothing starts unless every required component is there and the one that is meant; of others it is told:
+Nothing starts unless every required component is there and the one that is meant; of others it is reported:
 
   $ sed 's/Motor0.rtc/Gone0.rtc/; s/instanceName="Sensor0"/instanceName="Sensor1"/; s/:Clusterer:2.1/:Clusterer:2.0/' a.xml | rtstart
   rtstart: /localhost:$PORT/test.host_cxt/Clusterer0.rtc: not a RTC:Geoffrey Biggs, AIST:Perception:Clusterer:2.0 (it is a RTC:Geoffrey Biggs, AIST:Perception:Clusterer:2.1)

@@ -40,7 +40,7 @@ Doing it; other connections stay, and a second time nothing is left to do:
   {"command": "rtdis -i one /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out", "error": null, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in", "required": true, "result": "done", "step": "disconnect"}
   $ rtresurrect a.xml; sh -e script; rtteardown --dry-run -y a.yaml
 
-One that fails is told, the others are removed; with --rollback these are made again:
+One that fails is reported, the others are removed; with --rollback these are made again:
 
   $ rtresurrect a.xml; for n in 1 2 3 4; do ctl @services fail disconnect $n UNKNOWN; ctl @services fail notify_disconnect $n UNKNOWN; done
   $ rtteardown --rollback -v a.xml

@@ -121,7 +121,7 @@ Where a terminal knows no pages, they are printed:
   rttop: the terminal nonsense is not known here: pages are printed one below the other
   rttop: this Python has no curses: pages are printed one below the other
 
-What cannot be shown is told; the rest is shown all the same:
+What cannot be shown is reported; the rest is shown all the same:
 
   $ top nobody.rtc
   rttop: /localhost:$PORT/test.host_cxt/nobody.rtc: no such path

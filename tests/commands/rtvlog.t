@@ -73,7 +73,7 @@ A component that takes no loggers, as most do not; one beside it is not disturbe
   rtvlog: /localhost:$PORT/test.host_cxt/Motor0.rtc: 0 of 1 within 0.3s
   [1]
 
-One that ends is told on stderr:
+One that ends is reported on stderr:
 
   $ rtvlog Motor0.rtc > out 2> err & log=$!; logged
   $ rtexit Motor0.rtc; soon 'grep exited err'; kill $log; wait $log

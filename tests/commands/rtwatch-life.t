@@ -34,7 +34,7 @@ One that exits in good order, one that dies, observed and polled, and come back.
   [Gone0.rtc T] BACK
   $ ctl @these4 observers Dies0; ctl @these4 observers Gone0
 
-A component whose process hangs, and goes on. What is not wanted as an event is told on stderr; and SIGTERM ends the watch
+A component whose process hangs, and goes on. What is not wanted as an event is reported on stderr; and SIGTERM ends the watch
 within the timeout, although nothing can be taken back:
 
   $ rtwatch -f RTC_STATUS --timeout 0.5 Dies0.rtc > out 2> err & watch=$!

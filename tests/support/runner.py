@@ -13,7 +13,7 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
   tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
   tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13, transcripts on 3.7 under ash and on 3.13 under
                                   dash (NAME-topic.t on one of the two, by turns), what needs no omniORBpy on 3.6, the packaging
-                                  on every Python from 3.6 to 3.13; what fails beside others is told, and run again alone
+                                  on every Python from 3.6 to 3.13; what fails beside others is reported, and run again alone
 """
 import argparse
 import concurrent.futures
@@ -200,7 +200,7 @@ class Score:
 
 
 def run_jobs(jobs, score, again=False):
-    """Run them. With `again`, a few that fail are told, and count as what they do when they are run alone.
+    """Run them. With `again`, a few that fail are reported, and count as what they do when they are run alone.
 
     Four lanes on two processors disturb each other: of 2,000 tests, one or two a run met a deadline that had nothing to do with
     them. Many that fail are no accident, and count at once.
@@ -306,7 +306,7 @@ def packaging_jobs(version, wheel, args):
 
 
 def gather_jobs(args, wheel, score):
-    """The jobs of all versions asked for; a Python that is not here is told as skipped."""
+    """The jobs of all versions asked for; a Python that is not here is reported as skipped."""
     if args.compat:
         return compat_jobs(args)
     versions = FULL + PURE if args.all else args.python or [sys.executable]
