@@ -13,7 +13,7 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
   tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
   tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13, transcripts on 3.7 under ash and on 3.13 under
                                   dash (NAME-topic.t on one of the two, by turns), what needs no omniORBpy on 3.6, the packaging
-                                  on every Python from 3.6 to 3.13; what fails beside others is reported, and run again alone
+                                  on every Python from 3.6 to 3.13
 """
 import argparse
 import concurrent.futures
@@ -45,7 +45,6 @@ MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 DIRECTORIES = ("unit", "mocks", "commands", "faults")  # with what is run always
 PACKAGING = "commands/test_packaging"
-MOST_AGAIN = 5  # jobs of the matrix that are run again when they have failed
 
 
 class Job:
@@ -164,7 +163,7 @@ class Score:
 
     def __init__(self):
         self.counts = {"pass": 0, "fail": 0, "skip": 0}
-        self.reasons, self.again = {}, []
+        self.reasons = {}
 
     def add(self, label, outcomes, seconds=None):
         for line in [text for _, outcome, text in outcomes if outcome == "figures"]:
@@ -180,16 +179,7 @@ class Score:
             passed = sum(outcome == "pass" for _, outcome, _ in outcomes)
             print("%s %s: %d in %.1f s" % ("ok  " if passed else "skip", label, len(outcomes), seconds), flush=True)
 
-    def postpone(self, label, outcomes):
-        """Tell what has failed beside others, and is to be run again."""
-        self.again.append(label)
-        for name, outcome, text in outcomes:
-            if outcome == "fail":
-                print("FAILED BESIDE OTHERS %s%s\n%s\n" % (label, "" if name in label else ": " + name, text.rstrip()), flush=True)
-
     def close(self):
-        for label in self.again:
-            print("run again, alone, as it had failed beside others: " + label)
         if not any(self.counts.values()):
             print("no test has such a name")
         for reason, names in sorted(self.reasons.items()):
@@ -199,20 +189,13 @@ class Score:
         return 1 if self.counts["fail"] or not self.counts["pass"] else 0
 
 
-def run_jobs(jobs, score, again=False):
-    """Run them. With `again`, a few that fail are reported, and count as what they do when they are run alone.
-
-    Four lanes on two processors disturb each other: of 2,000 tests, one or two a run met a deadline that had nothing to do with
-    them. Many that fail are no accident, and count at once.
-    """
-    lanes = 2 * (os.cpu_count() or 1)  # they wait more than they compute
-    failed = []
-    _run_some([job for job in jobs if not job.alone], lanes, score, failed if again else None)
-    _run_some([job for job in jobs if job.alone], 1, score, failed if again else None)
-    _run_some(failed, 1, score)
+def run_jobs(jobs, score):
+    """Run them, several at a time but for those that want to be alone; each once, whatever becomes of it."""
+    _run_some([job for job in jobs if not job.alone], 2 * (os.cpu_count() or 1), score)  # they wait more than they compute
+    _run_some([job for job in jobs if job.alone], 1, score)
 
 
-def _run_some(jobs, lanes, score, postponed=None):
+def _run_some(jobs, lanes, score):
     waiting, finished = queue.Queue(), queue.Queue()
     for job in jobs:
         waiting.put(job)
@@ -220,11 +203,7 @@ def _run_some(jobs, lanes, score, postponed=None):
         threading.Thread(target=_work, args=(waiting, finished), daemon=True).start()
     for _ in jobs:
         job, outcomes, seconds = finished.get()
-        if postponed is not None and len(postponed) < MOST_AGAIN and any(outcome[1] == "fail" for outcome in outcomes):
-            score.postpone(job.label, outcomes)
-            postponed.append(job)
-        else:
-            score.add(job.label, outcomes, seconds)
+        score.add(job.label, outcomes, seconds)
 
 
 def _work(waiting, finished):
@@ -373,7 +352,7 @@ def main():
         score.add("wheel", [("build", "fail", str(e))])
         return score.close()
     print("wheel: %s, %d kB" % (os.path.basename(wheel), os.path.getsize(wheel) // 1000))
-    run_jobs(gather_jobs(args, wheel, score), score, again=args.all)
+    run_jobs(gather_jobs(args, wheel, score), score)
     for line in left_behind(marker):
         score.add("processes", [("left behind", "fail", line)])
     held.close()
