@@ -46,11 +46,11 @@ class Ended(BaseException):
 
 def command(arguments, run, doc, argv):
     """Run one command in this process, named by sys.argv[0], and return its exit status. Raises KeyboardInterrupt, Ended."""
-    before = _quiet, _verbose, lanes.timeout
+    before = _quiet, _verbose, lanes.session
     interrupts.begin()
     try:
         args = options.parser(arguments, doc, os.path.basename(sys.argv[0])).parse_args(argv)
-        _settle(args.quiet, args.verbose, args.timeout)
+        _settle(args.quiet, args.verbose, lanes.Session(args.timeout))
         return run(args) or (errors.Partial.status if _left_out else 0)
     except errors.Error as e:
         return complain(e)
@@ -88,12 +88,10 @@ def ignore_hangup():
     signal.signal(signal.SIGHUP, lambda *_: None)
 
 
-def _settle(quiet, verbose, timeout):
+def _settle(quiet, verbose, session):
     global _quiet, _verbose
-    _quiet, _verbose, lanes.timeout = quiet, verbose, timeout
+    _quiet, _verbose, lanes.session = quiet, verbose, session
     _left_out.clear()
-    lanes.silent.clear()  # in rtsh: what was silent for one command is asked again by the next
-    lanes.slots = lanes.Slots()
 
 
 class _Closed(io.TextIOBase):

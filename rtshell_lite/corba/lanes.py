@@ -19,18 +19,12 @@ LANES = 4  # calls in flight per process: kind to real-time processes, and below
 GRACE = 0.2  # the ORB's own deadline comes first and knows more; ours is for what it does not bound (name look-ups)
 TICK = 0.1
 
-timeout = 3.0  # seconds a peer may stay silent; set once by cli from --timeout
-end = None  # time.monotonic() after which nobody is asked any more, None for no such time: set by who promises a bound
-shortage = None  # the errors.Shortage that let a connection fail here, once there was one: who was called is not to blame
 NO_TIME = "there was no time left to ask it"
 
 # A remote call to be made: `endpoint` of the process that answers, (host, port) or anything hashable; `where`, the path of
 # the object, or a text, for errors; `call`, a function without arguments.
 Job = collections.namedtuple("Job", "endpoint where call")
 
-# When which process was found silent, and the words for it. For as long as the timeout it is not asked again: what comes
-# next in a command, or another component's question about it, must not cost one more timeout.
-silent = {}
 _answered = {}  # when which process answered last
 
 
@@ -42,16 +36,16 @@ class _Peer:
         self.todo = collections.deque()  # numbers of the jobs that nobody has begun
         self.open = {}  # jobs without a value yet, by number
         self.heard = time.monotonic()
-        self.limit = timeout
-        since, why = silent.get(endpoint, (0, None))
-        self.silence = why if time.monotonic() - since < timeout else None  # why the rest of its calls fail
+        self.limit = session.timeout
+        since, why = session.silent.get(endpoint, (0, None))
+        self.silence = why if time.monotonic() - since < session.timeout else None  # why the rest of its calls fail
 
     def fall_silent(self, why, since):
         """Fail the rest of its calls, unless it has answered others `since`: one object may hang while its process does not."""
         if _answered.get(self.endpoint, 0) > since:
             return
         self.silence = why
-        silent[self.endpoint] = time.monotonic(), why
+        session.silent[self.endpoint] = time.monotonic(), why
 
 
 _lane = threading.local()
@@ -60,7 +54,7 @@ _lane = threading.local()
 class Slots:
     """Remote calls in flight at one time, to all processes together: at most `most`, None for as many as there are lanes.
 
-    Each call is made inside `with lanes.slots:`. Waiting there is no silence of the peer.
+    Each call is made inside `with session.slots:`. Waiting there is no silence of the peer.
     """
 
     def __init__(self, most=None):
@@ -75,7 +69,23 @@ class Slots:
             self._free.release()
 
 
-slots = Slots()
+class Session:
+    """How one command asks, and what it has learnt of the processes that it asked.
+
+    timeout   seconds that a peer may stay silent, from --timeout
+    end       time.monotonic() after which nobody is asked any more, None for no such time: set by who promises a bound
+    slots     the Slots that its calls take
+    shortage  the errors.Shortage that let a connection fail here, once there was one: who was called is not to blame
+    silent    {endpoint: (when it was found silent, the words for it)}: for as long as the timeout it is not asked again, as what
+              comes next in a command, or another component's question about it, must not cost one more timeout
+    """
+
+    def __init__(self, timeout=3.0):
+        self.timeout, self.end, self.slots = timeout, None, Slots()
+        self.shortage, self.silent = None, {}
+
+
+session = Session()  # of the command that runs: rtsh runs several, see cli.command
 
 
 def in_lane():
@@ -98,7 +108,7 @@ def alive(limit=None):
     peer = getattr(_lane, "peer", None)
     if peer:
         peer.heard = _lane.since = time.monotonic()
-        peer.limit = limit or timeout
+        peer.limit = limit or session.timeout
 
 
 def answered():
@@ -106,7 +116,7 @@ def answered():
     peer = getattr(_lane, "peer", None)
     if peer:
         peer.heard = _answered[peer.endpoint] = time.monotonic()
-        peer.limit = timeout
+        peer.limit = session.timeout
 
 
 def has_answered():
@@ -116,10 +126,9 @@ def has_answered():
 
 def note_shortage(e, host):
     """Take note of an OSError of a connection to `host` that means that this host, not the other, lacks something."""
-    global shortage
     what = _SCARCE.get(e.errno)
     if what and not (what == "ports" and ":" in host):  # who has no IPv6 has no address for it, either
-        shortage = errors.Shortage(what, os.strerror(e.errno))
+        session.shortage = errors.Shortage(what, os.strerror(e.errno))
 
 
 _SCARCE = {errno.EMFILE: "files", errno.ENFILE: "files", errno.EADDRNOTAVAIL: "ports", errno.ENOBUFS: "memory",
@@ -269,8 +278,8 @@ def _give_up(peers, values, results):
 
 
 def is_over():
-    """True when the time set by `end` is up."""
-    return end is not None and time.monotonic() > end
+    """True when the session's `end` is over."""
+    return session.end is not None and time.monotonic() > session.end
 
 
 class Calls:

@@ -26,9 +26,9 @@ def start():
     with _starting:
         if _started is None:
             _started = _make_orb()
-            _deadline = lanes.timeout
-        elif _deadline != lanes.timeout:  # another command of rtsh, with a --timeout of its own
-            _deadline = lanes.timeout
+            _deadline = lanes.session.timeout
+        elif _deadline != lanes.session.timeout:  # another command of rtsh, with a --timeout of its own
+            _deadline = lanes.session.timeout
             _set_deadline()
     return _started
 
@@ -36,8 +36,8 @@ def start():
 def _make_orb():
     CORBA = import_omniorb()
     arguments = ["rtshell_lite", "-ORBtraceLevel", "0", "-ORBverifyObjectExistsAndType", "0",
-                 "-ORBclientCallTimeOutPeriod", _milliseconds(lanes.timeout),
-                 "-ORBclientConnectTimeOutPeriod", _milliseconds(lanes.timeout),
+                 "-ORBclientCallTimeOutPeriod", _milliseconds(lanes.session.timeout),
+                 "-ORBclientConnectTimeOutPeriod", _milliseconds(lanes.session.timeout),
                  "-ORBgiopMaxMsgSize", str(32 << 20)]
     own = [a for a in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if a]
     try:
@@ -56,8 +56,8 @@ def version():
 
 def _set_deadline():
     import omniORB
-    omniORB.setClientCallTimeout(int(_milliseconds(lanes.timeout)))
-    omniORB.setClientConnectTimeout(int(_milliseconds(lanes.timeout)))
+    omniORB.setClientCallTimeout(int(_milliseconds(lanes.session.timeout)))
+    omniORB.setClientConnectTimeout(int(_milliseconds(lanes.session.timeout)))
 
 
 def import_omniorb():
@@ -188,19 +188,19 @@ def call(where, ref, operation, *args, seconds=None):
     if not lanes.in_lane():
         return lanes.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args, seconds=seconds))
     from omniORB import CORBA
-    longer = seconds if seconds and seconds > lanes.timeout else None
+    longer = seconds if seconds and seconds > lanes.session.timeout else None
     if longer:
         import omniORB
         omniORB.setClientCallTimeout(ref, int(_milliseconds(longer)))
     try:
-        with lanes.slots:
+        with lanes.session.slots:
             lanes.alive(longer)
             try:
                 result = answers.invoke(where, ref, operation, args)
             except CORBA.COMM_FAILURE as e:
                 result = _asked_again(e, where, ref, operation, args)
     except CORBA.Exception as e:
-        raise _error(str(where), e, max(seconds or 0, lanes.timeout), ref)
+        raise _error(str(where), e, max(seconds or 0, lanes.session.timeout), ref)
     lanes.answered()
     return result
 
@@ -275,7 +275,7 @@ def _not_connected(where, endpoint):
     """
     import socket
     try:
-        socket.create_connection(endpoint, lanes.timeout / PROBING).close()
+        socket.create_connection(endpoint, lanes.session.timeout / PROBING).close()
     except ConnectionRefusedError:
         pass
     except (OSError, ValueError) as e:  # the latter: no name of a host

@@ -247,7 +247,7 @@ class Opened:
         self.ended.set()
         for each in self.connections:
             each.closing.set()
-        end = time.monotonic() + lanes.timeout + GRACE
+        end = time.monotonic() + lanes.session.timeout + GRACE
         for each in [each for each in self.connections if each.begun]:
             each.settled.wait(max(0, end - time.monotonic()))
         self._in_lanes("close", [each for each in self.connections if each.connector])

@@ -135,7 +135,7 @@ class Reader(Connection):
             if self.came.wait(max(0, limit - time.monotonic())):
                 time.sleep(HANDED_OVER)
             return True
-        if not self.idle.wait(0 if isinstance(self.failure, errors.Silent) else lanes.timeout + GRACE):
+        if not self.idle.wait(0 if isinstance(self.failure, errors.Silent) else lanes.session.timeout + GRACE):
             return False
         time.sleep(max(0, self.answered + ANSWERED - time.monotonic()))
         return not isinstance(self.failure, errors.Silent)

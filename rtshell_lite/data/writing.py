@@ -220,7 +220,7 @@ class Writer(Connection):
         A C++ component ends when a connector is removed while it takes a value from us, and may end when it is removed while it
         reads one (2 of 31 rtinjects that Ctrl-C ended, at 50 values a second; InPort::read uses the connector without its lock).
         """
-        if not self.idle.wait(0 if self.unanswered else lanes.timeout + GRACE):
+        if not self.idle.wait(0 if self.unanswered else lanes.session.timeout + GRACE):
             return False
         if self.taken:
             now, rate = time.monotonic(), self.backlog.rate or USUAL

@@ -41,7 +41,7 @@ def _unique(addresses):
 def connect(addresses, port):
     """Open a TCP connection to the first of the IP addresses that takes one, and close it. Raises Unreachable, Silent."""
     def attempt():
-        end, failure = time.monotonic() + lanes.timeout, None
+        end, failure = time.monotonic() + lanes.session.timeout, None
         for address in addresses:
             try:
                 socket.create_connection((address, port), max(0.001, end - time.monotonic())).close()
@@ -57,7 +57,7 @@ def _error(where, e):
     if e.errno == errno.ECONNREFUSED:
         return errors.ConnectionRefused(where)
     if isinstance(e, socket.timeout):
-        return errors.Silent(where, lanes.no_answer(lanes.timeout))
+        return errors.Silent(where, lanes.no_answer(lanes.session.timeout))
     return errors.Unreachable(where, os.strerror(e.errno) if e.errno else str(e))
 
 
@@ -80,7 +80,7 @@ def arrives(endpoint):
     """
     key = b"\0" * LARGE
     question = b"GIOP\1\0\1\3" + struct.pack("<III", len(key) + 8, 1, len(key)) + key
-    patience = LEAST if lanes.is_over() else max(LEAST, lanes.timeout / 2)
+    patience = LEAST if lanes.is_over() else max(LEAST, lanes.session.timeout / 2)
     end = time.monotonic() + patience
     lanes.alive()  # this is no silence of the peer
     try:

@@ -20,20 +20,20 @@ def examine(tops=(), compare=None, seconds=0):
     compare  (RtsProfile, its file as it is given to commands, the state of the components): what the system is to agree with
     seconds  how long rates are measured, which connects to an out port of each active component and leaves it again; 0: not
     """
-    lanes.end = time.monotonic() + STEPS * lanes.timeout
+    lanes.session.end = time.monotonic() + STEPS * lanes.session.timeout
     try:
         for findings in _steps(tops, compare, seconds):
-            if lanes.shortage:
-                raise lanes.shortage
+            if lanes.session.shortage:
+                raise lanes.session.shortage
             yield findings
     except errors.Shortage as e:
         yield [limits.lack(e)]
     except MemoryError:
         yield [limits.lack(errors.Shortage("memory", "no more can be had"))]
     finally:
-        lanes.shortage = None
+        lanes.session.shortage = None
         addresses.arrives.cache_clear()
-        lanes.end = None  # other commands may follow in this process
+        lanes.session.end = None  # other commands may follow in this process
 
 
 def _steps(tops, compare, seconds):
@@ -45,7 +45,7 @@ def _steps(tops, compare, seconds):
     yield from _robot(_name_servers() if everything else tops, seconds, bool(compare))
     if compare:
         from rtshell_lite.doctor import profile
-        lanes.end = max(lanes.end, time.monotonic() + lanes.timeout)
+        lanes.session.end = max(lanes.session.end, time.monotonic() + lanes.session.timeout)
         yield profile.findings(*compare)
 
 
@@ -71,11 +71,11 @@ def _robot(tops, seconds, stated):
 
 def _rates(examined, seconds):
     from rtshell_lite.doctor import rates
-    end, lanes.end = lanes.end, None  # what is connected must be disconnected again, whatever the time
+    end, lanes.session.end = lanes.session.end, None  # what is connected must be disconnected again, whatever the time
     try:
         return rates.measured(examined, seconds)
     finally:
-        lanes.end = end
+        lanes.session.end = end
 
 
 def _same_server(visits):

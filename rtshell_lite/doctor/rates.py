@@ -47,7 +47,7 @@ def measured(all_of_them, seconds):
     begun = time.monotonic()
     while waiting:
         batch, waiting = _batch(waiting)
-        if found and time.monotonic() - begun > lanes.timeout:
+        if found and time.monotonic() - begun > lanes.session.timeout:
             found.update((one.each.where, [_unmeasured(one.each, errors.Silent(one.each.where, lanes.NO_TIME))]) for one in batch)
             continue
         found.update((one.each.where, [finding] + _clock(one)) for one, finding in zip(batch, _watch(batch, seconds)))

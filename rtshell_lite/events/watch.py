@@ -294,12 +294,12 @@ class Watch:
         with interrupts.held():
             with self._guard:
                 self._ended.set()
-            lanes.end = time.monotonic() + HURRY if hurried else None
+            lanes.session.end = time.monotonic() + HURRY if hurried else None
             try:
                 values = lanes.each(self._subscriptions, lambda subscription: subscription.detach(),
                                     lambda subscription: (subscription.node.endpoint, subscription.where))
             finally:
-                lanes.end = None
+                lanes.session.end = None
         unheard = [each.subscription for each in self.watched if not each.is_heard()]
         for subscription, value in zip(self._subscriptions, values):
             if isinstance(value, errors.Silent) and (subscription in unheard or not hurried):

@@ -241,7 +241,7 @@ def change_in(node, ref, transition, wait=None, called="this execution context",
     now = seen(lambda: state_in(node, ref))
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
         raise errors.Refused(str(node.path), f"cannot {transition.name}: {_reason(code, before, now, transition)}")
-    seconds, start = lanes.timeout if wait is None else wait, time.monotonic()
+    seconds, start = lanes.session.timeout if wait is None else wait, time.monotonic()
     _until(node, ref, transition, now, seconds)
     if wait is not None:
         stay(node, ref, transition, start + seconds - time.monotonic())

@@ -204,7 +204,7 @@ def bound(node):
 
 def _iterated(node, iterator, bindings, size):
     """The bindings that came, and those of an iterator, as far as it has an end."""
-    end, more = time.monotonic() + PATIENCE * lanes.timeout, True
+    end, more = time.monotonic() + PATIENCE * lanes.session.timeout, True
     try:
         while more and len(bindings) < MOST and time.monotonic() < end:
             more, batch = orb.call(str(node.path), iterator, "next_n", size)

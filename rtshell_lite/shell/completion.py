@@ -48,12 +48,12 @@ def answers(which, line, typed, meant=lambda words: words):
     line = setup.split(line, which == "fish")
     if line.open or not line.words[0]:
         return []
-    found, before = [], lanes.timeout
+    found, before = [], lanes.session.timeout
     thread = threading.Thread(target=lambda: found.extend(candidates(meant(line.words), line.redirected)), daemon=True)
-    lanes.timeout = min(lanes.timeout, SECONDS)
+    lanes.session.timeout = min(lanes.session.timeout, SECONDS)
     thread.start()
     thread.join(SECONDS)
-    lanes.timeout = before  # in rtsh there is an after
+    lanes.session.timeout = before  # in rtsh there is an after
     return setup.answers(which, line, list(found), typed)
 
 

@@ -82,7 +82,7 @@ def _spoilt(outcomes):
 
 def _roll_back(outcomes):
     """Undo what has been done, the last first."""
-    limit = time.monotonic() + lanes.timeout + lanes.GRACE
+    limit = time.monotonic() + lanes.session.timeout + lanes.GRACE
     while any(each.flying for each in outcomes) and time.monotonic() < limit:  # what is done later could not be undone
         time.sleep(lanes.TICK)
     for each in reversed([each for each in outcomes if each.status in (DONE, UNSURE)]):
@@ -184,7 +184,7 @@ def _carry_out(level, outcomes):
     for each, result in zip(todo, results):
         if isinstance(result, errors.Silent):
             # one call was lost; whether the process answers others decides what is reported
-            lanes.silent.pop(each.step.endpoint, None)
+            lanes.session.silent.pop(each.step.endpoint, None)
     for each, answers in zip(todo, _answers(todo)):
         each.after = answers
     lost = [each for each in todo if not each.step.tolerant and _lost(each.after) and not _lost(each.after, errors.Silent)]

@@ -28,7 +28,7 @@ class Run:
         `wait`: how long a component may take to reach its state, in seconds (default: the timeout).
         """
         self.actions, self.transition, self.progress = actions, transition, progress
-        self.wait = wait or lanes.timeout
+        self.wait = wait or lanes.session.timeout
         self._found = {}  # for each component of the profile, by its id(): (node, _Contexts or None) or an error
         self._asked = set()  # numbers of the actions whose component may have been asked to change
         self._calls = lanes.Calls()

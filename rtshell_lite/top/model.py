@@ -132,7 +132,7 @@ class Top:
 
     def __init__(self, tops, delay):
         orb.start()
-        lanes.slots = lanes.Slots(IN_FLIGHT)
+        lanes.session.slots = lanes.Slots(IN_FLIGHT)
         self.delay = delay
         self._ended = threading.Event()
         self._lock = threading.Lock()
@@ -150,7 +150,7 @@ class Top:
         """Look no more. What is in flight ends by its own deadline."""
         self._ended.set()
         self._calls.close()
-        lanes.slots = lanes.Slots()  # what is still to be done, disconnecting say, does not wait for the hung
+        lanes.session.slots = lanes.Slots()  # what is still to be done, disconnecting say, does not wait for the hung
 
     # ---- what is bound ----
 

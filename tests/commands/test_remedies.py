@@ -134,7 +134,7 @@ class Following(unittest.TestCase):
     def setUpClass(cls):
         worlds.processes.nameserver.binary() or cls.skipTest("needs omniNames")
         cls.around = running.Surroundings()
-        lanes.timeout = 5.0
+        lanes.session.timeout = 5.0
 
     @classmethod
     def tearDownClass(cls):

@@ -22,7 +22,7 @@ SECONDS = 1.0  # how long a mock may stay silent
 
 def setUpModule():
     if worlds.omniORB is not None:
-        lanes.timeout = SECONDS
+        lanes.session.timeout = SECONDS
         orb.start()  # with our settings: the second to ask for an ORB gets the first one's
     worlds.start_name_server()
 
@@ -45,21 +45,21 @@ def connect(*ends, **more):
 
 def captured():
     """The profile of all that runs, with no faults in the way."""
-    lanes.silent.clear()
+    lanes.session.silent.clear()
     found = capture.capture([path.parse("/127.0.0.1:%d" % worlds.Server.port)], all_components=True)
     assert not found.failures, found.failures
     return found.profile
 
 
 def restored(profile, all_or_nothing=False):
-    lanes.silent.clear()
+    lanes.session.silent.clear()
     outcomes = restore.restoring(profile, NOTHING)
     apply.carry_out(outcomes, all_or_nothing)
     return outcomes
 
 
 def torn_down(profile):
-    lanes.silent.clear()
+    lanes.session.silent.clear()
     outcomes, _ = restore.tearing_down(profile, NOTHING)
     apply.carry_out(outcomes)
     return outcomes
@@ -309,7 +309,7 @@ class Faults(Worlds):
             with self.subTest(world=place, operation=operation):
                 self.wreck()
                 self.ctl(self.worlds[place], "fail", operation, str(count), "DIE")
-                lanes.silent.clear()
+                lanes.session.silent.clear()
                 outcomes = restore.restoring(self.saved, NOTHING)
                 apply.carry_out(outcomes)
                 self.assertLessEqual(statuses(outcomes), {"done", "already so", "failed", "not tried"}, told(outcomes))

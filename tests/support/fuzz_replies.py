@@ -240,7 +240,7 @@ def serve():
         sys.stdout = sys.stderr = io.TextIOWrapper(io.BytesIO(), "utf-8", "backslashreplace", line_buffering=True)
         status = cli.command(modules[name].arguments, modules[name].run, modules[name].__doc__, words)
         said, sys.stdout, sys.stderr = sys.stdout.buffer.getvalue().decode("utf-8"), out, sys.__stderr__
-        lanes.silent.clear()
+        lanes.session.silent.clear()
         before = before or _memory()
         out.write(json.dumps({"status": status, "said": said, "grown": _memory() - before}) + "\n")
         out.flush()

@@ -104,7 +104,7 @@ class Arrival(unittest.TestCase):
         addresses.arrives.cache_clear()
 
     def test_what_is_lost(self):
-        with mock.patch.object(addresses, "_unacknowledged", lambda connection: 1), mock.patch.object(lanes, "timeout", 0.1), \
+        with mock.patch.object(addresses, "_unacknowledged", lambda connection: 1), mock.patch.object(lanes.session, "timeout", 0.1), \
                 socket.socket() as listening:
             listening.bind(("127.0.0.1", 0))
             listening.listen(1)
@@ -128,13 +128,13 @@ class Shortages(unittest.TestCase):
 
     def test_a_connection_that_fails_here(self):
         for number, what in ((errno.EMFILE, "files"), (errno.EADDRNOTAVAIL, "ports"), (errno.ENOBUFS, "memory")):
-            with mock.patch.object(lanes, "shortage", None):
+            with mock.patch.object(lanes.session, "shortage", None):
                 lanes.note_shortage(OSError(number, ""), "10.77.0.2")
-                self.assertEqual(lanes.shortage.args[0], what)
-        with mock.patch.object(lanes, "shortage", None):
+                self.assertEqual(lanes.session.shortage.args[0], what)
+        with mock.patch.object(lanes.session, "shortage", None):
             lanes.note_shortage(OSError(errno.ECONNREFUSED, ""), "10.77.0.2")
             lanes.note_shortage(OSError(errno.EADDRNOTAVAIL, ""), "::1")
-            self.assertIsNone(lanes.shortage)
+            self.assertIsNone(lanes.session.shortage)
 
 
 class Waiting(unittest.TestCase):

@@ -9,14 +9,14 @@ from rtshell_lite.corba import lanes
 
 class Gather(unittest.TestCase):
     def setUp(self):
-        self.before, lanes.timeout = lanes.timeout, 0.4
+        self.before, lanes.session.timeout = lanes.session.timeout, 0.4
         self.release = threading.Event()
-        lanes.silent.clear()
+        lanes.session.silent.clear()
         lanes._answered.clear()
 
     def tearDown(self):
         self.release.set()
-        lanes.timeout = self.before
+        lanes.session.timeout = self.before
 
     def job(self, endpoint, call):
         return lanes.Job(endpoint, str(endpoint), call)
@@ -116,7 +116,7 @@ class Gather(unittest.TestCase):
 
     def test_a_process_that_answers_others_is_not_silent(self):
         def hung():
-            self.release.wait(lanes.timeout)
+            self.release.wait(lanes.session.timeout)
             raise errors.Silent("p", "no answer")
 
         def answering():
@@ -139,7 +139,7 @@ class Gather(unittest.TestCase):
             with slots:
                 return "done"
         slots.__enter__()
-        threading.Timer(lanes.timeout + 3 * lanes.GRACE, slots.__exit__).start()
+        threading.Timer(lanes.session.timeout + 3 * lanes.GRACE, slots.__exit__).start()
         self.assertEqual(lanes.gather([self.job("p", call), self.job("q", call)]), ["done", "done"])
 
     def test_at_most_so_many_calls_are_in_slots(self):
@@ -174,8 +174,8 @@ class Gather(unittest.TestCase):
                 time.sleep(0.05)
                 lanes.answered()
         start = time.monotonic()
-        lanes.end = start + 0.3
-        self.addCleanup(setattr, lanes, "end", None)
+        lanes.session.end = start + 0.3
+        self.addCleanup(setattr, lanes.session, "end", None)
         values = lanes.gather([self.job("slow", slow) for _ in range(20)] + [self.job("quick", lambda: "done")])
         self.assertLess(time.monotonic() - start, 0.8)
         self.assertEqual([str(value) for value in values], ["slow: " + lanes.NO_TIME] * 20 + ["done"])

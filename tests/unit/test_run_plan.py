@@ -45,7 +45,7 @@ class Sweep(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.world = worlds.World("robot")
-        lanes.timeout, cls.timeout = TIMEOUT, lanes.timeout
+        lanes.session.timeout, cls.timeout = TIMEOUT, lanes.session.timeout
         worlds.omniORB.setClientCallTimeout(int(1000 * TIMEOUT))  # or calls that hang would use up the connections
         cls.profile = capture.capture([tree.parse("/127.0.0.1:%d" % worlds.Server.port)]).profile
         assert [each.instance_name for each in cls.profile.components] == NAMES
@@ -56,7 +56,7 @@ class Sweep(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
-        lanes.timeout = cls.timeout
+        lanes.session.timeout = cls.timeout
         worlds.omniORB.setClientCallTimeout(8000)
         cls.world.close()
 
@@ -97,7 +97,7 @@ class Sweep(unittest.TestCase):
 
     def forget(self):
         self.ctl("reset")
-        lanes.silent.clear()
+        lanes.session.silent.clear()
 
     def sweep(self, operation, kind):
         for nth in range(1, 20):
