@@ -4,6 +4,7 @@ import os
 
 import setuptools
 
+os.chdir(os.path.dirname(os.path.abspath(__file__)))
 PAGES = {}
 for path in sorted(glob.glob("man/**/rt*.[17]", recursive=True)):
     PAGES.setdefault("share/" + os.path.dirname(path), []).append(path)

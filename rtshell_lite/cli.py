@@ -1,6 +1,6 @@
 """What every command shares: its parser and common options, its exit status, its one line on stderr.
 
-How the commands report many steps or actions, each with an outcome of its own, is in reports.py.
+How the commands report many steps or actions, each with an outcome of its own, is in system/reports.py.
 """
 # Before all else: until main() can catch it, Ctrl-C ends the process without a word, not with a traceback of half an import.
 import _signal  # which `signal` is made of: that one takes longer to import than all that comes before it

@@ -221,7 +221,7 @@ def dotted(identifier):
 def words(descriptor):
     """The IDL spelling of a type inside its module."""
     if not isinstance(descriptor, tuple):
-        return NAMES.get(descriptor, "type %d" % descriptor)
+        return NAMES.get(descriptor, f"type {descriptor}")
     sort = descriptor[0]
     if sort in (STRING, WSTRING):
         return ("string" if sort == STRING else "wstring") + ("<%d>" % bound(descriptor) if bound(descriptor) else "")
@@ -310,10 +310,10 @@ class _Adoption:
             return self.indirection(around(descriptor), depth)
         if sort not in (STRUCT, UNION):
             raise errors.BadType(words(descriptor), "no type for data")
-        hole = [None]
+        hole, before = [None], self.open.get(descriptor[2])
         self.open[descriptor[2]] = hole, self.sequences
         hole[0] = self.structure(descriptor, depth) if sort == STRUCT else self.choice(descriptor, depth)
-        del self.open[descriptor[2]]
+        self.open[descriptor[2]] = before  # of another one of that id, around this one
         return hole[0]
 
     def structure(self, descriptor, depth):
@@ -339,7 +339,7 @@ class _Adoption:
 
     def indirection(self, inner, depth):
         wanted = inner if isinstance(inner, str) else inner[2] if isinstance(inner, tuple) and len(inner) > 2 else None
-        if wanted in self.open:
+        if self.open.get(wanted):
             hole, sequences = self.open[wanted]
             if sequences == self.sequences:
                 raise errors.BadType(dotted(wanted), "contains itself")

@@ -51,16 +51,19 @@ def descriptor(data):
     """The descriptor for the JSON bytes of `plain`'s answer. Raises BadType."""
     if len(data) > LARGEST:
         raise errors.BadType(f"a type of {len(data)} bytes", "is too large")
-    known = {}
     try:
-        raw = _raw(json.loads(data.decode("ascii")), known)
-        return descriptors.adopted(raw, known.get)
+        return descriptors.adopted(_raw(json.loads(data.decode("ascii")), {}))
+    except errors.BadType as e:
+        raise errors.BadType("a type in a file", e.why)
     except (ValueError, TypeError, KeyError, IndexError, RecursionError) as e:
         raise errors.BadType("a type in a file", f"garbled ({type(e).__name__})")
 
 
 def _raw(part, known):
-    """A descriptor in which no more than the sorts of its parts is checked; those of named types go into `known`, by their ids."""
+    """A descriptor in which no more than the sorts of its parts is checked; complete structs, unions and enums go into `known`.
+
+    What is seen within itself stays an indirection, which names it.
+    """
     if isinstance(part, str):
         return _KINDS[part]
     word, *rest = part
@@ -79,21 +82,25 @@ def _alias(known, identifier, name, target):
 
 
 def _enum(known, identifier, name, items):
-    made = descriptors.enum(_text(identifier), descriptors.check_identifier(name), list(map(_text, items)))
-    return known.setdefault(identifier, made)
+    known[identifier] = descriptors.enum(_text(identifier), descriptors.check_identifier(name), list(map(_text, items)))
+    return known[identifier]
 
 
 def _struct(known, identifier, name, members):
+    known.pop(_text(identifier), None)
     parts = [part for member, inner in members for part in (_text(member), _raw(inner, known))]
-    return known.setdefault(_text(identifier), (STRUCT, None, identifier, _text(name), *parts))
+    known[identifier] = (STRUCT, None, identifier, _text(name), *parts)
+    return known[identifier]
 
 
 def _union(known, identifier, name, discriminator, default, cases):
     if not isinstance(default, int) or not -1 <= default < len(cases):
         raise ValueError("default")
+    known.pop(_text(identifier), None)
     switch = _raw(discriminator, known)
     raw = tuple((label, _text(member), _raw(inner, known)) for label, member, inner in cases)
-    return known.setdefault(_text(identifier), (UNION, None, identifier, _text(name), switch, default, raw))
+    known[identifier] = (UNION, None, identifier, _text(name), switch, default, raw)
+    return known[identifier]
 
 
 def _fixed(known, digits, scale):
@@ -107,7 +114,7 @@ _FORMS = {
     "sequence": lambda known, element, bound: (SEQUENCE, _raw(element, known), bound),
     "array": lambda known, element, length: (ARRAY, _raw(element, known), length),
     "object": lambda known, identifier, name: (OBJECT, _text(identifier), _text(name)), "fixed": _fixed,
-    "see": lambda known, identifier: (INDIRECT, [_text(identifier)]),
+    "see": lambda known, identifier: known.get(_text(identifier)) or (INDIRECT, [identifier]),
 }
 
 

@@ -34,7 +34,7 @@ class Site:
         return port
 
     def look_at(self, name):
-        """An lanes.Job that asks the component for its port called `name`. Raises NoSuch."""
+        """A lanes.Job that asks the component for its port called `name`. Raises NoSuch."""
         where = str(self.path.with_port(name))
         if self.found is None:
             return lanes.Job(self.node.endpoint, where, lambda: self.named(ports.ports(self.node), name))

@@ -1,4 +1,4 @@
-rttop without a terminal, or with -n, prints pages. The live page is tried in tests/test_rttop.py.
+rttop without a terminal, or with -n, prints pages. The live page is tried in tests/commands/test_rttop.py.
 
 world: robot
 world: error --context err.host_cxt/%n.rtc

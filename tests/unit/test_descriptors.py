@@ -4,6 +4,7 @@ import unittest
 from rtshell_lite import errors
 from rtshell_lite.corba import descriptors
 from rtshell_lite.corba.descriptors import CHAR, ENUM, INDIRECT, SEQUENCE, STRUCT
+from rtshell_lite.data import type_json
 
 LONG = next(kind for kind, words in descriptors.NAMES.items() if words == "long")
 
@@ -29,6 +30,31 @@ class Adopted(unittest.TestCase):
             with self.assertRaises(errors.BadType) as caught:
                 descriptors.adopted(struct(*members))
             self.assertEqual(str(caught.exception), "Node: contains itself")
+
+    def test_one_of_the_same_id_around(self):
+        inner = struct(("value", LONG))
+        found = descriptors.adopted(struct(("children", (SEQUENCE, inner, 0)), ("more", (SEQUENCE, itself(), 0))))
+        self.assertIs(dict(descriptors.members(found))["more"][1][1][0], found)
+
+    def test_an_indirection_too_deep_is_named(self):
+        nested = itself()
+        for _ in range(descriptors.DEEPEST):
+            nested = (SEQUENCE, nested, 0)
+        with self.assertRaisesRegex(errors.BadType, "too deep"):
+            descriptors.adopted(struct(("value", nested)))
+
+
+class FromFiles(unittest.TestCase):
+    def test_a_later_definition_of_an_id_is_not_the_earlier_one(self):
+        found = type_json.descriptor(b'["struct", "A", "a", [["x", ["struct", "B", "b", [["k", "long"]]]],'
+                                     b' ["y", ["struct", "B", "c", [["m", "short"]]]], ["z", ["see", "B"]]]]')
+        names = [[name for name, _ in descriptors.members(inner)] for _, inner in descriptors.members(found)]
+        self.assertEqual(names, [["k"], ["m"], ["m"]])
+
+    def test_what_comes_later_cannot_be_seen(self):
+        with self.assertRaisesRegex(errors.BadType, "a type in a file: is used, but nowhere defined"):
+            type_json.descriptor(b'["struct", "A", "a", [["x", ["sequence", ["see", "B"], 0]],'
+                                 b' ["y", ["struct", "B", "b", [["k", "long"]]]]]]')
 
 
 class Labels(unittest.TestCase):
