@@ -12,15 +12,14 @@ import unittest
 
 import invocations
 import running
-from mock_components import wicked
 from rtshell_lite import path, text
 
-ONCE = "what is printed does not depend on the Python"
-
 try:
-    import omniORB  # noqa: F401: the commands need it
+    from mock_components import wicked
 except ImportError:
     raise unittest.SkipTest("needs omniORBpy")
+
+ONCE = "what is printed does not depend on the Python"
 
 KEYS = list(wicked.STRINGS)
 FATAL = set(invocations.stated("fatal")) | {"rtmgr"}  # after these the world is another
