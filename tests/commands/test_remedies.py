@@ -13,8 +13,8 @@ import sys
 import time
 import unittest
 
-import worlds
 import running
+import worlds
 
 try:
     import omniORB  # noqa: F401: the commands need it

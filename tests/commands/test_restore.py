@@ -3,8 +3,8 @@ import random
 import time
 import unittest
 
-import worlds
 import running
+import worlds
 from mock_components import asking
 from rtshell_lite import errors, path
 from rtshell_lite.corba import lanes, orb

@@ -11,8 +11,8 @@ import termios
 import time
 import unittest
 
-import worlds
 import processes
+import worlds
 from worlds import Server, World
 
 COMMANDS = os.path.dirname(shutil.which("rtsh") or os.path.join(processes.ROOT, "bin", "rtsh"))

@@ -8,8 +8,8 @@ import tempfile
 import time
 import unittest
 
-import worlds
 import processes
+import worlds
 from worlds import Server, World, eventually
 
 ONCE = "a terminal is the same for every Python"

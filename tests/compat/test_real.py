@@ -16,8 +16,8 @@ import threading
 import time
 import unittest
 
-import worlds
 import real
+import worlds
 from rtshell_lite.data import reading
 from rtshell_lite.robot import ports
 

@@ -19,8 +19,8 @@ import time
 import unittest
 
 import invocations
-import worlds
 import running
+import worlds
 from rtshell_lite import errors
 from rtshell_lite.datalog import logfile
 from rtshell_lite.xmlprofile import rtsprofile

@@ -4,8 +4,8 @@ import threading
 import time
 import unittest
 
-import worlds
 import processes
+import worlds
 from worlds import connector, eventually, outcome, raised, value
 
 ONCE = "mocks are used by the transcripts on every Python"

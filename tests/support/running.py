@@ -16,9 +16,9 @@ import threading
 import time
 import zlib
 
-import worlds
 import processes
 import session
+import worlds
 
 TIMEOUT = 0.8           # --timeout of the commands
 SLACK = 0.5             # seconds more than that may pass; waiting for a processor is not counted

@@ -5,8 +5,8 @@ import subprocess
 import tempfile
 import unittest
 
-import worlds
 import processes
+import worlds
 
 try:
     import omniORB  # noqa: F401

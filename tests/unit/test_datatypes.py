@@ -6,9 +6,9 @@ import sys
 import tempfile
 import unittest
 
-import worlds
 import processes
 import random_values
+import worlds
 from rtshell_lite import errors, path
 from rtshell_lite.corba import descriptors, orb
 from rtshell_lite.data import datatypes, fixed_size, values

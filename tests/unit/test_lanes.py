@@ -7,6 +7,23 @@ from rtshell_lite import errors
 from rtshell_lite.corba import lanes
 
 
+class Crowd:
+    """Counts the threads that are within its `with`: `now`, and at `most`."""
+
+    def __init__(self):
+        self.now = self.most = 0
+        self._lock = threading.Lock()
+
+    def __enter__(self):
+        with self._lock:
+            self.now += 1
+            self.most = max(self.most, self.now)
+
+    def __exit__(self, *_):
+        with self._lock:
+            self.now -= 1
+
+
 class Gather(unittest.TestCase):
     def setUp(self):
         self.before, lanes.session.timeout = lanes.session.timeout, 0.4
@@ -77,17 +94,13 @@ class Gather(unittest.TestCase):
         self.assertLessEqual(len(asked), lanes.LANES)
 
     def test_at_most_four_calls_are_in_flight_to_one_process(self):
-        now, most, lock = [0], [0], threading.Lock()
+        crowd = Crowd()
 
         def call():
-            with lock:
-                now[0] += 1
-                most[0] = max(most[0], now[0])
-            self.release.wait(0.002)
-            with lock:
-                now[0] -= 1
+            with crowd:
+                self.release.wait(0.002)
         lanes.gather([self.job("p", call) for _ in range(60)])
-        self.assertLessEqual(most[0], 4)
+        self.assertLessEqual(crowd.most, 4)
 
     def test_answers_restart_the_clock(self):
         def slow():
@@ -143,18 +156,13 @@ class Gather(unittest.TestCase):
         self.assertEqual(lanes.gather([self.job("p", call), self.job("q", call)]), ["done", "done"])
 
     def test_at_most_so_many_calls_are_in_slots(self):
-        slots, now, most, lock = lanes.Slots(2), [0], [0], threading.Lock()
+        slots, crowd = lanes.Slots(2), Crowd()
 
         def call():
-            with slots:
-                with lock:
-                    now[0] += 1
-                    most[0] = max(most[0], now[0])
+            with slots, crowd:
                 self.release.wait(0.002)
-                with lock:
-                    now[0] -= 1
         lanes.gather([self.job(number % 5, call) for number in range(60)])
-        self.assertEqual((most[0], now[0]), (2, 0))
+        self.assertEqual((crowd.most, crowd.now), (2, 0))
 
     def test_many_that_ask_one_silent_process_wait_once(self):
         def outer():
