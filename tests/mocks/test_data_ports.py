@@ -1,6 +1,7 @@
 """Ports of mock components: connecting, disconnecting, data, services and dead peers, as real ones of each
 implementation do it.
 """
+import threading
 import time
 import unittest
 import uuid
@@ -214,12 +215,19 @@ class Ports(flavours.Flavoured):
         world = worlds.World("these", "ConsoleIn:Lone0", "--flavour", self.flavour)
         self.addCleanup(world.close)
         out = world.port("Lone0", "out")
-        for pause in (OVER, 0):
-            code, profile = out.connect(connector([out], dataflow_type="pull", buffer__read__empty_policy="do_nothing"))
+        waits = {"buffer__read__empty_policy": "block", "buffer__read__timeout": "60"}
+        for policy in ({"buffer__read__empty_policy": "do_nothing"}, waits):
+            code, profile = out.connect(connector([out], dataflow_type="pull", **policy))
             ior = value(profile.properties, "dataport.corba_cdr.outport_ior")
-            outcome(worlds.Server.orb.string_to_object(ior)._narrow(Cdr.OutPortCdr).get)
-            time.sleep(pause)
-            dies = not pause and self.language[0] == "C++"
+            source = worlds.Server.orb.string_to_object(ior)._narrow(Cdr.OutPortCdr)
+            before = world.count("get")
+            fetch = threading.Thread(target=outcome, args=[source.get], daemon=True)
+            fetch.start()
+            eventually(lambda: world.count("get") > before, "fetching")
+            if policy is not waits:
+                fetch.join()
+                time.sleep(OVER)
+            dies = policy is waits and self.language[0] == "C++"
             self.assertEqual(raised(out.disconnect, profile.connector_id), "COMM_FAILURE" if dies else None)
 
     def test_duplex(self):
