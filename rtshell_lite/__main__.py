@@ -11,14 +11,17 @@ import sys
 
 # `python3 -m` looks for modules in the working directory first, even for those of Python itself; what is there may be anybody's.
 # What Python has imported before it comes here cannot be helped (README, "Install").
-if not sys.flags.isolated and not getattr(sys.flags, "safe_path", False) and sys.path:
+if __name__ == "__main__" and not sys.flags.isolated and not getattr(sys.flags, "safe_path", False) and sys.path:
     del sys.path[0]
 
-import difflib  # noqa: E402: see above
-import shlex  # noqa: E402
+from rtshell_lite import start
+start.quietly(__name__)
 
-from rtshell_lite import cli, errors  # noqa: E402
-from rtshell_lite.shell import installation  # noqa: E402
+import difflib
+import shlex
+
+from rtshell_lite import cli, errors
+from rtshell_lite.shell import installation
 
 
 def arguments(parser):

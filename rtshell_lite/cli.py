@@ -2,21 +2,14 @@
 
 How the commands report many steps or actions, each with an outcome of its own, is in system/reports.py.
 """
-# Before all else: until main() can catch it, Ctrl-C ends the process without a word, not with a traceback of half an import.
-import _signal  # which `signal` is made of: that one takes longer to import than all that comes before it
-if _signal.getsignal(_signal.SIGINT) == _signal.default_int_handler:
-    try:
-        _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
-    except ValueError:  # not the main thread, so not a command that starts
-        pass
+import _signal  # see start.py
+import errno
+import io
+import os
+import sys
 
-import errno  # noqa: E402: see above
-import io  # noqa: E402
-import os  # noqa: E402
-import sys  # noqa: E402
-
-from rtshell_lite import errors, interrupts, options, text  # noqa: E402
-from rtshell_lite.corba import lanes  # noqa: E402
+from rtshell_lite import errors, interrupts, options, text
+from rtshell_lite.corba import lanes
 
 LAST_WORDS = 1.0  # seconds that output may take after a signal: its reader may have stopped
 
@@ -30,7 +23,7 @@ def main(arguments, run, doc, argv=None):
     """Run one command and exit: `arguments(parser)` declares, `run(args)` does the work and returns the exit status."""
     _prepare_streams()
     try:
-        if _signal.getsignal(_signal.SIGINT) == _signal.SIG_DFL:
+        if _signal.getsignal(_signal.SIGINT) != _signal.SIG_IGN:
             _signal.signal(_signal.SIGINT, interrupts.ctrl_c)
         sys.unraisablehook = interrupts.lost  # from Python 3.8 on
         _leave(command(arguments, run, doc, sys.argv[1:] if argv is None else argv))
@@ -76,16 +69,14 @@ def unwind_when_ended():
 
     The first of them counts: a terminal that closes and systemd send both.
     """
-    import signal
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores SIGHUP
-            signal.signal(number, lambda number, frame: interrupts.strike(Ended(128 + number), ends=True))
+    for number in (_signal.SIGTERM, _signal.SIGHUP):
+        if _signal.getsignal(number) == _signal.SIG_DFL:  # nohup ignores SIGHUP
+            _signal.signal(number, lambda number, frame: interrupts.strike(Ended(128 + number), ends=True))
 
 
 def ignore_hangup():
     """The terminal is gone, and we unwind: its SIGHUP, which comes later to all but the shell, must not cut that short."""
-    import signal
-    signal.signal(signal.SIGHUP, lambda *_: None)
+    _signal.signal(_signal.SIGHUP, lambda *_: None)
 
 
 def _settle(quiet, verbose, session):

@@ -4,6 +4,7 @@ import signal
 import socket
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
@@ -84,6 +85,15 @@ class CtrlC(unittest.TestCase):
             process.stderr.close()
         self.assertEqual((process.returncode, out, err), (130, b"", b""))
         self.assertLess(taken, LIMIT)
+
+    def test_ends_a_command_amid_its_imports_without_a_traceback(self):
+        with tempfile.TemporaryDirectory() as directory:
+            with open(os.path.join(directory, "argparse.py"), "w") as file:
+                file.write("import os, signal\nos.kill(os.getpid(), signal.SIGINT)\n")
+            path = os.pathsep.join([directory, os.environ.get("PYTHONPATH") or processes.ROOT])
+            ran = subprocess.run([sys.executable, "-m", "rtshell_lite", "rtpwd"], env=dict(os.environ, PYTHONPATH=path),
+                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=hear_ctrl_c, timeout=START_LIMIT)
+        self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (-signal.SIGINT, b"", b""))
 
     def test_rtpwd_waits_for_nobody(self):
         ran = subprocess.run([sys.executable, "-m", "rtshell_lite", "rtpwd"], stdout=subprocess.PIPE, timeout=START_LIMIT,
