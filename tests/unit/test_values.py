@@ -277,7 +277,7 @@ class Written(unittest.TestCase):
                 ("RTC.TimedLong({time}, 42", "RTC.TimedLong({time}, 42: column 25: expected ,: the end"),
                 ("RTC.TimedLong({time}; 42)", "RTC.TimedLong({time}; 42): column 21: cannot be read: ; 42)"),
                 ("RTC.TimedLong({time}, 42) + 1", "RTC.TimedLong({time}, 42) + 1: column 27: expected the end: + 1"),
-                ("RTC.TimedLong(data=1, 2)", "RTC.TimedLong(data=1, 2): column 23: a value without a name behind one with a name: 2)"),
+                ("RTC.TimedLong(data=1, 2)", "RTC.TimedLong(data=1, 2): column 23: a value without a name after one with a name: 2)"),
                 ("RTC.TimedLong({time}, 4 2)", "RTC.TimedLong({time}, 4 2): column 25: expected ,: 2)"),
                 ("RTC.TimedLong({time}, '\\q')", "RTC.TimedLong({time}, '\\\\q'): column 23: bad escape: '\\\\q')"),
                 ("", "'': column 1: expected a value: the end"),
