@@ -66,7 +66,7 @@ class PyYAML(unittest.TestCase):
                 data = {"x": data, "y": shared, "z": shared[0], "w": [shared[1], shared[1]]}
             style = styles(rng)
             text = pyyaml.safe_dump(data, **style)
-            if not re.search(r"(^|[\n\r\x85\u2028\u2029{,])[ -]*\? ", text):  # not a key of several lines, or a long one: no profile has any
+            if not re.search(r"(^|[\n\r\x85\u2028\u2029{,])[ -]*\? ", text):  # keys of several lines, and long ones: not in profiles
                 compared += 1
                 self.assertTrue(fields.same(ours(text), theirs(text)), (style, text))
         self.assertGreater(compared, COUNT / 2)
