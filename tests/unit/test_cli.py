@@ -1,4 +1,4 @@
-"""What every command shares, tried on a command of our own: options anywhere, one line a failure, exit statuses."""
+"""What every command shares, tested with a command of our own: options anywhere, a line for each failure, exit statuses."""
 import io
 import os
 import subprocess
@@ -179,7 +179,7 @@ class Command(unittest.TestCase):
 
 class Files(unittest.TestCase):
     def test_two_that_write_to_one_file(self):
-        """The file is what one of them wrote, and nothing else is left."""
+        """The file is the one that either of them wrote, and there are no others."""
         program = ("import sys; from rtshell_lite import files\n"
                    "for _ in range(30): files.write(sys.argv[1], sys.argv[2] * 1000000)")
         with tempfile.TemporaryDirectory() as directory:
@@ -191,7 +191,7 @@ class Files(unittest.TestCase):
                 self.assertIn(file.read(), ("a" * 1000000, "b" * 1000000))
 
     def test_the_longest_names(self):
-        """Names that the file system takes are taken: 255 octets."""
+        """As long as the file system allows: 255 octets."""
         names = ["a" * 255, "b" * 250, "\u00e9" * 127, "\u3042" * 85]
         program = "import sys; from rtshell_lite import files\nfor name in sys.argv[1:]: files.write(name, name)"
         with tempfile.TemporaryDirectory() as directory:
