@@ -93,11 +93,6 @@ def in_lane():
     return hasattr(_lane, "peer")
 
 
-def lane_of(endpoint):
-    """True on a thread that makes the calls to the process at `endpoint`."""
-    return in_lane() and _lane.peer.endpoint == endpoint
-
-
 def become_lane(endpoint):
     """Make the current thread, not the main one, a lane of its own to the process at `endpoint`: for one that goes on asking."""
     _lane.peer = _Peer(endpoint)
@@ -136,10 +131,12 @@ _SCARCE = {errno.EMFILE: "files", errno.ENFILE: "files", errno.EADDRNOTAVAIL: "p
 
 
 def ask(endpoint, where, call):
-    """Run one call and return its value or raise its error.
+    """Run call() in a lane of the process at `endpoint`, which may be this thread, and return its value or raise its error.
 
     From a lane of another process, silence is raised as Unreachable: it says nothing about the process of that lane.
     """
+    if in_lane() and _lane.peer.endpoint == endpoint:
+        return call()
     value, = gather([Job(endpoint, where, call)])
     if isinstance(value, errors.Silent) and in_lane():
         raise errors.Unreachable(*value.args)

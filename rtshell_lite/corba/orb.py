@@ -185,8 +185,11 @@ def call(where, ref, operation, *args, seconds=None):
 
     `seconds` is a longer deadline for an operation that may take its time. Raises Silent, Gone, Unreachable or Refused.
     """
-    if not lanes.in_lane():
-        return lanes.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args, seconds=seconds))
+    return lanes.ask(endpoint(ref), where, lambda: _called(where, ref, operation, args, seconds))
+
+
+def _called(where, ref, operation, args, seconds):
+    """The result of an operation, called on this thread, a lane of the process that answers."""
     from omniORB import CORBA
     longer = seconds if seconds and seconds > lanes.session.timeout else None
     if longer:
@@ -221,11 +224,7 @@ def _asked_again(failure, where, ref, operation, args):
     raise failure
 
 
-def ask(where, ref, operation, *args, seconds=None):
-    """`call` for an object that may live in another process than the one whose lane this is."""
-    if lanes.lane_of(endpoint(ref)):
-        return call(where, ref, operation, *args, seconds=seconds)
-    return lanes.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args, seconds=seconds))
+ask = call
 
 
 def each(refs, function, where=None):
