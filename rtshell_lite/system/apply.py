@@ -1,16 +1,17 @@
 """Carries out a list of steps.
 
-Each is looked at first, done only if it is not so, and looked at again, so that what is reported is what there is. Steps that
-concern one component are done one by one, in their order where that matters, others at the same time.
+Each is looked at first, skipped if it is done already, and looked at again afterwards, so that the report is what there is. Steps
+that concern one component are done one by one, in their order where that matters, others at the same time.
 """
+import collections
 import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes
 from rtshell_lite.robot import tree
-from rtshell_lite.system import steps
+from rtshell_lite.system import sites, steps
 
-DONE, SO, FAILED, UNTRIED = "done", "already so", "failed", "not tried"
+DONE, ALREADY, FAILED, UNTRIED = "done", "already so", "failed", "not tried"
 UNSURE = "uncertain"  # a call was lost, and the look after it, too
 UNDONE, STUCK = "undone", "not undone"
 
@@ -21,7 +22,7 @@ class Outcome:
     def __init__(self, step, status=UNTRIED, error=None):
         self.step, self.status, self.error = step, status, error
         self.before = self.after = None  # the answers to its step's jobs, before it was done and after
-        self.flying = False  # True while it is being done
+        self.running = False  # True while it is being done
         self.likely = False  # True for one that is done now, and that an earlier step may change
 
     @property
@@ -42,24 +43,25 @@ class Outcome:
         """For JSON."""
         step = self.step
         return {"step": step.kind, "path": step.where, "required": step.required, "command": step.command or None,
-                "result": "already" if self.status == SO else self.status,
+                "result": "already" if self.status == ALREADY else self.status,
                 "error": str(self.error) if self.error is not None else None}
 
 
-def check(outcomes):
-    """Look at pending steps without doing any: those that are so, or that cannot be done, are pending no longer.
-
-    What an earlier step may change stays pending.
-    """
-    _look(outcomes)
-    _mark_dead(outcomes)
-    changing = set()
-    for each in outcomes:
-        sites = {id(site) for site in each.step.sites}
-        if each.status == SO and sites & changing:
-            each.status, each.likely = UNTRIED, True
-        if each.pending:
-            changing |= sites
+def judged(step):
+    """The Outcome of a step by what was found of its Sites: done already, to be done, not tried, or failed."""
+    outcome = Outcome(step)
+    if not step.tolerant:
+        outcome.error = step.site_error()
+    if outcome.error is None and all(site.found is not None or site.error is not None for site in step.sites):
+        try:
+            if step.is_done(steps.given(step.found())):
+                outcome.status = ALREADY
+        except errors.Error as e:
+            if any(e is site.error for site in step.sites):  # reported with the component itself
+                outcome.error = e
+            else:
+                outcome.fail(e)
+    return outcome
 
 
 def carry_out(outcomes, all_or_nothing=False):
@@ -83,7 +85,7 @@ def _spoilt(outcomes):
 def _roll_back(outcomes):
     """Undo what has been done, the last first."""
     limit = time.monotonic() + lanes.session.timeout + lanes.GRACE
-    while any(each.flying for each in outcomes) and time.monotonic() < limit:  # what is done later could not be undone
+    while any(each.running for each in outcomes) and time.monotonic() < limit:  # what is done later could not be undone
         time.sleep(lanes.TICK)
     for each in reversed([each for each in outcomes if each.status in (DONE, UNSURE)]):
         each.fail(errors.Failed(each.step.where, "interrupted while it was undone"), STUCK)
@@ -94,7 +96,7 @@ def _roll_back(outcomes):
             undone = not each.step.is_done(_answers([each])[0])
         except errors.Error as e:
             undone, failure = isinstance(e, errors.Gone), failure or e
-        if undone and not each.flying:
+        if undone and not each.running:
             each.status, each.error = UNDONE, None
         else:
             each.fail(failure or errors.Refused(each.step.where, "is as it was made"), STUCK)
@@ -130,7 +132,7 @@ def _answers(outcomes):
     asked = []  # type: list
     for each in outcomes:
         try:
-            asked.append([job for _, job in each.step.jobs()])
+            asked.append(each.step.jobs())
         except errors.Error as e:
             asked.append(e)
     values = iter(lanes.gather([job for jobs in asked if isinstance(jobs, list) for job in jobs]))
@@ -141,8 +143,8 @@ def _look(outcomes):
     """Ask how things are, and return those outcomes that are still to be done."""
     ready, todo = [], []
     for each in outcomes:
-        dead = next((site.error for site in each.step.sites if site.error is not None), None)
-        if dead is not None and not each.step.tolerant:
+        dead = None if each.step.tolerant else each.step.site_error()
+        if dead is not None:
             each.error = dead
         else:
             ready.append(each)
@@ -150,7 +152,7 @@ def _look(outcomes):
         each.before = answers
         try:
             if each.step.is_done(answers):
-                each.status = SO
+                each.status = ALREADY
             else:
                 todo.append(each)
         except errors.Error as e:
@@ -160,19 +162,23 @@ def _look(outcomes):
 
 def _mark_dead(outcomes, others=()):
     """Note at the Sites which of their components have died or fallen silent meanwhile: nothing more is asked of them."""
-    lost = [answer for each in outcomes for answer in (each.before or []) + (each.after or []) + [each.error]]
-    if not any(isinstance(answer, errors.Unreachable) for answer in lost):
+    answers = [answer for each in outcomes for answer in (each.before or []) + (each.after or []) + [each.error]]
+    if not any(isinstance(answer, errors.Unreachable) for answer in answers):
         return
-    sites = {id(site): site for each in list(outcomes) for site in each.step.sites if site.node is not None and site.error is None}
-    endpoints = {site.node.endpoint for site in sites.values()}
-    for each in others:
-        sites.update((id(site), site) for site in each.step.sites
-                     if site.node is not None and site.error is None and site.node.endpoint in endpoints)
-    nodes = tree.look([site.node for site in sites.values()])
-    lost = [type(node.error) is errors.Unreachable for node in nodes]  # a connection, which may have been an old one
-    again = iter(tree.look([site.node for site, unsure in zip(sites.values(), lost) if unsure]))
-    for site, node, unsure in zip(sites.values(), nodes, lost):
-        site.error = next(again).error if unsure else node.error
+    asked = _living_sites(outcomes)
+    endpoints = {site.node.endpoint for site in asked.values()}
+    asked.update((key, site) for key, site in _living_sites(others).items() if site.node.endpoint in endpoints)
+    nodes = tree.look([site.node for site in asked.values()])
+    unsure = [type(node.error) is errors.Unreachable for node in nodes]  # a connection, which may have been an old one
+    again = iter(tree.look([site.node for site, is_unsure in zip(asked.values(), unsure) if is_unsure]))
+    for site, node, is_unsure in zip(asked.values(), nodes, unsure):
+        site.error = next(again).error if is_unsure else node.error
+
+
+def _living_sites(outcomes):
+    """{id of a Site: Site} of those of all steps that can be asked."""
+    return collections.OrderedDict((id(site), site) for each in outcomes for site in each.step.sites
+                                   if site.node is not None and site.error is None)
 
 
 # ---- doing ------------------------------------------------------------------------------------------------------
@@ -202,13 +208,13 @@ def _act(each):
     """Do a step, and note what is known of it if we are interrupted before it is judged."""
     interrupted = errors.Failed(each.step.where, "interrupted while it was done")
     each.fail(interrupted, UNSURE)
-    each.flying = True
+    each.running = True
     try:
         each.step.act(each.before)
         if each.error is interrupted:  # else it was given up, and has been judged
             each.status, each.error = DONE, None
     finally:
-        each.flying = False
+        each.running = False
 
 
 def _job(each, call):
@@ -237,9 +243,9 @@ def _judge(each, failure):
             return
         why = failure or errors.Refused(each.step.where, "was said to be done, but is not so")
     except errors.Error as e:
-        e = next((site.error for site in each.step.sites if steps.is_gone(site.error)), e)
+        e = next((site.error for site in each.step.sites if sites.is_gone(site.error)), e)
         why = e if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Silent) else failure or e
-        if (_lost(each.after) is e or each.step.tolerant) and not steps.is_gone(e):
+        if (_lost(each.after) is e or each.step.tolerant) and not sites.is_gone(e):
             each.fail(errors.Unreachable(each.step.where, f"{e.why}; whether it was done is not known"), UNSURE)
             return
     each.fail(why)

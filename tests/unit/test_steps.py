@@ -18,13 +18,13 @@ class ActiveSet(unittest.TestCase):
 
     def test_the_set_that_was_active_before_is_active_again(self):
         self.step.undo([mock.Mock(active="slow")], [self.after])
-        self.after.activate.assert_called_once_with("slow")
+        self.after.configuration.activate.assert_called_once_with("slow")
 
     def test_where_none_was_active_none_can_be(self):
         with self.assertRaises(errors.Refused) as caught:
             self.step.undo([mock.Mock(active="")], [self.after])
         self.assertIn("had no active configuration set before", str(caught.exception))
-        self.after.activate.assert_not_called()
+        self.after.configuration.activate.assert_not_called()
 
 
 if __name__ == "__main__":
