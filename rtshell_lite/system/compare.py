@@ -42,13 +42,13 @@ class Result:
 
 def compare(profile, state, tell=lambda line: None, extra=False):
     """Do all checks, in order, and return the Result; `tell` gets a line for each. `extra`: what there is beyond the profile."""
-    by_component = sites.of(profile)
-    sites.look(by_component.values(), functools.partial(capture.ask, brief=True))
+    listed = sites.of(profile)
+    sites.look(listed, functools.partial(capture.ask, brief=True))
     result = Result()
-    result.failures = [site.error for site in by_component.values() if _is_silent(site)]
-    result.asked = len(by_component) - len(result.failures)
+    result.failures = [site.error for site in listed if _is_silent(site)]
+    result.asked = len(listed) - len(result.failures)
     seen = set()
-    for step in checks(profile, state, by_component):
+    for step in checks(profile, state, listed):
         for line in _lines(step):
             tell("Checking " + line)
         for difference in _differences(step):
@@ -56,8 +56,8 @@ def compare(profile, state, tell=lambda line: None, extra=False):
                 seen.add(difference.message)
                 result.differences.append(difference)
     if extra:
-        there = [site for site in by_component.values() if site.found is not None]
-        _strangers(by_component.values(), result)
+        there = [site for site in listed if site.found is not None]
+        _strangers(listed, result)
         result.differences += _extra(profile, there)
     return result
 
@@ -70,23 +70,23 @@ def _is_silent(site):
 
 # ---- what is checked ------------------------------------------------------------------------------------------
 
-def checks(profile, state, by_component):
+def checks(profile, state, listed):
     """The steps that are looked at, required ones first: components, connections, configuration, members, states.
 
-    `state` is that in which the components are to be, `by_component` is sites.of the profile.
+    `state` is that in which the components are to be, `listed` is sites.of the profile.
     """
-    by_need = sorted(by_component.values(), key=lambda site: not site.required)
-    site_of = sites.finder(capture.locator(profile), by_component)
+    by_need = sorted(listed, key=lambda site: not site.required)
+    site_of = sites.finder(capture.locator(profile), listed)
     ids = {connector.connector_id for connector in profile.connectors}
     found = []  # type: list
     found += [steps.Present(site) for site in by_need]
     found += sorted([connect_steps.placed(connect_steps.Connect, connector, site_of, ids) for connector in profile.connectors],
                     key=lambda step: not _is_required(step))
-    for site in by_component.values():
+    for site in listed:
         active = site.component.active_configuration_set
         found += [steps.Active(site, active)] if active else []
         found += [steps.Values(site, one.id, steps.wanted_values(one)) for one in site.component.configuration_sets]
-    found += [_Members(site, steps.members(site, site_of)) for site in by_component.values() if site.component.participants]
+    found += [_Members(site, steps.members(site, site_of)) for site in listed if site.component.participants]
     for site in by_need:  # a state for each context; one over all where the file lists none by number
         handles = [context.id for context in site.component.execution_contexts if context.id.isdigit()] or [None]
         found += [_State(site, state, handle) for handle in handles]

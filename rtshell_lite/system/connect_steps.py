@@ -107,7 +107,9 @@ class Connect(Connection):
 
     def __init__(self, connector, ends, ids):
         super().__init__(connector, ends)
-        self.ids, self.given = ids, wanted_properties(connector)
+        self.ids, self.wanted = ids, wanted_properties(connector)
+        self.given = {name: value for name, value in self.wanted.items()
+                      if name != "dataport.data_type" or value.startswith("IDL:")}  # a short name: the ports know the long one
         self.command = connectors.command(self.paths, connector.name, connector.connector_id, self.given)
 
     def leftovers(self, at):
@@ -128,10 +130,13 @@ class Connect(Connection):
             return
         if obstacle:
             yield Difference("ends", None, len(answers), len(having[0][1].ports), obstacle)
-        for name, expected, actual in wrong_properties(self.connector, having[0][1]):
-            yield Difference("property", name, expected, actual, errors.Refused(
-                self.where, f"is connected with {printable(name)}={printable(actual or '')}, not {printable(expected)}; "
-                            "rtdis removes that"))
+        properties = dict(having[0][1].properties)
+        for name, expected in sorted(self.wanted.items()):
+            actual = properties.get(name)
+            if not _agree(name, expected, actual):
+                yield Difference("property", name, expected, actual, errors.Refused(
+                    self.where, f"is connected with {printable(name)}={printable(actual or '')}, not {printable(expected)}; "
+                                "rtdis removes that"))
 
     def _obstacle(self, at, others):
         """The error that says why the Ports `at` cannot be connected, or None; `others` are connectors that join them already."""
@@ -155,24 +160,11 @@ class Connect(Connection):
 
 
 def wanted_properties(connector):
-    """The properties to connect with: those that the profile gives, without references to where ports once were."""
-    wanted = {}
-    for name in capture.DATA_FIELDS:
-        value = getattr(connector, name, "")
-        if value and (name != "data_type" or value.startswith("IDL:")):  # a short name: the ports know the long one
-            wanted["dataport." + name] = value
-    wanted.update((item.name, item.value or "") for item in connector.properties
-                  if item.name and not capture.is_reference(item.name, item.value))
-    return wanted
-
-
-def wrong_properties(connector, running):
-    """(name, value in the profile, value or None) of the properties in which the ports.Connector `running` differs."""
-    wanted = {item.name: item.value or "" for item in connector.properties if not capture.is_reference(item.name, item.value)}
+    """{name: value} of the properties that the profile gives, without references to where ports once were."""
+    wanted = {item.name: item.value or "" for item in connector.properties
+              if item.name and not capture.is_reference(item.name, item.value)}
     wanted.update(("dataport." + name, getattr(connector, name)) for name in capture.DATA_FIELDS if getattr(connector, name, ""))
-    actual = dict(running.properties)
-    return [(name, value, actual.get(name)) for name, value in sorted(wanted.items())
-            if not _agree(name, value, actual.get(name))]
+    return wanted
 
 
 def _agree(name, expected, actual):

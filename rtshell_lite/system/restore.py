@@ -14,27 +14,27 @@ Options = collections.namedtuple("Options", "create manager strict")
 
 def _sites(profile):
     """sites.of a profile. Raises Failed for two components at one place."""
-    by_component, taken = sites.of(profile), {}
-    for site in by_component.values():
+    listed, taken = sites.of(profile), {}
+    for site in listed:
         if site.error is None and taken.setdefault(site.path, site) is not site:
             raise errors.Failed(site.where, "the file has two components here")
-    return by_component
+    return listed
 
 
 # ---- restoring --------------------------------------------------------------------------------------------------
 
 def restoring(profile, options):
     """The apply.Outcomes of the steps that restore a profile, all looked at: what is not pending is done already, or cannot be done."""
-    by_component = _sites(profile)
-    sites.look(by_component.values())
+    listed = _sites(profile)
+    sites.look(listed)
     locate = capture.locator(profile, options.strict)
-    outcomes = [_presence(site) for site in by_component.values()]
+    outcomes = [_presence(site) for site in listed]
     if options.create:
         outcomes = _creations(profile, outcomes, options, locate)
-    site_of = sites.finder(locate, by_component)
-    for site in by_component.values():
+    site_of = sites.finder(locate, listed)
+    for site in listed:
         outcomes += _memberships(site, site_of)
-    for site in by_component.values():
+    for site in listed:
         outcomes += _configurations(site) + _rates(site)
     return outcomes + _connections(profile, site_of)
 
@@ -195,13 +195,13 @@ def tearing_down(profile, options):
 
     Where one end is gone, the others are freed. That no component is there at all is a failure.
     """
-    by_component = _sites(profile)
-    sites.look(by_component.values(), _ports_only)
-    lost = [site for site in by_component.values() if site.error is not None]
-    some = len(lost) < len(by_component) or not by_component
+    listed = _sites(profile)
+    sites.look(listed, _ports_only)
+    lost = [site for site in listed if site.error is not None]
+    some = len(lost) < len(listed) or not listed
     outcomes = [_presence(site) for site in lost if not (some and sites.is_gone(site.error))]
     notes = [str(site.error) for site in lost if some and sites.is_gone(site.error)]
-    site_of = sites.finder(capture.locator(profile, options.strict), by_component)
+    site_of = sites.finder(capture.locator(profile, options.strict), listed)
     for connector in profile.connectors:
         outcomes.append(apply.judged(connect_steps.placed(connect_steps.Disconnect, connector, site_of)))
     if not some:

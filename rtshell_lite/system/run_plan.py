@@ -5,7 +5,7 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb
 from rtshell_lite.robot import component, ports
-from rtshell_lite.system import capture, plan
+from rtshell_lite.system import capture, plan, sites, steps
 from rtshell_lite.text import printable
 
 TICK = 1.0  # seconds that the main thread sleeps at most
@@ -16,7 +16,8 @@ Result = collections.namedtuple("Result", "action outcome error")
 # The execution contexts in which a component is to be changed: {handle: reference}, and those that it owns, in its order.
 _Contexts = collections.namedtuple("_Contexts", "by_handle by_place")
 
-_MISSING = (errors.NotFound, errors.Gone, errors.ProcessGone)
+# What is asked of a component before anything starts.
+_Answer = collections.namedtuple("_Answer", "node profile contexts")
 
 
 class Run:
@@ -67,17 +68,11 @@ class Run:
         """(node, _Contexts) of a component of the profile. Raises what is wrong with it."""
         if isinstance(answer, errors.Error):
             raise answer
-        node, profile, contexts = answer
-        named, found = each.instance_name, profile.instance_name
-        if found != named:
-            raise errors.WrongKind(str(node.path), *["component named " + printable(name) for name in (named, found)])
-        found = capture.component_id(profile)
-        if found != each.id:
-            raise errors.WrongKind(str(node.path), printable(each.id), printable(found))
+        steps.Present(sites.Site(each)).is_done([answer])
         for action in self.actions:
             if action.component is each:
-                _context(node, contexts, action)
-        return node, contexts
+                _context(answer.node, answer.contexts, action)
+        return answer.node, answer.contexts
 
     def find(self, profile):
         """Find the components, and leave what else there is to know about them until it is their turn."""
@@ -206,16 +201,16 @@ class Run:
         return self._failed(action, failure)
 
     def _failed(self, action, error):
-        gone = self.transition is component.DEACTIVATE and isinstance(error, _MISSING)
+        gone = self.transition is component.DEACTIVATE and sites.is_gone(error)
         return Result(action, plan.GONE if gone else plan.FAILED, error)
 
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
 def _ask(node):
-    """(node, Profile, _Contexts). Its ports are asked before its profile (protocol rule: see `component.once_more`)."""
+    """The _Answer of a component. Its ports are asked before its profile (protocol rule: see `component.once_more`)."""
     ports.ports(node)
-    return node, component.profile(node), _contexts(node)
+    return _Answer(node, component.profile(node), _contexts(node))
 
 
 def _contexts(node):

@@ -1,6 +1,4 @@
 """The components that an RtsProfile lists, each with its place and with what one look at the running system found there."""
-import collections
-
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb
 from rtshell_lite.robot import ports, tree
@@ -47,8 +45,8 @@ class Site:
 
 
 def of(profile):
-    """{id of a Component: its Site}, in the order of the file."""
-    return collections.OrderedDict((id(component), Site(component)) for component in profile.components)
+    """The Sites of the components of a profile, in the order of the file."""
+    return [Site(component) for component in profile.components]
 
 
 def look(sites, ask=capture.ask):
@@ -62,8 +60,6 @@ def look(sites, ask=capture.ask):
 
 
 def finder(locate, sites):
-    """A function: the Site of the component that an end or a participant in the profile names, or None. `locate`: see capture."""
-    def site_of(target):
-        component = locate(target)
-        return None if component is None else sites[id(component)]
-    return site_of
+    """A function: the one of `sites` that an end or a participant in the profile names, or None; `locate` is a capture.locator."""
+    by_component = {id(site.component): site for site in sites}
+    return lambda target: by_component.get(id(locate(target)))

@@ -94,7 +94,7 @@ class Present(Step):
     def differences(self, answers):
         profile, wanted = answers[0].profile, self.site.component
         if profile.instance_name != wanted.instance_name:
-            names = [f"component called {printable(name)}" for name in (wanted.instance_name, profile.instance_name)]
+            names = [f"component named {printable(name)}" for name in (wanted.instance_name, profile.instance_name)]
             yield Difference("instance name", None, wanted.instance_name, profile.instance_name,
                              errors.WrongKind(self.where, *names))
         actual = capture.component_id(profile)
