@@ -41,7 +41,10 @@ class Result:
 
 
 def compare(profile, state, tell=lambda line: None, extra=False):
-    """Do all checks, in order, and return the Result; `tell` gets a line for each. `extra`: what there is beyond the profile."""
+    """Do all checks, in order, and return the Result; `tell` is called with a line for each.
+
+    `extra`: report, too, what the system has beyond the profile.
+    """
     listed = sites.of(profile)
     sites.look(listed, functools.partial(capture.ask, brief=True))
     result = Result()
@@ -56,14 +59,13 @@ def compare(profile, state, tell=lambda line: None, extra=False):
                 seen.add(difference.message)
                 result.differences.append(difference)
     if extra:
-        there = [site for site in listed if site.found is not None]
         _strangers(listed, result)
-        result.differences += _extra(profile, there)
+        result.differences += _extra(profile, [site for site in listed if site.found is not None])
     return result
 
 
 def _is_silent(site):
-    """True where it is not known whether a component is there: that is no difference."""
+    """True if it is not known whether a component is there: a failure, not a difference."""
     return site.error is not None and not (
         sites.is_gone(site.error) or isinstance(site.error, (errors.WrongKind, errors.Failed)))
 
@@ -77,11 +79,9 @@ def checks(profile, state, listed):
     """
     by_need = sorted(listed, key=lambda site: not site.required)
     site_of = sites.finder(capture.locator(profile), listed)
-    ids = {connector.connector_id for connector in profile.connectors}
     found = []  # type: list
     found += [steps.Present(site) for site in by_need]
-    found += sorted([connect_steps.placed(connect_steps.Connect, connector, site_of, ids) for connector in profile.connectors],
-                    key=lambda step: not _is_required(step))
+    found += sorted(connect_steps.connecting(profile, site_of), key=lambda step: not _is_required(step))
     for site in listed:
         active = site.component.active_configuration_set
         found += [steps.Active(site, active)] if active else []
@@ -182,7 +182,7 @@ def _differences(step):
 
 
 def _missing(step):
-    """A Difference for a component, or for each end of a connection, that is not there; or for each port that is not there."""
+    """Differences for a component that is missing; for the components, or else the ports, that are missing of a connection."""
     if isinstance(step, steps.Present):
         ends = [(_need(step).capitalize(), step.site, None)]
     elif isinstance(step, connect_steps.Connect):
@@ -200,10 +200,9 @@ def _missing(step):
 
 def _in_words(step, difference):
     """The Difference for a steps.Difference."""
-    path, names = step.where, []
+    path = step.where
     if step.kind == "connect":
-        names = _end_names(step)
-        path = (" to " if difference.what == "property" else " and ").join(names)
+        path = (" to " if difference.what == "property" else " and ").join(_end_names(step))
     name, expected, actual = ["" if value is None else printable(str(value)) for value in difference[1:4]]
     message = MESSAGES[difference.what].format(path=path, set=printable(getattr(step, "set_id", "")), name=name,
                                                expected=expected, actual=actual, member=difference.expected)

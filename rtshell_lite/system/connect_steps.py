@@ -8,15 +8,23 @@ from rtshell_lite.text import printable, shell_word
 
 
 class Incomplete(errors.Refused):
-    """{}: {}"""  # some of its ends have a connection, or some of its ends are others
+    """{}: {}"""  # of a connection that some ends lack, or that joins other ports than it should
 
 
-def placed(kind, connector, site_of, *more):
-    """A step of the kind Connect or Disconnect for a connector in the profile, or Unplaced; `site_of` as sites.finder makes it."""
-    ends = [(site_of(end), capture.port_of(end)) for end in connector.ends]
-    if any(site is None for site, _ in ends):
-        return Unplaced(connector, ends)
-    return kind(connector, ends, *more)
+def connecting(profile, site_of):
+    """A Connect, or Unplaced, for each connector of a profile; `site_of` as sites.finder makes it."""
+    ids = {connector.connector_id for connector in profile.connectors}
+    return _placed(profile, site_of, lambda connector, ends: Connect(connector, ends, ids))
+
+
+def disconnecting(profile, site_of):
+    """A Disconnect, or Unplaced, for each connector of a profile; `site_of` as sites.finder makes it."""
+    return _placed(profile, site_of, Disconnect)
+
+
+def _placed(profile, site_of, kind):
+    placed = [(connector, [(site_of(end), capture.port_of(end)) for end in connector.ends]) for connector in profile.connectors]
+    return [(Unplaced if any(site is None for site, _ in ends) else kind)(connector, ends) for connector, ends in placed]
 
 
 class Unplaced(steps.Step):
@@ -73,14 +81,12 @@ class Connection(steps.Step):
 
         That is the one with the id in the profile, or, where that has none, any that joins the same ports.
         """
-        wanted, having = {orb.identity(port.ref) for port in at}, []
-        for port in at:
-            for connector in port.connectors:
-                same = connector.id == self.connector.connector_id if self.connector.connector_id else wanted <= _joined(connector)
-                if same:
-                    having.append((port, connector))
-                    break
-        return having
+        wanted_id, wanted = self.connector.connector_id, {orb.identity(port.ref) for port in at}
+
+        def is_meant(connector):
+            return connector.id == wanted_id if wanted_id else wanted <= _joined(connector)
+        firsts = [(port, next(filter(is_meant, port.connectors), None)) for port in at]
+        return [(port, connector) for port, connector in firsts if connector is not None]
 
     def disconnect(self, having):
         """Remove the connection from what `having` returned; returns the errors of the ports that fail."""
@@ -119,11 +125,10 @@ class Connect(Connection):
 
     def differences(self, answers):
         having, obstacle = self.having(answers), None
-        counts = {len(connector.ports) for _, connector in having}
         if self.leftovers(answers):
             label = printable(self.connector.connector_id)
             obstacle = Incomplete(self.where, f"connection {label} is there, but not complete")
-        if len(having) < len(answers) or obstacle and counts == {len(answers)}:
+        if len(having) < len(answers) or obstacle and len(having[0][1].ports) == len(answers):
             others = ports.joining(answers) if len(answers) > 1 else []
             yield Difference("connection", None, self.connector.connector_id or None, others[0].id if others else None,
                              obstacle or self._obstacle(answers, others))

@@ -24,7 +24,7 @@ def _sites(profile):
 # ---- restoring --------------------------------------------------------------------------------------------------
 
 def restoring(profile, options):
-    """The apply.Outcomes of the steps that restore a profile, all looked at: what is not pending is done already, or cannot be done."""
+    """The apply.Outcomes of the steps that restore a profile: pending, done already, or known not to be possible."""
     listed = _sites(profile)
     sites.look(listed)
     locate = capture.locator(profile, options.strict)
@@ -42,73 +42,72 @@ def restoring(profile, options):
 def _presence(site):
     """Whether a component is there, and the one that is meant; nothing can be done with any other."""
     outcome = apply.judged(steps.Present(site))
-    site.error = outcome.error
-    if site.error is not None:
+    if outcome.error is not None:
+        site.error = outcome.error
         outcome.fail(site.error)
     return outcome
 
 
 def _creations(profile, outcomes, options, locate):
-    """The outcomes with a Create in the place of each component that is missing."""
-    named, holders = _named_managers(profile, options, locate), {}
-    made = []
+    """The outcomes of `_presence`, with a Create in the place of each component that is missing."""
+    named, holders = _named_managers(profile, locate), {}
+    result = []
     for outcome in outcomes:
-        site = outcome.step.sites[0]
-        if not sites.is_gone(site.error):
-            made.append(outcome)
-            continue
-        word = named.get(id(site.component)) or _above(site.path) or options.manager
-        try:
-            if not word:
-                raise errors.Failed(site.where, "is not there, and nothing names a manager to create it (see --manager)")
-            if word not in holders:
-                holders[word] = Holder(word)
-            holder = holders[word]
-            outcome = apply.Outcome(steps.Create(site, holder, holder.identity(site.component.id)))
-            site.error = None
-        except errors.Error as e:
-            outcome = apply.Outcome(outcome.step, apply.FAILED, e)
-            site.error = e
-        made.append(outcome)
-    return made
+        site = outcome.step.site
+        if sites.is_gone(site.error):
+            manager_path = named.get(id(site.component)) or _above(site.path) or options.manager
+            try:
+                if not manager_path:
+                    raise errors.Failed(site.where, "is not there, and nothing names a manager to create it (see --manager)")
+                if manager_path not in holders:
+                    holders[manager_path] = Holder(manager_path)
+                holder = holders[manager_path]
+                outcome = apply.Outcome(steps.Create(site, holder, holder.identity(site.component.id)))
+                site.error = None
+            except errors.Error as e:
+                site.error = e
+                outcome.fail(e)
+        result.append(outcome)
+    return result
 
 
 class Holder:
-    """A manager that is to create components; in Create it is beside their Sites. Raises what `manager.find` raises."""
+    """A manager that is to create components; a Create lists it among its Sites. Raises what `manager.find` raises."""
 
     required, error, found = True, None, None
 
-    def __init__(self, word):
-        manager.check(word)
-        self.node = manager.find(word)
+    def __init__(self, path):
+        manager.check(path)
+        self.node = manager.find(path)
         self.where = str(self.node.path)
         self.factories = manager.modules(self.node, "get_factory_profiles")
 
     def identity(self, component_id):
-        """What it knows a component by: profiles have the type's name in their ids, factories the implementation's."""
-        for each in self.factories:
-            if component_id == ":".join(["RTC"] + [each.get(key, "") for key in ("vendor", "category", "type_name", "version")]):
-                return manager.component_id(each)
+        """The id by which it creates a component: profiles have the type's name in their ids, factories the implementation's."""
+        for factory in self.factories:
+            if component_id == ":".join(["RTC"] + [factory.get(key, "") for key in ("vendor", "category", "type_name", "version")]):
+                return manager.component_id(factory)
         return component_id
 
 
-def _named_managers(profile, options, locate):
+def _named_managers(profile, locate):
     """{id of a Component: path of the manager that the profile names for it}."""
-    found = {}
-    targets = [end for each in profile.connectors for end in each.ends]
-    for target in targets + [one.component for each in profile.components for one in each.participants]:
-        each, uri = locate(target), target.property(capture.PATH_ID)
-        if each is not None and uri:
-            found.setdefault(id(each), _above(relocate.path_in(uri)))
-    for each in profile.components:
-        own = each.property(relocate.MANAGER)
+    managers = {}
+    targets = [end for connector in profile.connectors for end in connector.ends]
+    targets += [participant.component for component in profile.components for participant in component.participants]
+    for target in targets:
+        component, uri = locate(target), target.property(capture.PATH_ID)
+        if component is not None and uri:
+            managers.setdefault(id(component), _above(relocate.path_in(uri)))
+    for component in profile.components:
+        own = component.property(relocate.MANAGER)
         if own:
-            found[id(each)] = own if own.startswith("corbaloc:") else "/" + own.lstrip("/")
-    return found
+            managers[id(component)] = own if own.startswith("corbaloc:") else "/" + own.lstrip("/")
+    return managers
 
 
 def _above(where):
-    """The path of the manager below which a Path says that its component is, or None."""
+    """The path of the manager above the Path of a component, or None."""
     above = where.parent()
     return str(above) if above.names and above.names[-1].kind == "mgr" else None
 
@@ -140,7 +139,7 @@ def _configurations(site):
 
 
 def _rates(site):
-    """Whether the execution contexts that a component owns have their rates; those that it has not are passed over."""
+    """Whether the execution contexts that a component owns have their rates; contexts that it does not own are skipped."""
     owned = [context.handle for context in site.found.owned] if site.found else None
     outcomes = []
     for index, wanted in enumerate(site.component.execution_contexts):
@@ -157,16 +156,20 @@ def _rates(site):
 
 def _connections(profile, site_of):
     """Whether the connections are there; what is left of one that has lost an end is removed first."""
-    ids = {connector.connector_id for connector in profile.connectors}
-    made = [[apply.judged(connect_steps.placed(connect_steps.Connect, connector, site_of, ids))]
-            for connector in profile.connectors]
-    broken = [(outcomes, _strange_ends(outcomes[0].step)) for outcomes in made
-              if isinstance(outcomes[0].error, connect_steps.Incomplete)]
-    answers = iter(orb.each([ref for _, refs in broken for ref in refs], lambda ref: orb.is_alive("", ref)))
-    for outcomes, refs in broken:
-        found = [next(answers) for _ in refs]
-        _mend(outcomes, any(isinstance(answer, errors.Silent) or not isinstance(answer, errors.Error) for answer in found))
-    return [outcome for outcomes in made for outcome in outcomes]
+    outcomes = [apply.judged(step) for step in connect_steps.connecting(profile, site_of)]
+    broken = [outcome for outcome in outcomes if isinstance(outcome.error, connect_steps.Incomplete)]
+    strange = [_strange_ends(outcome.step) for outcome in broken]
+    answers = iter(orb.each([ref for refs in strange for ref in refs], lambda ref: orb.is_alive("", ref)))
+    for outcome, refs in zip(broken, strange):
+        ends = [next(answers) for _ in refs]
+        if any(isinstance(answer, errors.Silent) or not isinstance(answer, errors.Error) for answer in ends):
+            outcome.fail(errors.Refused(outcome.step.where, "connection %s joins other ports; rtdis removes it" % (
+                printable(outcome.step.connector.connector_id))))
+        else:
+            outcome.status, outcome.error = apply.UNTRIED, None
+            removal = apply.judged(connect_steps.Disconnect(outcome.step.connector, outcome.step.ends))
+            outcomes.insert(outcomes.index(outcome), removal)
+    return outcomes
 
 
 def _strange_ends(step):
@@ -175,17 +178,6 @@ def _strange_ends(step):
     known = {orb.identity(port.ref) for port in at}
     refs = {orb.identity(ref): ref for _, connector in step.leftovers(at) for ref in connector.ports if ref is not None}
     return [ref for key, ref in sorted(refs.items()) if key not in known]
-
-
-def _mend(outcomes, in_use):
-    """Put the removal of what is left of a connection before it, or let it fail where the rest is in use."""
-    step = outcomes[0].step
-    if in_use:
-        outcomes[0].fail(errors.Refused(step.where, "connection %s joins other ports; rtdis removes it" % (
-            printable(step.connector.connector_id))))
-        return
-    outcomes[0].status, outcomes[0].error = apply.UNTRIED, None
-    outcomes.insert(0, apply.judged(connect_steps.Disconnect(step.connector, step.ends)))
 
 
 # ---- tearing down -----------------------------------------------------------------------------------------------
@@ -202,8 +194,7 @@ def tearing_down(profile, options):
     outcomes = [_presence(site) for site in lost if not (some and sites.is_gone(site.error))]
     notes = [str(site.error) for site in lost if some and sites.is_gone(site.error)]
     site_of = sites.finder(capture.locator(profile, options.strict), listed)
-    for connector in profile.connectors:
-        outcomes.append(apply.judged(connect_steps.placed(connect_steps.Disconnect, connector, site_of)))
+    outcomes += [apply.judged(step) for step in connect_steps.disconnecting(profile, site_of)]
     if not some:
         for outcome in outcomes:
             if outcome.status == apply.ALREADY:
