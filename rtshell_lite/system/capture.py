@@ -99,7 +99,7 @@ def capture(tops=(), all_components=False, with_states=False):
 def components(tops=()):
     """(component nodes, each object once, by its first path; errors; notes) below the Paths (none: all name servers).
 
-    Components below managers are passed over: they are bound in a name server, too.
+    Components below managers are skipped: they are bound in a name server, too.
     """
     orb.start()
     parts, failures = errors.parted(tree.at_each(
