@@ -5,12 +5,11 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.doctor import networks, remedies, services
 from rtshell_lite.doctor.finding import fail, reason, warn
-from rtshell_lite.robot import connectors, ports, tree
-from rtshell_lite.robot.places import Places
+from rtshell_lite.robot import connectors, places, ports
 from rtshell_lite.system import capture
 from rtshell_lite.text import printable
 
-# One connection as its first end has it: the components.Examined `each`, its ports.Port, the ports.Connector.
+# One connection as its first end has it: the snapshot.Snapshot `each`, its ports.Port, the ports.Connector.
 Link = collections.namedtuple("Link", "each port connector")
 
 # What an end turned out to be: `port` its ports.Port, or None and the errors.Error `error`; `name` what to call it. The Port
@@ -26,7 +25,7 @@ def findings(all_of_them):
     A connection that some end does not know, or knows otherwise, is looked at twice: it may be changing just now.
     """
     links, ends = _links(all_of_them), _ends(all_of_them)
-    ends.update(_elsewhere(links, ends, all_of_them))
+    ends.update(_elsewhere(all_of_them))
     found = []
     for link in links:
         troubles = _troubles(link, ends)
@@ -60,37 +59,18 @@ def _ends(all_of_them):
     return found
 
 
-def _elsewhere(links, ends, all_of_them):
+def _elsewhere(all_of_them):
     """{identity: End} of ports that belong to no component that was examined, or to one that did not answer."""
     silent = {each.node.endpoint: each.error for each in all_of_them if isinstance(each.error, errors.Silent)}
-    wanted, found = collections.OrderedDict(), {}
-    for link in links:
-        for ref in link.connector.ports:
-            if ref is None or orb.identity(ref) in ends:
-                continue
-            if orb.endpoint(ref) in silent:
-                found[orb.identity(ref)] = End(None, silent[orb.endpoint(ref)], orb.at_address(ref))
-            else:
-                wanted.setdefault(orb.identity(ref), (link, ref))
-    places = Places(links[0].each.node) if links else None
-    for (identity, (_, ref)), answer in zip(wanted.items(), orb.each([ref for _, ref in wanted.values()], _ask)):
-        failed = isinstance(answer, errors.Error)
-        found[identity] = End(None, answer, orb.at_address(ref)) if failed else _stranger(answer, places)
-    return found
+    ends = places.far_ends([port for each in all_of_them for port in each.ports], silent)
+    return {identity: End(end.port, end.error, _name(end, identity)) for identity, end in ends.items()}
 
 
-def _ask(ref):
-    """The Port behind a reference, as one of an object that is bound nowhere."""
-    return ports.port(tree.Node(orb.at_address(ref), "component", ref), ref)
-
-
-def _stranger(port, places):
-    """The End for a Port of a component that was not examined."""
-    path = port.owner and places.path(port.name.rpartition(".")[0], port.owner)
-    if path is None:
-        return End(port._replace(node=None), None, f"{printable(port.name)} at {orb.at_address(port.ref)}, bound nowhere,")
-    port = port._replace(node=tree.Node(path, "component", port.owner))
-    return End(port, None, ports.label(port))
+def _name(end, identity):
+    address = "%s:%d" % (printable(identity[0]), identity[1])
+    if end.port is None:
+        return address
+    return ports.label(end.port) if end.port.node else f"{printable(end.port.name)} at {address}, bound nowhere,"
 
 
 def _again(link, ends):
@@ -98,7 +78,7 @@ def _again(link, ends):
     asked = [(orb.identity(ref), ref) for ref in link.connector.ports
              if ref is not None and ends[orb.identity(ref)].port is not None]
     own = link.port
-    for (identity, _), answer in zip(asked, orb.each([ref for _, ref in asked], _ask)):
+    for (identity, _), answer in zip(asked, places.ask([ref for _, ref in asked])):
         before = ends[identity]
         if isinstance(answer, errors.Error):
             ends[identity] = End(None, answer, before.name)

@@ -20,9 +20,9 @@ EXPORTED = "exported_ports"  # parameter of a composite's set `default`: a comma
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
-def owned(node):
+def owned(node, with_members=True):
     """The Organisations that a composite component owns, with their members, each of which is asked for its name."""
-    return [_organisation(node, ref) for ref in owned_refs(node)]
+    return [_organisation(node, ref) if with_members else Organisation("", ref, []) for ref in owned_refs(node)]
 
 
 def owned_refs(node):
@@ -53,16 +53,16 @@ def _organisation(node, ref):
 
 def member_paths(node, found):
     """Where the members of an Organisation are bound, as text; `Unknown (…)` for those that are nowhere or dead."""
-    places = Places(node)
-    return [_path_text(places, name, ref) for name, ref in found.members]
+    places = Places()
+    return [_path_text(places, name, ref, node) for name, ref in found.members]
 
 
-def _path_text(places, name, ref):
+def _path_text(places, name, ref, node):
     if isinstance(name, (errors.Gone, errors.ConnectionRefused)):
         return "Unknown (it is gone)"
     if isinstance(name, errors.Error):
         return f"Unknown ({name.why})"
-    path = places.path(name, ref)
+    path = places.path(name, ref, node)
     return str(path) if path else f"Unknown ({printable(name)})"
 
 
@@ -71,14 +71,14 @@ def composites(node, contexts):
 
     They are among the owners of `contexts`, the component.Contexts that it takes part in.
     """
-    places, found = Places(node), {}
+    places, found = Places(), {}
     for owner in [context.owner for context in contexts if context.owner is not None]:
         above = tree.Node(node.path, "component", owner)
         try:
             name = from_wire(above.call("get_sdo_id"))
             for ref in owned_refs(above):
                 one = from_wire(orb.ask(node.path, ref, "get_organization_id"))
-                found[one] = (name, _path_text(places, name, owner))
+                found[one] = (name, _path_text(places, name, owner, node))
         except errors.Unreachable:
             continue  # dead or silent: unknown
     return found

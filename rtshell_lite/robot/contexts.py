@@ -17,19 +17,18 @@ def entries(node, only=None):
 
     The Context of an Entry is None where it belongs to another component, which does not answer.
     """
-    owned, participating = component.context_refs(node)
-    chosen = list(enumerate(owned + participating))
     if only is not None:
-        chosen = [(only, component.context_ref(node, only))]
-    found = []
-    for index, ref in chosen:
-        context, = component.contexts(node, [ref])
-        if context is None:
-            found.append(Entry(index, None, "Unknown", "", []))
-            continue
-        found.append(Entry(index, context, component.states(node, [ref])[0], _name(node, context.owner),
-                           [_name(node, each) for each in context.participants]))
-    return found
+        return [_entry(node, only, component.context_ref(node, only))]
+    owned, participating = component.context_refs(node)
+    return [_entry(node, index, ref) for index, ref in enumerate(owned + participating)]
+
+
+def _entry(node, index, ref):
+    context = component.elsewhere(node, ref, lambda: component.context(node, ref), None)
+    if context is None:
+        return Entry(index, None, "Unknown", "", [])
+    return Entry(index, context, component.states(node, [ref])[0], _name(node, context.owner),
+                 [_name(node, each) for each in context.participants])
 
 
 def _name(node, ref):

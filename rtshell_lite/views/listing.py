@@ -76,20 +76,21 @@ def _asked_once(node):
 
 def figures(node):
     """The Figures of one component."""
-    from rtshell_lite.robot import component, ports  # not needed, and not loaded, for names alone
-    owned, participating = component.context_refs(node)  # shows whether the component itself is there
+    from rtshell_lite.robot import component, snapshot  # not needed, and not loaded, for names alone
+    shown = snapshot.Snapshot(node)
     try:
-        state = component.merged(component.states(node, owned + participating))
-        found = ports.ports(node, brief=True)
+        shown.ask(ports=snapshot.BRIEF, owned=snapshot.REFERENCES, participating=snapshot.REFERENCES, states=snapshot.FULL)
     except (errors.Gone, errors.ConnectionRefused) as e:
-        # a port or context passed on that something behind it is gone; the component has answered
+        if not shown.answered:
+            raise
+        # a port or context passed on that something behind it is gone
         why = "one of them is gone" if isinstance(e, errors.Gone) else "connection refused"
         raise errors.Unreachable(str(node.path), f"does not say its ports or states ({why})")
     counts = []
     for _, kind in COUNTED:
-        of_kind = [each for each in found if kind in (None, each.type)]
-        counts.append((len(of_kind), sum(bool(each.connectors) for each in of_kind)))
-    return Figures(state, counts)
+        of_kind = [port for port in shown.ports if kind in (None, port.type)]
+        counts.append((len(of_kind), sum(bool(port.connectors) for port in of_kind)))
+    return Figures(component.merged(shown.states), counts)
 
 
 def short(node, paint, name=None):
