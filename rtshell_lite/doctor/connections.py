@@ -12,10 +12,6 @@ from rtshell_lite.text import printable
 # One connection as its first end has it: the snapshot.Snapshot `each`, its ports.Port, the ports.Connector.
 Link = collections.namedtuple("Link", "each port connector")
 
-# What an end turned out to be: `port` its ports.Port, or None and the errors.Error `error`; `name` what to call it. The Port
-# of a component that is bound nowhere has no `node`.
-End = collections.namedtuple("End", "port error name")
-
 SETTLED = [key for key, _ in ports.DEFAULTS]  # what ports agree upon when they are connected
 
 
@@ -25,7 +21,6 @@ def findings(all_of_them):
     A connection that some end does not know, or knows otherwise, is looked at twice: it may be changing just now.
     """
     links, ends = _links(all_of_them), _ends(all_of_them)
-    ends.update(_elsewhere(all_of_them))
     found = []
     for link in links:
         troubles = _troubles(link, ends)
@@ -51,26 +46,21 @@ def _identities(connector):
 
 
 def _ends(all_of_them):
-    """{identity of a port: End} of all ports of the components that were examined."""
-    found = {}
-    for each in all_of_them:
-        for port in each.ports:
-            found.setdefault(orb.identity(port.ref), End(port, None, ports.label(port)))
-    return found
-
-
-def _elsewhere(all_of_them):
-    """{identity: End} of ports that belong to no component that was examined, or to one that did not answer."""
+    """{identity of a port: places.End} of all ports of the components, and of all that they are connected with."""
+    own = [port for each in all_of_them for port in each.ports]
     silent = {each.node.endpoint: each.error for each in all_of_them if isinstance(each.error, errors.Silent)}
-    ends = places.far_ends([port for each in all_of_them for port in each.ports], silent)
-    return {identity: End(end.port, end.error, _name(end, identity)) for identity, end in ends.items()}
+    ends = places.far_ends(own, silent)
+    for port in own:
+        ends.setdefault(orb.identity(port.ref), places.End(port.ref, port, None))
+    return ends
 
 
-def _name(end, identity):
-    address = "%s:%d" % (printable(identity[0]), identity[1])
-    if end.port is None:
-        return address
-    return ports.label(end.port) if end.port.node else f"{printable(end.port.name)} at {address}, bound nowhere,"
+def _name(end):
+    """What to call an End."""
+    if end.port is not None and end.port.node is not None:
+        return ports.label(end.port)
+    address = orb.at_address(end.ref)
+    return address if end.port is None else f"{printable(end.port.name)} at {address}, bound nowhere,"
 
 
 def _again(link, ends):
@@ -81,9 +71,9 @@ def _again(link, ends):
     for (identity, _), answer in zip(asked, places.ask([ref for _, ref in asked])):
         before = ends[identity]
         if isinstance(answer, errors.Error):
-            ends[identity] = End(None, answer, before.name)
+            ends[identity] = before._replace(port=None, error=answer)
             continue
-        ends[identity] = before._replace(port=answer._replace(node=before.port.node if before.port else None))
+        ends[identity] = before._replace(port=answer._replace(node=before.port.node))
         own = ends[identity].port if identity == orb.identity(link.port.ref) else own
     now = next((one for one in own.connectors if one.id == link.connector.id), None)
     return now and Link(link.each, own, now)
@@ -97,14 +87,14 @@ def _troubles(link, ends):
     undo = remedies.command("disconnect", id=connector.id, port=where)
     if None in connector.ports:
         return [fail("connection", where, f"connection {_called(connector)} has an end that is nothing (nil)", undo)]
-    refs = [ref for ref in connector.ports if not orb.same(ref, link.port.ref)]
-    others, found = [ends[orb.identity(ref)] for ref in refs], []
-    for ref, end in zip(refs, others):
+    others = [ends[orb.identity(ref)] for ref in connector.ports if not orb.same(ref, link.port.ref)]
+    found = []
+    for end in others:
         if end.port is None:
-            found.append(_lost(link, where, ref, end, undo))
-        elif connector.id not in [one.id for one in end.port.connectors]:
+            found.append(_lost(link, where, end, undo))
+        elif connector.id not in [connector.id for connector in end.port.connectors]:
             found.append(fail("connection", where, "connection %s is one-sided: %s does not know it" % (
-                _called(connector), end.name), _redo(link, others)))
+                _called(connector), _name(end)), _redo(link, others)))
         else:
             found += _differences(link, end, _redo(link, others))
     if all(end.port is not None for end in others):
@@ -126,18 +116,18 @@ def _redo(link, others):
     return remedies.reconnect(connector.id, where, connectors.command(labels, connector.name, "", given))
 
 
-def _lost(link, where, ref, end, undo):
+def _lost(link, where, end, undo):
     """The far end of a connection does not answer."""
-    endpoint, homes = orb.endpoint(ref), networks.homes_of(link.each.node.ref)
-    misled = networks.misled("connection", where, ref, homes)
+    name, endpoint, homes = _name(end), orb.endpoint(end.ref), networks.homes_of(link.each.node.ref)
+    misled = networks.misled("connection", where, end.ref, homes)
     if misled:
         return misled._replace(message="the far end of a connection " + misled.message)
-    if isinstance(end.error, (errors.Gone, errors.ConnectionRefused)) and networks.is_certain(ref, homes):
-        return fail("connection", where, f"the far end of a connection is dead (at {end.name})", undo)
+    if isinstance(end.error, (errors.Gone, errors.ConnectionRefused)) and networks.is_certain(end.ref, homes):
+        return fail("connection", where, f"the far end of a connection is dead (at {name})", undo)
     if remedies.is_of_network(end.error, endpoint):
-        message = f"cannot tell from here whether the far end of a connection, at {end.name}, lives ({reason(end.error)})"
+        message = f"cannot tell from here whether the far end of a connection, at {name}, lives ({reason(end.error)})"
         return fail("connection", where, message, remedies.network(endpoint))
-    message = f"the far end of a connection, at {end.name}, cannot be asked ({reason(end.error)})"
+    message = f"the far end of a connection, at {name}, cannot be asked ({reason(end.error)})"
     return fail("connection", where, message, remedies.of_silence(
         end.error, endpoint, where, remedies.words("restart its process", port=endpoint[1])))
 
@@ -153,7 +143,7 @@ def _differences(link, end, remedy):
         if _is_reference(key, one) or _is_reference(key, other) or _plain(key, one) == _plain(key, other):
             continue
         found.append(warn("connection", where, "%s is %s here, %s at %s" % (
-            printable(key), _shown(one), _shown(other), end.name), remedy))
+            printable(key), _shown(one), _shown(other), _name(end)), remedy))
     return found
 
 

@@ -52,6 +52,16 @@ def profile(node, brief=False):
     return Profile._make(texts + [orb.properties(found.properties[:1] if brief else found.properties)])
 
 
+def instance_name(node, ref):
+    """The instance name of the component `ref` that has to do with another, `node`: Unknown if it does not answer, '' for None."""
+    if ref is None:
+        return ""
+    try:
+        return from_wire(orb.ask(node.path, ref, "get_sdo_id"))
+    except errors.Error:
+        return "Unknown"
+
+
 def once_more(call, failures=None):
     """Call again after a failure that is not silence; it is added to the list `failures`, if there is one.
 

@@ -4,7 +4,7 @@ import collections
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import component
-from rtshell_lite.text import from_wire, shell_word
+from rtshell_lite.text import shell_word
 
 SETTLE_TIME = 2.0  # seconds: a component leaves at the context's next cycle, in 0.3 s as a rule
 
@@ -27,17 +27,8 @@ def _entry(node, index, ref):
     context = component.elsewhere(node, ref, lambda: component.context(node, ref), None)
     if context is None:
         return Entry(index, None, "Unknown", "", [])
-    return Entry(index, context, component.states(node, [ref])[0], _name(node, context.owner),
-                 [_name(node, each) for each in context.participants])
-
-
-def _name(node, ref):
-    if ref is None:
-        return ""
-    try:
-        return from_wire(orb.ask(str(node.path), ref, "get_sdo_id"))
-    except errors.Error:
-        return "Unknown"
+    return Entry(index, context, component.states(node, [ref])[0], component.instance_name(node, context.owner),
+                 [component.instance_name(node, ref) for ref in context.participants])
 
 
 # ---- changing -------------------------------------------------------------------------------------------------

@@ -48,9 +48,9 @@ def _servers(first):
 
 # ---- the far ends of connections ------------------------------------------------------------------------------
 
-# The port at the far end of a connection: `port` its ports.Port, whose `node` is None if its component is bound nowhere, or None
-# and the errors.Error `error`.
-End = collections.namedtuple("End", "port error")
+# The port at an end of a connection: its reference; its ports.Port, whose `node` is None if its component is bound nowhere, or
+# None and the errors.Error `error`.
+End = collections.namedtuple("End", "ref port error")
 
 
 def far_ends(found, silent=None):
@@ -69,7 +69,8 @@ def far_ends(found, silent=None):
     places, ends = Places(), {}
     for identity, (ref, node) in wanted.items():
         answer = silent.get(orb.endpoint(ref)) or next(answers)
-        ends[identity] = End(None, answer) if isinstance(answer, errors.Error) else End(_placed(answer, places, node), None)
+        failed = isinstance(answer, errors.Error)
+        ends[identity] = End(ref, None, answer) if failed else End(ref, _placed(answer, places, node), None)
     return ends
 
 

@@ -1,6 +1,6 @@
-"""A component at one time: the parts of it that a command wants, asked for in the order that harms none.
+"""A component at one time: the parts of it that a command wants, with what failed among them.
 
-A new part is an attribute of Snapshot, a function that asks for it, and a line in PARTS.
+A new part is an attribute of Snapshot, and a line in PARTS with the function that asks for it.
 """
 import time
 
@@ -19,30 +19,30 @@ class Snapshot:
     """A component, and what has been asked of it so far.
 
     node           its Node; `others` further Nodes by which it is bound
-    rest           seconds for which a context of another process that does not answer is left alone then, if asked again and again
+    rest           seconds for which a context of another process that does not answer is left alone, if asked again and again
     asking         what it was asked for last, in words, '' as long as it has not been asked
     answered       whether it has answered anything itself; what fails later may be something behind it
     error          the errors.Error that ended the questions of `ask_all`, or None
-    ports          its ports.Ports; `refusing` (number from 1, errors.Error, endpoint) of those that failed, see EACH
-    dropped        those Ports that have just dropped a connection whose far end is dead
+
+    The parts:
+
+    ports          its ports.Ports; `refusing` (number from 1, errors.Error, endpoint) of those that failed, see EACH;
+                   `dropped` those Ports that have just dropped a connection whose far end is dead
     owned          component.Contexts of its own; `participating` those of others that execute it, too. Of one of another process
                    that does not answer only the reference is there
     states         its states in `contexts`
-    sets           its configuration.Sets, hidden ones too, part `configuration`; `active` is the id of the active one, or ''
+    configuration  its configuration.Configuration, None where it has none
     organisations  composites.Organisations that it owns
     composites     (id, name, path as text) of those that it is a member of; needs `participating`
-    profile        its component.Profile, or None; not asked for when a port has failed
+    profile        its component.Profile, None where a port has failed
     """
 
-    __slots__ = ("node", "others", "rest", "_left_alone", "asking", "answered", "error", "ports", "refusing", "dropped", "owned", "participating", "states",
-                 "sets", "active", "organisations", "composites", "profile")  # rttop keeps one a component
+    asking, answered, error = "", False, None
+    ports = refusing = dropped = owned = participating = states = organisations = composites = ()
+    configuration = profile = None
 
     def __init__(self, node, others=(), rest=0):
         self.node, self.others, self.rest, self._left_alone = node, others, rest, {}
-        self.asking, self.answered, self.error, self.profile = "", False, None, None
-        self.ports, self.refusing, self.dropped = (), (), ()
-        self.owned, self.participating, self.states = (), (), ()
-        self.sets, self.active, self.organisations, self.composites = (), "", (), ()
 
     @property
     def where(self):
@@ -55,14 +55,16 @@ class Snapshot:
         return [*self.owned, *self.participating]
 
     def ask(self, **parts):
-        """Ask for the parts {name: how much}; those asked for before are replaced. Raises the first errors.Error, which ends it."""
-        for name, words, function in PARTS:
-            if name in parts:
-                self.asking = words
-                function(self, parts[name])
-                self.answered = True
-        return self
+        """Ask for the parts {name: how much}, in this order, the profile last; again for those that are there.
 
+        Raises the first errors.Error, which ends the questions. (A profile query can end a component that has a connection with a
+        dead far end, its ports notice that before: protocol rule, see `component.once_more`.)
+        """
+        for name in sorted(parts, key="profile".__eq__):
+            self.asking, function = PARTS[name]
+            setattr(self, name, function(self, parts[name]))
+            self.answered = True
+        return self
 
     def elsewhere(self, ref, ask, otherwise):
         """ask(), or `otherwise` where `ref`, a context of another process, does not answer or is left alone."""
@@ -88,82 +90,69 @@ def ask_all(snapshots, **parts):
 
 # ---- how each part is asked for -------------------------------------------------------------------------------
 
-def _ports(snapshot, detail):
+def _ports(snapshot, how):
     refs = ports.refs(snapshot.node)
     snapshot.answered = True
-    snapshot.ports, snapshot.refusing, snapshot.dropped = [], [], []
+    snapshot.ports, snapshot.refusing, snapshot.dropped = [], [], []  # what is there before it falls silent is of use
     for number, ref in enumerate(refs, 1):
         snapshot.asking = "the profile of its port %d" % number
         failed_once = []  # shows that the port had a connection with a dead far end
         try:
-            port = ports.port(snapshot.node, ref, failed_once, brief=detail == BRIEF)
+            port = ports.port(snapshot.node, ref, failed_once, brief=how == BRIEF)
         except errors.Error as e:
-            if detail != EACH or isinstance(e, errors.Silent):
+            if how != EACH or isinstance(e, errors.Silent):
                 raise
             snapshot.refusing.append((number, e, orb.endpoint(ref)))
             continue
         snapshot.ports.append(port)
         snapshot.dropped += [port] * len(failed_once)
+    return snapshot.ports
 
 
-def _owned(snapshot, detail):
-    snapshot.owned = [_context(snapshot, ref, detail) for ref in component.owned_context_refs(snapshot.node)]
-
-
-def _participating(snapshot, detail):
-    snapshot.participating = [_context(snapshot, ref, detail) for ref in component.participating_context_refs(snapshot.node)]
-
-
-def _context(snapshot, ref, detail):
-    bare = component.Context(None, ref, None, None, None, None, (), ())
-    if detail == REFERENCES:
+def _contexts(snapshot, refs, how):
+    bare = [component.Context(None, ref, None, None, None, None, (), ()) for ref in refs]
+    if how == REFERENCES:
         return bare
-    if detail == BRIEF:
-        return bare._replace(handle=snapshot.node.call("get_context_handle", ref))
-    ask = component.context if detail == FULL else component.running
-    return snapshot.elsewhere(ref, lambda: ask(snapshot.node, ref), bare)
+    if how == BRIEF:
+        return [context._replace(handle=snapshot.node.call("get_context_handle", context.ref)) for context in bare]
+    ask = component.context if how == FULL else component.running
+    return [snapshot.elsewhere(context.ref, lambda ref=context.ref: ask(snapshot.node, ref), context) for context in bare]
 
 
 def _states(snapshot, _):
-    def state(ref):
-        return snapshot.elsewhere(ref, lambda: component.state_in(snapshot.node, ref), "Unknown")
-    snapshot.states = [state(context.ref) for context in snapshot.contexts]
+    return [snapshot.elsewhere(context.ref, lambda ref=context.ref: component.state_in(snapshot.node, ref), "Unknown")
+            for context in snapshot.contexts]
 
 
 def _configuration(snapshot, _):
     from rtshell_lite.robot import configuration  # not needed, and not loaded, for a listing; nor are composites
-    snapshot.sets, snapshot.active = (), ""
     try:
-        current = configuration.Configuration(snapshot.node)
+        return configuration.Configuration(snapshot.node)
     except errors.Refused:  # small implementations have none
-        return
-    snapshot.sets, snapshot.active = current.sets(with_hidden=True), current.active
+        return None
 
 
-def _organisations(snapshot, detail):
+def _organisations(snapshot, how):
     from rtshell_lite.robot import composites
-    snapshot.organisations = composites.owned(snapshot.node, with_members=detail == FULL)
+    return composites.owned(snapshot.node, with_members=how == FULL)
 
 
 def _composites(snapshot, _):
     from rtshell_lite.robot import composites
-    ids = composites.belonging_ids(snapshot.node)
-    known = composites.composites(snapshot.node, snapshot.participating) if ids else {}
-    snapshot.composites = [(each,) + known.get(each, ("Unknown", "Unknown")) for each in ids]
+    return composites.belonging(snapshot.node, snapshot.participating)
 
 
-def _profile(snapshot, detail):
-    if not snapshot.refusing:
-        snapshot.profile = component.profile(snapshot.node, brief=detail == BRIEF)
+def _profile(snapshot, how):
+    return None if snapshot.refusing else component.profile(snapshot.node, brief=how == BRIEF)
 
 
-# The parts: attribute, what is asked for in words, function(snapshot, how much). Ports come before the profile, which can end a
-# component that has a connection with a dead far end (protocol rule, see `component.once_more`).
-PARTS = (("ports", "its ports", _ports),
-         ("owned", "its execution contexts", _owned),
-         ("participating", "its execution contexts", _participating),
-         ("states", "its execution contexts", _states),
-         ("configuration", "its configuration", _configuration),
-         ("organisations", "its members", _organisations),
-         ("composites", "its composites", _composites),
-         ("profile", "its profile", _profile))
+# The parts by attribute: what is asked for in words, function(snapshot, how much).
+PARTS = {
+    "ports": ("its ports", _ports),
+    "owned": ("its execution contexts", lambda s, how: _contexts(s, component.owned_context_refs(s.node), how)),
+    "participating": ("its execution contexts", lambda s, how: _contexts(s, component.participating_context_refs(s.node), how)),
+    "states": ("its execution contexts", _states),
+    "configuration": ("its configuration", _configuration),
+    "organisations": ("its members", _organisations),
+    "composites": ("its composites", _composites),
+    "profile": ("its profile", _profile)}

@@ -34,16 +34,17 @@ def ask(node, brief=False, states=True):
     `brief`: of properties and references only those that go into a file or are compared with one, a quarter of the memory.
     """
     detail = BRIEF if brief else FULL
-    shown = snapshot.of(node, ports=detail, owned=FULL, configuration=FULL, organisations=FULL, profile=detail,
-                        **{"participating": BRIEF, "states": FULL} if states else {})
+    in_contexts = {"participating": BRIEF, "states": FULL} if states else {}
+    shown = snapshot.of(node, ports=detail, owned=FULL, **in_contexts, configuration=FULL, organisations=FULL, profile=detail)
     contexts = shown.owned
     if any(context.handle is None for context in contexts):
         raise errors.Unreachable(str(node.path), "one of its execution contexts does not answer")
     if brief:
         contexts = [context._replace(ref=None, owner=None, participants=(), properties=()) for context in contexts]
+    sets, active = (shown.configuration.sets(with_hidden=True), shown.configuration.active) if shown.configuration else ([], "")
     return Found(node, ports.in_system(shown.ports), contexts,
                  {context.handle: state for context, state in zip(shown.contexts, shown.states)} if states else None,
-                 shown.sets, shown.active, [member for each in shown.organisations for member in each.members], shown.profile)
+                 sets, active, [member for each in shown.organisations for member in each.members], shown.profile)
 
 
 def component_id(profile):

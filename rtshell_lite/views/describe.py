@@ -1,9 +1,9 @@
 """What rtcat shows of a component or a port, as lines or as JSON."""
-from rtshell_lite import errors, text
+from rtshell_lite import text
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, composites, ports, snapshot
 from rtshell_lite.robot.snapshot import BRIEF, FULL
-from rtshell_lite.text import from_wire, printable
+from rtshell_lite.text import printable
 
 
 def collect(node, level=0):
@@ -88,14 +88,7 @@ def context_lines(context, found, level, tag, more, paint):
 
 def _instance(ref, found):
     """The instance name of a component that takes part in a context."""
-    if ref is None:
-        return ""
-    if orb.same(ref, found.node.ref):
-        return found.profile.instance_name
-    try:
-        return from_wire(orb.ask(str(found.node.path), ref, "get_sdo_id"))
-    except errors.Error:
-        return "Unknown"
+    return found.profile.instance_name if orb.same(ref, found.node.ref) else component.instance_name(found.node, ref)
 
 
 def port_lines(port, instance, level, ends, paint, tag="", more=""):

@@ -5,7 +5,7 @@ from unittest import mock
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
 from rtshell_lite.doctor import components, connections, here, remedies, servers
-from rtshell_lite.robot import component, ports, snapshot, tree
+from rtshell_lite.robot import component, places, ports, snapshot, tree
 
 
 class Connections(unittest.TestCase):
@@ -22,10 +22,11 @@ class Connections(unittest.TestCase):
         here = ports.Connector("one", "c", [], [("x", "1"), ("dataport.dataflow_type", "push")])
         port = ports.Port(tree.Node(path.parse("/localhost/In0.rtc"), "component", None), "In0.out", "DataOutPort", {}, [], [here],
                           None, None)
+        far = tree.Node(path.parse("/localhost/far.rtc"), "component", None)
         found = connections._differences(connections.Link(None, port, here),
-                                         connections.End(port._replace(connectors=[there]), None, "/far.rtc:in"),
+                                         places.End(None, port._replace(node=far, name="far.in", connectors=[there]), None),
                                          remedies.words("restart far end"))
-        self.assertEqual([finding.message for finding in found], ["dataport.dataflow_type is push here, missing at /far.rtc:in"])
+        self.assertEqual([finding.message for finding in found], ["dataport.dataflow_type is push here, missing at /localhost/far.rtc:in"])
 
 
 class Here(unittest.TestCase):
