@@ -41,10 +41,10 @@ def findings(all_of_them, rates, hung, stated=False):
     for each in all_of_them:
         troubles = _troubles(each, hung) + rates.get(each.where, [])
         found += troubles
-        if not any(one.level == "fail" for one in troubles) and each.error is None:
+        if not any(finding.level == "fail" for finding in troubles) and each.error is None:
             found.append(ok("component", each.where, _summary(each)))
-    found.sort(key=lambda one: one.path)
-    if not stated and not any(one.level == "fail" for one in found):  # a robot does not work, either, when nobody has started it
+    found.sort(key=lambda finding: finding.path)
+    if not stated and not any(finding.level == "fail" for finding in found):  # a robot does not work, either, when nobody has started it
         found += started.findings(all_of_them)
     return found
 
@@ -59,8 +59,8 @@ def _troubles(each, hung):
 def _summary(each):
     """Active, claims 1000 Hz, 2 ports, 1 connection, at 127.0.0.1:4000."""
     state = component.merged(each.states)
-    rate = next((f"claims {one.rate:g} Hz" for one in each.contexts if _is_periodic(one)), "not periodic")
-    number = len({one.id for port in each.ports for one in port.connectors})
+    rate = next((f"claims {context.rate:g} Hz" for context in each.contexts if _is_periodic(context)), "not periodic")
+    number = len({connector.id for port in each.ports for connector in port.connectors})
     return ", ".join([state, rate, counted(len(each.ports), "port"), counted(number, "connection"),
                       "at " + published(each.node.ref)])
 
