@@ -15,7 +15,7 @@ TABLES = ("/proc/net/tcp", "/proc/net/tcp6")
 
 
 def culprits(each, hung):
-    """(paths of those Nodes `hung` that the components.Examined `each` waits for, whether that is known, and not only possible).
+    """(paths of those Nodes `hung` that the snapshot.Snapshot `each` waits for, whether that is known, and not only possible).
 
     It waits for one that its process calls. Where its connections are hidden, it may be any; of several Nodes of one process the
     first is named.

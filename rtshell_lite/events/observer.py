@@ -9,7 +9,7 @@ import uuid
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, stubs
-from rtshell_lite.robot import component, ports
+from rtshell_lite.robot import snapshot
 from rtshell_lite.text import from_wire
 
 OBSERVER = "IDL:OpenRTM/ComponentObserver:1.0"
@@ -40,9 +40,8 @@ _PREFIXES = {"EC_EVENT": "EC_", "PORT_EVENT": "PORT_"}
 # ---- subscriptions of a component ------------------------------------------------------------------------------
 
 def properties(node):
-    """The properties of a component, a dict; its ports are asked before its profile, see `ports.ports`."""
-    ports.ports(node)
-    return dict(component.profile(node).properties)
+    """The properties of a component, a dict."""
+    return dict(snapshot.of(node, ports=snapshot.BRIEF, profile=snapshot.FULL).profile.properties)
 
 
 def taken(properties):

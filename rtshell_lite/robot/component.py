@@ -52,6 +52,16 @@ def profile(node, brief=False):
     return Profile._make(texts + [orb.properties(found.properties[:1] if brief else found.properties)])
 
 
+def instance_name(node, ref):
+    """The instance name of the component `ref` that has to do with another, `node`: Unknown if it does not answer, '' for None."""
+    if ref is None:
+        return ""
+    try:
+        return from_wire(orb.ask(node.path, ref, "get_sdo_id"))
+    except errors.Error:
+        return "Unknown"
+
+
 def once_more(call, failures=None):
     """Call again after a failure that is not silence; it is added to the list `failures`, if there is one.
 
@@ -112,6 +122,12 @@ def context(node, ref):
                    properties=orb.properties(found.properties))
 
 
+def running(node, ref):
+    """The Context behind a reference with nothing but its rate and whether it runs."""
+    rate, runs = orb.ask(node.path, ref, "get_rate"), orb.ask(node.path, ref, "is_running")
+    return Context(None, ref, None, rate, bool(runs), None, (), ())
+
+
 def elsewhere(node, ref, ask, otherwise):
     """ask(), or `otherwise` where `ref`, a context of another process, does not answer: a hung composite hides no member."""
     try:
@@ -120,16 +136,6 @@ def elsewhere(node, ref, ask, otherwise):
         if orb.endpoint(ref) == node.endpoint:
             raise
         return otherwise
-
-
-def known_by_handle(node, refs):
-    """A Context behind each reference that has nothing but its handle: one call."""
-    return [Context(node.call("get_context_handle", ref), ref, None, None, None, None, [], []) for ref in refs]
-
-
-def contexts(node, refs):
-    """The Context behind each reference; None for one of another process that does not answer."""
-    return [elsewhere(node, ref, lambda ref=ref: context(node, ref), None) for ref in refs]
 
 
 def _by_number(names, enumerator):

@@ -4,7 +4,7 @@ import collections
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import component
-from rtshell_lite.text import from_wire, shell_word
+from rtshell_lite.text import shell_word
 
 SETTLE_TIME = 2.0  # seconds: a component leaves at the context's next cycle, in 0.3 s as a rule
 
@@ -17,28 +17,18 @@ def entries(node, only=None):
 
     The Context of an Entry is None where it belongs to another component, which does not answer.
     """
-    owned, participating = component.context_refs(node)
-    chosen = list(enumerate(owned + participating))
     if only is not None:
-        chosen = [(only, component.context_ref(node, only))]
-    found = []
-    for index, ref in chosen:
-        context, = component.contexts(node, [ref])
-        if context is None:
-            found.append(Entry(index, None, "Unknown", "", []))
-            continue
-        found.append(Entry(index, context, component.states(node, [ref])[0], _name(node, context.owner),
-                           [_name(node, each) for each in context.participants]))
-    return found
+        return [_entry(node, only, component.context_ref(node, only))]
+    owned, participating = component.context_refs(node)
+    return [_entry(node, index, ref) for index, ref in enumerate(owned + participating)]
 
 
-def _name(node, ref):
-    if ref is None:
-        return ""
-    try:
-        return from_wire(orb.ask(str(node.path), ref, "get_sdo_id"))
-    except errors.Error:
-        return "Unknown"
+def _entry(node, index, ref):
+    context = component.elsewhere(node, ref, lambda: component.context(node, ref), None)
+    if context is None:
+        return Entry(index, None, "Unknown", "", [])
+    return Entry(index, context, component.states(node, [ref])[0], component.instance_name(node, context.owner),
+                 [component.instance_name(node, ref) for ref in context.participants])
 
 
 # ---- changing -------------------------------------------------------------------------------------------------
