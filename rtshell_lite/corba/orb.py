@@ -221,9 +221,6 @@ def _asked_again(failure, where, ref, operation, args):
     raise failure
 
 
-ask = call
-
-
 def each(refs, function, where=None):
     """Call function(ref) for each reference, in parallel: the values in order, an errors.Error for what failed.
 

@@ -206,7 +206,7 @@ def _of_module(module):
 def _offered(port):
     """The Type of the value that a component keeps in a port's profile; one more call."""
     from rtshell_lite.robot import ports
-    found = orb.ask(ports.label(port), port.ref, "get_port_profile")
+    found = orb.call(ports.label(port), port.ref, "get_port_profile")
     for item in found.properties:
         if from_wire(item.name) == "dataport.data_value":
             descriptor = orb.descriptor_of(item.value)

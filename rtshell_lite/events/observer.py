@@ -76,7 +76,7 @@ class Subscription:
                 return
             if self._configuration is None:
                 self._configuration = self.node.call("get_configuration")
-            if not orb.ask(self.where, self._configuration, "add_service_profile", self._profile()):
+            if not orb.call(self.where, self._configuration, "add_service_profile", self._profile()):
                 raise errors.Refused(self.where, f"does not take {self.interface}")
 
     def _profile(self):
@@ -91,7 +91,7 @@ class Subscription:
         self._over = True
         with self._lock:
             if self._configuration is not None:
-                orb.ask(self.where, self._configuration, "remove_service_profile", self.id)
+                orb.call(self.where, self._configuration, "remove_service_profile", self.id)
 
     def forget(self):
         """The component is gone: there is nothing to take back."""

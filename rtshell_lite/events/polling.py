@@ -73,7 +73,7 @@ class Poll:
         if self.configuration is None:
             self.configuration = self.node.call("get_configuration")
         try:
-            active = orb.ask(self.where, self.configuration, "get_active_configuration_set")
+            active = orb.call(self.where, self.configuration, "get_active_configuration_set")
         except errors.Refused:  # NotAvailable: somebody is about to activate one
             return
         was, self.set = self.set, (from_wire(active.id), orb.properties(active.configuration_data))

@@ -34,7 +34,7 @@ def belonging(node, contexts):
     The composites are among the owners of `contexts`, the component.Contexts that it takes part in; Unknown where one does not
     answer.
     """
-    ids = [from_wire(orb.ask(node.path, ref, "get_organization_id")) for ref in _refs(node, "get_organizations")]
+    ids = [from_wire(orb.call(node.path, ref, "get_organization_id")) for ref in _refs(node, "get_organizations")]
     known = _composites(node, contexts) if ids else {}
     return [(organisation_id,) + known.get(organisation_id, ("Unknown", "Unknown")) for organisation_id in ids]
 
@@ -47,7 +47,7 @@ def _composites(node, contexts):
         try:
             name = from_wire(above.call("get_sdo_id"))
             for ref in _refs(above, "get_owned_organizations"):
-                organisation_id = from_wire(orb.ask(node.path, ref, "get_organization_id"))
+                organisation_id = from_wire(orb.call(node.path, ref, "get_organization_id"))
                 found[organisation_id] = (name, _path_text(places, name, owner, node))
         except errors.Unreachable:
             continue  # dead or silent: unknown
@@ -64,9 +64,9 @@ def _refs(node, operation):
 
 
 def _organisation(node, ref):
-    members = [member for member in orb.ask(node.path, ref, "get_members") if member is not None]
+    members = [member for member in orb.call(node.path, ref, "get_members") if member is not None]
     names = orb.each(members, lambda member: from_wire(orb.call(node.path, member, "get_sdo_id")), node.path)
-    return Organisation(from_wire(orb.ask(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
+    return Organisation(from_wire(orb.call(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
 
 
 def member_paths(node, found):
@@ -179,7 +179,7 @@ def add(node, one, members):
     there = [name for name, _ in one.members]
     new = [m for m in members if m.instance not in there]
     if new:  # an empty list is refused
-        if not orb.ask(node.path, one.ref, "add_members", [m.node.typed for m in new]):
+        if not orb.call(node.path, one.ref, "add_members", [m.node.typed for m in new]):
             raise errors.Refused(str(node.path), "does not take members")
         lines += [f"added component {m.node.path!s}" for m in new]
     return lines + [f"component {m.node.path!s} is a member already" for m in members if m not in new]
@@ -194,7 +194,7 @@ def remove(node, one, members):
     lines = _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
     for m in going:
         _must_live(node, one, m)
-        if not orb.ask(node.path, one.ref, "remove_member", to_wire(m.instance)):
+        if not orb.call(node.path, one.ref, "remove_member", to_wire(m.instance)):
             raise errors.Refused(str(node.path), f"does not remove member {printable(m.instance)}")
         lines.append(f"removed component {printable(m.instance)}")
     return lines

@@ -219,7 +219,7 @@ def _contexts(node):
     owned, participating = component.context_refs(node)
     handles = [node.call("get_context_handle", ref) for ref in owned + participating]
     if participating:
-        owned = [ref if orb.ask(str(node.path), ref, "is_running") else participating[0] for ref in owned]
+        owned = [ref if orb.call(str(node.path), ref, "is_running") else participating[0] for ref in owned]
     return _Contexts(dict(zip(handles, owned + participating)), owned)
 
 

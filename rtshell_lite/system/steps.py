@@ -129,7 +129,7 @@ class Create(Step):
         """The Node of the component, None if it is not there."""
         try:
             node = tree.component(self.site.path)
-            orb.ask(self.where, node.ref, "_non_existent")
+            orb.call(self.where, node.ref, "_non_existent")
         except sites.MISSING:
             return None
         return node
