@@ -1,10 +1,10 @@
-"""Answers of peers, looked at while omniORB reads them: nothing in them may end our process, or fill its stack.
+"""Answers of peers, checked while omniORB reads them: nothing in them may end our process, or overflow its stack.
 
-Every operation that can return a reference, or a value of any type, is invoked with a descriptor of ours in place of that of
-the stubs (ior.guarded). A bad reference or a value nested too deep fails that one call.
+Every operation that can return a reference, or a value of any type, is invoked with our descriptor instead of the stubs'
+(ior.guarded). A bad reference or a value nested too deep fails that one call.
 
-What cannot be looked at before omniORB has read it are the TypeCodes in an `any` and what they describe: names in them that
-are not UTF-8, a union whose default index is 0, 100,000 levels, and fixed<65535> end the process, a struct that claims
+The TypeCodes in an `any`, and the values that they describe, cannot be checked before omniORB reads them. Names in them that
+are not UTF-8, a union whose default index is 0, 100,000 levels, and fixed<65535> end the process; a struct that claims
 0x0fffffff members takes 6 GB.
 """
 import functools
@@ -18,10 +18,7 @@ DEEPEST = 64  # values inside values
 
 
 def invoke(where, ref, operation, args):
-    """The result of an operation; what is in it has passed `_taker` and `_holder`.
-
-    Raises CORBA exceptions, and Garbled for what must not be used.
-    """
+    """The result of an operation, checked by `_taker` and `_holder`. Raises CORBA exceptions, and Garbled for a bad answer."""
     guarded = _guarded(type(ref), operation)  # type: ignore  # a class is hashable
     if guarded is None:
         return getattr(ref, operation)(*args)
@@ -34,10 +31,10 @@ def invoke(where, ref, operation, args):
 
 @functools.lru_cache(maxsize=None)
 def _guarded(objref, operation):
-    """How stubs describe an operation of a class of references, by the way of ior.guarded; None where nothing needs that."""
+    """The guarded descriptors of an operation of a class of references; None where nothing in them needs to be guarded."""
     for known in objref.__mro__:
         if operation in known.__dict__ and known.__name__.startswith("_objref_"):
-            scope = known.__dict__[operation].__globals__["_0_" + known.__module__.rpartition(".")[2]]  # as stubs find it
+            scope = known.__dict__[operation].__globals__["_0_" + known.__module__.rpartition(".")[2]]  # as the stubs do
             interface = getattr(scope, known.__name__[len("_objref_"):])
             given, returned, raised = getattr(interface, "_d_" + operation)
             safe = tuple(ior.guarded(each, _taker, _holder) for each in returned or ())
@@ -47,14 +44,14 @@ def _guarded(objref, operation):
     return None
 
 
-# fault: why the answer that this thread reads must not be used. What is called while it is read must not raise anything: omniORB
-# does not expect it there.
+# fault: why the answer that this thread is reading must not be used. Functions called meanwhile must not raise: omniORB does not
+# expect it.
 _seen = threading.local()
 
 
 @functools.lru_cache(maxsize=None)
 def _taker(type_id):
-    """What makes references of an interface out of their octets (see ior.py); nil takes the place of a bad one."""
+    """A function that makes references of an interface from their octets (see ior.py), nil in place of a bad one."""
     import omniORB
     from omniORB import CORBA, tcInternal
     typecode = tcInternal.createTypeCode((tcInternal.tv_objref, type_id, ""))
@@ -77,7 +74,7 @@ def _taker(type_id):
 
 @functools.lru_cache(maxsize=None)
 def _holder(made):
-    """What makes a struct with an `any` of its members, and looks how deep that is."""
+    """A function that makes a struct of its members, one of them an `any`, and checks how deep that is."""
     def hold(name, value):
         if type(value._v) is not str and not _is_shallow(value):  # almost all are texts
             _seen.fault = "%s: values inside values, deeper than %d" % (printable(from_wire(name)), DEEPEST)
@@ -87,7 +84,7 @@ def _holder(made):
 
 
 def _is_shallow(value):
-    """True for a value that is not nested too deep to be written; looking itself must not recurse."""
+    """True for a value that is not nested too deep to be written. Does not recurse itself."""
     from omniORB import CORBA
     level = [value]
     for _ in range(DEEPEST):

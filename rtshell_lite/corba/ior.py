@@ -1,11 +1,11 @@
-"""Object references as octets: what they say, and whether they can be trusted, before omniORB makes objects of them.
+"""Object references as octets: their addresses, and whether they can be trusted, before omniORB makes objects of them.
 
 omniORBpy ends the whole process (SIGSEGV) on a reference whose repository id is not UTF-8. So answers of peers are read with
 descriptors (see descriptors.py) in which a reference is what it is on the wire, a struct of octets (CORBA 3.0, 13.6.2):
 
     struct Reference { sequence<octet> type_id; sequence<struct { unsigned long tag; sequence<octet> data; }> profiles; };
 
-What stays with omniORBpy are references and TypeCodes inside an `any`, whose types only the peer knows.
+omniORBpy still reads references and TypeCodes inside an `any`, whose types only the peer knows.
 """
 import binascii
 import collections
@@ -62,7 +62,7 @@ def addresses(text):
                 if component == ALTERNATE:
                     found.append(_Cdr(data).host_and_port())
     except (IndexError, struct.error):
-        pass  # what came before the garbage counts
+        pass  # keep what came before the garbage
     return list(collections.OrderedDict.fromkeys(found))
 
 
@@ -103,9 +103,9 @@ _pack, _pack_one, _PADDING = struct.Struct("<LL").pack, struct.Struct("<LLL").pa
 
 
 def octets(type_id, profiles):
-    """A reference, given as its parts (bytes, and (tag, bytes) pairs), as little-endian CDR; b"" for a nil one.
+    """A reference, given as bytes and (tag, bytes) pairs, as little-endian CDR; b"" for nil.
 
-    Raises ValueError, saying why, for one that must not reach omniORB.
+    Raises ValueError with the reason for one that must not reach omniORB.
     """
     if len(profiles) == 1:  # almost all, and there are many
         (tag, profile), = profiles
@@ -125,7 +125,7 @@ def octets(type_id, profiles):
 
 @functools.lru_cache(maxsize=64)
 def _start(type_id):
-    """What a reference begins with. Raises ValueError when that is no repository id."""
+    """The repository id as a reference begins with it. Raises ValueError if it is not one."""
     size, ends = len(type_id), type_id.find(b"\0")
     try:
         if size > LONGEST_TYPE or ends != size - 1:  # of the empty one, without even a NUL, as some ORBs write it, both are -1
@@ -137,9 +137,9 @@ def _start(type_id):
 
 
 def checked(said):
-    """A stringified IOR that a peer has sent as text. Raises ValueError, saying why, for one that must not reach omniORB.
+    """A stringified IOR that a peer has sent as text. Raises ValueError with the reason for one that must not reach omniORB.
 
-    Other forms, corbaname: say, would let it call whom the peer likes.
+    Other forms, such as corbaname:, would let the peer choose whom omniORB calls.
     """
     if said[:4].upper() != "IOR:" or len(said) > 3 * LARGEST:
         raise ValueError("not a reference (no IOR, or too long)")
@@ -163,10 +163,10 @@ _PROFILES = (descriptors.SEQUENCE, (descriptors.STRUCT, _pair, "", "", "tag", de
 
 
 def guarded(descriptor, taker, holder):
-    """A descriptor for what a peer sends, by which omniORB shows us all that must be looked at while it reads an answer.
+    """A descriptor by which omniORB, while it reads an answer, shows us all that must be checked.
 
-    References are read as octets: what `taker(repository id)` returns gets those of each, and gives what takes its place.
-    `holder(class)` takes the place of the class of a struct that has an `any`. The same object where there is neither.
+    References are read as octets: `taker(repository id)` returns a function that makes a reference of them. `holder(class)`
+    replaces the class of a struct that has an `any`. Returns `descriptor` itself where it has neither.
     """
     sort = descriptors.kind(descriptor)
     if sort == descriptors.OBJECT:
@@ -177,7 +177,7 @@ def guarded(descriptor, taker, holder):
     if not places:
         return descriptor
     parts = list(descriptor)
-    for place in places:  # no union of ours has references, and nothing is inside itself
+    for place in places:  # no union in our IDL has references, and no type contains itself
         parts[place] = guarded(descriptor[place], taker, holder)
     if sort == descriptors.STRUCT and descriptors.ANY in parts[5::2]:
         parts[1] = holder(parts[1])

@@ -1,9 +1,9 @@
-"""Many remote calls at once, and none that can hang the command.
+"""Many remote calls at once, none of which can hang the command.
 
 The main thread never makes a CORBA call, so Ctrl-C always works. Calls are grouped by the process that answers them (its
 endpoint): each gets a few lanes, and the first silence from it fails the rest of its calls, so that one hung robot process
 costs one timeout however many components it holds. Every answer restarts the clock of its process: a big system on a slow
-link may take longer than the timeout, a silent one may not.
+link may take longer than the timeout in all, but no single answer may.
 """
 import collections
 import errno
@@ -15,17 +15,17 @@ import time
 
 from rtshell_lite import errors, interrupts
 
-LANES = 4  # calls in flight per process: kind to real-time processes, and below omniORB's 5 connections
-GRACE = 0.2  # the ORB's own deadline comes first and knows more; ours is for what it does not bound (name look-ups)
+LANES = 4  # calls in flight per process: real-time threads keep their period, and omniORB has 5 connections
+GRACE = 0.2  # s after the ORB's own deadline, which knows more; ours is for what it does not bound (name look-ups)
 TICK = 0.1
 
 NO_TIME = "there was no time left to ask it"
 
-# A remote call to be made: `endpoint` of the process that answers, (host, port) or anything hashable; `where`, the path of
-# the object, or a text, for errors; `call`, a function without arguments.
+# A remote call to make: `endpoint` of the process that answers, (host, port) or anything hashable; `where`, the path of the
+# object, or a text, for errors; `call`, a function without arguments.
 Job = collections.namedtuple("Job", "endpoint where call")
 
-_answered = {}  # when which process answered last
+_answered = {}  # {endpoint: when it last answered}
 
 
 class _Peer:
@@ -33,7 +33,7 @@ class _Peer:
 
     def __init__(self, endpoint):
         self.endpoint = endpoint
-        self.todo = collections.deque()  # numbers of the jobs that nobody has begun
+        self.todo = collections.deque()  # numbers of the jobs that no lane has begun
         self.open = {}  # jobs without a value yet, by number
         self.heard = time.monotonic()
         self.limit = session.timeout
@@ -41,7 +41,7 @@ class _Peer:
         self.silence = why if time.monotonic() - since < session.timeout else None  # why the rest of its calls fail
 
     def fall_silent(self, why, since):
-        """Fail the rest of its calls, unless it has answered others `since`: one object may hang while its process does not."""
+        """Fail the rest of its calls, unless it has answered others `since`: one object may hang though its process does not."""
         if _answered.get(self.endpoint, 0) > since:
             return
         self.silence = why
@@ -52,9 +52,9 @@ _lane = threading.local()
 
 
 class Slots:
-    """Remote calls in flight at one time, to all processes together: at most `most`, None for as many as there are lanes.
+    """At most `most` remote calls in flight to all processes together; None for as many as there are lanes.
 
-    Each call is made inside `with session.slots:`. Waiting there is no silence of the peer.
+    Each call is made inside `with session.slots:`. Waiting there does not count as silence of the peer.
     """
 
     def __init__(self, most=None):
@@ -73,11 +73,11 @@ class Session:
     """How one command asks, and what it has learnt of the processes that it asked.
 
     timeout   seconds that a peer may stay silent, from --timeout
-    end       time.monotonic() after which nobody is asked any more, None for no such time: set by who promises a bound
+    end       time.monotonic() after which no call is begun, or None: set by a command that promises to end in time
     slots     the Slots that its calls take
-    shortage  the errors.Shortage that let a connection fail here, once there was one: who was called is not to blame
-    silent    {endpoint: (when it was found silent, the words for it)}: for as long as the timeout it is not asked again, as what
-              comes next in a command, or another component's question about it, must not cost one more timeout
+    shortage  the errors.Shortage that made a connection fail on this host, or None: the peer is not to blame
+    silent    {endpoint: (when it was found silent, the words for it)}: it is not asked again for the length of a timeout, so that
+              the next step of a command, or a question about another component, does not cost one more
     """
 
     def __init__(self, timeout=3.0):
@@ -93,13 +93,8 @@ def in_lane():
     return hasattr(_lane, "peer")
 
 
-def lane_of(endpoint):
-    """True on a thread that makes the calls to the process at `endpoint`."""
-    return in_lane() and _lane.peer.endpoint == endpoint
-
-
 def become_lane(endpoint):
-    """Make the current thread, not the main one, a lane of its own to the process at `endpoint`: for one that goes on asking."""
+    """Make the current thread, not the main one, a lane to the process at `endpoint`: for threads that keep asking."""
     _lane.peer = _Peer(endpoint)
 
 
@@ -112,7 +107,7 @@ def alive(limit=None):
 
 
 def answered():
-    """Say that the peer of this lane has answered a call."""
+    """Note that the peer of this lane has answered a call."""
     peer = getattr(_lane, "peer", None)
     if peer:
         peer.heard = _answered[peer.endpoint] = time.monotonic()
@@ -120,14 +115,14 @@ def answered():
 
 
 def has_answered():
-    """True where the peer of this lane has ever answered a call."""
+    """True if the peer of this lane has ever answered a call."""
     return in_lane() and _lane.peer.endpoint in _answered
 
 
 def note_shortage(e, host):
-    """Take note of an OSError of a connection to `host` that means that this host, not the other, lacks something."""
+    """Note an OSError of a connection to `host` that means that this host, not the other, lacks something."""
     what = _SCARCE.get(e.errno)
-    if what and not (what == "ports" and ":" in host):  # who has no IPv6 has no address for it, either
+    if what and not (what == "ports" and ":" in host):  # a host without IPv6 has no address for it, either
         session.shortage = errors.Shortage(what, os.strerror(e.errno))
 
 
@@ -136,10 +131,12 @@ _SCARCE = {errno.EMFILE: "files", errno.ENFILE: "files", errno.EADDRNOTAVAIL: "p
 
 
 def ask(endpoint, where, call):
-    """Run one call and return its value or raise its error.
+    """Run call() in a lane of the process at `endpoint`, which may be this thread, and return its value or raise its error.
 
     From a lane of another process, silence is raised as Unreachable: it says nothing about the process of that lane.
     """
+    if in_lane() and _lane.peer.endpoint == endpoint:
+        return call()
     value, = gather([Job(endpoint, where, call)])
     if isinstance(value, errors.Silent) and in_lane():
         raise errors.Unreachable(*value.args)
@@ -165,9 +162,9 @@ def gather(jobs):
 
 
 def in_turn(jobs):
-    """`gather`, but yields the values while others are still to come, and keeps none: a great many take much memory.
+    """`gather`, but yields each value as soon as those before it have come, and keeps none: thousands take much memory.
 
-    All jobs run meanwhile, so who takes the values must not make remote calls before the last one.
+    The jobs go on meanwhile, so the caller must not make remote calls before the last value.
     """
     values, peers = [], {}
     for i, job in enumerate(jobs):
@@ -191,7 +188,7 @@ def in_turn(jobs):
                     raise value  # a bug of ours, not a failure of the peer
                 yield value
     finally:
-        for peer in peers.values():  # when Ctrl-C interrupts it, nothing more is begun
+        for peer in peers.values():  # after Ctrl-C nothing more is begun
             peer.todo.clear()
 
 
@@ -204,13 +201,13 @@ def start(function, *args):
             raise errors.Shortage("threads", str(e))
 
 
-_TO_COME = object()  # in the place of a value
+_TO_COME = object()  # in place of a value
 
 
 class _Results:
     """How many values are still to come.
 
-    Who waits is woken once, in the end: to be woken at each of 1,000 values cost as much as the calls themselves.
+    The waiting thread is woken once, after the last: waking it for each of 1,000 values cost as much as the calls.
     """
 
     def __init__(self, count):
@@ -218,7 +215,7 @@ class _Results:
         self.came(0)
 
     def came(self, count):
-        """Take note of values; the lock is held."""
+        """Note that so many values have come; the lock is held."""
         self.left -= count
         if not self.left:
             self.complete.ring()
@@ -240,7 +237,7 @@ def _work(peer, values, results):
 
 
 def _value(peer, job):
-    """What a job gives: its value, or the exception that it raises."""
+    """The value of a job, or the exception that it raises."""
     if peer.silence or is_over():
         return errors.Silent(str(job.where), peer.silence or NO_TIME)
     alive()
@@ -254,14 +251,14 @@ def _value(peer, job):
 
 
 def _alone(e):
-    """A failure without what led to it: the frames of 20,000 failures took 140 MB. A bug of ours keeps its traceback."""
+    """A failure without its traceback: the frames of 20,000 failures took 140 MB. A bug of ours keeps its own."""
     if isinstance(e, errors.Error):
         e.__traceback__ = e.__context__ = None
     return e
 
 
 def _give_up(peers, values, results):
-    """Fail the open jobs of peers that stayed silent too long."""
+    """Fail the open jobs of peers that have been silent too long."""
     now = time.monotonic()
     for peer in peers:
         silent_too_long = now - peer.heard > peer.limit + GRACE
@@ -278,14 +275,14 @@ def _give_up(peers, values, results):
 
 
 def is_over():
-    """True when the session's `end` is over."""
+    """True when the session's `end` has passed."""
     return session.end is not None and time.monotonic() > session.end
 
 
 class Calls:
-    """Functions that make remote calls, begun one by one while others run; at most LANES at a time for one process.
+    """Functions that make remote calls, started one by one while others run; at most LANES at a time for one process.
 
-    They run on threads of their own, where `ask` and `gather` may be used. What they return, or raise, comes from `ended`.
+    Each runs on a thread of its own, where `ask` and `gather` may be used. `ended` gives what it returned or raised.
     """
 
     def __init__(self):
@@ -297,7 +294,7 @@ class Calls:
         self._closed = False
 
     def start(self, endpoint, key, function):
-        """Call function() as soon as there is a lane to the process at `endpoint`; `key` is its name in `ended`."""
+        """Call function() as soon as there is a lane to the process at `endpoint`; `ended` gives its result with `key`."""
         with self._lock:
             self._waiting.setdefault(endpoint, collections.deque()).append((key, function))
             if self._threads[endpoint] == LANES:
@@ -320,11 +317,11 @@ class Calls:
             self.post(key, value)
 
     def post(self, key, value):
-        """Let `ended` return (key, value): a function may do so to report how far it has come."""
+        """Make `ended` return (key, value): a function may do so to report its progress."""
         self._events.put((key, value))
 
     def ended(self, seconds):
-        """The next (key, value), where value is an errors.Error if the function has failed; None after so many seconds."""
+        """The next (key, value), where value is an errors.Error if the function failed; None after so many seconds."""
         found = self._events.get(seconds)
         if found is None:
             return None
@@ -334,7 +331,7 @@ class Calls:
         return key, value
 
     def close(self):
-        """Begin no more; returns the keys of the functions that were begun."""
+        """Start no more functions; returns the keys of those that were begun."""
         with self._lock:
             self._closed = True
             return set(self._begun)

@@ -1,4 +1,4 @@
-"""The only door to omniORB: the ORB and its settings, references, calls with a deadline, CORBA exceptions as errors."""
+"""omniORB: its settings, references, calls with a deadline, CORBA exceptions as errors."""
 import os
 import sys
 import threading
@@ -9,12 +9,12 @@ from rtshell_lite.corba import answers, ior, lanes
 from rtshell_lite.path import PROTOCOLS, SCHEMES, split_address
 from rtshell_lite.text import from_wire, printable, to_wire
 
-PROBING = 4  # the part of the timeout, a quarter, in which a host has to refuse a connection
+PROBING = 4  # a host has a quarter of the timeout to refuse a connection
 NO_USABLE_ADDRESS = "host name not known"  # what omniORB means by TRANSIENT_NoUsableProfile, if no setting forbids the connection
-CONNECTIONS = 5  # that omniORB holds to one process at most (its maxGIOPConnectionPerServer)
+CONNECTIONS = 5  # omniORB opens at most so many to one process (maxGIOPConnectionPerServer)
 
 _started = None  # the ORB, once there is one
-_deadline = None  # seconds: the deadline it was given
+_deadline = None  # s, the deadline that it was given
 _starting = threading.RLock()
 
 
@@ -61,12 +61,10 @@ def _set_deadline():
 
 
 def import_omniorb():
-    """Import omniORB without its quarter of unneeded weight, before any of our stubs do; returns its module CORBA.
+    """Import omniORB without `tempfile`, before any of our stubs do; returns its module CORBA. Raises MissingOmniORB.
 
-    Raises MissingOmniORB.
-
-    Measured: of 18 ms for `import omniORB`, 9 ms are `tempfile`, which only importIDLString uses, never called here. The
-    empty stand-in leaves sys.modules again, so that anybody else's import gets the real one.
+    Of 18 ms for `import omniORB`, 9 ms are `tempfile`, which only importIDLString uses; we never call that. The empty
+    stand-in leaves sys.modules again, so that others import the real one.
     """
     stand_in = sys.modules.setdefault("tempfile", types.ModuleType("tempfile"))
     try:
@@ -105,7 +103,7 @@ def corbaloc(where, address, key, default_port):
 
 
 def from_text(where, text):
-    """The reference that a stringified IOR stands for, which a peer has sent. Raises Unreachable when it is none."""
+    """The reference in a stringified IOR that a peer has sent. Raises Unreachable where the text is no reference."""
     orb = start()
     from omniORB import CORBA
     try:
@@ -119,7 +117,7 @@ def from_text(where, text):
 def narrow(ref, interface):
     """`ref` as a reference of the stub class `interface`, on trust: no remote call."""
     if type(ref)._NP_RepositoryId == interface._NP_RepositoryId:
-        return ref  # what stubs return; to narrow again takes 30 us
+        return ref  # narrowing again takes 30 us
     return ref._unchecked_narrow(interface)
 
 
@@ -136,12 +134,12 @@ def naming_name(names):
 
 
 def same(one, other):
-    """True when two references denote one object, as far as is known without a remote call."""
+    """True if two references denote one object, as far as can be known without a remote call."""
     return one is not None and other is not None and bool(one._is_equivalent(other))
 
 
 def one_of(ref, known):
-    """`known` where it denotes the same object as `ref`, else `ref`: to keep both takes 800 bytes more."""
+    """`known` if it denotes the same object as `ref`, else `ref`: keeping both takes 800 bytes more."""
     return known if same(ref, known) else ref
 
 
@@ -156,12 +154,12 @@ def addresses(ref):
 
 
 def endpoint(ref):
-    """(host, port) of the process that answers for `ref`: what lanes are made of."""
+    """(host, port) of the process that answers for `ref`, which has its own lanes."""
     return address(ref)[1:3]
 
 
 def at_address(ref):
-    """HOST:PORT of the process that answers for `ref`, spelt for the terminal."""
+    """HOST:PORT of the process that answers for `ref`, printable."""
     host, port = endpoint(ref)
     return "%s:%d" % (printable(host), port)
 
@@ -180,13 +178,15 @@ def at(ref, host, port):
 # ---- calls ----------------------------------------------------------------------------------------------------
 
 def call(where, ref, operation, *args, seconds=None):
-    """Call `operation` of `ref` and return its result; `where` names the object in errors: a Path, which is spelt only then, or
-    text.
+    """Call `operation` of `ref` and return its result; `where`, a Path or text, names the object in errors.
 
     `seconds` is a longer deadline for an operation that may take its time. Raises Silent, Gone, Unreachable or Refused.
     """
-    if not lanes.in_lane():
-        return lanes.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args, seconds=seconds))
+    return lanes.ask(endpoint(ref), where, lambda: _called(where, ref, operation, args, seconds))
+
+
+def _called(where, ref, operation, args, seconds):
+    """The result of an operation, called on this thread, a lane of the process that answers."""
     from omniORB import CORBA
     longer = seconds if seconds and seconds > lanes.session.timeout else None
     if longer:
@@ -208,8 +208,8 @@ def call(where, ref, operation, *args, seconds=None):
 def _asked_again(failure, where, ref, operation, args):
     """The result of a question whose answer was lost: it is asked again, once for each connection that may be an old one.
 
-    rtsh keeps connections: where a process has ended since, or was started anew at the same port, all of them are lost, and
-    each shows it only when it is used. Changes are not repeated: they may have been made.
+    rtsh keeps connections. When a process ends, or is restarted at the same port, all of them are lost, and each shows it only
+    when it is next used. Changes are not repeated: they may have been made.
     """
     from omniORB import CORBA
     asks = operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
@@ -221,13 +221,6 @@ def _asked_again(failure, where, ref, operation, args):
     raise failure
 
 
-def ask(where, ref, operation, *args, seconds=None):
-    """`call` for an object that may live in another process than the one whose lane this is."""
-    if lanes.lane_of(endpoint(ref)):
-        return call(where, ref, operation, *args, seconds=seconds)
-    return lanes.ask(endpoint(ref), where, lambda: call(where, ref, operation, *args, seconds=seconds))
-
-
 def each(refs, function, where=None):
     """Call function(ref) for each reference, in parallel: the values in order, an errors.Error for what failed.
 
@@ -237,7 +230,7 @@ def each(refs, function, where=None):
 
 
 def is_alive(where, ref):
-    """True when the object of `ref` exists. Raises Gone when it does not or nobody listens there, Silent, Unreachable."""
+    """True if the object of `ref` exists. Raises Gone if it does not or nobody listens there, Silent, Unreachable."""
     try:
         gone = call(where, ref, "_non_existent")
     except errors.ConnectionRefused:
@@ -248,7 +241,7 @@ def is_alive(where, ref):
 
 
 def _error(where, e, seconds, ref):
-    """The errors.Error for a CORBA exception that a call to `ref` has raised."""
+    """The errors.Error for a CORBA exception that a call to `ref` raised."""
     from omniORB import CORBA
     label = _label(e)
     if isinstance(e, CORBA.TIMEOUT):
@@ -269,9 +262,9 @@ def _error(where, e, seconds, ref):
 
 
 def _not_connected(where, endpoint):
-    """The errors.Error for a connection that could not be made: omniORB does not say why, but the kernel does.
+    """The errors.Error for a connection that could not be made: omniORB does not say why, so the kernel is asked.
 
-    Only a refusal is a sign that the process has gone. Where there is no way to its host, it may well live.
+    Only a refusal shows that the process is gone. Where its host cannot be reached, it may well live.
     """
     import socket
     try:
@@ -299,9 +292,9 @@ def _label(e):
 # ---- values ---------------------------------------------------------------------------------------------------
 
 def properties(nvlist):
-    """An SDOPackage::NVList as a list of (name, value) texts in its order; what is not text is written as text."""
+    """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to text."""
     from omniORB import CORBA
-    string = CORBA.tk_string  # almost all are; `is`, as == of these takes as long as all the rest
+    string = CORBA.tk_string  # almost all are; `is`, because == of these takes as long as all the rest
     return [(sys.intern(from_wire(nv.name)), from_wire(nv.value.value()) if nv.value.typecode().kind() is string
              else _as_text(nv.value, CORBA)) for nv in nvlist]
 
@@ -317,18 +310,18 @@ def _as_text(value, CORBA):
 
 
 def descriptor(type_id):
-    """The type descriptor that stubs registered with omniORB for a repository id, None where none did."""
+    """The type descriptor that stubs registered with omniORB for a repository id, or None."""
     import omniORB
     return omniORB.typeMapping.get(type_id)
 
 
 def descriptor_of(value):
-    """The type descriptor of what an any holds."""
+    """The type descriptor of the value in an any."""
     return value.typecode()._d
 
 
 def nvlist(pairs):
-    """(name, value) texts as an SDOPackage::NVList of strings: the one kind of value that every implementation accepts."""
+    """(name, value) texts as an SDOPackage::NVList of strings, the one type that every implementation accepts."""
     from omniORB import CORBA
     from rtshell_lite.idl_stubs.component import SDOPackage
     return [SDOPackage.NameValue(to_wire(n), CORBA.Any(CORBA.TC_string, to_wire(v))) for n, v in pairs]

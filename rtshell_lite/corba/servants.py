@@ -1,4 +1,4 @@
-"""Objects of ours that components call: receivers of data. (Nothing of ours is bound in a name server.)"""
+"""Our objects that components call, such as receivers of data. None of them is bound in a name server."""
 import os
 import socket
 import struct
@@ -11,7 +11,7 @@ from rtshell_lite.idl_stubs.dataport import RTC, RTC__POA, OpenRTM, OpenRTM__POA
 
 
 class InPortCdr(OpenRTM__POA.InPortCdr):
-    """What an out port pushes to by corba_cdr: hands (nanoseconds since 1970, bytes) to a function."""
+    """Receives what an out port pushes by corba_cdr, and passes (nanoseconds since 1970, bytes) to a function."""
 
     def __init__(self, take):
         self.take = take
@@ -22,7 +22,7 @@ class InPortCdr(OpenRTM__POA.InPortCdr):
 
 
 class DataPushService(RTC__POA.DataPushService):
-    """The same by data_service."""
+    """Receives what an out port pushes by data_service, likewise."""
 
     def __init__(self, take):
         self.take = take
@@ -36,12 +36,12 @@ RECEIVERS = {"corba_cdr": InPortCdr, "data_service": DataPushService}
 
 
 class Served:
-    """A servant that can be called from now on, until `withdraw`."""
+    """A servant that can be called until `withdraw`."""
 
     def __init__(self, servant):
         try:
             self.poa = orb.start().resolve_initial_references("RootPOA")
-        except CORBA.INITIALIZE:  # that is when omniORB begins to listen
+        except CORBA.INITIALIZE:  # only now omniORB begins to listen
             raise errors.Usage("this machine cannot be reached at the address that ORBendPoint tells")
         self.id = self.poa.activate_object(servant)
         self.reference = self.poa.id_to_reference(self.id)
@@ -49,12 +49,12 @@ class Served:
         self.poa._get_the_POAManager().activate()
 
     def withdraw(self):
-        """Callers get OBJECT_NOT_EXIST."""
+        """From now on callers get OBJECT_NOT_EXIST."""
         self.poa.deactivate_object(self.id)
 
     def ior(self, peer):
-        """The stringified reference to give to the process at `peer`, (host, port): with that address of ours which it can
-        reach. omniORB itself puts the first one that it finds into all references. Looks up the host's name.
+        """The stringified reference for the process at `peer`, (host, port), with the address of this host that it can reach:
+        omniORB itself puts the first address that it finds into all references. Looks up the peer's name.
         """
         own = None if _endpoint_given() else own_address(*peer)
         if own is None:
@@ -64,12 +64,12 @@ class Served:
 
 
 def _endpoint_given():
-    """True when the user says what omniORB is to publish, for NAT say."""
+    """True if the user sets what omniORB publishes, for NAT say."""
     return "ORBendPoint" in os.environ.get("RTCTREE_ORB_ARGS", "") or any(name.startswith("ORBendPoint") for name in os.environ)
 
 
 def own_address(host, port):
-    """The address of this machine that faces `host`, None when there is no way there. Nothing is sent."""
+    """The address of this machine that faces `host`, None if there is no route. Sends nothing."""
     try:
         found = socket.getaddrinfo(host, port, 0, socket.SOCK_DGRAM)
     except (OSError, UnicodeError):

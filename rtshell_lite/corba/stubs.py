@@ -1,6 +1,6 @@
-"""The stubs of OpenRTM's IDL by their names: nothing outside corba/ imports one.
+"""The stubs of OpenRTM's IDL by name: nothing outside corba/ imports one.
 
-Each package of stubs is imported when something of it is first asked for: a command pays for those that it uses.
+Each package of stubs is imported when first asked for: a command pays only for those that it uses.
 """
 import functools
 import sys
@@ -22,7 +22,7 @@ def named(name):
 
 
 def lend_standard():
-    """Let a user's stubs import those of the files that theirs included: OpenRTM-aist-Python's where installed, else ours."""
+    """Let a user's stubs import the stubs of the standard IDL files: OpenRTM-aist-Python's if installed, else ours."""
     import importlib.util  # takes long
     for name in STANDARD:
         if name not in sys.modules and importlib.util.find_spec(name) is None:

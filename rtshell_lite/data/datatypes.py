@@ -206,7 +206,7 @@ def _of_module(module):
 def _offered(port):
     """The Type of the value in a port's profile, or None; one more call."""
     from rtshell_lite.robot import ports
-    profile = orb.ask(ports.label(port), port.ref, "get_port_profile")
+    profile = orb.call(ports.label(port), port.ref, "get_port_profile")
     for item in profile.properties:
         if from_wire(item.name) == "dataport.data_value":
             descriptor = orb.descriptor_of(item.value)

@@ -196,7 +196,7 @@ def fetcher(reader):
 
     def get():
         try:
-            status, data = orb.ask(reader.where, source, operation)
+            status, data = orb.call(reader.where, source, operation)
         except errors.Gone:
             raise errors.Unreachable(reader.where, reader.lost())
         except errors.Refused as e:

@@ -63,12 +63,12 @@ class Audience:
     def _cycles(self):
         owned, participating = component.context_refs(self.node)
         refs = owned + participating
-        running = [component.elsewhere(self.node, ref, lambda ref=ref: orb.ask(self.node.path, ref, "is_running"), False)
+        running = [component.elsewhere(self.node, ref, lambda ref=ref: orb.call(self.node.path, ref, "is_running"), False)
                    for ref in refs]
         return [Cycle(*fields) for fields in zip(range(len(refs)), refs, component.states(self.node, refs), running)]
 
     def _rate(self, ref):
-        rate = component.elsewhere(self.node, ref, lambda: orb.ask(self.node.path, ref, "get_rate"), 0)
+        rate = component.elsewhere(self.node, ref, lambda: orb.call(self.node.path, ref, "get_rate"), 0)
         return rate if 0 < rate < math.inf else None
 
 
@@ -197,7 +197,7 @@ class Writer(Connection):
 
     def _put(self, data):
         try:
-            status = str(orb.ask(self.where, self.sink, self.operation, data))
+            status = str(orb.call(self.where, self.sink, self.operation, data))
         except errors.Gone:
             raise errors.Unreachable(self.where, self.lost())
         except errors.Refused:

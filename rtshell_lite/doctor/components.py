@@ -5,75 +5,27 @@ from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb
 from rtshell_lite.doctor import remedies, started, waiting
 from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, warn
-from rtshell_lite.robot import component, ports
+from rtshell_lite.robot import component, ports, snapshot
+from rtshell_lite.robot.snapshot import FULL
 from rtshell_lite.text import printable, shell_word
 
 MOST = 3  # names of one component that are reported one by one
 
 
-class Examined:
-    """A component and what could be asked of it; where it fell silent or refused, the rest is missing.
-
-    nodes     the Nodes by which it is bound, sorted by path; `node` is the first
-    asking    what it was asked for last, in words, '' as long as it has not been asked
-    error     the errors.Error that ended the questions, or None
-    ports     its ports.Ports; `refusing` (number from 1, errors.Error, endpoint) of ports that do not give their profiles
-    dropped   names of ports that have just dropped a connection whose far end is dead
-    contexts  component.Contexts, None where one of another component does not answer; `states` in them
-    profile   its component.Profile, or None
-    """
-
-    def __init__(self, nodes):
-        self.nodes, self.node = nodes, nodes[0]
-        self.asking, self.error, self.profile = "", None, None
-        self.ports, self.refusing, self.dropped, self.contexts, self.states = [], [], [], [], []
-
-    @property
-    def where(self):
-        """Its path, spelt for the terminal."""
-        return str(self.node.path)
-
-    @property
-    def word(self):
-        """Its path as a word of a command."""
-        return shell_word(self.where)
-
-
 def examined(nodes):
-    """An Examined for each component among the Nodes, each object once, however often it is bound."""
+    """The Snapshot of each component among the Nodes, each object once, however often it is bound, sorted by path.
+
+    Where a component fell silent or refused, the rest is missing.
+    """
     by_object = collections.OrderedDict()
     for node in sorted(nodes, key=lambda node: str(node.path)):
         if node.kind == "component":
             by_object.setdefault(orb.identity(node.ref), []).append(node)
-    all_of_them = [Examined(nodes) for nodes in by_object.values()]
-    answers = lanes.each(all_of_them, _ask, lambda each: (each.node.endpoint, each.where))
-    for each, answer in zip(all_of_them, answers):
-        each.error = answer if isinstance(answer, errors.Error) else None
-    return all_of_them
-
-
-def _ask(each):
-    """Ask a component, in the order that harms none: ports, contexts, and the profile only when all ports have answered."""
-    node, each.asking = each.node, "its ports"
-    for number, ref in enumerate(ports.refs(node), 1):
-        each.asking = "the profile of its port %d" % number
-        failed_once = []  # shows that the port had a connection with a dead far end
-        try:
-            found = ports.port(node, ref, failed_once)
-        except errors.Silent:
-            raise
-        except errors.Error as e:
-            each.refusing.append((number, e, orb.endpoint(ref)))
-            continue
-        each.ports += ports.in_system([found])
-        each.dropped += [found] * len(failed_once)
-    each.asking = "its execution contexts"
-    owned, participating = component.context_refs(node)
-    each.contexts = component.contexts(node, owned + participating)
-    each.states = component.states(node, owned + participating)
-    each.asking = "its profile"
-    if not each.refusing:
-        each.profile = component.profile(node)
+    components = [snapshot.Snapshot(first, others) for first, *others in by_object.values()]
+    snapshot.ask_all(components, ports=snapshot.EACH, owned=FULL, participating=FULL, states=FULL, profile=FULL)
+    for each in components:
+        each.ports = ports.in_system(each.ports)
+    return components
 
 
 # ---- findings -------------------------------------------------------------------------------------------------
@@ -89,10 +41,10 @@ def findings(all_of_them, rates, hung, stated=False):
     for each in all_of_them:
         troubles = _troubles(each, hung) + rates.get(each.where, [])
         found += troubles
-        if not any(one.level == "fail" for one in troubles) and each.error is None:
+        if not any(finding.level == "fail" for finding in troubles) and each.error is None:
             found.append(ok("component", each.where, _summary(each)))
-    found.sort(key=lambda one: one.path)
-    if not stated and not any(one.level == "fail" for one in found):  # a robot does not work, either, when nobody has started it
+    found.sort(key=lambda finding: finding.path)
+    if not stated and not any(finding.level == "fail" for finding in found):  # a robot does not work, either, when nobody has started it
         found += started.findings(all_of_them)
     return found
 
@@ -107,8 +59,8 @@ def _troubles(each, hung):
 def _summary(each):
     """Active, claims 1000 Hz, 2 ports, 1 connection, at 127.0.0.1:4000."""
     state = component.merged(each.states)
-    rate = next((f"claims {one.rate:g} Hz" for one in each.contexts if _is_periodic(one)), "not periodic")
-    number = len({one.id for port in each.ports for one in port.connectors})
+    rate = next((f"claims {context.rate:g} Hz" for context in each.contexts if _is_periodic(context)), "not periodic")
+    number = len({connector.id for port in each.ports for connector in port.connectors})
     return ", ".join([state, rate, counted(len(each.ports), "port"), counted(number, "connection"),
                       "at " + published(each.node.ref)])
 
@@ -116,13 +68,13 @@ def _summary(each):
 def _stopped_answering(each, hung):
     e = each.error
     if e.why == lanes.NO_TIME:
-        return fail("component", each.where, "slow: " + lanes.NO_TIME, remedies.words("more time", path=each.word))
+        return fail("component", each.where, "slow: " + lanes.NO_TIME, remedies.words("more time", path=shell_word(each.where)))
     if isinstance(e, errors.Silent) and not each.asking:
         message = "not looked at: others of its process hang"
-        return warn("component", each.where, message, remedies.words("others first", path=each.word))
+        return warn("component", each.where, message, remedies.words("others first", path=shell_word(each.where)))
     if isinstance(e, errors.Refused) and e.name in ("BAD_OPERATION", "NO_IMPLEMENT"):
         message = "somebody else's: it is registered as a component, and is none"
-        return fail("reference", each.where, message, remedies.words("name of another", path=each.word))
+        return fail("reference", each.where, message, remedies.words("name of another", path=shell_word(each.where)))
     if isinstance(e, errors.Silent):
         message = "hangs when asked for " + each.asking
         paths, known = waiting.culprits(each, hung) if "port" in each.asking else ([], False)
@@ -145,8 +97,9 @@ def _names(each):
     if each.profile is None:
         return []
     own = dict(each.profile.properties).get("naming.names", "") or _bound_as(each.node)
-    known = [node for node in each.nodes if _bound_as(node) in own.split(",")]
-    strange = [node for node in each.nodes if node not in known]
+    nodes = [each.node, *each.others]
+    known = [node for node in nodes if _bound_as(node) in own.split(",")]
+    strange = [node for node in nodes if node not in known]
     if known:
         message, cure = "the same component as " + str(known[0].path), "name of another"
     else:
@@ -194,14 +147,14 @@ def _contexts(each):
         return [fail("context", each.where, "has no execution context: nothing executes it", _restart(each))]
     found = []
     for index, (context, state) in enumerate(zip(each.contexts, each.states)):
-        if context is None:
+        if context.handle is None:
             message = "its execution context %d belongs to another component, which does not answer" % index
-            found.append(warn("context", each.where, message, remedies.words("look at contexts", path=each.word)))
+            found.append(warn("context", each.where, message, remedies.words("look at contexts", path=shell_word(each.where))))
         elif state == "Error":
             found.append(fail("component", each.where, "in Error",
                               remedies.command("reset", option=remedies.option(index), path=each.where)))
-    alive = [one for one in each.contexts if one is not None]
-    if alive and not any(one.running for one in alive):
+    alive = [context for context in each.contexts if context.handle is not None]
+    if alive and not any(context.running for context in alive):
         message = "its execution context is stopped: nothing executes it"
         found.append(fail("context", each.where, message, remedies.command("start context", path=each.where)))
     for index, context in enumerate(each.contexts):
@@ -212,5 +165,5 @@ def _contexts(each):
 
 
 def _is_periodic(context):
-    """True for a context that is there, runs, and executes its components at a rate."""
-    return context is not None and context.running and context.kind == "Periodic"
+    """True for a context that answers, runs, and executes its components at a rate."""
+    return context.running and context.kind == "Periodic"

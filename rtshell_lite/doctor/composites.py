@@ -8,7 +8,7 @@ from rtshell_lite.text import printable
 
 
 def findings(all_of_them):
-    """Findings on members that do not answer, of the components.Examined that are composites, sorted by path."""
+    """Findings on members that do not answer, of the snapshot.Snapshot that are composites, sorted by path."""
     some = [each for each in all_of_them if each.error is None and _may_be_composite(each)]
     answers = tree.on_nodes([each.node for each in some], composites.owned)
     found = []
@@ -24,7 +24,7 @@ def findings(all_of_them):
 
 def _may_be_composite(each):
     """True for a component in whose own context others take part; who has members executes them."""
-    return bool(each.refusing) or any(context is not None and context.participants and orb.same(context.owner, each.node.ref)
+    return bool(each.refusing) or any(context.participants and orb.same(context.owner, each.node.ref)
                                       for context in each.contexts)
 
 

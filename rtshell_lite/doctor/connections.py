@@ -5,17 +5,12 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.doctor import networks, remedies, services
 from rtshell_lite.doctor.finding import fail, reason, warn
-from rtshell_lite.robot import connectors, ports, tree
-from rtshell_lite.robot.places import Places
+from rtshell_lite.robot import connectors, places, ports
 from rtshell_lite.system import capture
 from rtshell_lite.text import printable
 
-# One connection as its first end has it: the components.Examined `each`, its ports.Port, the ports.Connector.
+# One connection as its first end has it: the snapshot.Snapshot `each`, its ports.Port, the ports.Connector.
 Link = collections.namedtuple("Link", "each port connector")
-
-# What an end turned out to be: `port` its ports.Port, or None and the errors.Error `error`; `name` what to call it. The Port
-# of a component that is bound nowhere has no `node`.
-End = collections.namedtuple("End", "port error name")
 
 SETTLED = [key for key, _ in ports.DEFAULTS]  # what ports agree upon when they are connected
 
@@ -26,7 +21,6 @@ def findings(all_of_them):
     A connection that some end does not know, or knows otherwise, is looked at twice: it may be changing just now.
     """
     links, ends = _links(all_of_them), _ends(all_of_them)
-    ends.update(_elsewhere(links, ends, all_of_them))
     found = []
     for link in links:
         troubles = _troubles(link, ends)
@@ -52,45 +46,21 @@ def _identities(connector):
 
 
 def _ends(all_of_them):
-    """{identity of a port: End} of all ports of the components that were examined."""
-    found = {}
-    for each in all_of_them:
-        for port in each.ports:
-            found.setdefault(orb.identity(port.ref), End(port, None, ports.label(port)))
-    return found
-
-
-def _elsewhere(links, ends, all_of_them):
-    """{identity: End} of ports that belong to no component that was examined, or to one that did not answer."""
+    """{identity of a port: places.End} of all ports of the components, and of all that they are connected with."""
+    own = [port for each in all_of_them for port in each.ports]
     silent = {each.node.endpoint: each.error for each in all_of_them if isinstance(each.error, errors.Silent)}
-    wanted, found = collections.OrderedDict(), {}
-    for link in links:
-        for ref in link.connector.ports:
-            if ref is None or orb.identity(ref) in ends:
-                continue
-            if orb.endpoint(ref) in silent:
-                found[orb.identity(ref)] = End(None, silent[orb.endpoint(ref)], orb.at_address(ref))
-            else:
-                wanted.setdefault(orb.identity(ref), (link, ref))
-    places = Places(links[0].each.node) if links else None
-    for (identity, (_, ref)), answer in zip(wanted.items(), orb.each([ref for _, ref in wanted.values()], _ask)):
-        failed = isinstance(answer, errors.Error)
-        found[identity] = End(None, answer, orb.at_address(ref)) if failed else _stranger(answer, places)
-    return found
+    ends = places.far_ends(own, silent)
+    for port in own:
+        ends.setdefault(orb.identity(port.ref), places.End(port.ref, port, None))
+    return ends
 
 
-def _ask(ref):
-    """The Port behind a reference, as one of an object that is bound nowhere."""
-    return ports.port(tree.Node(orb.at_address(ref), "component", ref), ref)
-
-
-def _stranger(port, places):
-    """The End for a Port of a component that was not examined."""
-    path = port.owner and places.path(port.name.rpartition(".")[0], port.owner)
-    if path is None:
-        return End(port._replace(node=None), None, f"{printable(port.name)} at {orb.at_address(port.ref)}, bound nowhere,")
-    port = port._replace(node=tree.Node(path, "component", port.owner))
-    return End(port, None, ports.label(port))
+def _name(end):
+    """What to call an End."""
+    if end.port is not None and end.port.node is not None:
+        return ports.label(end.port)
+    address = orb.at_address(end.ref)
+    return address if end.port is None else f"{printable(end.port.name)} at {address}, bound nowhere,"
 
 
 def _again(link, ends):
@@ -98,12 +68,12 @@ def _again(link, ends):
     asked = [(orb.identity(ref), ref) for ref in link.connector.ports
              if ref is not None and ends[orb.identity(ref)].port is not None]
     own = link.port
-    for (identity, _), answer in zip(asked, orb.each([ref for _, ref in asked], _ask)):
+    for (identity, _), answer in zip(asked, places.ask([ref for _, ref in asked])):
         before = ends[identity]
         if isinstance(answer, errors.Error):
-            ends[identity] = End(None, answer, before.name)
+            ends[identity] = before._replace(port=None, error=answer)
             continue
-        ends[identity] = before._replace(port=answer._replace(node=before.port.node if before.port else None))
+        ends[identity] = before._replace(port=answer._replace(node=before.port.node))
         own = ends[identity].port if identity == orb.identity(link.port.ref) else own
     now = next((one for one in own.connectors if one.id == link.connector.id), None)
     return now and Link(link.each, own, now)
@@ -117,14 +87,14 @@ def _troubles(link, ends):
     undo = remedies.command("disconnect", id=connector.id, port=where)
     if None in connector.ports:
         return [fail("connection", where, f"connection {_called(connector)} has an end that is nothing (nil)", undo)]
-    refs = [ref for ref in connector.ports if not orb.same(ref, link.port.ref)]
-    others, found = [ends[orb.identity(ref)] for ref in refs], []
-    for ref, end in zip(refs, others):
+    others = [ends[orb.identity(ref)] for ref in connector.ports if not orb.same(ref, link.port.ref)]
+    found = []
+    for end in others:
         if end.port is None:
-            found.append(_lost(link, where, ref, end, undo))
-        elif connector.id not in [one.id for one in end.port.connectors]:
+            found.append(_lost(link, where, end, undo))
+        elif connector.id not in [connector.id for connector in end.port.connectors]:
             found.append(fail("connection", where, "connection %s is one-sided: %s does not know it" % (
-                _called(connector), end.name), _redo(link, others)))
+                _called(connector), _name(end)), _redo(link, others)))
         else:
             found += _differences(link, end, _redo(link, others))
     if all(end.port is not None for end in others):
@@ -146,18 +116,18 @@ def _redo(link, others):
     return remedies.reconnect(connector.id, where, connectors.command(labels, connector.name, "", given))
 
 
-def _lost(link, where, ref, end, undo):
+def _lost(link, where, end, undo):
     """The far end of a connection does not answer."""
-    endpoint, homes = orb.endpoint(ref), networks.homes_of(link.each.node.ref)
-    misled = networks.misled("connection", where, ref, homes)
+    name, endpoint, homes = _name(end), orb.endpoint(end.ref), networks.homes_of(link.each.node.ref)
+    misled = networks.misled("connection", where, end.ref, homes)
     if misled:
         return misled._replace(message="the far end of a connection " + misled.message)
-    if isinstance(end.error, (errors.Gone, errors.ConnectionRefused)) and networks.is_certain(ref, homes):
-        return fail("connection", where, f"the far end of a connection is dead (at {end.name})", undo)
+    if isinstance(end.error, (errors.Gone, errors.ConnectionRefused)) and networks.is_certain(end.ref, homes):
+        return fail("connection", where, f"the far end of a connection is dead (at {name})", undo)
     if remedies.is_of_network(end.error, endpoint):
-        message = f"cannot tell from here whether the far end of a connection, at {end.name}, lives ({reason(end.error)})"
+        message = f"cannot tell from here whether the far end of a connection, at {name}, lives ({reason(end.error)})"
         return fail("connection", where, message, remedies.network(endpoint))
-    message = f"the far end of a connection, at {end.name}, cannot be asked ({reason(end.error)})"
+    message = f"the far end of a connection, at {name}, cannot be asked ({reason(end.error)})"
     return fail("connection", where, message, remedies.of_silence(
         end.error, endpoint, where, remedies.words("restart its process", port=endpoint[1])))
 
@@ -173,7 +143,7 @@ def _differences(link, end, remedy):
         if _is_reference(key, one) or _is_reference(key, other) or _plain(key, one) == _plain(key, other):
             continue
         found.append(warn("connection", where, "%s is %s here, %s at %s" % (
-            printable(key), _shown(one), _shown(other), end.name), remedy))
+            printable(key), _shown(one), _shown(other), _name(end)), remedy))
     return found
 
 

@@ -2,7 +2,7 @@
 from rtshell_lite import errors, path
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import counted, fail, ok, reason, warn
-from rtshell_lite.robot import component
+from rtshell_lite.robot import snapshot
 from rtshell_lite.system import capture, compare
 from rtshell_lite.text import safe, shell_word
 
@@ -25,7 +25,7 @@ def findings(profile, file, state):
 def _rates(profile):
     """Findings on execution contexts whose rates differ from those in the file; contexts that only one of both has are left out."""
     found = []
-    for each, contexts in zip(profile.components, capture.look(profile, _contexts)):
+    for each, contexts in zip(profile.components, capture.look(profile, lambda node: snapshot.of(node, owned=snapshot.FULL).owned)):
         if isinstance(contexts, errors.Error):
             continue  # found before
         for one in each.execution_contexts:
@@ -39,10 +39,6 @@ def _rates(profile):
                             context.rate, one.rate),
                         remedies.command("set rate", option=remedies.option(index), path=where, rate=f"{one.rate:g}")))
     return found
-
-
-def _contexts(node):
-    return [component.context(node, ref) for ref in component.owned_context_refs(node)]
 
 
 def _remedy(each, file):

@@ -9,7 +9,7 @@ from rtshell_lite.data import connection, datatypes, reading
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import ok, reason, warn
 from rtshell_lite.robot import component, ports
-from rtshell_lite.text import printable
+from rtshell_lite.text import printable, shell_word
 
 TOGETHER = 4  # components of a process measured at a time: fetching their values is work for it
 ENOUGH = 0.9  # of the rate claimed
@@ -20,7 +20,7 @@ class Watched:
     """A component that is Active in a running, periodic context."""
 
     def __init__(self, each, rate, port):
-        self.each, self.rate, self.port = each, rate, port  # its components.Examined, the Hz claimed, the port watched
+        self.each, self.rate, self.port = each, rate, port  # its snapshot.Snapshot, the Hz claimed, the port watched
         self.reader = self.failure = None  # reading.Reader; the errors.Error why it could not be measured
         self.count, self.stamp = 0, None  # values seen; (when one came, in s, the timestamp in it) where they have any
         self.stamped = (datatypes.members(port.properties.get("dataport.data_type", "")) or [None])[0] == ("tm", "Time")
@@ -66,7 +66,7 @@ def _batch(waiting):
 def _watchable(each):
     """(Watched, '') for a component whose rate can be seen from outside, else (None, why not, '' where that is reported)."""
     running = [(context, state) for context, state in zip(each.contexts, each.states)
-               if context is not None and context.running and context.kind == "Periodic" and context.rate > 0]
+               if context.running and context.kind == "Periodic" and context.rate > 0]
     if each.error is not None or not running:
         return None, ""
     active = [context for context, state in running if state == "Active"]
@@ -85,7 +85,7 @@ def _smallest(found):
 
 def _unmeasured(each, e):
     if isinstance(e, errors.Silent) and e.why != lanes.NO_TIME:
-        return warn("rate", each.where, "rate not measured: " + reason(e), remedies.words("measure again", path=each.word))
+        return warn("rate", each.where, "rate not measured: " + reason(e), remedies.words("measure again", path=shell_word(each.where)))
     return ok("rate", each.where, "rate not measured: " + reason(e))
 
 

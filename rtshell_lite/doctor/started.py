@@ -8,7 +8,7 @@ MANY = 10  # components that one command activates
 
 
 def findings(all_of_them):
-    """Findings on components.Examined that are Inactive, in order."""
+    """Findings on snapshot.Snapshot that are Inactive, in order."""
     told = [(each, component.merged(each.states)) for each in all_of_them if each.states]
     if told and all(state == "Inactive" for _, state in told):
         return [_nothing_moves([each for each, _ in told])]
@@ -29,7 +29,7 @@ def _nothing_moves(some):
 
 
 def _systems(told):
-    """(Examined, states of the others in its system) for each that is Inactive.
+    """(Snapshot, states of the others in its system) for each that is Inactive.
 
     What is connected with it is its system; for one without connections, what is bound in the same directory.
     """
@@ -45,7 +45,7 @@ def _systems(told):
 
 
 def _connected(some):
-    """{id of an Examined: all that are connected with it, directly or through others}."""
+    """{id of a Snapshot: all that are connected with it, directly or through others}."""
     owners, groups = {orb.identity(port.ref): each for each in some for port in each.ports}, {id(each): [each] for each in some}
     for each in some:
         for ref in [ref for port in each.ports for one in port.connectors for ref in one.ports if ref is not None]:

@@ -9,7 +9,7 @@ import uuid
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, stubs
-from rtshell_lite.robot import component, ports
+from rtshell_lite.robot import snapshot
 from rtshell_lite.text import from_wire
 
 OBSERVER = "IDL:OpenRTM/ComponentObserver:1.0"
@@ -40,9 +40,8 @@ _PREFIXES = {"EC_EVENT": "EC_", "PORT_EVENT": "PORT_"}
 # ---- subscriptions of a component ------------------------------------------------------------------------------
 
 def properties(node):
-    """The properties of a component, a dict; its ports are asked before its profile, see `ports.ports`."""
-    ports.ports(node)
-    return dict(component.profile(node).properties)
+    """The properties of a component, a dict."""
+    return dict(snapshot.of(node, ports=snapshot.BRIEF, profile=snapshot.FULL).profile.properties)
 
 
 def taken(properties):
@@ -77,7 +76,7 @@ class Subscription:
                 return
             if self._configuration is None:
                 self._configuration = self.node.call("get_configuration")
-            if not orb.ask(self.where, self._configuration, "add_service_profile", self._profile()):
+            if not orb.call(self.where, self._configuration, "add_service_profile", self._profile()):
                 raise errors.Refused(self.where, f"does not take {self.interface}")
 
     def _profile(self):
@@ -92,7 +91,7 @@ class Subscription:
         self._over = True
         with self._lock:
             if self._configuration is not None:
-                orb.ask(self.where, self._configuration, "remove_service_profile", self.id)
+                orb.call(self.where, self._configuration, "remove_service_profile", self.id)
 
     def forget(self):
         """The component is gone: there is nothing to take back."""

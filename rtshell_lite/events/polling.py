@@ -8,19 +8,19 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.events.observer import Event
-from rtshell_lite.robot import component
+from rtshell_lite.robot import snapshot
 from rtshell_lite.text import from_wire
 
 THOROUGH = 1.0  # seconds between looks at what changes less often than states
 SEEN = {"RTC_STATUS", "EC_EVENT", "CONFIG_EVENT"}  # the kinds of events that can be seen
 
 
-class _Context:
+class _Seen:
     """What was last seen of an execution context."""
 
     def __init__(self, node, ref):
-        self.ref, self.state, self.rate, self.running = ref, None, None, None
-        self.handle = str(node.call("get_context_handle", ref))
+        self.identity, self.handle = orb.identity(ref), str(node.call("get_context_handle", ref))
+        self.state = self.rate = self.running = None
 
 
 class Poll:
@@ -28,7 +28,8 @@ class Poll:
 
     def __init__(self, node, kinds):
         self.node, self.where, self.kinds = node, str(node.path), set(kinds)
-        self.contexts, self.set, self.configuration = {}, None, None
+        self.snapshot, self.seen = snapshot.Snapshot(node), []  # of its contexts, and a _Seen of each
+        self.set, self.configuration = None, None
         self._thorough = None  # when everything was last looked at
         self.look()
 
@@ -48,39 +49,31 @@ class Poll:
         return [] if first else [Event(time.time(), *each) for each in found if each[0] in self.kinds]
 
     def _contexts(self):
-        owned, participating = component.context_refs(self.node)
-        refs = {orb.identity(ref): ref for ref in owned + participating}
-        for identity in set(self.contexts) - set(refs):
-            yield "EC_EVENT", self.contexts.pop(identity).handle, "EC_DETACHED"
-        for identity in refs:
-            if identity not in self.contexts:
-                self.contexts[identity] = _Context(self.node, refs[identity])
-                yield "EC_EVENT", self.contexts[identity].handle, "EC_ATTACHED"
-        for context in self.contexts.values():
-            was = context.running, context.rate
-            context.running, context.rate = component.elsewhere(self.node, context.ref, lambda: self._run(context), was)
-            if None not in was and was[0] != context.running:
-                yield "EC_EVENT", context.handle, "EC_STARTUP" if context.running else "EC_SHUTDOWN"
-            if None not in was and was[1] != context.rate:
-                yield "EC_EVENT", context.handle, "EC_RATE_CHANGED"
-
-    def _run(self, context):
-        if "EC_EVENT" not in self.kinds:
-            return None, None
-        return bool(orb.ask(self.where, context.ref, "is_running")), orb.ask(self.where, context.ref, "get_rate")
+        detail = snapshot.RUNNING if "EC_EVENT" in self.kinds else snapshot.REFERENCES
+        self.snapshot.ask(owned=detail, participating=detail)
+        before = {seen.identity: seen for seen in self.seen}
+        now = [(orb.identity(context.ref), context) for context in self.snapshot.contexts]
+        self.seen = [before.get(identity) or _Seen(self.node, context.ref) for identity, context in now]
+        for identity in set(before) - {identity for identity, _ in now}:
+            yield "EC_EVENT", before[identity].handle, "EC_DETACHED"
+        for seen in self.seen:
+            if seen.identity not in before:
+                yield "EC_EVENT", seen.handle, "EC_ATTACHED"
+        for seen, (_, context) in zip(self.seen, now):
+            yield from _run_events(seen, context)
 
     def _states(self):
-        known = list(self.contexts.values())
-        for context, state in zip(known, component.states(self.node, [context.ref for context in known])):
-            if context.state not in (None, state) and state != "Created":  # so says a context that it has just left
-                yield "RTC_STATUS", context.handle, state.upper()
-            context.state = state
+        self.snapshot.ask(states=snapshot.FULL)
+        for seen, state in zip(self.seen, self.snapshot.states):
+            if seen.state not in (None, state) and state != "Created":  # so says a context that it has just left
+                yield "RTC_STATUS", seen.handle, state.upper()
+            seen.state = state
 
     def _configuration(self):
         if self.configuration is None:
             self.configuration = self.node.call("get_configuration")
         try:
-            active = orb.ask(self.where, self.configuration, "get_active_configuration_set")
+            active = orb.call(self.where, self.configuration, "get_active_configuration_set")
         except errors.Refused:  # NotAvailable: somebody is about to activate one
             return
         was, self.set = self.set, (from_wire(active.id), orb.properties(active.configuration_data))
@@ -92,3 +85,16 @@ class Poll:
             for name, value in self.set[1]:
                 if (name, value) not in was[1]:
                     yield "CONFIG_EVENT", f"{self.set[0]}.{name}", "CFG_UPDATE_PARAM"
+
+
+def _run_events(seen, context):
+    """What has changed of a _Seen, which is brought up to date; nothing is known of a context that does not answer."""
+    if context.running is None:
+        return
+    before, (seen.running, seen.rate) = (seen.running, seen.rate), (context.running, context.rate)
+    if None in before:
+        return
+    if before[0] != seen.running:
+        yield "EC_EVENT", seen.handle, "EC_STARTUP" if seen.running else "EC_SHUTDOWN"
+    if before[1] != seen.rate:
+        yield "EC_EVENT", seen.handle, "EC_RATE_CHANGED"

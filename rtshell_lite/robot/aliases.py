@@ -53,7 +53,7 @@ def is_foreign(above, node):
     if same_host(host, own_host):
         return False
     try:  # keys of contexts are made of times and random numbers: who knows one is who made it
-        return not orb.ask(node.path, orb.at(node.ref, host, port), "_is_a", "IDL:omg.org/CosNaming/NamingContext:1.0")
+        return not orb.call(node.path, orb.at(node.ref, host, port), "_is_a", "IDL:omg.org/CosNaming/NamingContext:1.0")
     except errors.Error:
         return True
 

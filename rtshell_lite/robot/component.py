@@ -46,10 +46,20 @@ def profile(node, brief=False):
     `brief`: with the first of its properties, which shows that there are any.
     """
     found = once_more(lambda: node.call("get_component_profile"))
-    parent = once_more(lambda: orb.ask(node.path, found.parent, "get_sdo_id")) if found.parent else ""
+    parent = once_more(lambda: orb.call(node.path, found.parent, "get_sdo_id")) if found.parent else ""
     texts = [from_wire(s) for s in (found.instance_name, found.type_name, found.description, found.version, found.vendor,
                                     found.category, parent)]
     return Profile._make(texts + [orb.properties(found.properties[:1] if brief else found.properties)])
+
+
+def instance_name(node, ref):
+    """The instance name of the component `ref` that has to do with another, `node`: Unknown if it does not answer, '' for None."""
+    if ref is None:
+        return ""
+    try:
+        return from_wire(orb.call(node.path, ref, "get_sdo_id"))
+    except errors.Error:
+        return "Unknown"
 
 
 def once_more(call, failures=None):
@@ -106,10 +116,16 @@ def context_ref(node, index):
 
 def context(node, ref):
     """All that one execution context says of itself, a Context."""
-    found = orb.ask(node.path, ref, "get_profile")
+    found = orb.call(node.path, ref, "get_profile")
     return Context(handle=node.call("get_context_handle", ref), ref=ref, kind=_by_number(KINDS, found.kind), rate=found.rate,
-                   running=orb.ask(node.path, ref, "is_running"), owner=found.owner, participants=found.participants,
+                   running=orb.call(node.path, ref, "is_running"), owner=found.owner, participants=found.participants,
                    properties=orb.properties(found.properties))
+
+
+def running(node, ref):
+    """The Context behind a reference with nothing but its rate and whether it runs."""
+    rate, runs = orb.call(node.path, ref, "get_rate"), orb.call(node.path, ref, "is_running")
+    return Context(None, ref, None, rate, bool(runs), None, (), ())
 
 
 def elsewhere(node, ref, ask, otherwise):
@@ -120,16 +136,6 @@ def elsewhere(node, ref, ask, otherwise):
         if orb.endpoint(ref) == node.endpoint:
             raise
         return otherwise
-
-
-def known_by_handle(node, refs):
-    """A Context behind each reference that has nothing but its handle: one call."""
-    return [Context(node.call("get_context_handle", ref), ref, None, None, None, None, [], []) for ref in refs]
-
-
-def contexts(node, refs):
-    """The Context behind each reference; None for one of another process that does not answer."""
-    return [elsewhere(node, ref, lambda ref=ref: context(node, ref), None) for ref in refs]
 
 
 def _by_number(names, enumerator):
@@ -156,11 +162,11 @@ def merged(states):
 
 def state_in(node, ref):
     """The state of a component in the execution context `ref` (ExecutionContext::get_component_state)."""
-    found = _by_number(STATES, orb.ask(node.path, ref, "get_component_state", node.typed))
+    found = _by_number(STATES, orb.call(node.path, ref, "get_component_state", node.typed))
     if found == "Created":
         known = canonical(node)
         if known is not None:
-            return _by_number(STATES, orb.ask(node.path, ref, "get_component_state", known))
+            return _by_number(STATES, orb.call(node.path, ref, "get_component_state", known))
     return found
 
 
@@ -170,7 +176,7 @@ def canonical(node):
     A component bound under a rewritten address, or reached by its key, is a stranger to its own contexts.
     """
     owned, _ = context_refs(node)
-    owner = orb.ask(node.path, owned[0], "get_profile").owner if owned else None
+    owner = orb.call(node.path, owned[0], "get_profile").owner if owned else None
     return None if owner is None or orb.same(owner, node.ref) else owner
 
 
@@ -194,12 +200,12 @@ def _members_first(node, ref, wait):
     """Deactivate the members of a composite of C++ 1.1 before it: the thread that is to do it would wait for them, in vain."""
     if not orb.address(ref).type_id.endswith("/ExtTrigExecutionContextService:1.0"):
         return
-    found = orb.ask(node.path, ref, "get_profile")
+    found = orb.call(node.path, ref, "get_profile")
     if not orb.same(found.owner, node.ref) or not found.participants or not node.call("get_owned_organizations"):
         return
     for member in found.participants:
-        if _by_number(STATES, orb.ask(node.path, ref, "get_component_state", member)) == "Active":
-            orb.ask(node.path, ref, "deactivate_component", member, seconds=wait)
+        if _by_number(STATES, orb.call(node.path, ref, "get_component_state", member)) == "Active":
+            orb.call(node.path, ref, "deactivate_component", member, seconds=wait)
 
 
 def change(node, transition, index=0, wait=None):
@@ -258,7 +264,7 @@ def seen(ask):
 
 def _request(node, ref, transition, target, wait):
     # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz: who waits for the state waits for that, too
-    return str(orb.ask(node.path, ref, transition.operation, target, seconds=wait))
+    return str(orb.call(node.path, ref, transition.operation, target, seconds=wait))
 
 
 def _reason(code, before, now, transition):
@@ -278,7 +284,7 @@ def stay(node, ref, transition, seconds):
     """
     if transition is not ACTIVATE:
         return
-    rate, start = seen(lambda: orb.ask(node.path, ref, "get_rate")), time.monotonic()
+    rate, start = seen(lambda: orb.call(node.path, ref, "get_rate")), time.monotonic()
     end = start + (1 / rate if rate > 0 else 0) + JITTER
     limit = start + max(seconds, POLL)
     while time.monotonic() < end:
@@ -296,7 +302,7 @@ def _until(node, ref, transition, now, seconds):
     while now != transition.target:
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to Error")
-        if not orb.ask(node.path, ref, "is_running"):
+        if not orb.call(node.path, ref, "is_running"):
             raise errors.Refused(str(node.path), "cannot %s: its execution context is stopped%s" % (
                 transition.name, "; it takes part in others, named with -e (see rtec)" if context_refs(node)[1] else ""))
         if time.monotonic() > limit:
@@ -333,8 +339,8 @@ def leave(node):
     asked, seconds = [], LEAVING
     for ref in participating_context_refs(node):
         try:
-            rate = orb.ask(node.path, ref, "get_rate")
-            orb.ask(node.path, ref, "remove_component", node.typed)
+            rate = orb.call(node.path, ref, "get_rate")
+            orb.call(node.path, ref, "remove_component", node.typed)
         except errors.Error:
             continue  # it is gone, hangs or refuses
         asked.append(ref)

@@ -20,20 +20,38 @@ EXPORTED = "exported_ports"  # parameter of a composite's set `default`: a comma
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
-def owned(node):
-    """The Organisations that a composite component owns, with their members, each of which is asked for its name."""
-    return [_organisation(node, ref) for ref in owned_refs(node)]
+def owned(node, with_members=True):
+    """The Organisations that a composite component owns, with their members, each of which is asked for its name.
+
+    A component is a composite if there are any.
+    """
+    return [_organisation(node, ref) if with_members else Organisation("", ref, []) for ref in _refs(node, "get_owned_organizations")]
 
 
-def owned_refs(node):
-    """References of the organisations that a component owns: it is a composite if there are any."""
-    return _refs(node, "get_owned_organizations")
+def belonging(node, contexts):
+    """(id, name of the composite, its path as text) of each organisation that a component is a member of.
+
+    The composites are among the owners of `contexts`, the component.Contexts that it takes part in; Unknown where one does not
+    answer.
+    """
+    ids = [from_wire(orb.call(node.path, ref, "get_organization_id")) for ref in _refs(node, "get_organizations")]
+    known = _composites(node, contexts) if ids else {}
+    return [(organisation_id,) + known.get(organisation_id, ("Unknown", "Unknown")) for organisation_id in ids]
 
 
-def belonging_ids(node):
-    """Ids of the organisations that a component is a member of."""
-    return [from_wire(orb.ask(node.path, ref, "get_organization_id"))
-            for ref in _refs(node, "get_organizations")]
+def _composites(node, contexts):
+    """{id of its organisation: (instance name, path as text)} of the owners of these contexts."""
+    places, found = Places(), {}
+    for owner in [context.owner for context in contexts if context.owner is not None]:
+        above = tree.Node(node.path, "component", owner)
+        try:
+            name = from_wire(above.call("get_sdo_id"))
+            for ref in _refs(above, "get_owned_organizations"):
+                organisation_id = from_wire(orb.call(node.path, ref, "get_organization_id"))
+                found[organisation_id] = (name, _path_text(places, name, owner, node))
+        except errors.Unreachable:
+            continue  # dead or silent: unknown
+    return found
 
 
 def _refs(node, operation):
@@ -46,42 +64,24 @@ def _refs(node, operation):
 
 
 def _organisation(node, ref):
-    members = [member for member in orb.ask(node.path, ref, "get_members") if member is not None]
+    members = [member for member in orb.call(node.path, ref, "get_members") if member is not None]
     names = orb.each(members, lambda member: from_wire(orb.call(node.path, member, "get_sdo_id")), node.path)
-    return Organisation(from_wire(orb.ask(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
+    return Organisation(from_wire(orb.call(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
 
 
 def member_paths(node, found):
     """Where the members of an Organisation are bound, as text; `Unknown (…)` for those that are nowhere or dead."""
-    places = Places(node)
-    return [_path_text(places, name, ref) for name, ref in found.members]
+    places = Places()
+    return [_path_text(places, name, ref, node) for name, ref in found.members]
 
 
-def _path_text(places, name, ref):
+def _path_text(places, name, ref, node):
     if isinstance(name, (errors.Gone, errors.ConnectionRefused)):
         return "Unknown (it is gone)"
     if isinstance(name, errors.Error):
         return f"Unknown ({name.why})"
-    path = places.path(name, ref)
+    path = places.path(name, ref, node)
     return str(path) if path else f"Unknown ({printable(name)})"
-
-
-def composites(node, contexts):
-    """{id of its organisation: (instance name, path as text)} of the composites that a component is a member of.
-
-    They are among the owners of `contexts`, the component.Contexts that it takes part in.
-    """
-    places, found = Places(node), {}
-    for owner in [context.owner for context in contexts if context.owner is not None]:
-        above = tree.Node(node.path, "component", owner)
-        try:
-            name = from_wire(above.call("get_sdo_id"))
-            for ref in owned_refs(above):
-                one = from_wire(orb.ask(node.path, ref, "get_organization_id"))
-                found[one] = (name, _path_text(places, name, owner))
-        except errors.Unreachable:
-            continue  # dead or silent: unknown
-    return found
 
 
 # ---- changing -------------------------------------------------------------------------------------------------
@@ -179,7 +179,7 @@ def add(node, one, members):
     there = [name for name, _ in one.members]
     new = [m for m in members if m.instance not in there]
     if new:  # an empty list is refused
-        if not orb.ask(node.path, one.ref, "add_members", [m.node.typed for m in new]):
+        if not orb.call(node.path, one.ref, "add_members", [m.node.typed for m in new]):
             raise errors.Refused(str(node.path), "does not take members")
         lines += [f"added component {m.node.path!s}" for m in new]
     return lines + [f"component {m.node.path!s} is a member already" for m in members if m not in new]
@@ -194,7 +194,7 @@ def remove(node, one, members):
     lines = _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
     for m in going:
         _must_live(node, one, m)
-        if not orb.ask(node.path, one.ref, "remove_member", to_wire(m.instance)):
+        if not orb.call(node.path, one.ref, "remove_member", to_wire(m.instance)):
             raise errors.Refused(str(node.path), f"does not remove member {printable(m.instance)}")
         lines.append(f"removed component {printable(m.instance)}")
     return lines

@@ -51,7 +51,7 @@ def connect_alone(port, name, properties):
     for reason in ports.without_rate([port], properties):
         raise errors.Refused(ports.label(port), reason)
     asked = stubs.named(PROFILE)(to_wire(name), "", [port.ref], orb.nvlist(sorted(properties.items())))
-    code, made = orb.ask(ports.label(port), port.ref, "connect", asked)
+    code, made = orb.call(ports.label(port), port.ref, "connect", asked)
     if str(code) != "RTC_OK":
         raise errors.Refused(ports.label(port), f"refused by the component ({code})", name=str(code))
     return ports.connector(made, ports.label(port))
@@ -103,7 +103,7 @@ def _forget_elsewhere(port, connector):
         if ref is None or orb.same(ref, port.ref):
             continue
         try:
-            orb.ask(ports.label(port), ref, "notify_disconnect", to_wire(connector.id))
+            orb.call(ports.label(port), ref, "notify_disconnect", to_wire(connector.id))
         except (errors.Gone, errors.ConnectionRefused, errors.Refused):
             pass
         except errors.Unreachable as e:

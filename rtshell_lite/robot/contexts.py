@@ -4,7 +4,7 @@ import collections
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import component
-from rtshell_lite.text import from_wire, shell_word
+from rtshell_lite.text import shell_word
 
 SETTLE_TIME = 2.0  # seconds: a component leaves at the context's next cycle, in 0.3 s as a rule
 
@@ -17,28 +17,18 @@ def entries(node, only=None):
 
     The Context of an Entry is None where it belongs to another component, which does not answer.
     """
-    owned, participating = component.context_refs(node)
-    chosen = list(enumerate(owned + participating))
     if only is not None:
-        chosen = [(only, component.context_ref(node, only))]
-    found = []
-    for index, ref in chosen:
-        context, = component.contexts(node, [ref])
-        if context is None:
-            found.append(Entry(index, None, "Unknown", "", []))
-            continue
-        found.append(Entry(index, context, component.states(node, [ref])[0], _name(node, context.owner),
-                           [_name(node, each) for each in context.participants]))
-    return found
+        return [_entry(node, only, component.context_ref(node, only))]
+    owned, participating = component.context_refs(node)
+    return [_entry(node, index, ref) for index, ref in enumerate(owned + participating)]
 
 
-def _name(node, ref):
-    if ref is None:
-        return ""
-    try:
-        return from_wire(orb.ask(str(node.path), ref, "get_sdo_id"))
-    except errors.Error:
-        return "Unknown"
+def _entry(node, index, ref):
+    context = component.elsewhere(node, ref, lambda: component.context(node, ref), None)
+    if context is None:
+        return Entry(index, None, "Unknown", "", [])
+    return Entry(index, context, component.states(node, [ref])[0], component.instance_name(node, context.owner),
+                 [component.instance_name(node, ref) for ref in context.participants])
 
 
 # ---- changing -------------------------------------------------------------------------------------------------
@@ -46,8 +36,8 @@ def _name(node, ref):
 def set_rate(node, index, rate):
     """Set the rate (Hz) of a context and check that it took it. Raises Refused."""
     ref, where = component.context_ref(node, index), str(node.path)
-    code = str(orb.ask(where, ref, "set_rate", rate))
-    now = component.seen(lambda: orb.ask(where, ref, "get_rate"))
+    code = str(orb.call(where, ref, "set_rate", rate))
+    now = component.seen(lambda: orb.call(where, ref, "get_rate"))
     if code != "RTC_OK" or not same_rate(now, rate):
         raise errors.Refused(where, f"does not take a rate of {rate:g} Hz ({code}; it is {now:g} Hz)")
     return f"{node.path}: {now:g} Hz"
@@ -70,8 +60,8 @@ def stop(node, index):
 
 def _run(node, index, operation, wanted):
     ref, where = component.context_ref(node, index), str(node.path)
-    code = str(orb.ask(where, ref, operation))  # PRECONDITION_NOT_MET where it is so already
-    if bool(component.seen(lambda: orb.ask(where, ref, "is_running"))) != wanted:
+    code = str(orb.call(where, ref, operation))  # PRECONDITION_NOT_MET where it is so already
+    if bool(component.seen(lambda: orb.call(where, ref, "is_running"))) != wanted:
         raise errors.Refused(where, f"its execution context does not {operation} ({code})")
     return f"{node.path}: {'running' if wanted else 'stopped'}"
 
@@ -91,12 +81,12 @@ def attach(node, index, other):
     """Let the component `other` take part in a context. Raises Failed, Refused, and what says that `other` is gone."""
     ref, where = component.context_ref(node, index), str(node.path)
     orb.is_alive(str(other.path), other.ref)
-    found = orb.ask(where, ref, "get_profile")
+    found = orb.call(where, ref, "get_profile")
     if orb.same(found.owner, other.ref):
         raise errors.Failed(where, f"{other.path!s} owns this execution context")
     if not _takes_part(found, other):
-        code = str(orb.ask(where, ref, "add_component", other.typed))
-        if code != "RTC_OK" or not _takes_part(component.seen(lambda: orb.ask(where, ref, "get_profile")), other):
+        code = str(orb.call(where, ref, "add_component", other.typed))
+        if code != "RTC_OK" or not _takes_part(component.seen(lambda: orb.call(where, ref, "get_profile")), other):
             raise errors.Refused(where, f"its execution context does not take {other.path!s} ({code})")
     return f"{node.path}: {other.path} takes part"
 
@@ -104,12 +94,12 @@ def attach(node, index, other):
 def detach(node, index, other):
     """Let the component `other` leave a context, which happens at its next cycle. Raises NoSuch, Refused."""
     ref, where = component.context_ref(node, index), str(node.path)
-    found = orb.ask(where, ref, "get_profile")
+    found = orb.call(where, ref, "get_profile")
     if not _takes_part(found, other):
         raise errors.NoSuch(where, "participant", str(other.path))
-    code = str(orb.ask(where, ref, "remove_component", other.typed))
+    code = str(orb.call(where, ref, "remove_component", other.typed))
     seconds = max(SETTLE_TIME, 3 / found.rate if found.rate > 0 else 0)
-    if not component.until(lambda: not _takes_part(component.seen(lambda: orb.ask(where, ref, "get_profile")), other), seconds):
+    if not component.until(lambda: not _takes_part(component.seen(lambda: orb.call(where, ref, "get_profile")), other), seconds):
         raise errors.Refused(where, f"its execution context does not let go of {other.path!s} ({code})")
     return f"{node.path}: {other.path} left"
 

@@ -22,10 +22,10 @@ class Machine:
 
     def state(self):
         """The name of the current state."""
-        return from_wire(orb.ask(self.where, self.ref, "get_current_state"))
+        return from_wire(orb.call(self.where, self.ref, "get_current_state"))
 
     def _raw(self):
-        code, structure = orb.ask(self.where, self.ref, "get_fsm_structure")
+        code, structure = orb.call(self.where, self.ref, "get_fsm_structure")
         if str(code) != "RTC_OK":
             raise errors.Refused(self.where, f"does not say its structure ({code})")
         return structure
@@ -58,7 +58,7 @@ class Machine:
         if dry_run:
             return True
         change(structure)
-        code = str(orb.ask(self.where, self.ref, "set_fsm_structure", structure))
+        code = str(orb.call(self.where, self.ref, "set_fsm_structure", structure))
         if code != "RTC_OK" or read(self._raw()) != wanted:
             why = code + (" but unchanged" if code == "RTC_OK" else "")
             raise errors.Refused(self.where, f"does not take it ({why})")

@@ -359,7 +359,7 @@ def _ended(node, seconds):
 
 def _is_over(node):
     try:
-        orb.ask(node.path, node.ref, "_non_existent")
+        orb.call(node.path, node.ref, "_non_existent")
     except errors.ConnectionRefused:
         return True
     except errors.Error:

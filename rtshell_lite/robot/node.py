@@ -74,9 +74,7 @@ class Node:
     def call(self, operation, *args, **more):
         """Call an operation of its object; errors name its path."""
         try:
-            if lanes.lane_of(self.endpoint):
-                return orb.call(self.path, self.typed, operation, *args, **more)
-            return lanes.ask(self.endpoint, self.path, lambda: orb.call(self.path, self.typed, operation, *args, **more))
+            return orb.call(self.path, self.typed, operation, *args, **more)
         except errors.ConnectionRefused as e:
             raise (errors.NoNameServer if self.kind in ("server", "directory") else errors.ProcessGone)(*e.args)
         except errors.Gone as e:

@@ -1,4 +1,6 @@
-"""Where in the RTC Tree a reference is bound: found by comparing references, without asking their objects."""
+"""Where in the RTC Tree a reference is bound, found by comparing references, and so whose the far ends of connections are."""
+import collections
+
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.path import Name, Path
@@ -9,65 +11,95 @@ from rtshell_lite.text import printable
 class Places:
     """Finds the paths of components: beside a known one first, in its name server and all others when need be."""
 
-    def __init__(self, node):
-        self.beside = node.path.parent()
+    def __init__(self):
         self.everywhere = None
 
-    def path(self, instance, ref):
-        """The Path where the component `ref` with this instance name is bound, None where it is bound nowhere."""
-        return self._beside(instance, ref) or self._anywhere(ref)
+    def path(self, instance, ref, known):
+        """The Path where the component `ref` with this instance name is bound, None where it is bound nowhere.
 
-    def _beside(self, instance, ref):
-        path = self.beside.child(Name(instance, "rtc"))
+        `known` is the Node of a component that has to do with it.
+        """
+        directory = known.path.parent()
+        return self._beside(directory.child(Name(instance, "rtc")), ref) or self._anywhere(ref, directory.server)
+
+    def _beside(self, path, ref):
         try:
             return path if orb.same(tree.resolve(path).ref, ref) else None
         except errors.Error:
             return None
 
-    def _anywhere(self, ref):
+    def _anywhere(self, ref, server):
         if self.everywhere is None:
-            self.everywhere = [node for node in tree.walk_servers(self._servers(), managers=False)
+            self.everywhere = [node for node in tree.walk_servers(_servers(server), managers=False)
                                if node.kind == "component" and node.ref is not None]
         return next((node.path for node in self.everywhere if orb.same(node.ref, ref)), None)
 
-    def _servers(self):
-        """The name servers to look into: that of the known component, and all others; what is no address is left out."""
-        found = []
-        for address in [self.beside.server] + [each for each in tree.servers() if each != self.beside.server]:
-            try:
-                found.append(tree.resolve(Path(address, (), None, False)))
-            except errors.BadPath:
-                pass
-        return found
+
+def _servers(first):
+    """The name servers to look into, this address first; what is no address is left out."""
+    found = []
+    for address in [first] + [address for address in tree.servers() if address != first]:
+        try:
+            found.append(tree.resolve(Path(address, (), None, False)))
+        except errors.BadPath:
+            pass
+    return found
 
 
 # ---- the far ends of connections ------------------------------------------------------------------------------
 
-def far_ends(node, found):
-    """Names for the other ends of all connectors of the Ports `found` of one component.
+# The port at an end of a connection: its reference; its ports.Port, whose `node` is None if its component is bound nowhere, or
+# None and the errors.Error `error`.
+End = collections.namedtuple("End", "ref port error")
 
-    Returns a function reference → text: the path of the port there. Only the ports at those ends are asked, one call each;
-    whose they are is found by comparing their owner with what is bound in the name servers, without asking anyone else.
-    An end that does not answer or is bound nowhere is `Unknown (…)`.
+
+def far_ends(found, silent=None):
+    """{identity of a port: End} of all ports that the Ports `found` are connected with, these themselves left out.
+
+    Only those ports are asked, one call each, but for ports in processes that are `silent` ({endpoint: errors.Error}). Whose
+    they are is found by comparing their owners with what is bound in the name servers, without asking anyone else.
     """
-    own = {orb.identity(each.ref) for each in found}
-    ends = {}
-    for connector in (c for each in found for c in each.connectors):
-        for ref in connector.ports:
-            if ref is not None and orb.identity(ref) not in own:
-                ends.setdefault(orb.identity(ref), ref)
-    answers, places = orb.each(ends.values(), lambda ref: ports.port(node, ref)), Places(node)
-    names = dict(zip(ends, [_place(answer, places) for answer in answers]))
-    return lambda ref: names.get(orb.identity(ref)) if ref is not None else "Unknown (nil)"
+    own, silent = {orb.identity(port.ref) for port in found}, silent or {}
+    wanted = collections.OrderedDict()  # by identity: its reference, and the Node of a component that is connected with it
+    for port in found:
+        for ref in [ref for connector in port.connectors for ref in connector.ports if ref is not None]:
+            if orb.identity(ref) not in own:
+                wanted.setdefault(orb.identity(ref), (ref, port.node))
+    answers = ask([ref for ref, _ in wanted.values() if orb.endpoint(ref) not in silent])
+    places, ends = Places(), {}
+    for identity, (ref, node) in wanted.items():
+        answer = silent.get(orb.endpoint(ref)) or next(answers)
+        failed = isinstance(answer, errors.Error)
+        ends[identity] = End(ref, None, answer) if failed else End(ref, _placed(answer, places, node), None)
+    return ends
 
 
-def _place(found, places):
-    """The path of a Port, or what is known where there is none."""
-    if isinstance(found, errors.Error):
-        return f"Unknown ({found})"
-    if found.owner is None:
-        return printable(found.name)
-    path = places.path(found.name.rpartition(".")[0], found.owner)
-    if path is None:
-        return f"Unknown ({printable(found.name)})"
-    return str(path.with_port(ports.short_name(found.name, path.names[-1].id)))
+def ask(refs):
+    """An iterator of the Port behind each reference, or of an errors.Error; the Node of a Port has an address as its path."""
+    return iter(orb.each(refs, lambda ref: ports.port(tree.Node(orb.at_address(ref), "component", ref), ref)))
+
+
+def _placed(port, places, known):
+    path = port.owner and places.path(port.name.rpartition(".")[0], port.owner, known)
+    return port._replace(node=path and tree.Node(path, "component", port.owner))
+
+
+def far_names(found):
+    """A function reference → what to call that end of a connection of the Ports `found`: see `name`; None for one of these."""
+    ends = far_ends(found)
+
+    def name_of(ref):
+        if ref is None:
+            return "Unknown (nil)"
+        end = ends.get(orb.identity(ref))
+        return end and name(end)
+    return name_of
+
+
+def name(end):
+    """The path of the port at an End, as text; `Unknown (…)` for one that does not answer or is bound nowhere."""
+    if end.port is None:
+        return f"Unknown ({end.error})"
+    if end.port.node is not None:
+        return ports.label(end.port)
+    return f"Unknown ({printable(end.port.name)})" if end.port.owner is not None else printable(end.port.name)

@@ -48,7 +48,7 @@ def port(node, ref, failures=None, brief=False):
     `brief`: without interfaces, and with no property but its type. Most of a port are these, and 1,000 ports are many.
     """
     try:
-        found = component.once_more(lambda: orb.ask(node.path, ref, "get_port_profile"), failures)
+        found = component.once_more(lambda: orb.call(node.path, ref, "get_port_profile"), failures)
     except (errors.Gone, errors.ConnectionRefused):
         if orb.endpoint(ref) == node.endpoint:
             raise

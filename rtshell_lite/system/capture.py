@@ -5,7 +5,8 @@ import re
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
-from rtshell_lite.robot import component, composites, configuration, places, ports, tree
+from rtshell_lite.robot import component, places, ports, snapshot, tree
+from rtshell_lite.robot.snapshot import BRIEF, FULL
 from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model, rtsprofile
 
@@ -32,29 +33,18 @@ def ask(node, brief=False, states=True):
 
     `brief`: of properties and references only those that go into a file or are compared with one, a quarter of the memory.
     """
-    found = ports.in_system(ports.ports(node, brief))
-    contexts = [component.context(node, ref) for ref in component.owned_context_refs(node)]
-    in_contexts = _states(node, contexts) if states else None
+    detail = BRIEF if brief else FULL
+    in_contexts = {"participating": BRIEF, "states": FULL} if states else {}
+    shown = snapshot.of(node, ports=detail, owned=FULL, **in_contexts, configuration=FULL, organisations=FULL, profile=detail)
+    contexts = shown.owned
+    if any(context.handle is None for context in contexts):
+        raise errors.Unreachable(str(node.path), "one of its execution contexts does not answer")
     if brief:
-        contexts = [context._replace(ref=None, owner=None, participants=[], properties=[]) for context in contexts]
-    sets, active = _configuration(node)
-    owned_members = [member for one in composites.owned(node) for member in one.members]
-    return Found(node, found, contexts, in_contexts, sets, active, owned_members, component.profile(node, brief))
-
-
-def _states(node, owned):
-    states = {context.handle: component.state_in(node, context.ref) for context in owned}
-    for ref in component.participating_context_refs(node):
-        states[node.call("get_context_handle", ref)] = component.state_in(node, ref)
-    return states
-
-
-def _configuration(node):
-    try:
-        found = configuration.Configuration(node)
-    except errors.Refused:  # small implementations have none
-        return [], ""
-    return found.sets(with_hidden=True), found.active
+        contexts = [context._replace(ref=None, owner=None, participants=(), properties=()) for context in contexts]
+    sets, active = (shown.configuration.sets(with_hidden=True), shown.configuration.active) if shown.configuration else ([], "")
+    return Found(node, ports.in_system(shown.ports), contexts,
+                 {context.handle: state for context, state in zip(shown.contexts, shown.states)} if states else None,
+                 sets, active, [member for each in shown.organisations for member in each.members], shown.profile)
 
 
 def component_id(profile):
@@ -77,7 +67,7 @@ def is_reference(name, value):
 def capture(tops=(), all_components=False, with_states=False):
     """The System below the Paths `tops` (none: all name servers), sorted; only what is connected, or a composite of it."""
     nodes, failures, notes = components(tops)
-    found, silent = [], set()
+    found, silent = [], {}
     for node, answer in zip(nodes, tree.on_nodes(nodes, functools.partial(ask, brief=True, states=with_states))):
         if not isinstance(answer, errors.Error):
             found.append(answer)
@@ -85,7 +75,7 @@ def capture(tops=(), all_components=False, with_states=False):
             notes.append(f"{node.path!s}: zombie, left out")
         else:
             failures.append(answer)
-            silent.add(node.endpoint)
+            silent[node.endpoint] = answer
     connectors = _connectors(found, silent, notes)
     found, unused = (found, []) if all_components else _in_use(found)
     found.sort(key=lambda each: path_uri(each.node))
@@ -99,7 +89,7 @@ def capture(tops=(), all_components=False, with_states=False):
 def components(tops=()):
     """(component nodes, each object once, by its first path; errors; notes) below the Paths (none: all name servers).
 
-    Components below managers are passed over: they are bound in a name server, too.
+    Components below managers are skipped: they are bound in a name server, too.
     """
     orb.start()
     parts, failures = errors.parted(tree.at_each(
@@ -187,7 +177,7 @@ def _target(kind, each, **more):
 def _connectors(found, silent, notes):
     """The model's connectors, each once, with all its ends; what ends outside the system is reported in `notes`.
 
-    `silent` are the endpoints of processes that did not answer before: they are not asked again.
+    `silent` are the processes that did not answer before, {endpoint: errors.Error}: they are not asked again.
     """
     ends = {}  # identity of a port: its Found and Port
     for each in found:
@@ -200,13 +190,12 @@ def _connectors(found, silent, notes):
         for port in each.ports:
             for one in port.connectors:
                 refs = [ref for ref in one.ports if ref is not None]
-                connectors.setdefault((one.id, frozenset(orb.identity(ref) for ref in refs)), (each.node, port, one, refs))
-    outside = _outside(connectors.values(), ends, silent)
+                connectors.setdefault((one.id, frozenset(orb.identity(ref) for ref in refs)), (port, one, refs))
+    outside = places.far_ends([port for each in found for port in each.ports], silent)
     made = []
-    for node, port, one, refs in connectors.values():
+    for port, one, refs in connectors.values():
         known = [ends[orb.identity(ref)] for ref in refs if orb.identity(ref) in ends]
-        strange = [outside(node, ref) for ref in refs if orb.identity(ref) not in ends]
-        for name in strange:
+        for name in [_name(outside[orb.identity(ref)], ref, silent) for ref in refs if orb.identity(ref) not in ends]:
             notes.append("connection %s of %s: its end %s is not in the system, left out" % (
                 printable(one.id), ports.label(port), name))
         if len(known) > 1:
@@ -223,21 +212,10 @@ def _end_key(end):
     return (end.property(PATH_ID), end.port_name)
 
 
-def _outside(connectors, ends, silent):
-    """A function (node, reference) → what to call a port that no component of the system has."""
-    wanted = collections.OrderedDict()  # by the node that lists the connection
-    for node, port, one, refs in connectors:
-        refs = [ref for ref in refs if orb.identity(ref) not in ends and orb.endpoint(ref) not in silent]
-        if refs:
-            wanted.setdefault(node, []).append(port._replace(connectors=[one._replace(ports=refs)]))
-    namers = dict(zip(wanted, tree.on_nodes(list(wanted), lambda node: places.far_ends(node, wanted[node]))))
-
-    def name(node, ref):
-        if orb.endpoint(ref) in silent:
-            return "in the process at %s:%d, which does not answer," % orb.endpoint(ref)
-        namer = namers[node]
-        return namer if isinstance(namer, errors.Error) else namer(ref)
-    return name
+def _name(end, ref, silent):
+    if orb.endpoint(ref) in silent:
+        return "in the process at %s:%d, which does not answer," % orb.endpoint(ref)
+    return places.name(end)
 
 
 def _connector(one, known):

@@ -2,8 +2,48 @@
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb
 from rtshell_lite.robot import connectors, ports
-from rtshell_lite.system import capture, compare, steps
+from rtshell_lite.system import capture, sites, steps
+from rtshell_lite.system.steps import Difference
 from rtshell_lite.text import printable, shell_word
+
+
+class Incomplete(errors.Refused):
+    """{}: {}"""  # of a connection that some ends lack, or that joins other ports than it should
+
+
+def connecting(profile, site_of):
+    """A Connect, or Unplaced, for each connector of a profile; `site_of` as sites.finder makes it."""
+    ids = {connector.connector_id for connector in profile.connectors}
+    return _placed(profile, site_of, lambda connector, ends: Connect(connector, ends, ids))
+
+
+def disconnecting(profile, site_of):
+    """A Disconnect, or Unplaced, for each connector of a profile; `site_of` as sites.finder makes it."""
+    return _placed(profile, site_of, Disconnect)
+
+
+def _placed(profile, site_of, kind):
+    placed = [(connector, [(site_of(end), capture.port_of(end)) for end in connector.ends]) for connector in profile.connectors]
+    return [(Unplaced if any(site is None for site, _ in ends) else kind)(connector, ends) for connector, ends in placed]
+
+
+class Unplaced(steps.Step):
+    """A connection with an end on a component that the file does not have."""
+
+    kind = "connect"
+
+    def __init__(self, connector, ends):
+        where = f"connection {printable(connector.connector_id) or 'without id'}"
+        super().__init__([], where, where)
+        self.connector, self.ends = connector, ends
+
+    def found(self):
+        return []
+
+    def differences(self, answers):
+        lost = next(end for end, (site, _) in zip(self.connector.ends, self.ends) if site is None)
+        yield Difference("unplaced", self.connector.connector_id, None, None, errors.Failed(
+            self.where, f"the file has no component for its end {printable(lost.port_name)}"))
 
 
 class Connection(steps.Step):
@@ -12,22 +52,59 @@ class Connection(steps.Step):
     free = True
 
     def __init__(self, connector, ends):
-        names = [str(site.path.with_port(name)) for site, name in ends]
-        sites = []
+        paths = [str(site.path.with_port(name)) for site, name in ends]
+        concerned = []
         for site, _ in ends:
-            if site not in sites:
-                sites.append(site)
+            if site not in concerned:
+                concerned.append(site)
         label = printable(connector.connector_id) or "without id"
-        super().__init__(sites, " to ".join(names), f"connection {label} of {' to '.join(names)}")
-        self.connector, self.ends = connector, ends
+        super().__init__(concerned, " to ".join(paths), f"connection {label} of {' to '.join(paths)}")
+        self.connector, self.ends, self.paths = connector, ends, paths
 
     def jobs(self):
-        return [(site, site.look_at(name)) for site, name in self.ends]
+        return [site.port_job(name) for site, name in self._living()]
 
-    def _ours(self, port, at):
-        """The ports.Connector of a Port that the profile means; `at` are all the Ports that it is to join."""
-        return compare.having(port, self.connector, at)
+    def found(self):
+        return [site.port(name) for site, name in self._living()]
 
+    def _living(self):
+        """The ends that are looked at."""
+        return self.ends
+
+    @property
+    def endpoint(self):
+        site, name = self._living()[0]
+        return site.port_job(name).endpoint
+
+    def having(self, at):
+        """[(Port, its ports.Connector)] of the Ports `at`, all that it is to join, for those that have the connection.
+
+        That is the one with the id in the profile, or, where that has none, any that joins the same ports.
+        """
+        wanted_id, wanted = self.connector.connector_id, {orb.identity(port.ref) for port in at}
+
+        def is_meant(connector):
+            return connector.id == wanted_id if wanted_id else wanted <= _joined(connector)
+        firsts = [(port, next(filter(is_meant, port.connectors), None)) for port in at]
+        return [(port, connector) for port, connector in firsts if connector is not None]
+
+    def disconnect(self, having):
+        """Remove the connection from what `having` returned; returns the errors of the ports that fail."""
+        failures = []
+        for port, connector in having:
+            try:
+                lanes.ask(orb.endpoint(port.ref), ports.label(port), lambda: connectors.disconnect(port, connector))
+            except errors.Error as e:
+                failures.append(e)
+        return failures
+
+
+def _joined(connector):
+    """The identities of the ports that a ports.Connector joins."""
+    return {orb.identity(ref) for ref in connector.ports if ref is not None}
+
+
+# ---- connecting -------------------------------------------------------------------------------------------------
 
 class Connect(Connection):
     """Make a connection with the id, name and properties that the profile gives it; `ids` are those of all in the profile."""
@@ -36,64 +113,74 @@ class Connect(Connection):
 
     def __init__(self, connector, ends, ids):
         super().__init__(connector, ends)
-        self.ids, self.given = ids, wanted_properties(connector)
-        paths = [str(site.path.with_port(name)) for site, name in ends]
-        self.command = connectors.command(paths, connector.name, connector.connector_id, self.given)
-
-    @property
-    def endpoint(self):
-        site, name = self.ends[0]
-        return site.look_at(name).endpoint
-
-    def is_done(self, answers):
-        at = steps.given(answers)
-        if self.leftovers(at):
-            raise errors.Refused(self.where, f"connection {printable(self.connector.connector_id)} is there, but not complete")
-        have = self._ours(at[0], at)
-        if have is None:
-            ports.check(at, self.given)
-            for other in ports.joining(at) if len(at) > 1 else []:
-                if other.id not in self.ids and len(other.ports) == len(at):
-                    raise errors.Refused(self.where, f"already connected with another id ({printable(other.id)}); rtdis removes that")
-            return False
-        for key, wanted, actual in compare.wrong_properties(self.connector, have):
-            raise errors.Refused(self.where, "is connected with %s=%s, not %s; rtdis removes that" % (
-                printable(key), printable(actual or ""), printable(wanted)))
-        return True
+        self.ids, self.wanted = ids, wanted_properties(connector)
+        self.given = {name: value for name, value in self.wanted.items()
+                      if name != "dataport.data_type" or value.startswith("IDL:")}  # a short name: the ports know the long one
+        self.command = connectors.command(self.paths, connector.name, connector.connector_id, self.given)
 
     def leftovers(self, at):
-        """(Port, Connector) of each end that has the connection; none if it is complete or nowhere."""
-        have = [(port, self._ours(port, at)) for port in at]
-        wanted = {orb.identity(port.ref) for port in at}
-        if all(one is not None and {orb.identity(ref) for ref in one.ports if ref is not None} == wanted for _, one in have):
-            return []
-        return [(port, one) for port, one in have if one is not None]
+        """What `having` returns for a connection that is not complete; [] for one that is, or is nowhere."""
+        having, wanted = self.having(at), {orb.identity(port.ref) for port in at}
+        return [] if len(having) == len(at) and all(_joined(connector) == wanted for _, connector in having) else having
+
+    def differences(self, answers):
+        having, obstacle = self.having(answers), None
+        if self.leftovers(answers):
+            label = printable(self.connector.connector_id)
+            obstacle = Incomplete(self.where, f"connection {label} is there, but not complete")
+        if len(having) < len(answers) or obstacle and len(having[0][1].ports) == len(answers):
+            others = ports.joining(answers) if len(answers) > 1 else []
+            yield Difference("connection", None, self.connector.connector_id or None, others[0].id if others else None,
+                             obstacle or self._obstacle(answers, others))
+            return
+        if obstacle:
+            yield Difference("ends", None, len(answers), len(having[0][1].ports), obstacle)
+        properties = dict(having[0][1].properties)
+        for name, expected in sorted(self.wanted.items()):
+            actual = properties.get(name)
+            if not _agree(name, expected, actual):
+                yield Difference("property", name, expected, actual, errors.Refused(
+                    self.where, f"is connected with {printable(name)}={printable(actual or '')}, not {printable(expected)}; "
+                                "rtdis removes that"))
+
+    def _obstacle(self, at, others):
+        """The error that says why the Ports `at` cannot be connected, or None; `others` are connectors that join them already."""
+        try:
+            ports.check(at, self.given)
+        except errors.Error as e:
+            return e
+        for other in others:
+            if other.id not in self.ids and len(other.ports) == len(at):
+                return errors.Refused(self.where, f"already connected with another id ({printable(other.id)}); rtdis removes that")
+        return None
 
     def act(self, answers):
         connectors.connect(answers, self.connector.name, self.connector.connector_id, self.given)
 
     def tidy(self, answers):
-        there = [answer for answer in answers if not isinstance(answer, errors.Error)]
-        for port in there:
-            one = compare.having(port, self.connector, there)
-            if one is not None:
-                lanes.ask(orb.endpoint(port.ref), ports.label(port), lambda: connectors.disconnect(port, one))
+        self.disconnect(self.having(errors.parted(answers)[0]))
 
     def undo(self, before, after):
         self.tidy(after)
 
 
 def wanted_properties(connector):
-    """The properties to connect with: those that the profile gives, without references to where ports once were."""
-    found = {}
-    for name in capture.DATA_FIELDS:
-        value = getattr(connector, name, "")
-        if value and (name != "data_type" or value.startswith("IDL:")):  # a short name: the ports know the long one
-            found["dataport." + name] = value
-    found.update((item.name, item.value or "") for item in connector.properties
-                 if item.name and not capture.is_reference(item.name, item.value))
-    return found
+    """{name: value} of the properties that the profile gives, without references to where ports once were."""
+    wanted = {item.name: item.value or "" for item in connector.properties
+              if item.name and not capture.is_reference(item.name, item.value)}
+    wanted.update(("dataport." + name, getattr(connector, name)) for name in capture.DATA_FIELDS if getattr(connector, name, ""))
+    return wanted
 
+
+def _agree(name, expected, actual):
+    if actual is None:
+        return False
+    if name == "dataport.data_type":
+        return ports.same_type(expected, actual)
+    return expected.lower() == actual.lower() if name in ports.ANY_CASE else expected == actual
+
+
+# ---- disconnecting ----------------------------------------------------------------------------------------------
 
 class Disconnect(Connection):
     """Remove a connection from all of its ends that live."""
@@ -102,39 +189,24 @@ class Disconnect(Connection):
     tolerant = True
     command = ""  # once it has been seen that it is there
 
-    @property
-    def endpoint(self):
-        return self._looked_at()[0][1].endpoint
-
-    def _looked_at(self):
-        return [(site, site.look_at(name)) for site, name in self.ends if site.error is None]
-
-    jobs = _looked_at
+    def _living(self):
+        return [(site, name) for site, name in self.ends if site.error is None]
 
     def is_done(self, answers):
-        there = [answer for answer in answers if not isinstance(answer, errors.Error)]
-        self.last = [(port, one) for port, one in ((port, self._ours(port, there)) for port in there) if one is not None]
-        for port, one in self.last[:1]:
-            self.command = f"rtdis -i {shell_word(one.id)} {shell_word(ports.label(port))}"
-        failed = [e for e in answers + [site.error for site in self.sites] if isinstance(e, errors.Error)]
-        for e in failed:
-            if not self.last and not steps.is_gone(e):
+        living, failures = errors.parted(answers)
+        self.last = self.having(living)
+        for port, connector in self.last[:1]:
+            self.command = f"rtdis -i {shell_word(connector.id)} {shell_word(ports.label(port))}"
+        for e in failures + [site.error for site in self.sites if site.error is not None]:
+            if not self.last and not sites.is_gone(e):
                 raise e
         return not self.last
 
     def act(self, answers):
-        failures = []
-        for port, one in self.last:
-            try:
-                lanes.ask(orb.endpoint(port.ref), ports.label(port), lambda: connectors.disconnect(port, one))
-            except errors.Error as e:
-                failures.append(e)
-        if failures:
-            raise failures[0]
+        steps.given(self.disconnect(self.last))
 
     def undo(self, before, after):
-        there = steps.given([answer for answer in after if not isinstance(answer, errors.Error)])
-        then = next(one for port in before if not isinstance(port, errors.Error)
-                    for one in [compare.having(port, self.connector, there)] if one is not None)
-        properties = {name: value for name, value in then.properties if not capture.is_reference(name, value)}
-        connectors.connect(there, then.name, then.id, properties)
+        living = errors.parted(after)[0]
+        removed = self.having(errors.parted(before)[0])[0][1]
+        properties = {name: value for name, value in removed.properties if not capture.is_reference(name, value)}
+        connectors.connect(living, removed.name, removed.id, properties)

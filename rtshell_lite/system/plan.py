@@ -1,9 +1,9 @@
 """The order in which a system starts and stops: a section of an RtsProfile as a plan, and who may go when.
 
-What the conditions mean is what rtshell means by them (rtshell 4.2, plan.py). Components without a condition come first, all
-at once. Those that have a sequence number alone follow by number, each number when the one before is through. Then the clock
-starts for all others: they wait for their time (Wait), until another component is in its state (Sync), until another one has
-been told (After); what they wait for may take as long as its timeout. Nothing here asks anybody, or knows what time it is.
+The conditions mean what they mean in rtshell (rtshell 4.2, plan.py). Components without a condition come first, all at once.
+Those with a sequence number alone follow in its order, each number when the one before has ended. Then the clock starts for all
+others: they wait for their time (Wait), until another component is in its state (Sync), or until another one has accepted the
+command (After), at most as long as the condition's timeout. Nothing here calls a component or reads a clock.
 """
 import collections
 
@@ -16,14 +16,14 @@ from rtshell_lite.text import printable
 # number (None: it has no condition), `wait` (milliseconds, None: it has none), `after` (Afters), `texts` as they are shown.
 Action = collections.namedtuple("Action", "number component context place path required order wait after texts")
 
-# That an action waits for the action `number`: with `sync` until that has reached its state, else until it has been told.
-# `timeout` in milliseconds, 0: as long as it takes.
+# That an action waits for the action `number`: with `sync` until that one has reached its state, else until its component has
+# accepted the command. `timeout` in milliseconds, 0: as long as it takes.
 After = collections.namedtuple("After", "number sync timeout text")
 
 # `actions` in the order of their numbers, from 1; `notes` are lines on what is odd in the file, and harmless.
 Plan = collections.namedtuple("Plan", "actions notes")
 
-# What became of an action. What is gone has been stopped, in a way: nothing has to wait for it.
+# What became of an action. A component that is gone counts as stopped: nothing has to wait for it.
 DONE, ALREADY, GONE, FAILED, UNCERTAIN, NOT_TRIED = "done", "already", "gone", "failed", "uncertain", "not tried"
 REACHED = (DONE, ALREADY, GONE)
 
@@ -33,8 +33,8 @@ REACHED = (DONE, ALREADY, GONE)
 def make(profile, section, name, start=True):
     """The Plan of the `section` (activation, deactivation) of a profile; `name` is its file in messages.
 
-    Where the plan is to `start` a system, the required components come first, and what waits for one depends on it. Raises
-    errors.Failed with all that is wrong: circles, names of what the file does not have, contradictions.
+    In a plan that is to `start` a system, required components come first, and what waits for one depends on it. Raises
+    errors.Failed with all that is wrong: circles, names that the file does not have, contradictions.
     """
     actions = _actions(profile, start)
     targets = _Targets(profile, actions)
@@ -56,18 +56,18 @@ def make(profile, section, name, start=True):
 
 def _actions(profile, start):
     """An Action without conditions for each context of each component; a component that lists none has one."""
-    components = sorted(profile.components, key=lambda each: not each.is_required) if start else profile.components
-    found = []
-    for each in components:
-        contexts = [context.id or str(place) for place, context in enumerate(each.execution_contexts)] or ["0"]
+    components = sorted(profile.components, key=lambda component: not component.is_required) if start else profile.components
+    actions = []
+    for component in components:
+        contexts = [context.id or str(place) for place, context in enumerate(component.execution_contexts)] or ["0"]
         for place, context in enumerate(contexts):
-            found.append(Action(len(found) + 1, each, context, place, capture.shown_path(each), start and each.is_required,
-                                None, None, (), ()))
-    return found
+            actions.append(Action(len(actions) + 1, component, context, place, capture.shown_path(component),
+                                  start and component.is_required, None, None, (), ()))
+    return actions
 
 
 class _Targets:
-    """Finds the actions that a condition means; `problems` are lines on what could not be found."""
+    """Finds the actions that a condition names; `problems` are lines on those that could not be found."""
 
     def __init__(self, profile, actions):
         self.problems = []
@@ -100,22 +100,22 @@ class _Targets:
 def _with_conditions(action, conditions, targets, notes):
     """An Action with what the conditions aimed at it say."""
     waits, after, texts = [], [], []
-    for one in conditions:
-        order = "Order %d" % one.sequence
+    for condition in conditions:
+        order = "Order %d" % condition.sequence
         said = []
-        if one.wait_time is not None:
-            waits.append(one.wait_time.wait_time)
-            said.append("%s/Wait %dms" % (order, one.wait_time.wait_time))
-        if one.preceding is not None:
-            sync = one.preceding.sending_timing.upper() == "SYNC"
-            for target in one.preceding.preceding_components:
+        if condition.wait_time is not None:
+            waits.append(condition.wait_time.wait_time)
+            said.append("%s/Wait %dms" % (order, condition.wait_time.wait_time))
+        if condition.preceding is not None:
+            sync = condition.preceding.sending_timing.upper() == "SYNC"
+            for target in condition.preceding.preceding_components:
                 text = ("Sync to %s" if sync else "After %s's action") % printable(target.instance_name)
-                after += [After(number, sync, one.preceding.timeout, text) for number in targets.of(target)]
+                after += [After(number, sync, condition.preceding.timeout, text) for number in targets.of(target)]
                 said.append(f"{order}/{text}")
         texts += said or [order]
     for text in _once(text for text in texts if texts.count(text) > 1):
         notes.append(f"{action.path} in execution context {printable(action.context)} has a condition twice: {text}")
-    return action._replace(order=min([one.sequence for one in conditions], default=None), wait=max(waits, default=None),
+    return action._replace(order=min([condition.sequence for condition in conditions], default=None), wait=max(waits, default=None),
                            after=tuple(_once(after)), texts=tuple(_once(texts)))
 
 
@@ -180,10 +180,10 @@ def _once(items):
 # ---- showing a plan -------------------------------------------------------------------------------------------
 
 def checks(profile):
-    """What is looked at before a system starts, a line for each required component."""
+    """What is checked before a system starts: a line for each required component."""
     return ['Check for required component "%s", "%s" at path %s (Required)' % (
-        printable(each.id), printable(each.instance_name), capture.shown_path(each))
-        for each in profile.components if each.is_required]
+        printable(component.id), printable(component.instance_name), capture.shown_path(component))
+        for component in profile.components if component.is_required]
 
 
 def lines(actions, verb):
@@ -199,7 +199,7 @@ def plain_line(action, verb):
 
 
 def in_order(actions):
-    """The actions as they are likely to go: in their steps, then those that wait."""
+    """The actions in the order to expect: in their steps, then those that wait."""
     return [action for step in _steps(actions) for action in step] + sorted(
         (action for action in actions if _waits(action)), key=lambda action: action.order)
 
@@ -209,9 +209,9 @@ def _waits(action):
 
 
 def _steps(actions):
-    """Lists of the actions that go one after the other; a composite before its members, which it takes along."""
-    members = {(one.component.component_id, one.component.instance_name)
-               for action in actions for one in action.component.participants}
+    """Lists of actions, each to begin when the one before has ended; a composite before its members, which change with it."""
+    members = {(participant.component.component_id, participant.component.instance_name)
+               for action in actions for participant in action.component.participants}
     steps = {}
     for action in actions:
         if not _waits(action):
@@ -223,7 +223,7 @@ def _steps(actions):
 # ---- carrying it out, without doing anything ------------------------------------------------------------------
 
 class Schedule:
-    """Who may go when. It is told what happens and what time it is (seconds, of any clock), and says what to start.
+    """Decides when each action may begin. The caller reports what happens and the time (seconds, of any clock).
 
     ended    {number: one of DONE … NOT_TRIED}
     """
@@ -241,7 +241,7 @@ class Schedule:
         self._failed = []  # required actions in steps that failed, with an order
 
     def told(self, number):
-        """A component has accepted."""
+        """The component of an action has accepted the command."""
         self._told.add(number)
 
     def end(self, number, outcome):
@@ -293,7 +293,7 @@ class Schedule:
         outcome = self.ended.get(after.number)
         if after.sync:
             return outcome in REACHED
-        return after.number in self._told or outcome is not None  # a failure that stops nothing has been an action, too
+        return after.number in self._told or outcome is not None  # an action that failed has taken place, too
 
     def _obstacle(self, action):
         """Why an action cannot go: the failure of one that it depends on."""

@@ -16,15 +16,15 @@ TARGETS = (model.TargetComponent, model.TargetPort, model.TargetExecutionContext
 def read(name, form=None, words=()):
     """The profile in a file (`-`: stdin), its components where the `words` OLD=NEW have them.
 
-    Raises Usage for what is no such word, or fits nothing in the file, OSError, BadPath, BadProfile.
+    Raises Usage for a word that is not OLD=NEW or fits nothing in the file, OSError, BadPath, BadProfile.
     """
     maps = [Map(word) for word in words]
     profile = capture.read(name, form)
     if maps:
         _move(profile, maps)
-    for each in maps:
-        if not each.used:
-            raise errors.Usage(f"--map {printable(each.word)}: nothing in the file is there")
+    for mapping in maps:
+        if not mapping.used:
+            raise errors.Usage(f"--map {printable(mapping.word)}: nothing in the file is there")
     return profile
 
 
@@ -62,7 +62,7 @@ def _move_components(components, maps):
 
 
 def _refuse_unclear(targets, components, names):
-    """Raise Failed for a target that may mean several components, of which only some have another name now."""
+    """Raise Failed for a target that may mean several components of which only some have been renamed."""
     called = {}  # what a target says of a component: the names that those have now
     for each in components:
         called.setdefault((each.id, each.instance_name), set()).add(names[id(each)][1])
@@ -78,9 +78,9 @@ def _elements(element):
     yield element
     for field in element.FIELDS:
         value = getattr(element, field.name)
-        for each in value if isinstance(value, list) else [value]:
-            if isinstance(each, model.Element):
-                yield from _elements(each)
+        for child in value if isinstance(value, list) else [value]:
+            if isinstance(child, model.Element):
+                yield from _elements(child)
 
 
 def _rename(elements, own, within):
@@ -89,21 +89,21 @@ def _rename(elements, own, within):
     `within` {before: now} are the names of a composite's members, with which the ports begin that it exports.
     """
     old, new = own
-    for each in elements:
-        if getattr(each, "instance_name", None) == old:
-            each.instance_name = new
+    for element in elements:
+        if getattr(element, "instance_name", None) == old:
+            element.instance_name = new
         for field in ("name", "port_name"):
-            port = getattr(each, field, None)
+            port = getattr(element, field, None)
             if port is not None:
                 is_own = port.startswith(old + ".")
                 rest = _renamed(port[len(old) + 1:] if is_own else port, within)
-                setattr(each, field, new + "." + rest if is_own else rest)
+                setattr(element, field, new + "." + rest if is_own else rest)
 
 
 def _rename_lists(composite, within):
-    """What the configuration of a composite says of its members: it would lose its ports with their former names."""
-    for each in composite.configuration_sets:
-        for item in each.configuration_data:
+    """Rename members in the configuration of a composite: with their former names it would lose the ports that it exports."""
+    for one_set in composite.configuration_sets:
+        for item in one_set.configuration_data:
             if item.name in LISTS and item.data:
                 item.data = re.sub(r"[^,\s](?:[^,]*[^,\s])?", lambda found: _renamed(found.group(), within), item.data)
 
@@ -117,7 +117,7 @@ def _renamed(word, names):
 
 
 def _moved(text, maps):
-    """A path of a profile, without the first slash as they are there, as the Maps have it; what is no path stays."""
+    """A path in a profile (without the first slash) after the Maps; text that is not a path stays as it is."""
     where = path_in(text)
     if where.server is None or text.startswith("corbaloc:"):
         return text
@@ -126,7 +126,7 @@ def _moved(text, maps):
 
 
 def path_in(text):
-    """The Path that a text of a profile stands for, which has no slash in front there; the root where it is none."""
+    """The Path that a text in a profile (without the first slash) means; the root for text that is not a path."""
     try:
         return path.parse("/" + text.lstrip("/"))
     except errors.BadPath:
@@ -134,9 +134,9 @@ def path_in(text):
 
 
 class Map:
-    """OLD=NEW: whole elements of paths and what they are here; anywhere, or, with a slash before OLD, at the start.
+    """OLD=NEW: whole elements of paths and what replaces them; anywhere, or, with a slash before OLD, at the start.
 
-    Raises Usage for what is no such thing, BadPath.
+    Raises Usage for a word that is not OLD=NEW, BadPath.
     """
 
     def __init__(self, word):
@@ -151,7 +151,7 @@ class Map:
 
     @staticmethod
     def _elements(word):
-        """(server, names) for the start of a path, and names, or None where it cannot be elsewhere."""
+        """The Path of a word as the start of a path, and its names as the rest of one, None where it can only be the start."""
         word = word.strip("/")
         top = path.parse("/" + word)
         if top.server is None:
@@ -165,19 +165,19 @@ class Map:
         return top.object(), below.names if below.port is None and below.server == "x" else None
 
     def at_start(self, where):
-        """How many names after the server of a Path it replaces; None where it does not fit."""
+        """How many names after the server of a Path it replaces; None if it does not fit there."""
         count = len(self.top.names)
         same = path.split_address(self.top.server) == path.split_address(where.server)
         return count if same and where.names[:count] == self.top.names else None
 
     def fits(self, names):
-        """True where it replaces the first of these names."""
+        """True if it replaces the first of these names."""
         return not self.anchored and self.names is not None and self.new_names is not None \
             and names[:len(self.names)] == self.names
 
 
 def mapped(where, maps):
-    """A Path as the Maps have it: each element is replaced once, by the longest that fits."""
+    """A Path after the Maps: each element is replaced once, by the longest Map that fits."""
     if where.server is None:
         return where
     for each in maps:

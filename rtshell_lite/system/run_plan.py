@@ -5,7 +5,7 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb
 from rtshell_lite.robot import component, ports
-from rtshell_lite.system import capture, plan
+from rtshell_lite.system import capture, plan, sites, steps
 from rtshell_lite.text import printable
 
 TICK = 1.0  # seconds that the main thread sleeps at most
@@ -16,14 +16,15 @@ Result = collections.namedtuple("Result", "action outcome error")
 # The execution contexts in which a component is to be changed: {handle: reference}, and those that it owns, in its order.
 _Contexts = collections.namedtuple("_Contexts", "by_handle by_place")
 
-_MISSING = (errors.NotFound, errors.Gone, errors.ProcessGone)
+# What is asked of a component before anything starts.
+_Answer = collections.namedtuple("_Answer", "node profile contexts")
 
 
 class Run:
     """A plan being carried out."""
 
     def __init__(self, actions, transition, progress, wait=None):
-        """`progress` is told as it goes, on the thread that calls: starting(action, line), ended(Result), passed_over(Result).
+        """`progress` is called on the caller's thread: starting(action, line), ended(Result), skipped(Result).
 
         `wait`: how long a component may take to reach its state, in seconds (default: the timeout).
         """
@@ -37,55 +38,50 @@ class Run:
     # ---- before anything is changed ----
 
     def check(self, profile, tell=lambda line: None):
-        """Find the components and their contexts, and see that they are what the profile says.
+        """Find the components and their contexts, and check that they are those of the profile.
 
-        Returns the errors of the required ones: with any of these, nothing is to be started. `tell` gets a line for each.
+        Returns the errors of required components: after any of these, nothing is to be started. `tell` is called with a line
+        for each of them.
         """
         failures = []
-        for each, answer in zip(profile.components, self._look(profile, _ask)):
-            if each.is_required:
+        for wanted, answer in zip(profile.components, self._look(profile, _ask)):
+            if wanted.is_required:
                 tell("Checking for required component %s with ID \"%s\" and instance name \"%s\"" % (
-                    capture.shown_path(each), printable(each.id), printable(each.instance_name)))
+                    capture.shown_path(wanted), printable(wanted.id), printable(wanted.instance_name)))
             try:
-                self._found[id(each)] = self._checked(each, answer)
+                self._found[id(wanted)] = self._checked(wanted, answer)
             except errors.Error as e:
-                self._found[id(each)] = e
-                failures += [e] if each.is_required else []
+                self._found[id(wanted)] = e
+                failures += [e] if wanted.is_required else []
         return failures
 
     def refuse(self):
-        """Tell of each action what `check` has found: that it fails, or that another one does, which is required."""
+        """Report each action as failed in `check`, or as not tried because a required one has failed."""
         for action in self.actions:
             found = self._found[id(action.component)]
             if isinstance(found, errors.Error):
                 self.progress.ended(Result(action, plan.FAILED, found))
             else:
                 error = errors.NotTried(action.path, "something that is required failed")
-                self.progress.passed_over(Result(action, plan.NOT_TRIED, error))
+                self.progress.skipped(Result(action, plan.NOT_TRIED, error))
 
-    def _checked(self, each, answer):
-        """(node, _Contexts) of a component of the profile. Raises what is wrong with it."""
+    def _checked(self, wanted, answer):
+        """(node, _Contexts) of a component of the profile. Raises WrongKind, NoSuch, or `answer` if that is an error."""
         if isinstance(answer, errors.Error):
             raise answer
-        node, profile, contexts = answer
-        named, found = each.instance_name, profile.instance_name
-        if found != named:
-            raise errors.WrongKind(str(node.path), *["component named " + printable(name) for name in (named, found)])
-        found = capture.component_id(profile)
-        if found != each.id:
-            raise errors.WrongKind(str(node.path), printable(each.id), printable(found))
+        steps.Present(sites.Site(wanted)).is_done([answer])
         for action in self.actions:
-            if action.component is each:
-                _context(node, contexts, action)
-        return node, contexts
+            if action.component is wanted:
+                _context(answer.node, answer.contexts, action)
+        return answer.node, answer.contexts
 
     def find(self, profile):
-        """Find the components, and leave what else there is to know about them until it is their turn."""
-        for each, answer in zip(profile.components, self._look(profile, lambda node: node)):
-            self._found[id(each)] = answer if isinstance(answer, errors.Error) else (answer, None)
+        """Find the components; their contexts are asked for when it is their turn."""
+        for wanted, answer in zip(profile.components, self._look(profile, lambda node: node)):
+            self._found[id(wanted)] = answer if isinstance(answer, errors.Error) else (answer, None)
 
     def _look(self, profile, function):
-        """capture.look; when an exception interrupts it, all actions are told not to be tried."""
+        """capture.look; when an exception interrupts it, all actions are reported as not tried."""
         interrupted = True
         try:
             answers = capture.look(profile, function)
@@ -101,7 +97,7 @@ class Run:
     # ---- doing it ----
 
     def carry_out(self):
-        """Do it all. When an exception interrupts it, nothing more begins, and what has not ended is reported all the same."""
+        """Do all actions. When an exception interrupts it, nothing more begins, and actions that have not ended are reported."""
         try:
             while not self._schedule.is_over():
                 now = time.monotonic()
@@ -127,7 +123,7 @@ class Run:
         self.progress.starting(action, plan.plain_line(action, self.transition.name.capitalize()))
 
     def _listen(self, until):
-        """Wait for something to happen, and take note of it; no longer than `until`."""
+        """Wait until an action begins or ends, and note it; no longer than `until`."""
         seconds = TICK if until is None else min(TICK, max(0, until - time.monotonic()))
         while not self._schedule.is_over():
             event = self._calls.ended(seconds)
@@ -140,14 +136,14 @@ class Run:
                 self._begin(self._schedule.actions[number])
             elif value == "told":
                 self._schedule.told(number)
-            seconds = 0  # what has happened as well by now
+            seconds = 0  # take what else has happened by now
 
     def _end(self, result):
         self._schedule.end(result.action.number, result.outcome)
         self.progress.ended(result)
 
     def _leave(self):
-        """Tell of all that has not ended."""
+        """Report the actions that have not ended."""
         begun = self._calls.close()
         if not self._schedule.is_over():
             self._listen(time.monotonic())
@@ -184,7 +180,7 @@ class Run:
             return self._failed(action, e)
 
     def _seen(self, action, node, contexts, failure):
-        """The Result of an action whose answer did not come: the component may have changed all the same, so look."""
+        """The Result of an action whose answer was lost: the component may have changed, so look."""
         def state():
             ref = _context(node, contexts or _contexts(node), action)
             found = component.seen(lambda: component.state_in(node, ref))
@@ -206,16 +202,16 @@ class Run:
         return self._failed(action, failure)
 
     def _failed(self, action, error):
-        gone = self.transition is component.DEACTIVATE and isinstance(error, _MISSING)
+        gone = self.transition is component.DEACTIVATE and sites.is_gone(error)
         return Result(action, plan.GONE if gone else plan.FAILED, error)
 
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
 def _ask(node):
-    """(node, Profile, _Contexts). Its ports are asked before its profile (protocol rule: see `component.once_more`)."""
+    """The _Answer of a component. Its ports are asked before its profile (protocol rule: see `component.once_more`)."""
     ports.ports(node)
-    return node, component.profile(node), _contexts(node)
+    return _Answer(node, component.profile(node), _contexts(node))
 
 
 def _contexts(node):
@@ -223,7 +219,7 @@ def _contexts(node):
     owned, participating = component.context_refs(node)
     handles = [node.call("get_context_handle", ref) for ref in owned + participating]
     if participating:
-        owned = [ref if orb.ask(str(node.path), ref, "is_running") else participating[0] for ref in owned]
+        owned = [ref if orb.call(str(node.path), ref, "is_running") else participating[0] for ref in owned]
     return _Contexts(dict(zip(handles, owned + participating)), owned)
 
 

@@ -1,45 +1,19 @@
-"""Single changes to a running system: each knows the command that does it, whether it is done already, how to do and undo it."""
+"""Single changes to a running system: what differs from the profile, the command that mends it, how to do that and undo it."""
+import collections
+
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb
-from rtshell_lite.robot import component, composites, configuration, contexts, manager, ports, tree
+from rtshell_lite.robot import component, composites, configuration, contexts, manager, tree
+from rtshell_lite.system import capture, sites
 from rtshell_lite.text import printable, shell_word
 
-MISSING = (errors.NotFound, errors.Gone, errors.ConnectionRefused)
+# Where the system differs from what a step wants: `what` is a key of compare.MESSAGES; `name` that of the parameter, property,
+# member …; `expected` in the profile and `actual`, None for nothing; `obstacle` the errors.Error that says why the step cannot
+# mend it, None if it can.
+Difference = collections.namedtuple("Difference", "what name expected actual obstacle")
 
-
-def is_gone(failure):
-    """True for an errors.Error that says that a component is not there, or not any more."""
-    return isinstance(failure, MISSING) and not isinstance(failure, errors.NoNameServer)
-
-
-class Site:
-    """A component of a profile and where it is, or is to be: `path`.
-
-    found  its capture.Found; None while it is not there
-    node   its Node; None while it is not there
-    error  why nothing can be done with it; None if something can
-    """
-
-    def __init__(self, each, path):
-        self.each, self.path, self.instance = each, path, each.instance_name
-        self.where, self.required = str(path), each.is_required
-        self.found = self.node = self.error = None
-
-    def named(self, found, name):
-        """That one of the Ports `found` of the component which a profile calls `name`. Raises NoSuch."""
-        known = [name, self.instance + "." + name]
-        port = next((port for port in found if port.name in known), None) or ports.named(self.path.with_port(name), found)
-        if isinstance(port, errors.Error):
-            raise port
-        return port
-
-    def look_at(self, name):
-        """A lanes.Job that asks the component for its port called `name`. Raises NoSuch."""
-        where = str(self.path.with_port(name))
-        if self.found is None:
-            return lanes.Job(self.node.endpoint, where, lambda: self.named(ports.ports(self.node), name))
-        known = self.named(self.found.ports, name)
-        return lanes.Job(orb.endpoint(known.ref), where, lambda: ports.port(self.node, known.ref))
+# The answer that Values and Active get of a component: `sets` and `active` as in capture.Found.
+Configured = collections.namedtuple("Configured", "sets active configuration")
 
 
 class Step:
@@ -55,24 +29,40 @@ class Step:
     tolerant = False  # True if it makes sense though a component is dead
     free = False  # True if others of the kind may come before or after it
 
-    def __init__(self, sites, where, title):
-        self.sites, self.where, self.title = list(sites), where, title
+    def __init__(self, concerned, where, title):
+        self.sites, self.where, self.title = list(concerned), where, title
         self.required = all(site.required for site in self.sites)
 
     @property
     def endpoint(self):
         return self.sites[0].node.endpoint
 
+    def site_error(self):
+        """The error of the first Site that has one, or None."""
+        return next((site.error for site in self.sites if site.error is not None), None)
+
     def jobs(self):
-        """What has to be asked to know whether it is done: pairs of a Site and a lanes.Job."""
+        """What has to be asked to know whether it is done: lanes.Jobs."""
+        return []
+
+    def found(self):
+        """What its jobs would answer, by what was found of all Sites in one look."""
+        return [self.sites[0].found]
+
+    def differences(self, answers):
+        """Differences between what the step wants and the answers, none of which is an error."""
         return []
 
     def is_done(self, answers):
-        """Whether the system is in the wanted state, by the answers to `jobs`. Raises an errors.Error if that is not known."""
-        return True
+        """Whether nothing differs, by the answers to `jobs`. Raises an errors.Error if that is not known, or cannot be mended."""
+        differences = list(self.differences(given(answers)))
+        for difference in differences:
+            if difference.obstacle is not None:
+                raise difference.obstacle
+        return not differences
 
     def act(self, answers):
-        """Do it; `answers` are those that said that it is not so."""
+        """Do it; `answers` are those by which it was not done."""
 
     def tidy(self, answers):
         """After `act` has failed: remove what it has left behind."""
@@ -93,12 +83,23 @@ def given(answers):
 
 
 class Present(Step):
-    """That a component is there: a check and no change."""
+    """That the component that is meant is there: a check and no change."""
 
     kind = "component"
 
     def __init__(self, site):
         super().__init__([site], site.where, "component " + site.where)
+        self.site = site
+
+    def differences(self, answers):
+        profile, wanted = answers[0].profile, self.site.component
+        if profile.instance_name != wanted.instance_name:
+            names = [f"component named {printable(name)}" for name in (wanted.instance_name, profile.instance_name)]
+            yield Difference("instance name", None, wanted.instance_name, profile.instance_name,
+                             errors.WrongKind(self.where, *names))
+        actual = capture.component_id(profile)
+        if actual != wanted.id:
+            yield Difference("id", None, wanted.id, actual, errors.WrongKind(self.where, printable(wanted.id), printable(actual)))
 
 
 # ---- making components ------------------------------------------------------------------------------------------
@@ -122,18 +123,19 @@ class Create(Step):
         return self.holder.node.endpoint
 
     def jobs(self):
-        return [(self.holder, lanes.Job(self.holder.node.endpoint, self.where, self._there))]
+        return [lanes.Job(self.endpoint, self.where, self._created)]
 
-    def _there(self):
+    def _created(self):
+        """The Node of the component, None if it is not there."""
         try:
             node = tree.component(self.site.path)
-            orb.ask(self.where, node.ref, "_non_existent")
-        except MISSING:
+            orb.call(self.where, node.ref, "_non_existent")
+        except sites.MISSING:
             return None
         return node
 
     def is_done(self, answers):
-        self.site.node = given(answers)[0]
+        self.site.node, = given(answers)
         return self.site.node is not None
 
     def act(self, answers):
@@ -141,7 +143,7 @@ class Create(Step):
         if name != self.site.instance:
             manager.delete(self.holder.node, name)
             raise errors.Refused(self.where, f"its manager made {printable(name)} instead; deleted again")
-        if not component.until(lambda: self._there() is not None, manager.SETTLE_TIME):
+        if not component.until(lambda: self._created() is not None, manager.SETTLE_TIME):
             manager.delete(self.holder.node, name)
             raise errors.Refused(self.where, f"{self.holder.where} made it, but it is not bound here; deleted again")
 
@@ -158,98 +160,146 @@ class Members(Step):
     kind = "members"
 
     def __init__(self, site, members):
-        names = ", ".join(printable(each.instance) for each in members)
+        names = ", ".join(printable(member.instance) for member in members)
         super().__init__([site] + members, site.where, f"members {names} of {site.where}")
         self.site, self.members = site, members
-        there = [ref for _, ref in site.found.members] if site.found else []
-        new = [one for one in members if one.node is None or not any(orb.same(ref, one.node.ref) for ref in there)]
-        words = ["rtcomp"] + [word for one in new for word in ("-a", one.where)] + [site.where]
+        added = [member for member in members if member.node is None or site.found is None or _is_missing(member, site.found)]
+        words = ["rtcomp"] + [word for member in added for word in ("-a", member.where)] + [site.where]
         self.command = " ".join(map(shell_word, words))
 
     def jobs(self):
-        return [(self.site, lanes.Job(self.endpoint, self.where, lambda: composites.the_one(self.site.node)))]
+        return [lanes.Job(self.endpoint, self.where, lambda: composites.the_one(self.site.node))]
 
-    def is_done(self, answers):
-        return not self._lacking(answers)
+    def differences(self, answers):
+        composite, = answers  # a Found, or an Organisation
+        missing = self._missing(answers)
+        try:
+            composites.check(self.site.node, composite, missing, [])
+            obstacle = None
+        except errors.Error as e:
+            obstacle = e
+        return [Difference("member", member.instance, str(member.node.path), None, obstacle) for member in missing]
 
-    def _lacking(self, answers):
-        one, = given(answers)
-        return [each for each in self.members if not any(orb.same(ref, each.node.ref) for _, ref in one.members)]
+    def _missing(self, answers):
+        """composites.Members: those that are to be members, and are none by the answers."""
+        composite, = given(answers)
+        return [composites.Member(member.instance, member.node, []) for member in self.members if _is_missing(member, composite)]
 
     def act(self, answers):
-        wanted = [composites.Member(each.instance, each.node, []) for each in self._lacking(answers)]
-        composites.check(self.site.node, answers[0], wanted, [])
-        composites.add(self.site.node, answers[0], wanted)
+        composites.add(self.site.node, answers[0], self._missing(answers))
 
     def undo(self, before, after):
-        gone = [composites.Member(each.instance, each.node, []) for each in self._lacking(before)]
-        composites.remove(self.site.node, after[0], gone)
+        composites.remove(self.site.node, after[0], self._missing(before))
+
+
+def members(site, site_of):
+    """The Sites of the members that the profile gives a composite; `site_of` as sites.finder makes it."""
+    found = [site_of(participant.component) for participant in site.component.participants]
+    return [member for member in found if member is not None]
+
+
+def _is_missing(member, composite):
+    return not any(orb.same(ref, member.node.ref) for _, ref in composite.members)
 
 
 # ---- configuration ----------------------------------------------------------------------------------------------
 
-class Values(Step):
+class _Configuring(Step):
+    """What steps on a configuration set share."""
+
+    def __init__(self, site, set_id, title):
+        super().__init__([site], site.where, f"{title} {printable(set_id)} of {site.where}")
+        self.site, self.set_id = site, set_id
+        self.unknown_set = errors.NoSuch(site.where, "configuration set", printable(set_id))
+
+    def jobs(self):
+        return [lanes.Job(self.endpoint, self.where, self._configured)]
+
+    def _configured(self):
+        now = configuration.Configuration(self.site.node)
+        return Configured(now.sets(with_hidden=True), now.active, now)
+
+
+def wanted_values(configuration_set):
+    """{parameter: value} of a model.ConfigurationSet, in its order."""
+    return collections.OrderedDict((item.name, item.data or "") for item in configuration_set.configuration_data)
+
+
+class Values(_Configuring):
     """Give the parameters of one configuration set their values, a dict."""
 
     kind = "configuration"
 
     def __init__(self, site, set_id, values):
-        super().__init__([site], site.where, f"configuration set {printable(set_id)} of {site.where}")
-        self.site, self.set_id, self.values = site, set_id, values
-        self.kept = None  # the set that was active before, which it has to be again
-        self.command = configuration.command(site.where, set_id, "set", *["%s=%s" % item for item in values.items()])
+        super().__init__(site, set_id, "configuration set")
+        self.values = values
+        self.active_before = None  # the set that was active, and has to be again
+        present = (self._present(site.found) if site.found else None) or {}
+        changed = [(name, value) for name, value in values.items() if present.get(name) != value] or values.items()
+        self.command = configuration.command(site.where, set_id, "set", *["%s=%s" % item for item in changed])
 
-    def jobs(self):
-        return [(self.site, lanes.Job(self.endpoint, self.where, lambda: configuration.Configuration(self.site.node)))]
+    def _present(self, answer):
+        """The values that the set has now, a dict; None where there is no such set."""
+        return next((one.values for one in answer.sets if one.id == self.set_id), None)
 
-    def _now(self, answers):
-        found, = given(answers)
-        within = found.set(self.set_id, with_hidden=True)
-        found.check(self.values, within)
-        return found, within
+    def differences(self, answers):
+        present = self._present(answers[0])
+        if present is None:
+            yield Difference("set", None, self.set_id, None, self.unknown_set)
+            return
+        for name, value in self.values.items():
+            if name not in present:
+                yield Difference("parameter", name, value, None, errors.NoSuch(
+                    self.where, "configuration parameter", f"{printable(name)} in set {printable(self.set_id)}"))
+            elif present[name] != value:
+                yield Difference("value", name, value, present[name], None)
+        if self.active_before is not None and answers[0].active != self.active_before:
+            yield Difference("active set", None, self.active_before, answers[0].active, None)
 
-    def is_done(self, answers):
-        found, within = self._now(answers)
-        return all(within.values[name] == value for name, value in self.values.items()) and (
-            self.kept is None or found.active == self.kept)
+    def unknown(self):
+        """Names of parameters that a set which was found lacks."""
+        if self.site.found is None:
+            return []
+        return [difference.name for difference in self.differences(self.found()) if difference.what == "parameter"]
 
     def act(self, answers):
-        found, within = self._now(answers)
-        self.kept = None if self.site.each.active_configuration_set else found.active  # else the next step sees to it
-        found.store(self.values, within)
+        now, = answers
+        if not self.site.component.active_configuration_set:  # else the next step activates that
+            self.active_before = now.active
+        self._store(self.values, now)
 
     def undo(self, before, after):
-        _, then = self._now(before)
-        found, now = self._now(after)
-        found.store({name: then.values[name] for name in self.values}, now)
+        previous = self._present(before[0])
+        self._store({name: previous[name] for name in self.values}, after[0])
+
+    def _store(self, values, now):
+        now.configuration.store(values, now.configuration.set(self.set_id, with_hidden=True))
 
 
-class Active(Step):
+class Active(_Configuring):
     """Make a configuration set the active one."""
 
     kind = "active set"
 
     def __init__(self, site, set_id):
-        super().__init__([site], site.where, f"active configuration set {printable(set_id)} of {site.where}")
-        self.site, self.set_id = site, set_id
+        super().__init__(site, set_id, "active configuration set")
         self.command = configuration.command(site.where, set_id, "act")
 
-    jobs = Values.jobs
-
-    def is_done(self, answers):
-        found, = given(answers)
-        if self.set_id == "default" and not found.sets():
-            return True  # components without configuration have no set at all, and files name this one nevertheless
-        found.check_active(self.set_id)
-        return found.active == self.set_id
+    def differences(self, answers):
+        now, = answers
+        present = [one.id for one in now.sets]
+        if now.active == self.set_id or self.set_id == "default" and all(map(configuration.hidden, present)):
+            return  # components without configuration have no set at all, and files name this one nevertheless
+        yield Difference("active set", None, self.set_id, now.active or None,
+                         None if self.set_id in present else self.unknown_set)
 
     def act(self, answers):
-        answers[0].activate(self.set_id)
+        answers[0].configuration.activate(self.set_id)
 
     def undo(self, before, after):
         if not before[0].active:
             raise errors.Refused(self.where, "had no active configuration set before, and cannot get rid of one")
-        after[0].activate(before[0].active)
+        after[0].configuration.activate(before[0].active)
 
 
 class Rate(Step):
@@ -264,25 +314,29 @@ class Rate(Step):
         self.command = " ".join(map(shell_word, words))
 
     def jobs(self):
-        return [(self.site, lanes.Job(self.endpoint, self.where, self._contexts))]
+        return [lanes.Job(self.endpoint, self.where, self._contexts)]
 
     def _contexts(self):
-        owned, _ = component.context_refs(self.site.node)
-        return [component.context(self.site.node, ref) for ref in owned]
+        return [component.context(self.site.node, ref) for ref in component.owned_context_refs(self.site.node)]
 
-    def is_done(self, answers):
-        _, context = self._number(given(answers)[0])
-        return contexts.same_rate(context.rate, self.rate)
+    def found(self):
+        return [self.site.found.owned]
 
-    def _number(self, found):
-        for index, context in enumerate(found):
+    def differences(self, answers):
+        _, context = self._context(answers)
+        if not contexts.same_rate(context.rate, self.rate):
+            yield Difference("rate", None, self.rate, context.rate, None)
+
+    def _context(self, answers):
+        """(its number, the component.Context). Raises NoSuch."""
+        for index, context in enumerate(answers[0]):
             if context.handle == self.handle:
                 return index, context
         raise errors.NoSuch(self.where, "execution context", "%d" % self.handle)
 
     def act(self, answers):
-        contexts.set_rate(self.site.node, self._number(answers[0])[0], self.rate)
+        contexts.set_rate(self.site.node, self._context(answers)[0], self.rate)
 
     def undo(self, before, after):
-        index, context = self._number(before[0])
+        index, context = self._context(before)
         contexts.set_rate(self.site.node, index, context.rate)

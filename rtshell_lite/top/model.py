@@ -9,7 +9,7 @@ import time
 
 from rtshell_lite import errors, path as paths
 from rtshell_lite.corba import lanes, orb
-from rtshell_lite.robot import component, places, ports, tree
+from rtshell_lite.robot import component, places, snapshot, tree
 from rtshell_lite.top.rows import Row
 from rtshell_lite.views import describe
 
@@ -24,13 +24,6 @@ REST = 5.0  # seconds for which what is dead or silent is left alone
 
 # ---- one component --------------------------------------------------------------------------------------------
 
-class _Context:
-    """An execution context as it was seen last. `retry_after` is when it may be asked again, if its process did not answer."""
-
-    def __init__(self, ref):
-        self.ref, self.rate, self.running, self.retry_after = ref, None, None, 0.0
-
-
 class _Entry:
     """A component that is looked at, by the thread of its group."""
 
@@ -39,7 +32,7 @@ class _Entry:
         self.group = node.endpoint
         self.kind, self.state, self.failure = "component", None, None
         self.ports = self.connections = None
-        self.contexts = []
+        self.snapshot = snapshot.Snapshot(node, rest=REST)  # of its contexts; to keep its ports, too, would take much memory
         self.looked = False  # whether it, or its failure, is known
         self.silenced = 0.0  # when it was silent last
         self._again = self._contexts_due = self._ports_due = 0.0
@@ -67,40 +60,18 @@ class _Entry:
 
     def _look(self, now):
         if now >= self._contexts_due:
-            self._look_at_contexts()
+            self.snapshot.ask(owned=snapshot.RUNNING, participating=snapshot.RUNNING)
             self._contexts_due = now + CONTEXTS
-        state = component.merged([self._of(each, lambda each=each: component.state_in(self.node, each.ref), "Unknown")
-                                  for each in self.contexts])
-        self.kind, self.state, self.failure = "component", state, None
+        self.snapshot.ask(states=snapshot.FULL)
+        self.kind, self.state, self.failure = "component", component.merged(self.snapshot.states), None
         if now >= self._ports_due:
             self._look_at_ports()
         self.looked = True
 
-    def _look_at_contexts(self):
-        owned, participating = component.context_refs(self.node)
-        known = {orb.identity(each.ref): each for each in self.contexts}
-        contexts = [known.get(orb.identity(ref)) or _Context(ref) for ref in owned + participating]
-        for each in contexts:
-            each.rate, each.running = self._of(each, lambda each=each: self._run(each.ref), (None, None))
-        self.contexts = contexts
-
-    def _run(self, ref):
-        where = str(self.node.path)
-        return orb.ask(where, ref, "get_rate"), bool(orb.ask(where, ref, "is_running"))
-
-    def _of(self, context, ask, otherwise):
-        """ask(), or `otherwise` where a context of another process does not answer; that is left alone for a while."""
-        if time.monotonic() < context.retry_after:
-            return otherwise
-        found = component.elsewhere(self.node, context.ref, ask, None)
-        if found is None:
-            context.retry_after = time.monotonic() + REST
-        return otherwise if found is None else found
-
     def _look_at_ports(self):
         pause = PORTS
         try:
-            found = ports.ports(self.node)
+            found = snapshot.of(self.node, ports=snapshot.BRIEF).ports
             self.ports = len(found)
             self.connections = len({connector.id for port in found for connector in port.connectors})
         except errors.Error as e:  # it has just given its state: the ports are what is wrong
@@ -112,13 +83,13 @@ class _Entry:
         """It is dead, or does not answer; what was known of it does not count any more."""
         self.kind, self.state, self.failure = kind, "-" if kind == "zombie" else "?", failure
         self.ports = self.connections = None
-        self.contexts = []
+        self.snapshot = snapshot.Snapshot(self.node, rest=REST)
         self._contexts_due = self._ports_due = 0.0
         self.looked = True
 
     def row(self, path, name):
         """Its Row."""
-        contexts = list(self.contexts)
+        contexts = self.snapshot.contexts
         first = next((each for each in contexts if each.running), contexts[0] if contexts else None)
         running = any(each.running for each in contexts) if contexts else None
         return Row(path, name, self.kind, self.state, first and first.rate, running, self.ports, self.connections,
@@ -313,4 +284,4 @@ def _each_server(tops):
 
 def _description(node):
     found = describe.collect(node, 1)
-    return list(describe.lines(found, 1, places.far_ends(node, found.ports), lambda word, role=None: word))
+    return list(describe.lines(found, 1, places.far_names(found.ports), lambda word, role=None: word))

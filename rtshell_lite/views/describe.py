@@ -1,39 +1,19 @@
 """What rtcat shows of a component or a port, as lines or as JSON."""
-import collections
-
-from rtshell_lite import errors, text
+from rtshell_lite import text
 from rtshell_lite.corba import orb
-from rtshell_lite.robot import component, composites, ports
-from rtshell_lite.text import from_wire, printable
-
-# All that rtcat knows of one component. `compositions` are those that it owns, as (id, [path text of a member]); `parents`
-# those that it belongs to, as (id, name of the composite, its path text). `states` are those in its contexts. The details are
-# empty at level 0.
-Found = collections.namedtuple("Found", "node profile states contexts ports compositions parents")
+from rtshell_lite.robot import component, composites, ports, snapshot
+from rtshell_lite.robot.snapshot import BRIEF, FULL
+from rtshell_lite.text import printable
 
 
 def collect(node, level=0):
-    """Ask a component for everything that rtcat shows, a Found; the profile comes last (it can end a component of 2.1).
+    """The Snapshot of a component with everything that rtcat shows.
 
-    `level` is how often -l was given: from 1 on, members and composites are asked for their names.
+    `level` is how often -l was given: from 1 on, all is asked for in full, and members for their names.
     """
-    found = ports.ports(node, brief=not level)
-    owned, participating = component.context_refs(node)
-    contexts = component.contexts(node, owned) if level else component.known_by_handle(node, owned)
-    contexts = [each for each in contexts + component.contexts(node, participating) if each is not None]
-    states = component.states(node, [context.ref for context in contexts])
-    if level:
-        compositions = [(one.id, composites.member_paths(node, one)) for one in composites.owned(node)]
-    else:
-        compositions = [("", [])] * len(composites.owned_refs(node))
-    parents = _parents(node, contexts[len(owned):])
-    return Found(node, component.profile(node, brief=not level), states, contexts, found, compositions, parents)
-
-
-def _parents(node, participating):
-    ids = composites.belonging_ids(node)
-    known = composites.composites(node, participating) if ids else {}
-    return [(one,) + known.get(one, ("Unknown", "Unknown")) for one in ids]
+    detail = FULL if level else BRIEF
+    return snapshot.of(node, ports=detail, owned=detail, participating=FULL, states=FULL, organisations=detail, composites=FULL,
+                       profile=detail)
 
 
 # ---- lines ----------------------------------------------------------------------------------------------------
@@ -42,12 +22,12 @@ def lines(found, level, ends, paint):
     """The lines of rtcat for a component.
 
     level  how often -l was given
-    ends   names the far ends of connections (see `places.far_ends`)
+    ends   names the far ends of connections (see `places.far_names`)
     paint  colours words (see `text.painter`)
     """
     profile = found.profile
     yield f"{found.node.name}  {paint(component.merged(found.states))}"
-    kind = ("Composite" if found.compositions else "Monolithic") + (" composite member" if found.parents else "")
+    kind = ("Composite" if found.organisations else "Monolithic") + (" composite member" if found.composites else "")
     yield from _pairs([("Category", profile.category), ("Description", profile.description),
                        ("Instance name", profile.instance_name), ("Type name", profile.type_name),
                        ("Vendor", profile.vendor), ("Version", profile.version), ("Parent", profile.parent),
@@ -60,8 +40,8 @@ def lines(found, level, ends, paint):
     # with -ll rtshell indents what follows by a blank or two more, and there are scripts that cut by column
     tag, more = (" ", "  ") if level > 1 else ("", "")
     yield from composition_lines(found, level, tag, more, paint)
-    for context in found.contexts:
-        if _owned(context):
+    for context in found.owned:
+        if context.handle is not None:
             yield from context_lines(context, found, level, tag, more, paint)
     for port in found.ports:
         yield from port_lines(port, profile.instance_name, level, ends, paint, tag, more)
@@ -71,22 +51,21 @@ def _pairs(items, indent):
     return text.pairs([(printable(text.cut(name)), printable(text.cut(value))) for name, value in items], indent)
 
 
-def _owned(context):
-    return context.handle < 1000  # handles of participating contexts start there
-
-
 def composition_lines(found, level, tag, more, paint):
     """The lines of the compositions that a component owns and of those that it belongs to.
 
     Here and below, `tag` comes before headings, `more` is the further indentation of what is below them.
     """
     sign = "-" if level else "+"
-    for one, members in found.compositions:
+    for organisation in found.organisations:
         yield f"{tag}{sign}Composition {paint(printable(found.profile.instance_name), 'bold')}"
-        yield from text.pairs([("ID", printable(one))] + [("Member", path) for path in members], more + "  ") if level else ()
-    for one, name, path in found.parents:
+        if level:
+            members = [("Member", path) for path in composites.member_paths(found.node, organisation)]
+            yield from text.pairs([("ID", printable(organisation.id))] + members, more + "  ")
+    for organisation_id, name, path in found.composites:
         yield f"{tag}{sign}Parent composition {paint(printable(name), 'bold')}"
-        yield from text.pairs([("ID", printable(one)), ("Path", path)], more + "  ") if level else ()
+        if level:
+            yield from text.pairs([("ID", printable(organisation_id)), ("Path", path)], more + "  ")
 
 
 def context_lines(context, found, level, tag, more, paint):
@@ -109,14 +88,7 @@ def context_lines(context, found, level, tag, more, paint):
 
 def _instance(ref, found):
     """The instance name of a component that takes part in a context."""
-    if ref is None:
-        return ""
-    if orb.same(ref, found.node.ref):
-        return found.profile.instance_name
-    try:
-        return from_wire(orb.ask(str(found.node.path), ref, "get_sdo_id"))
-    except errors.Error:
-        return "Unknown"
+    return found.profile.instance_name if orb.same(ref, found.node.ref) else component.instance_name(found.node, ref)
 
 
 def port_lines(port, instance, level, ends, paint, tag="", more=""):
@@ -154,13 +126,15 @@ def _shown(connector):
 def as_dict(found, ends):
     """The JSON object of a component."""
     fields = dict(found.profile._asdict(), properties=dict(found.profile.properties), path=str(found.node.path),
-                  state=component.merged(found.states), composite=bool(found.compositions), composite_member=bool(found.parents))
-    fields["compositions"] = [{"id": one, "members": members} for one, members in found.compositions]
-    fields["parent_compositions"] = [{"id": one, "name": name, "path": path} for one, name, path in found.parents]
+                  state=component.merged(found.states), composite=bool(found.organisations), composite_member=bool(found.composites))
+    fields["compositions"] = [{"id": organisation.id, "members": composites.member_paths(found.node, organisation)}
+                              for organisation in found.organisations]
+    fields["parent_compositions"] = [{"id": organisation_id, "name": name, "path": path}
+                                     for organisation_id, name, path in found.composites]
     fields["execution_contexts"] = [
         {"handle": c.handle, "kind": c.kind, "rate": c.rate, "running": c.running, "owner": _instance(c.owner, found),
          "participants": [_instance(p, found) for p in c.participants], "properties": dict(c.properties),
-         "state": state} for c, state in zip(found.contexts, found.states)]
+         "state": state} for c, state in zip(found.contexts, found.states) if c.handle is not None]
     fields["ports"] = [port_dict(port, ends) for port in found.ports]
     return fields
 

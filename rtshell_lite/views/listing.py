@@ -55,7 +55,7 @@ def look(nodes, long=False):
         return [(node, None) for node in tree.look(nodes)]
     nodes = [tree.look([node])[0] if node.kind == "unsure" else node for node in nodes]
     asked = [node for node in nodes if node.kind == "component"]
-    answers = dict(zip(asked, tree.on_nodes(asked, _asked_once)))
+    answers = dict(zip(asked, tree.on_nodes(asked, _figures)))
     others = dict(zip([n for n in nodes if n not in answers], tree.look([n for n in nodes if n not in answers])))
     rows = []
     for node in nodes:
@@ -66,30 +66,25 @@ def look(nodes, long=False):
     return rows
 
 
-def _asked_once(node):
-    """The Figures of a component whose reference is needed no more: 20,000 of them take 16 MB."""
+def _figures(node):
+    """The Figures of a component whose reference is needed no more."""
+    from rtshell_lite.robot import component, snapshot  # not needed, and not loaded, for names alone
+    shown = snapshot.Snapshot(node)
     try:
-        return figures(node)
-    finally:
-        node.ref = None
-
-
-def figures(node):
-    """The Figures of one component."""
-    from rtshell_lite.robot import component, ports  # not needed, and not loaded, for names alone
-    owned, participating = component.context_refs(node)  # shows whether the component itself is there
-    try:
-        state = component.merged(component.states(node, owned + participating))
-        found = ports.ports(node, brief=True)
+        shown.ask(owned=snapshot.REFERENCES, participating=snapshot.REFERENCES, states=snapshot.FULL, ports=snapshot.BRIEF)
     except (errors.Gone, errors.ConnectionRefused) as e:
-        # a port or context passed on that something behind it is gone; the component has answered
+        if not shown.answered:
+            raise
+        # a port or context passed on that something behind it is gone
         why = "one of them is gone" if isinstance(e, errors.Gone) else "connection refused"
         raise errors.Unreachable(str(node.path), f"does not say its ports or states ({why})")
+    finally:
+        node.ref = None  # 20,000 of them take 16 MB
     counts = []
     for _, kind in COUNTED:
-        of_kind = [each for each in found if kind in (None, each.type)]
-        counts.append((len(of_kind), sum(bool(each.connectors) for each in of_kind)))
-    return Figures(state, counts)
+        of_kind = [port for port in shown.ports if kind in (None, port.type)]
+        counts.append((len(of_kind), sum(bool(port.connectors) for port in of_kind)))
+    return Figures(component.merged(shown.states), counts)
 
 
 def short(node, paint, name=None):

@@ -5,7 +5,7 @@ from unittest import mock
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
 from rtshell_lite.doctor import components, connections, here, remedies, servers
-from rtshell_lite.robot import component, ports, tree
+from rtshell_lite.robot import component, places, ports, snapshot, tree
 
 
 class Connections(unittest.TestCase):
@@ -13,7 +13,7 @@ class Connections(unittest.TestCase):
         node = tree.Node(path.parse("/localhost/In0.rtc"), "component", None)
         connector = ports.Connector("one", "out_in", [None, None], [])
         port = ports.Port(node, "In0.out", "DataOutPort", {}, [], [connector], None, None)
-        finding, = connections._troubles(connections.Link(components.Examined([node]), port, connector), {})
+        finding, = connections._troubles(connections.Link(snapshot.Snapshot(node), port, connector), {})
         self.assertEqual(finding, ("fail", "connection", "/localhost/In0.rtc:out", "connection out_in has an end that is nothing (nil)",
                                    "rtdis -i one /localhost/In0.rtc:out"))
 
@@ -22,10 +22,11 @@ class Connections(unittest.TestCase):
         here = ports.Connector("one", "c", [], [("x", "1"), ("dataport.dataflow_type", "push")])
         port = ports.Port(tree.Node(path.parse("/localhost/In0.rtc"), "component", None), "In0.out", "DataOutPort", {}, [], [here],
                           None, None)
+        far = tree.Node(path.parse("/localhost/far.rtc"), "component", None)
         found = connections._differences(connections.Link(None, port, here),
-                                         connections.End(port._replace(connectors=[there]), None, "/far.rtc:in"),
+                                         places.End(None, port._replace(node=far, name="far.in", connectors=[there]), None),
                                          remedies.words("restart far end"))
-        self.assertEqual([finding.message for finding in found], ["dataport.dataflow_type is push here, missing at /far.rtc:in"])
+        self.assertEqual([finding.message for finding in found], ["dataport.dataflow_type is push here, missing at /localhost/far.rtc:in"])
 
 
 class Here(unittest.TestCase):
@@ -61,7 +62,7 @@ class Names(unittest.TestCase):
         """OpenRTM-aist has the names of a component in a property; others do not."""
         nodes = [tree.Node(path.parse(where), "component", None)
                  for where in ("/one/a.host_cxt/In0.rtc", "/one/b.host_cxt/In0.rtc", "/two/a.host_cxt/In0.rtc")]
-        each = components.Examined(nodes)
+        each = snapshot.Snapshot(nodes[0], nodes[1:])
         each.profile = component.Profile("In0", "In", "", "", "", "", "", properties=[])
         self.assertEqual([(finding.path, finding.message) for finding in components._names(each)],
                          [("/one/b.host_cxt/In0.rtc", "the same component as /one/a.host_cxt/In0.rtc")])

@@ -1,0 +1,158 @@
+"""A component at one time: the parts of it that a command wants, with what failed among them.
+
+A new part is an attribute of Snapshot, and a line in PARTS with the function that asks for it.
+"""
+import time
+
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.robot import component, ports
+
+# How much of a part is wanted. Ports and profile have BRIEF and FULL (see `ports.port`, `component.profile`), organisations have
+# BRIEF, without their members, and FULL; execution contexts have REFERENCES (no call each), BRIEF, with handles (one call),
+# RUNNING, with rates and whether they run (two), and FULL (three). All others have FULL.
+REFERENCES, BRIEF, RUNNING, FULL = "references", "brief", "running", "full"
+EACH = "each"  # of ports: FULL, and one that fails is noted in `refusing` and costs no other; else the first ends the questions
+
+
+class Snapshot:
+    """A component, and what has been asked of it so far.
+
+    node           its Node; `others` further Nodes by which it is bound
+    rest           seconds for which a context of another process that does not answer is left alone, if asked again and again
+    asking         what it was asked for last, in words, '' as long as it has not been asked
+    answered       whether it has answered anything itself; what fails later may be something behind it
+    error          the errors.Error that ended the questions of `ask_all`, or None
+
+    The parts:
+
+    ports          its ports.Ports; `refusing` (number from 1, errors.Error, endpoint) of those that failed, see EACH;
+                   `dropped` those Ports that have just dropped a connection whose far end is dead
+    owned          component.Contexts of its own; `participating` those of others that execute it, too. Of one of another process
+                   that does not answer only the reference is there
+    states         its states in `contexts`
+    configuration  its configuration.Configuration, None where it has none
+    organisations  composites.Organisations that it owns
+    composites     (id, name, path as text) of those that it is a member of; needs `participating`
+    profile        its component.Profile, None where a port has failed
+    """
+
+    asking, answered, error = "", False, None
+    ports = refusing = dropped = owned = participating = states = organisations = composites = ()
+    configuration = profile = None
+
+    def __init__(self, node, others=(), rest=0):
+        self.node, self.others, self.rest, self._left_alone = node, others, rest, {}
+
+    @property
+    def where(self):
+        """Its path, spelt for the terminal."""
+        return str(self.node.path)
+
+    @property
+    def contexts(self):
+        """The contexts that it owns, then those that it takes part in: in the order in which -e counts."""
+        return [*self.owned, *self.participating]
+
+    def ask(self, **parts):
+        """Ask for the parts {name: how much}, in this order, the profile last; again for those that are there.
+
+        Raises the first errors.Error, which ends the questions. (A profile query can end a component that has a connection with a
+        dead far end, its ports notice that before: protocol rule, see `component.once_more`.)
+        """
+        for name in sorted(parts, key="profile".__eq__):
+            self.asking, function = PARTS[name]
+            setattr(self, name, function(self, parts[name]))
+            self.answered = True
+        return self
+
+    def elsewhere(self, ref, ask, otherwise):
+        """ask(), or `otherwise` where `ref`, a context of another process, does not answer or is left alone."""
+        if self._left_alone and time.monotonic() < self._left_alone.get(orb.identity(ref), 0):
+            return otherwise
+        answer = component.elsewhere(self.node, ref, ask, None)
+        if answer is None and self.rest:
+            self._left_alone[orb.identity(ref)] = time.monotonic() + self.rest
+        return otherwise if answer is None else answer
+
+
+def of(node, **parts):
+    """The Snapshot of one component with these parts. Raises what remote calls raise."""
+    return Snapshot(node).ask(**parts)
+
+
+def ask_all(snapshots, **parts):
+    """`ask` in parallel by the process that answers; what ended the questions becomes the `error` of a Snapshot."""
+    answers = lanes.each(snapshots, lambda snapshot: snapshot.ask(**parts), lambda snapshot: (snapshot.node.endpoint, snapshot.where))
+    for snapshot, answer in zip(snapshots, answers):
+        snapshot.error = answer if isinstance(answer, errors.Error) else None
+
+
+# ---- how each part is asked for -------------------------------------------------------------------------------
+
+def _ports(snapshot, how):
+    refs = ports.refs(snapshot.node)
+    snapshot.answered = True
+    snapshot.ports, snapshot.refusing, snapshot.dropped = [], [], []  # what is there before it falls silent is of use
+    for number, ref in enumerate(refs, 1):
+        snapshot.asking = "the profile of its port %d" % number
+        failed_once = []  # shows that the port had a connection with a dead far end
+        try:
+            port = ports.port(snapshot.node, ref, failed_once, brief=how == BRIEF)
+        except errors.Error as e:
+            if how != EACH or isinstance(e, errors.Silent):
+                raise
+            snapshot.refusing.append((number, e, orb.endpoint(ref)))
+            continue
+        snapshot.ports.append(port)
+        snapshot.dropped += [port] * len(failed_once)
+    return snapshot.ports
+
+
+def _contexts(snapshot, refs, how):
+    bare = [component.Context(None, ref, None, None, None, None, (), ()) for ref in refs]
+    if how == REFERENCES:
+        return bare
+    if how == BRIEF:
+        return [context._replace(handle=snapshot.node.call("get_context_handle", context.ref)) for context in bare]
+    ask = component.context if how == FULL else component.running
+    return [snapshot.elsewhere(context.ref, lambda ref=context.ref: ask(snapshot.node, ref), context) for context in bare]
+
+
+def _states(snapshot, _):
+    return [snapshot.elsewhere(context.ref, lambda ref=context.ref: component.state_in(snapshot.node, ref), "Unknown")
+            for context in snapshot.contexts]
+
+
+def _configuration(snapshot, _):
+    from rtshell_lite.robot import configuration  # not needed, and not loaded, for a listing; nor are composites
+    try:
+        return configuration.Configuration(snapshot.node)
+    except errors.Refused:  # small implementations have none
+        return None
+
+
+def _organisations(snapshot, how):
+    from rtshell_lite.robot import composites
+    return composites.owned(snapshot.node, with_members=how == FULL)
+
+
+def _composites(snapshot, _):
+    from rtshell_lite.robot import composites
+    return composites.belonging(snapshot.node, snapshot.participating)
+
+
+def _profile(snapshot, how):
+    return None if snapshot.refusing else component.profile(snapshot.node, brief=how == BRIEF)
+
+
+# The parts by attribute: what is asked for in words, function(snapshot, how much).
+PARTS = {
+    "ports": ("its ports", _ports),
+    "owned": ("its execution contexts", lambda s, how: _contexts(s, component.owned_context_refs(s.node), how)),
+    "participating": ("its execution contexts", lambda s, how: _contexts(s, component.participating_context_refs(s.node), how)),
+    "states": ("its execution contexts", _states),
+    "configuration": ("its configuration", _configuration),
+    "organisations": ("its members", _organisations),
+    "composites": ("its composites", _composites),
+    "profile": ("its profile", _profile)}

@@ -1,0 +1,65 @@
+"""The components that an RtsProfile lists, each with its place and with what one look at the running system found there."""
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.robot import ports, tree
+from rtshell_lite.system import capture, relocate
+
+MISSING = (errors.NotFound, errors.Gone, errors.ConnectionRefused)
+
+
+def is_gone(failure):
+    """True for an errors.Error that says that a component is not there, or not any more."""
+    return isinstance(failure, MISSING) and not isinstance(failure, errors.NoNameServer)
+
+
+class Site:
+    """A component of a profile (a model.Component) and where it is, or is to be: `path`.
+
+    found  its capture.Found; None while it is not there
+    node   its Node; None while it is not there
+    error  why nothing can be done with it; None if something can
+    """
+
+    def __init__(self, component):
+        self.component, self.instance, self.required = component, component.instance_name, component.is_required
+        self.path, self.where = relocate.path_in(component.path_uri), capture.shown_path(component)
+        self.found = self.node = self.error = None
+        if not self.path.names:
+            self.error = errors.Failed(self.where, "not the path of a component")
+
+    def port(self, name, known=None):
+        """The Port that a profile calls `name`, of the Ports `known` (default: those found), or the error NoSuch."""
+        known = self.found.ports if known is None else known
+        names = [name, self.instance + "." + name]
+        return next((port for port in known if port.name in names), None) or ports.named(self.path.with_port(name), known)
+
+    def port_job(self, name):
+        """A lanes.Job that asks the component for its port called `name`. Raises NoSuch."""
+        where = str(self.path.with_port(name))
+        if self.found is None:
+            return lanes.Job(self.node.endpoint, where, lambda: self.port(name, ports.ports(self.node)))
+        port = self.port(name)
+        if isinstance(port, errors.Error):
+            raise port
+        return lanes.Job(orb.endpoint(port.ref), where, lambda: ports.port(self.node, port.ref))
+
+
+def of(profile):
+    """The Sites of the components of a profile, in the order of the file."""
+    return [Site(component) for component in profile.components]
+
+
+def look(sites, ask=capture.ask):
+    """Find the components of Sites, and what `ask(node)`, which returns a Found, says of each; `error` where that fails."""
+    asked = [site for site in sites if site.error is None]
+    for site, found in zip(asked, tree.on_components([site.path for site in asked], ask)):
+        if isinstance(found, errors.Error):
+            site.error = found
+        else:
+            site.found, site.node = found, found.node
+
+
+def finder(locate, sites):
+    """A function: the one of `sites` that an end or a participant in the profile names, or None; `locate` is a capture.locator."""
+    by_component = {id(site.component): site for site in sites}
+    return lambda target: by_component.get(id(locate(target)))
