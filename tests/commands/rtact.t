@@ -8,6 +8,7 @@ world: contexts
 world: error --flavour cpp11 --context old.host_cxt/%n.rtc
 world: stopped --flavour cpp11 --context oldstopped.host_cxt/%n.rtc
 world: these ErrStart ConsoleIn --flavour cpp2 --context lame.host_cxt/%n.rtc --rate 2
+world: these ErrStart --flavour cpp2 --context late.host_cxt/%n.rtc --rate 0.5
 
 It is silent, and the component has changed its state when it ends (those of OpenRTM 1.1 will change it soon):
 
@@ -75,9 +76,8 @@ A period is that of the execution context; one that is Active already may fall y
   $ within 0.5-2.5 rtact --wait ../lame.host_cxt/ErrStart0.rtc
   rtact: /localhost:$PORT/lame.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
   [6]
-  $ rtreset --wait ../lame.host_cxt/ErrStart0.rtc
-  $ rtact ../lame.host_cxt/ErrStart0.rtc; rtact --wait ../lame.host_cxt/ErrStart0.rtc
-  rtact: /localhost:$PORT/lame.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
+  $ rtact ../late.host_cxt/ErrStart0.rtc; rtact --wait ../late.host_cxt/ErrStart0.rtc
+  rtact: /localhost:$PORT/late.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
   [6]
   $ rtact ../lame.host_cxt/ConsoleIn0.rtc; ctl @these reset
   $ within 0.5-2.5 rtact -v --wait ../lame.host_cxt/ConsoleIn0.rtc
