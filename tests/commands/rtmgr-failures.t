@@ -157,7 +157,7 @@ nobody lists. The name tells:
   $ rtmgr -v -c 'Motor?instance_name=kept' ../py.host_cxt/manager.mgr
   rtmgr: created kept
   $ rtmgr -v -c Motor ../py.host_cxt/manager.mgr
-  rtmgr: /localhost:$PORT/py.host_cxt/manager.mgr: made nothing of use: it gave back the name kept, which was there; give another one: ?instance_name=…
+  rtmgr: /localhost:$PORT/py.host_cxt/manager.mgr: created nothing of use: it returned the name kept, which is taken; give another one: ?instance_name=…
   [6]
   $ rtls ../py.host_cxt
   ConsoleIn0.rtc
