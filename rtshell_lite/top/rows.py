@@ -1,4 +1,4 @@
-"""What rttop shows of a system, as lines and as JSON; rows of components in the order and the choice that are wanted."""
+"""What rttop shows of a system, as lines and as JSON; sorting and filtering its rows."""
 import collections
 
 from rtshell_lite import text
@@ -8,7 +8,7 @@ STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)  
 
 # One component. `name` distinguishes it from the others; `kind` is component, zombie or silent, or unknown: a part of the tree that
 # cannot be listed. `state` is ? for what does not answer and - for a zombie; `rate` in Hz, of the first context that runs, else
-# of the first one; `running` whether any does; `ports` and `connections` are counts. What is not known (yet) is None. `failure`
+# of the first one; `running` whether any does; `ports` and `connections` are counts. None is unknown (yet). `failure`
 # is an errors.Error or None.
 Row = collections.namedtuple("Row", "path name kind state rate running ports connections failure")
 
@@ -18,7 +18,7 @@ HEAD = "STATE         RATE  CONN  COMPONENT"
 def arranged(rows, sort="name", wanted=""):
     """The Rows that match all words of `wanted`, in the order of one of SORTS.
 
-    A word matches a path that it is a part of, or a state that it is, in capitals or not.
+    A word, in any case, matches part of a path, or a whole state.
     """
     words = wanted.lower().split()
     rows = [row for row in rows if all(word in row.path.lower() or word == (row.state or "").lower() for word in words)]
@@ -28,7 +28,7 @@ def arranged(rows, sort="name", wanted=""):
 
 
 def summary(rows):
-    """How many there are, and in which states: 3 components: 1 Error, 2 Active."""
+    """How many components there are in which states: 3 components: 1 Error, 2 Active."""
     counts = collections.Counter(row.state for row in rows if row.kind != "unknown")
     total = sum(counts.values())
     words = {"-": "zombie", "?": "silent", None: "not asked yet"}
