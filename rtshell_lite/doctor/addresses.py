@@ -34,6 +34,8 @@ def resolve(host):
 
 def connect(addresses, port):
     """Open a TCP connection to the first of the IP addresses that accepts one, and close it. Raises Unreachable, Silent."""
+    where = f"{addresses[0]}:{port}"
+
     def attempt():
         end, failure = time.monotonic() + lanes.session.timeout, None
         for address in addresses:
@@ -43,8 +45,8 @@ def connect(addresses, port):
             except OSError as e:
                 lanes.note_shortage(e, address)
                 failure = failure or e
-        raise _error("%s:%d" % (addresses[0], port), failure)
-    lanes.ask(("TCP", tuple(addresses), port), "%s:%d" % (addresses[0], port), attempt)
+        raise _error(where, failure)
+    lanes.ask(("TCP", tuple(addresses), port), where, attempt)
 
 
 def _error(where, e):

@@ -29,12 +29,12 @@ def fail(check, path, message, remedy):
 
 def published(ref):
     """The addresses that a reference publishes, decoded from its IOR: `192.0.2.1:4000, 127.0.0.1:4000`."""
-    return ", ".join("%s:%d" % (printable(host), port) for host, port in orb.addresses(ref)) or "no TCP address"
+    return ", ".join(f"{printable(host)}:{port}" for host, port in orb.addresses(ref)) or "no TCP address"
 
 
 def counted(number, noun):
     """`1 port`, `2 ports`."""
-    return "%d %s%s" % (number, noun, "" if number == 1 else "s")
+    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def reason(e):

@@ -37,7 +37,7 @@ def _files():
         for _ in range(FILES):
             taken.append(os.dup(2))
     except OSError as e:
-        return "%s, at %d" % (os.strerror(e.errno), resource.getrlimit(resource.RLIMIT_NOFILE)[0])
+        return f"{os.strerror(e.errno)}, at {resource.getrlimit(resource.RLIMIT_NOFILE)[0]}"
     finally:
         for descriptor in taken:
             os.close(descriptor)

@@ -18,9 +18,8 @@ def findings(profile, file, state):
         report = fail if difference.required else warn
         found.append(report("profile", difference.path, safe(difference.message), _remedy(difference, file)))
     found += _rates(profile)
-    return found or [ok("profile", str(path.ROOT), "as the profile says: %s, %s" % (
-        counted(len(profile.components), "component"),
-        counted(len(profile.connectors), "connection")))]
+    content = f"{counted(len(profile.components), 'component')}, {counted(len(profile.connectors), 'connection')}"
+    return found or [ok("profile", str(path.ROOT), "as the profile says: " + content)]
 
 
 def _rates(profile):

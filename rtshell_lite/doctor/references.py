@@ -81,9 +81,9 @@ def _out_of_reach(visit, offered):
 
 def _half_reachable(visit, where, offered):
     """Some of several addresses may be out of reach; each caller tries them in turn and waits for the bad ones."""
-    bad = [endpoint for endpoint in offered if isinstance(visit.probes.get(endpoint), errors.Error)]
-    return [warn("reference", where, "also publishes %s:%d, out of reach (%s)" % (
-        printable(endpoint[0]), endpoint[1], reason(visit.probes[endpoint])), remedies.words("only good addresses")) for endpoint in bad]
+    probes = [(host, port, visit.probes.get((host, port))) for host, port in offered]
+    return [warn("reference", where, f"also publishes {printable(host)}:{port}, out of reach ({reason(probe)})",
+                 remedies.words("only good addresses")) for host, port, probe in probes if isinstance(probe, errors.Error)]
 
 
 # ---- what it is -----------------------------------------------------------------------------------------------

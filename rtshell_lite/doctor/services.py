@@ -16,9 +16,10 @@ def mismatches(ends, properties):
     wanting = [(port, interface) for port in ends for interface in port.interfaces if interface.polarity == "Required"]
     if not wanting:
         return ["each end provides something, and none requires anything"]
-    return ["nobody in it provides interface %s (%s), which %s requires" % (
-        printable(interface.instance_name), printable(interface.type_name), ports.label(port)) for port, interface in wanting
-        if not _served(interface, properties) and not any(_served(interface, dict(connector.properties)) for connector in port.connectors)]
+    return [f"nobody in it provides interface {printable(interface.instance_name)} ({printable(interface.type_name)}), which "
+            f"{ports.label(port)} requires" for port, interface in wanting
+            if not _served(interface, properties)
+            and not any(_served(interface, dict(connector.properties)) for connector in port.connectors)]
 
 
 def _served(interface, properties):

@@ -110,7 +110,7 @@ def context_ref(node, index):
         return owned[index]
     refs = owned + participating_context_refs(node)
     if not 0 <= index < len(refs):
-        raise errors.NoSuch(str(node.path), "execution context", "%d (it has %d)" % (index, len(refs)))
+        raise errors.NoSuch(str(node.path), "execution context", f"{index} (it has {len(refs)})")
     return refs[index]
 
 
@@ -190,8 +190,8 @@ def change_all(paths, transition, index=0, wait=None, dry_run=False):
     def change_one(node):
         if dry_run:
             now = state_in(node, context_ref(node, index))
-            return "" if now == transition.target else "%s%s %s" % (
-                transition.command, " -e %d" % index if index else "", shell_word(str(node.path)))
+            words = [transition.command] + ["-e", str(index)] * bool(index) + [shell_word(str(node.path))]
+            return "" if now == transition.target else " ".join(words)
         return f"{node.path}: {change(node, transition, index, wait)}"
     return tree.on_components(paths, change_one)
 
@@ -215,7 +215,7 @@ def change(node, transition, index=0, wait=None):
     state has changed, later ones answer RTC_ERROR when it takes longer than their own limit of 0.5 s but change it nevertheless:
     so after RTC_ERROR the state is polled for the timeout. Raises Refused with the reason, Unreachable when it was not reached.
     """
-    change_in(node, context_ref(node, index), transition, wait, "its execution context %d" % index)
+    change_in(node, context_ref(node, index), transition, wait, f"its execution context {index}")
     return transition.target
 
 
@@ -302,8 +302,8 @@ def _until(node, ref, transition, now, seconds):
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to Error")
         if not orb.call(node.path, ref, "is_running"):
-            raise errors.Refused(str(node.path), "cannot %s: its execution context is stopped%s" % (
-                transition.name, "; it takes part in others, named with -e (see rtec)" if context_refs(node)[1] else ""))
+            others = "; it takes part in others, named with -e (see rtec)" if context_refs(node)[1] else ""
+            raise errors.Refused(str(node.path), f"cannot {transition.name}: its execution context is stopped{others}")
         if time.monotonic() > limit:
             raise errors.Unreachable(str(node.path), f"not {transition.target} within {seconds:g}s, still {now}")
         time.sleep(pause)

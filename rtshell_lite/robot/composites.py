@@ -162,8 +162,8 @@ def _lost(organisation, instance):
 def _stays(node, m, error):
     """The error for a Member that cannot be removed, as it, or one that may have its name, has failed with `error`."""
     why = "a member that does not answer" if isinstance(error, errors.Silent) else "a dead member"
-    return errors.Failed(str(node.path), "cannot remove %s: letting go of %s would end this composite's process or stop its "
-                         "execution context; restart that process" % (printable(m.instance), why))
+    return errors.Failed(str(node.path), f"cannot remove {printable(m.instance)}: letting go of {why} would end this composite's "
+                         "process or stop its execution context; restart that process")
 
 
 def _is(m, ref):

@@ -176,7 +176,7 @@ def parsed(lines, file_name):
             else:
                 _take_value(line, current)
         except ValueError as e:
-            raise errors.Failed("%s:%d" % (printable(file_name), number), e)
+            raise errors.Failed(f"{printable(file_name)}:{number}", e)
     return wanted, active
 
 

@@ -104,8 +104,8 @@ def _forget_elsewhere(port, connector):
         except (errors.Gone, errors.ConnectionRefused, errors.Refused):
             pass
         except errors.Unreachable as e:
-            why = "connection %s is removed here, its end at %s:%d says nothing (%s)" % (
-                (printable(connector.id),) + orb.endpoint(ref) + (e.why,))
+            host, tcp_port = orb.endpoint(ref)
+            why = f"connection {printable(connector.id)} is removed here, its end at {host}:{tcp_port} does not answer ({e.why})"
             raise errors.Uncertain(ports.label(port), why)
 
 

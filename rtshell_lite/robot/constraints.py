@@ -27,9 +27,9 @@ def doubts(present, values, sets):
     for name, value in values.items():
         constraint = next((sets[set_id][name] for set_id in _SETS if sets.get(set_id, {}).get(name)), "")
         if _are_numbers(present.get(name, "")) and not _are_numbers(value):
-            reasons.append((name, "%s is no number, as the present value is (%s)" % (value or "''", present[name])))
+            reasons.append((name, f"{value or repr('')} is no number, as the present value is ({present[name]})"))
         elif not fits(constraint, value):
-            reasons.append((name, "%s does not fit the component's constraint %s" % (value or "''", constraint)))
+            reasons.append((name, f"{value or repr('')} does not fit the component's constraint {constraint}"))
     return reasons
 
 

@@ -201,8 +201,8 @@ def _why_not(node, argument):
     if ident != wanted and ident not in map(component_id, alike):
         return "there is " + printable(", ".join(map(component_id, alike)))
     most = alike[0].get("max_instance", "0")
-    return "a wrong argument, %sor its own initialisation failed" % (
-        "its max_instance of %s is reached, " % printable(most) if most != "0" else "")
+    limit = f"its max_instance of {printable(most)} is reached, " if most != "0" else ""
+    return f"a wrong argument, {limit}or its own initialisation failed"
 
 
 def _is_ready(node, name, created):
@@ -299,8 +299,8 @@ def _must_be_unused(node, path):
     """Raise Failed if a component of a compiled module lives: to lose its code would end its process (C++ 2.1)."""
     for answer in profiles(node, lambda child: child.endpoint == node.endpoint):
         if not isinstance(answer, errors.Error) and _is_of(path, dict(answer[1].properties)):
-            raise errors.Failed(str(node.path), "%s is in use by %s, whose process would end; delete it first" % (
-                printable(path), printable(answer[1].instance_name)))
+            user = printable(answer[1].instance_name)
+            raise errors.Failed(str(node.path), f"{printable(path)} is in use by {user}, whose process would end; delete it first")
 
 
 def _still_offered(node, path):
@@ -318,8 +318,8 @@ def set_configuration(node, key, value):
     code = str(node.call("set_configuration", to_wire(key), to_wire(value)))
     now = dict(configuration(node)).get(key)
     if code != "RTC_OK" or now != value:
-        raise errors.Refused(str(node.path), "did not set %s (it says %s; the value is %s)" % (
-            printable(key), code, "missing" if now is None else printable(now) or "empty"))
+        shown = "missing" if now is None else printable(now) or "empty"
+        raise errors.Refused(str(node.path), f"did not set {printable(key)} (it says {code}; the value is {shown})")
 
 
 def shut_down(node, wait=None, above=()):

@@ -138,14 +138,14 @@ class _Deletion:
         One that has another name, belongs to another name server or is bound inside itself loses only this name.
         """
         if len(node.path.names) > tree.DEPTH:
-            raise errors.Refused(str(node.path), "more than %d directories deep" % tree.DEPTH)
+            raise errors.Refused(str(node.path), f"more than {tree.DEPTH} directories deep")
         if self._is_alias(above, node) or self._entered.path(node):
             yield _unbind(node.path, self.dry_run)
             return
         below = tree.children(node)
         if below and not self.recursive:
-            raise errors.Refused(str(node.path), "not empty (%d name%s); delete it with --recursive"
-                                 % (len(below), "s" if len(below) > 1 else ""))
+            names = f"{len(below)} name{'s' if len(below) > 1 else ''}"
+            raise errors.Refused(str(node.path), f"not empty ({names}); delete it with --recursive")
         self._entered.enter(node)
         for child in below:
             if child.kind == "directory":

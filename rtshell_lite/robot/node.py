@@ -195,8 +195,8 @@ def bound(node):
     entries = [(Name(from_wire(name.id), from_wire(name.kind)), is_context) for name, is_context in names
                if len(name.id) + len(name.kind) < LONGEST]
     if len(entries) < len(names):
-        cli.left_out("%s: %d of %d names are left out: they are longer than %d characters" % (
-            node.path, len(names) - len(entries), len(names), LONGEST))
+        cli.left_out(f"{node.path}: {len(names) - len(entries)} of {len(names)} names are left out: they are longer than {LONGEST} "
+                     "characters")
     return entries
 
 

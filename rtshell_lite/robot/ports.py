@@ -132,8 +132,7 @@ def mismatches(ends, properties):
 
 def _data_mismatches(ends, types, properties):
     if len(set(types)) == 1:
-        return ["%s a %s; a connection needs an in port and an out port"
-                % ("it is" if len(ends) == 1 else "each is", types[0])]
+        return [f"{'it is' if len(ends) == 1 else 'each is'} a {types[0]}; a connection needs an in port and an out port"]
     reasons = []
     data_types = [port.properties.get("dataport.data_type", "") for port in ends]
     if not all(same_type(data_types[0], data_type) for data_type in data_types[1:]):
@@ -142,8 +141,8 @@ def _data_mismatches(ends, types, properties):
         reasons += _not_offered(ends, key, value)
     for key, _ in DEFAULTS:
         if key not in properties and _chosen(ends, key, None) == "":
-            reasons.append("no %s in common (%s)" % (_short_key(key), "; ".join(
-                printable(",".join(_choices(port, key) or ["any"])) for port in ends)))
+            offers = "; ".join(printable(",".join(_choices(port, key) or ["any"])) for port in ends)
+            reasons.append(f"no {_short_key(key)} in common ({offers})")
     return reasons
 
 

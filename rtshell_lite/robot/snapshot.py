@@ -95,7 +95,7 @@ def _ports(snapshot, how):
     snapshot.answered = True
     snapshot.ports, snapshot.refusing, snapshot.dropped = [], [], []  # those from before a failure are of use
     for number, ref in enumerate(refs, 1):
-        snapshot.asking = "the profile of its port %d" % number
+        snapshot.asking = f"the profile of its port {number}"
         failed_once = []  # shows that the port had a connection with a dead far end
         try:
             port = ports.port(snapshot.node, ref, failed_once, brief=how == BRIEF)

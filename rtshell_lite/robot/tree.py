@@ -267,7 +267,7 @@ def slaves(node):
         if e.name == "BAD_OPERATION":  # managers of RtORB have no slaves
             return []
         raise
-    asked = [Node(node.path.child(Name("slave%d" % i, "")), "manager", ref) for i, ref in enumerate(refs)]
+    asked = [Node(node.path.child(Name(f"slave{i}", "")), "manager", ref) for i, ref in enumerate(refs)]
     answers = on_nodes(asked, lambda slave: dict(orb.properties(slave.call("get_profile").properties)))
     return [judged(slave, answer) if isinstance(answer, errors.Error)
             else Node(node.path.child(Name(name, "")), "manager", slave.ref)
@@ -276,18 +276,18 @@ def slaves(node):
 
 def _distinct_names(profiles):
     """A name for each slave. A dead one has none of its own."""
-    profiles = [{"name": "slave%d" % i} if isinstance(profile, errors.Error) else profile for i, profile in enumerate(profiles)]
-    names = [profile.get("name") or "slave%d" % i for i, profile in enumerate(profiles)]
+    profiles = [{} if isinstance(profile, errors.Error) else profile for profile in profiles]
+    names = [profile.get("name") or f"slave{i}" for i, profile in enumerate(profiles)]
     for key, form in (("instance_name", "{1}"), ("pid", "{0}_{1}")):
         names = [form.format(name, profile[key]) if names.count(name) > 1 and profile.get(key) else name
                  for name, profile in zip(names, profiles)]
-    return [name if name not in names[:i] else "%s_%d" % (name, i) for i, name in enumerate(names)]
+    return [name if name not in names[:i] else f"{name}_{i}" for i, name in enumerate(names)]
 
 
 def managed(node):
     """Nodes of a manager's components; a master lists those of its slaves, too."""
     refs = [ref for ref in node.call("get_components") if ref is not None]
-    asked = [Node(node.path.child(Name("unknown%d" % i, "rtc")), "component", ref) for i, ref in enumerate(refs)]
+    asked = [Node(node.path.child(Name(f"unknown{i}", "rtc")), "component", ref) for i, ref in enumerate(refs)]
     names = on_nodes(asked, lambda child: from_wire(child.call("get_sdo_id")))
     return [judged(child, name) if isinstance(name, errors.Error)  # dead or silent: it cannot say its name
             else Node(node.path.child(Name(name, "rtc")), "component", child.ref) for child, name in zip(asked, names)]

@@ -268,7 +268,7 @@ class Page:
         rates = [rows.rate_line(meter.rate()) for meter in self.meters]
         most = max(height // 3, 1)
         if len(rates) > most:
-            rates[most - 1:] = ["%d more ports" % (len(rates) - most + 1)]
+            rates[most - 1:] = [f"{len(rates) - most + 1} more ports"]
         for i, line in enumerate(rates, 1):
             self._put(i, line)
         head = rows.HEAD if self.overlay is None else ""

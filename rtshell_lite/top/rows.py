@@ -32,8 +32,8 @@ def summary(rows):
     counts = collections.Counter(row.state for row in rows if row.kind != "unknown")
     total = sum(counts.values())
     words = {"-": "zombie", "?": "silent", None: "not asked yet"}
-    states = ", ".join("%d %s" % (counts[state], words.get(state, state)) for state in STATES if counts[state])
-    return "%d component%s%s" % (total, "" if total == 1 else "s", ": " + states if states else "")
+    states = ", ".join(f"{counts[state]} {words.get(state, state)}" for state in STATES if counts[state])
+    return f"{total} component{'' if total == 1 else 's'}{': ' + states if states else ''}"
 
 
 def line(row):

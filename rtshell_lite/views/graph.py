@@ -138,10 +138,11 @@ def dot(graph):
             yield f"  {_node_id(name)} [{', '.join(_attributes(box, ids))}];"
     yield from _clusters(graph, names)
     for service in (False, True):
+        style = ' [arrowhead="odot"]' if service else ""
         for source, out, target, into, is_service in graph.edges:
             if is_service == service:
-                yield "  %s:%s -> %s:%s%s;" % (_node_id(names[source]), ports[source][out], _node_id(names[target]),
-                                               ports[target][into], ' [arrowhead="odot"]' if service else "")
+                ends = f"{_node_id(names[source])}:{ports[source][out]} -> {_node_id(names[target])}:{ports[target][into]}"
+                yield f"  {ends}{style};"
     yield "}"
 
 
@@ -194,7 +195,7 @@ def _distinct(names):
     for name in names:
         number, wanted = 1, name
         while wanted in seen:
-            number, wanted = number + 1, "%s_%d" % (name, number + 1)
+            number, wanted = number + 1, f"{name}_{number + 1}"
         seen.add(wanted)
         distinct.append(wanted)
     return distinct
@@ -217,7 +218,7 @@ def _port_ids(box):
     for number, port in enumerate(box.left + box.right, 1):
         short = port.rpartition(".")[2]
         plain = re.match(r"[A-Za-z_][A-Za-z_0-9]*\Z", short) and short.lower() not in _KEYWORDS and short not in _COMPASS
-        ids[port] = short if plain and short not in ids.values() else "port%d" % number
+        ids[port] = short if plain and short not in ids.values() else f"port{number}"
     return ids
 
 

@@ -108,7 +108,7 @@ def row(node, figures, paint, name=None):
         cells = [paint("?") if node.kind == "silent" else "-"] + ["-"] * len(COUNTED)
         role = "directory" if node.kind in tree.DIRECTORIES else "zombie" if node.kind in ("zombie", "unknown") else None
         return cells + [MARKS.get(node.kind, "") + paint(name, role) + first_name(node)]
-    return [paint(figures.state)] + [paint(str(count), "bold") + "/%d" % linked for count, linked in figures.counts] + [name]
+    return [paint(figures.state)] + [f"{paint(str(count), 'bold')}/{linked}" for count, linked in figures.counts] + [name]
 
 
 def place(node):

@@ -61,7 +61,7 @@ def _ports_section(profile, listed, graph):
              [(type_id, datatypes.members(type_id)) for type_id in sorted({row[2] for row in rows})] if members]
     if types:
         parts.append(Table("Data types", ("DataType", "Members"), (15, 35),
-                           [(type_id, ", ".join("%s: %s" % member for member in members)) for type_id, members in types]))
+                           [(type_id, ", ".join(map(": ".join, members))) for type_id, members in types]))
     return parts + ([_graph(profile.type_name, rows)] if graph else [])
 
 

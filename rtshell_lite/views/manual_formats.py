@@ -74,7 +74,7 @@ def _html_part(part):
     if isinstance(part, Table):
         lines = ["<table>", f"<caption>{_html(part.title)}</caption>"]
         for tag, row in [("th", part.header)] + [("td", row) for row in part.rows]:
-            lines.append("<tr>%s</tr>" % "".join("<%s>%s</%s>" % (tag, _html(cell), tag) for cell in row))
+            lines.append("<tr>%s</tr>" % "".join(f"<{tag}>{_html(cell)}</{tag}>" for cell in row))
         return lines + ["</table>"]
     if isinstance(part, Graph):
         return ["<pre>digraph comp {"] + ["  " + _html(line) for line in part.lines] + ["}</pre>"]

@@ -173,7 +173,7 @@ def figure_line(figures):
     """One port's figures in words; what is not known is left out."""
     if not figures["values"]:
         return "no values"
-    words = ["%d values" % figures["values"]]
+    words = [f"{figures['values']} values"]
     if figures["rate"] is not None:
         words += [f"{figures['rate']:.1f} Hz", "gap %s/%s/%s ms" % tuple(_ms(figures[k]) for k in ("gap_min", "gap_mean", "gap_max")),
                   f"jitter {_ms(figures['jitter'])} ms"]
@@ -182,10 +182,10 @@ def figure_line(figures):
     if figures["age_mean"] is not None:
         words.append(f"age {_ms(figures['age_mean'])} ms")
     if figures["absent"]:
-        words.append("%d cycle%s did not come" % (figures["absent"], "" if figures["absent"] == 1 else "s"))
+        words.append(f"{figures['absent']} cycle{'' if figures['absent'] == 1 else 's'} did not come")
     for what in ("disordered", "repeated", "dropped"):
         if figures[what]:
-            words.append("%s %d" % (what, figures[what]))
+            words.append(f"{what} {figures[what]}")
     return ", ".join(words)
 
 
