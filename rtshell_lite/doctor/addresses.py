@@ -92,7 +92,7 @@ def arrives(endpoint):
 
 
 def _unacknowledged(connection):
-    """How many octets sent have not been acknowledged; 0 where the kernel does not say."""
+    """How many octets sent have not been acknowledged; 0 if the kernel does not report it."""
     try:
         return struct.unpack("i", fcntl.ioctl(connection, termios.TIOCOUTQ, b"\0" * 4))[0]
     except OSError:

@@ -82,7 +82,7 @@ def _stopped_answering(snapshot, hung):
             message += f", {'' if known else 'maybe '}waiting for a far end that does not answer"
             return fail("component", snapshot.where, message, remedies.words("hung first", paths=" and ".join(paths)))
         return fail("component", snapshot.where, message, remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
-    return fail("component", snapshot.where, f"does not say {snapshot.asking} ({reason(e)})",
+    return fail("component", snapshot.where, f"does not report {snapshot.asking} ({reason(e)})",
                 remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
 
 

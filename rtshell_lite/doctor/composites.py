@@ -15,7 +15,7 @@ def findings(snapshots):
     for snapshot, answer in zip(candidates, answers):
         where = snapshot.where
         if isinstance(answer, errors.Error):
-            message = f"does not say which members it has ({reason(answer)})"
+            message = f"does not report its members ({reason(answer)})"
             found.append(warn("composite", where, message, remedies.of_silence(answer, snapshot.node.endpoint, where)))
             continue
         for organisation in answer:

@@ -35,7 +35,7 @@ def _troubles(node, answer):
     if isinstance(answer, errors.Error):
         both = isinstance(answer, errors.Silent)
         restart = remedies.words("restart manager or slave" if both else "restart", port=node.endpoint[1])
-        return [fail("manager", where, f"does not say what it has ({reason(answer)})",
+        return [fail("manager", where, f"does not report what it has ({reason(answer)})",
                      remedies.of_silence(answer, node.endpoint, where, restart))]
     slaves, components, twice = answer
     found = []

@@ -143,7 +143,7 @@ def _is_context(where, ref):
     try:
         is_context = orb.call(where, ref, "_is_a", _NAMING_CONTEXT)
     except errors.Error as e:
-        raise _Stop(where, f"is there, but does not say what it is ({reason(e)})",
+        raise _Stop(where, f"is there, but does not report what it is ({reason(e)})",
                     remedies.of_silence(e, orb.endpoint(ref), where))
     if not is_context:
         raise _Stop(where, "its object NameService is no naming context", remedies.words("correct or restart"))

@@ -24,7 +24,7 @@ RESET = Transition("reset", "rtreset", "reset_component", "Inactive", "Error")
 # RTC::ComponentProfile as text; `properties` is a list of (name, value) in the component's order.
 Profile = collections.namedtuple("Profile", "instance_name type_name description version vendor category parent properties")
 
-# RTC::ExecutionContextProfile and what else its interface says. `rate` in Hz, `owner` and `participants` are references.
+# RTC::ExecutionContextProfile and more of its interface. `rate` in Hz, `owner` and `participants` are references.
 Context = collections.namedtuple("Context", "handle ref kind rate running owner participants properties")
 
 

@@ -109,7 +109,7 @@ def member(path, must_live=True):
 
 
 def together(members):
-    """Live Members, each once with all the ports wanted of it. Raises Failed for two that a composite could not tell apart."""
+    """Live Members, each once with all the ports wanted of it. Raises Failed for two that a composite could not distinguish."""
     merged = collections.OrderedDict()
     for m in members:
         known = merged.setdefault(m.instance, m)

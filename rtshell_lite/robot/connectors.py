@@ -78,7 +78,7 @@ def _tidy(ends):
 
 
 def disconnect(port, connector):
-    """Remove a Connector of a Port. Done when the port no longer has it, whatever the far end says. Raises Refused."""
+    """Remove a Connector of a Port. Done when the port no longer has it, whatever the far end answers. Raises Refused."""
     connector_id = to_wire(connector.id)
     for operation in ("disconnect", "notify_disconnect"):  # the second reaches this end alone, for a dead far end
         failure = _forgetting_failed(port, operation, connector_id)

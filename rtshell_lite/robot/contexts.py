@@ -1,4 +1,4 @@
-"""Execution contexts from outside: rate, start and stop, who takes part (OMG RTC 1.1, 5.2.2.5)."""
+"""Execution contexts: rate, start and stop, participants (OMG RTC 1.1, 5.2.2.5)."""
 import collections
 
 from rtshell_lite import errors

@@ -27,7 +27,7 @@ class Machine:
     def _raw(self):
         code, structure = orb.call(self.where, self.ref, "get_fsm_structure")
         if str(code) != "RTC_OK":
-            raise errors.Refused(self.where, f"does not say its structure ({code})")
+            raise errors.Refused(self.where, f"does not report its structure ({code})")
         return structure
 
     def structure(self):

@@ -218,7 +218,7 @@ def delete(node, instance):
     if len(matching) != 1:
         raise errors.NoSuch(str(node.path), "component" if not matching else "single component (its slaves have several)",
                             printable(instance))
-    # a master says BAD_PARAMETER to the name of a slave's component, or RTC_OK and does nothing (C++ 1.1)
+    # a master returns BAD_PARAMETER for the name of a slave's component, or RTC_OK and does nothing (C++ 1.1)
     holder = next((slave for slave in _slaves(node) if _lists(slave, matching[0].ref)), node)
     component.leave(matching[0])
     code = str(holder.call("delete_component", to_wire(instance), seconds=CREATE_TIME))
@@ -244,7 +244,7 @@ def load(node, file_path, function):
     code = str(node.call("load_module", to_wire(file_path), to_wire(function), seconds=CREATE_TIME))
     after = _loaded(node)
     if code != "RTC_OK" or not meant(file_path, after) and len(after) <= len(before):
-        raise errors.Refused(str(node.path), f"did not load {printable(file_path)} (it says {code})")
+        raise errors.Refused(str(node.path), f"did not load {printable(file_path)} (it returned {code})")
     return len(_modules(node, "get_factory_profiles")) - known
 
 
@@ -292,7 +292,7 @@ def unload(node, word):
             continue
         if code == "RTC_OK" and _loaded(holder).count(path) < listed.count(path):
             return _still_offered(holder, path)
-    raise errors.Refused(str(node.path), f"did not unload {printable(path)} (it says {code})")
+    raise errors.Refused(str(node.path), f"did not unload {printable(path)} (it returned {code})")
 
 
 def _must_be_unused(node, path):
@@ -319,7 +319,7 @@ def set_configuration(node, key, value):
     now = dict(configuration(node)).get(key)
     if code != "RTC_OK" or now != value:
         shown = "missing" if now is None else printable(now) or "empty"
-        raise errors.Refused(str(node.path), f"did not set {printable(key)} (it says {code}; the value is {shown})")
+        raise errors.Refused(str(node.path), f"did not set {printable(key)} (it returned {code}; the value is {shown})")
 
 
 def shut_down(node, wait=None, above=()):

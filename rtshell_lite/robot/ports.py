@@ -13,7 +13,7 @@ Interface = collections.namedtuple("Interface", "instance_name type_name polarit
 Connector = collections.namedtuple("Connector", "id name ports properties")  # ports: references; properties: pairs
 
 DATA = ("DataInPort", "DataOutPort")
-# What rtcon asks for where the user says nothing; the data type is the first port's.
+# Properties of connections unless the user gives others; the data type is the first port's.
 DEFAULTS = (("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
             ("dataport.subscription_type", "new"))
 
@@ -181,7 +181,7 @@ def same_type(one, other):
 
 
 def _choices(port, key):
-    """The values that a port allows for a property, None where it allows any or does not say."""
+    """The values that a port allows for a property, None if it allows any or lists none."""
     listed = port.properties.get(key)
     if listed is None or key == "dataport.data_type":
         return None

@@ -34,7 +34,7 @@ def find(paths, wanted):
     nodes = [node for node in nodes if not wanted.names or any(match(node.name) for match in wanted.names)]
     if wanted.kinds:
         nodes = [node for node in nodes if node.kind == "unsure" or wanted.kinds & CAN_BE.get(node.kind, {node.kind})]
-    if wanted.kinds or wanted.state:  # only then does it matter who lives
+    if wanted.kinds or wanted.state:  # only then it matters what lives
         nodes = tree.look(nodes)
     if wanted.kinds:
         nodes = [node for node in nodes if node.kind in wanted.kinds]

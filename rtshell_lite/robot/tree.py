@@ -88,7 +88,7 @@ def lane(path):
 def resolve(path):
     """The Node at `path` (a Path or text; its port is left out). One call to the name server, none to a component.
 
-    A component or manager comes back unasked: `look` says whether it lives. Raises NotFound, Misspelt, WrongKind, and
+    A component or manager comes back unasked: `look` finds out whether it lives. Raises NotFound, Misspelt, WrongKind, and
     Unreachable or Silent when the name server does not answer.
     """
     path = (parse(path) if isinstance(path, str) else path).object()
@@ -116,7 +116,7 @@ def _resolved(server, path):
     except errors.Unreachable as e:
         raise e if isinstance(e, errors.Silent) else _broken_off(server, path, e)
     node = classified(path, ref)
-    if ref is not None and not orb.address(ref).type_id:  # how it is bound says more
+    if ref is not None and not orb.address(ref).type_id:  # how it is bound shows more
         node = classified(path, ref, (path.names[-1], True) in bound(_resolved(server, path.parent())))
     return node
 
@@ -289,7 +289,7 @@ def managed(node):
     refs = [ref for ref in node.call("get_components") if ref is not None]
     asked = [Node(node.path.child(Name(f"unknown{i}", "rtc")), "component", ref) for i, ref in enumerate(refs)]
     names = on_nodes(asked, lambda child: from_wire(child.call("get_sdo_id")))
-    return [judged(child, name) if isinstance(name, errors.Error)  # dead or silent: it cannot say its name
+    return [judged(child, name) if isinstance(name, errors.Error)  # dead or silent: it cannot give its name
             else Node(node.path.child(Name(name, "rtc")), "component", child.ref) for child, name in zip(asked, names)]
 
 

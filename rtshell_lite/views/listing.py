@@ -77,7 +77,7 @@ def _figures(node):
             raise
         # a port or context passed on that another component is gone
         why = "one of them is gone" if isinstance(e, errors.Gone) else "connection refused"
-        raise errors.Unreachable(str(node.path), f"does not say its ports or states ({why})")
+        raise errors.Unreachable(str(node.path), f"does not report its ports or states ({why})")
     finally:
         node.ref = None  # 20,000 of them take 16 MB
     counts = []

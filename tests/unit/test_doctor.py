@@ -64,7 +64,7 @@ class NameServers(unittest.TestCase):
     def test_what_it_may_answer(self):
         refused = errors.Refused("/robot1", "CORBA.NO_PERMISSION")
         self.assertEqual(self.stopped(servers._is_there, refused), "answers with CORBA.NO_PERMISSION")
-        self.assertEqual(self.stopped(servers._is_context, refused), "is there, but does not say what it is (CORBA.NO_PERMISSION)")
+        self.assertEqual(self.stopped(servers._is_context, refused), "is there, but does not report what it is (CORBA.NO_PERMISSION)")
         self.assertEqual(self.stopped(servers._is_context, False), "its object NameService is no naming context")
 
 
