@@ -1,5 +1,4 @@
 """Host names, addresses and TCP, checked without CORBA: which step towards a peer fails."""
-import collections
 import errno
 import fcntl
 import functools
@@ -12,24 +11,10 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes
-from rtshell_lite.text import printable
+from rtshell_lite.robot.aliases import resolve
 
 LARGE = 2000  # octets: more than an Ethernet packet holds
 LEAST, PAUSE = 0.2, 0.005  # seconds
-
-
-def resolve(host):
-    """The IP addresses of a host name, as text. Raises Unreachable when it has none, or the look-up takes too long.
-
-    The system's resolver has no deadline, and omniORB's own limits do not cover it.
-    """
-    def look_up():
-        try:
-            known = socket.getaddrinfo(host, None, 0, socket.SOCK_STREAM)
-            return list(collections.OrderedDict.fromkeys(info[4][0] for info in known))
-        except (OSError, UnicodeError) as e:
-            raise errors.Unreachable(printable(host), getattr(e, "strerror", None) or "not a host name")
-    return lanes.ask(("name of", host), printable(host), look_up)
 
 
 def connect(addresses, port):

@@ -1,8 +1,10 @@
 """Directories bound by several names: naming contexts and managers, recognised by their references."""
+import collections
 import socket
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb
+from rtshell_lite.text import printable
 
 ROOT_KEY = b"NameService"  # object key of the root of every name server
 
@@ -65,13 +67,20 @@ def same_host(one, other):
 
 def _addresses(host):
     try:
-        return lanes.ask(("name of", host), host, lambda: _looked_up(host))
+        return set(resolve(host))
     except errors.Error:
-        return frozenset()
+        return set()
 
 
-def _looked_up(host):
-    try:
-        return frozenset(info[4][0] for info in socket.getaddrinfo(host, None, 0, socket.SOCK_STREAM))
-    except (OSError, UnicodeError):
-        return frozenset()
+def resolve(host):
+    """The IP addresses of a host name, as text. Raises Unreachable when it has none, or the look-up takes too long.
+
+    The system's resolver has no deadline, and omniORB's own limits do not cover it.
+    """
+    def look_up():
+        try:
+            known = socket.getaddrinfo(host, None, 0, socket.SOCK_STREAM)
+        except (OSError, UnicodeError) as e:
+            raise errors.Unreachable(printable(host), getattr(e, "strerror", None) or "not a host name")
+        return list(collections.OrderedDict.fromkeys(info[4][0] for info in known))
+    return lanes.ask(("name of", host), printable(host), look_up)

@@ -175,7 +175,7 @@ def canonical(node):
 
     Contexts do not recognise a component that is bound under a rewritten address, or reached by its key.
     """
-    owned, _ = context_refs(node)
+    owned = owned_context_refs(node)
     owner = orb.call(node.path, owned[0], "get_profile").owner if owned else None
     return None if owner is None or orb.same(owner, node.ref) else owner
 

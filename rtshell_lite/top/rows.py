@@ -2,6 +2,7 @@
 import collections
 
 from rtshell_lite import text
+from rtshell_lite.views.listing import MARKS
 
 SORTS = ("name", "state", "rate", "connections")
 STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)  # the order by state: trouble first
@@ -40,9 +41,8 @@ def line(row):
     """A Row as a line below HEAD; it begins with the state."""
     rate = "-" if row.rate is None else "stopped" if row.running is False else f"{row.rate:g}"
     connections = "-" if row.connections is None else str(row.connections)
-    mark = {"zombie": "*", "silent": "?"}.get(row.kind, "")
     why = ": " + reason(row.path, row.failure) if row.failure else ""
-    return "%-8s  %8s  %4s  %s" % (row.state or "", rate, connections, mark + row.name + why)
+    return "%-8s  %8s  %4s  %s" % (row.state or "", rate, connections, MARKS.get(row.kind, "") + row.name + why)
 
 
 def rate_line(rate):
