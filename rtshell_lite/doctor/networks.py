@@ -19,18 +19,18 @@ def misled(check, where, ref, homes, elsewhere=""):
     homes      IP addresses of what knows the object: the name server that it is bound in, its manager, the near end of a connection
     elsewhere  an address of another host that takes part in the system, '' if all of it is on one
     """
-    offered, here = orb.addresses(ref), any(addresses.is_own(each) for each in homes)
+    offered, here = orb.addresses(ref), any(addresses.is_own(home) for home in homes)
     if not offered or not homes:
         return None
     shown = published(ref)
     if all(_is_loopback(host) for host, _ in offered):
-        if all(addresses.is_loopback(each) for each in homes):
+        if all(addresses.is_loopback(home) for home in homes):
             message = f"publishes {shown}: only this host can reach it, and {printable(elsewhere)} takes part in the system"
             return warn(check, where, message, _another_address("")) if elsewhere else None
         if here:
             return warn(check, where, f"publishes {shown}: only this host can reach it", _another_address(homes[0]))
         return fail(check, where, f"publishes {shown}, which means this host, not its own", _another_address(homes[0]))
-    if all(addresses.is_loopback(each) for each in homes):
+    if all(addresses.is_loopback(home) for home in homes):
         return None  # it is known on this host; whether others know it cannot be seen
     numeric = _numeric(offered)
     if not is_apart(ref, homes) or here and not all(addresses.is_own(address) for address in numeric):

@@ -101,9 +101,9 @@ def member(path, must_live=True):
             raise
         return Member(path.names[-1].id, None, wanted)
     if must_live and wanted:
-        there = [ports.short_name(port.name, instance) for port in ports.ports(node)]
+        names = [ports.short_name(port.name, instance) for port in ports.ports(node)]
         for name in wanted:
-            if name not in there:
+            if name not in names:
                 raise errors.NoSuch(str(path.object()), "port", printable(name))
     return Member(instance, node, wanted)
 
@@ -140,11 +140,11 @@ def check(node, organisation, joining, leaving):
         if m.instance in known and not _is(m, known[m.instance]):
             raise errors.Failed(str(node.path), f"has another member called {printable(m.instance)}")
     for m in leaving:
-        there = m.instance in known if m.node is None else _is(m, known.get(m.instance))
+        is_member = m.instance in known if m.node is None else _is(m, known.get(m.instance))
         lost = None if m.ports else _lost(organisation, m.instance)
         if lost:
             raise _stays(node, m, lost)
-        if not (m.ports or there):
+        if not (m.ports or is_member):
             raise errors.NoSuch(str(node.path), "member", printable(m.instance))
 
 
