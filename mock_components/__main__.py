@@ -7,7 +7,7 @@ import threading
 
 
 def arguments():
-    """The parser of what starts a world."""
+    """The parser of the command that starts a world."""
     parser = argparse.ArgumentParser(
         prog="python3 -m mock_components", formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Start a world of mock components; it ends with its standard input, SIGTERM or SIGINT.",
@@ -30,7 +30,7 @@ def arguments():
 
 
 class Options:
-    """What components may differ in; worlds override single ones."""
+    """Options for components; worlds override some."""
 
     def __init__(self, **values):
         self.__dict__.update(values)
@@ -62,7 +62,7 @@ def main(argv):
 
 
 def play(args, worlds, flavour):
-    """Set up the world, say so, and stay until told to go."""
+    """Set up the world, print `ready`, and stay until asked to end."""
     from . import control, naming, process, stage as staging
     here = process.Process(args.port, args.host, args.publish)
     here.ledger.own_thread()
@@ -92,7 +92,7 @@ def play(args, worlds, flavour):
 
 
 def wait_for_end_of_input(finish):
-    """Set the event `finish` when standard input ends: whoever started us is gone."""
+    """Set the event `finish` when standard input ends: the parent process has ended."""
     while os.read(0, 4096):
         pass
     finish.set()

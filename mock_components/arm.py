@@ -1,4 +1,4 @@
-"""A data type that a user has made, as omniidl would write it down:
+"""A user's own data type, as compiled by omniidl from:
 
     module Arm
     {
@@ -36,7 +36,7 @@ class Status(omniORB.StructBase):
 
 
 def make(tm, number):
-    """The value that goes with a number."""
+    """The value for a number."""
     return Status(tm, MODES[int(number) % 2], [Joint("shoulder", float(number)), Joint("elbow", number / 2.0)])
 
 

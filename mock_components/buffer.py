@@ -21,7 +21,7 @@ class RingBuffer:
         self.changed = threading.Condition()
 
     def configure(self, properties, side):
-        """Take what a connector asks for; the properties of one side go before those of both."""
+        """Apply a connector's properties; those of this side override those of both."""
         def asked(name):
             return get(properties, f"dataport.{side}.buffer.{name}") or get(properties, "dataport.buffer." + name)
 
@@ -46,7 +46,7 @@ class RingBuffer:
         return "PORT_OK"
 
     def read(self):
-        """The oldest value that nobody has read; None where there is none."""
+        """The oldest value that has not been read, or None."""
         with self.changed:
             found = self.values.popleft() if self.values else None
             self.changed.notify_all()

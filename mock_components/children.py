@@ -20,12 +20,12 @@ def command(stage, words):
 
 
 def environment():
-    """That of this process, but for the control socket, which is its own."""
+    """The environment of this process, without the path of its control socket."""
     return {key: value for key, value in os.environ.items() if key != "MOCK_CONTROL"}
 
 
 def start(stage, words, port=""):
-    """Start one more process and wait until it is ready; its control socket is numbered: PATH.1, PATH.2 …"""
+    """Start another process and wait until it is ready; its control socket is PATH.1, PATH.2 …"""
     line = command(stage, words) + (["--port", port] if port else [])
     if stage.options.control:
         line += ["--control", control(stage, len(stage.controls) + 1)]
@@ -38,7 +38,7 @@ def start(stage, words, port=""):
 
 
 def control(stage, number):
-    """The path of the control socket of the process so numbered."""
+    """The path of the control socket of the process with this number."""
     return "%s.%d" % (stage.options.control, number)
 
 

@@ -13,7 +13,7 @@ LATE = 1.0              # seconds: C++ 1.2 waits no longer than that for all mem
 
 
 class Member:
-    """A component that an organization has taken, known by name and port names even when it has died."""
+    """A member of an organization; its name and port names are kept when it dies."""
 
     def __init__(self, reference):
         self.reference = reference
@@ -28,7 +28,7 @@ class Member:
 
 
 class Organization(SDOPackage__POA.Organization):
-    """The members of a composite; taking one stops its own contexts, letting it go starts them."""
+    """The members of a composite; adding one stops its own contexts, removing it starts them."""
 
     def __init__(self, composite):
         self.composite = composite
@@ -41,7 +41,7 @@ class Organization(SDOPackage__POA.Organization):
         return self.id
 
     def get_owner(self):
-        """C++ tells it once, whoever asks."""
+        """C++ answers only the first call."""
         if self.owner_told and self.composite.flavour.language == "C++":
             return None
         self.owner_told = True
@@ -88,7 +88,7 @@ class Organization(SDOPackage__POA.Organization):
         return True
 
     def dissolve(self):
-        """Give all members back to themselves. Raises what dead ones raise."""
+        """Release all members. Raises what dead ones raise."""
         for member in list(self.members):
             self._release(member)
 
@@ -145,7 +145,7 @@ class Organization(SDOPackage__POA.Organization):
 
 
 class Composite(Component):
-    """PeriodicECSharedComposite: its context drives its members, and it shows the ports of theirs that it is told to."""
+    """PeriodicECSharedComposite: its context drives its members, and it exports chosen ports of theirs."""
 
     def __init__(self, *arguments):
         self.exported = []              # references
@@ -257,7 +257,7 @@ class Composite(Component):
         return super().exit()
 
     def _exit_stumbling(self):
-        """Dead members cannot be given back: C++ answers and ends with its whole process, others stay as they are."""
+        """Dead members cannot be released: C++ answers and ends with its process, others do not change."""
         if self.flavour.dead_member == "process":
             later(0.1, self.process.die)
             return RTC.RTC_OK

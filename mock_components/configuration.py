@@ -52,7 +52,7 @@ class Configuration(SDOPackage__POA.Configuration):
         return SDOPackage.ConfigurationSet(name, "", nvlist(self.sets[name].items()))
 
     def _changed(self):
-        """Until a set is activated again, none is active."""
+        """No set is active until one is activated again."""
         if not self.flavour.keeps_active:
             self.active = None
 
@@ -138,7 +138,7 @@ class Configuration(SDOPackage__POA.Configuration):
         return True
 
     def update(self):
-        """The component takes over the values of the active set."""
+        """Apply the values of the active set to the component."""
         values = dict(self.sets[self.last_active])
         for name, value in values.items():
             if self.applied.get(name) != value:
@@ -159,7 +159,7 @@ class Configuration(SDOPackage__POA.Configuration):
     # device and services
 
     def set_device_profile(self, profile):
-        """Accepted, of no effect."""
+        """Accepted without effect."""
         return True
 
     def add_service_profile(self, profile):

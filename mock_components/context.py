@@ -1,4 +1,4 @@
-"""Execution contexts: the life cycle of their components, driven by a thread that sleeps unless there is work."""
+"""Execution contexts: the life cycle of their components, driven by a thread that sleeps when there is no work."""
 import threading
 import time
 
@@ -25,7 +25,7 @@ class Member:
 
 
 class Behaviour:
-    """All that an execution context does, whatever its type id."""
+    """An execution context without its type id."""
 
     def __init__(self, process, flavour, rate, running=True, sync=True):
         self.process = process
@@ -114,12 +114,12 @@ class Behaviour:
     # how it goes on inside
 
     def own(self, reference, servant, handle):
-        """Take the component that this context belongs to."""
+        """Set the component that this context belongs to."""
         self.owner = reference
         self.members.append(Member(reference, servant, handle))
 
     def cycles(self):
-        """How many of its periods one execution stands for."""
+        """How many of its periods an execution represents."""
         return max(1, round(self.rate * QUICKEST))
 
     def close(self):
@@ -134,7 +134,7 @@ class Behaviour:
             self.changed.wait_for(lambda: member.wanted is None)
 
     def wreck(self):
-        """The thread has died: no state changes any more."""
+        """The thread has died: states no longer change."""
         self.dead = True
         self._wake()
 
@@ -180,7 +180,7 @@ class Behaviour:
         return self._wait(member, state, wanted) if self.sync else RTC.RTC_OK
 
     def _wait(self, member, state, wanted):
-        """Until the state has changed: half a second, and at least a period."""
+        """How long to wait for a change of state: half a second, and at least a period."""
         period = 1.0 / self.rate
         limit = TRANSITION_TIMEOUT if TRANSITION_TIMEOUT > period else period * 1.1
         with self.changed:
@@ -208,7 +208,7 @@ class Behaviour:
         self._wake()
 
     def _stumble(self):
-        """A component was to be told that it has left, and is gone: where the thread has ever run, C++ ends its process."""
+        """A component that should be notified that it has left is dead: if the thread has ever run, C++ ends its process."""
         if self.flavour.dead_member == "process" and self.thread is not None:
             self.process.die()
 

@@ -1,4 +1,4 @@
-"""The control channel: a Unix socket on which tests ask a running mock what it has seen, and tell it to misbehave; see asking."""
+"""The control channel: a Unix socket on which tests query a running mock, and make it misbehave; see asking.py."""
 import os
 import signal
 import socket
@@ -134,7 +134,7 @@ def shown(value):
 
 
 def serve(path, commands):
-    """Answer commands, one a connection, for as long as the process lives."""
+    """Answer commands, one a connection, as long as the process lives."""
     forget(path)
     listener = socket.socket(socket.AF_UNIX)
     listener.bind(path)

@@ -1,4 +1,4 @@
-"""Data ports: what they publish, agree upon and carry."""
+"""Data ports: what they publish, negotiate and carry."""
 from omniORB import CORBA
 from rtshell_lite.idl_stubs.component import RTC
 
@@ -38,7 +38,7 @@ class DataPort(Port):
         return pairs
 
     def moved(self, how):
-        """Data has passed; only 2.x tells that."""
+        """Data has passed; only 2.x reports that."""
         if self.flavour.modern:
             self.component.report("PORT_PROFILE", how + self.name)
 
@@ -88,7 +88,7 @@ class DataPort(Port):
         return self.use(profile, interface, reference)
 
     def rewrite(self, profile):
-        """Object references do not survive being passed on in every implementation."""
+        """Spoil or remove object references, as some implementations do when they pass a connector on."""
         fate = self.flavour.reference
         refs = [item for item in profile.properties if item.value.typecode().kind() == CORBA.tk_objref]
         if fate == "kept":
@@ -171,7 +171,7 @@ class OutPort(DataPort):
 
 
 class InPort(DataPort):
-    """Keeps what it is given until its component reads it, in a cycle of its own, and only while there is a connector.
+    """Keeps values until its component reads them, in a later cycle, and only while there is a connector.
 
     InPort::isNew of C++ and Python is false without one: what lies in the buffer then is read at somebody else's connection.
     """
@@ -199,17 +199,17 @@ class InPort(DataPort):
         return RTC.RTC_OK
 
     def decode(self, data, little):
-        """The value that a payload holds."""
+        """The value in a payload."""
         return values.decode(self.type_name, data, little)
 
     def put(self, data, little):
-        """A payload has come in; the name of the status that the sender gets."""
+        """A payload has come; returns the name of the status for the sender."""
         status = self.buffer.write(self.decode(data, little))
         self.moved("RECEIVE:InPort:")
         return status
 
     def read(self):
-        """What components do in each cycle: read one value of those pushed, and fetch from those that are to be fetched from."""
+        """Called in each cycle of the component: read a pushed value, and fetch from pull connections."""
         connections = list(self.transports.values())
         if not connections:
             return

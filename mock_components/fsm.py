@@ -17,7 +17,7 @@ EVENTS = [("open", "TimedLong"), ("close", "TimedLong"), ("start", "TimedLong"),
 
 
 class Service(Fsm__POA.ExtendedFsmService):
-    """What one can ask a state machine; what it is told about its structure, it tells again."""
+    """The service of a state machine; it returns the structure that was set."""
 
     def __init__(self, fate):
         self.fate = fate
@@ -39,7 +39,7 @@ class Service(Fsm__POA.ExtendedFsmService):
 
 
 class StateMachine(Component):
-    """Has the service; the process of some dies when they are asked for it by id."""
+    """A component with the service; in some flavours its process dies when it is asked for the service by id."""
 
     providers = (SERVICE,)
 

@@ -1,4 +1,4 @@
-"""GIOP and CDR by hand, as much as a peer needs that misbehaves in ways to which no ORB can be talked."""
+"""GIOP and CDR by hand, for peers that misbehave in ways that no ORB supports."""
 import collections
 import struct
 
@@ -48,7 +48,7 @@ def cdr(*values):
 
 
 class Raw(bytes):
-    """Bytes that cdr() takes as they are."""
+    """Bytes that cdr() leaves unchanged."""
 
 
 def receive(connection, size):
@@ -70,7 +70,7 @@ def read_message(connection):
 
 
 def read_request(connection):
-    """The next message that wants an answer of some kind, put together from its fragments."""
+    """The next message that needs an answer, assembled from its fragments."""
     while True:
         header, payload = read_message(connection)
         more = header[6] & 2
@@ -155,7 +155,7 @@ def component_profile(text):
 
 
 def harmless_answer(request):
-    """The answer to what is asked before the real question, or None: yes, I am one of those; no, I am not gone."""
+    """The answer to _is_a (yes) and _non_existent (no), or None for other operations."""
     if request.type == LOCATE_REQUEST:
         return message(request.version, LOCATE_REPLY, struct.pack("<II", request.id, 1))
     if request.operation == "_is_a":

@@ -1,4 +1,4 @@
-"""A manager: the CORBA object through which components are made and unmade in its process, or, of a master, in others."""
+"""A manager: the CORBA object that creates and deletes components in its process or, as a master, in others."""
 import itertools
 
 import omniORB
@@ -72,7 +72,7 @@ class Manager(RTM__POA.Manager):
         return component and component.reference
 
     def create(self, line):
-        """Make a component here: the new one, the one that is there already, or None."""
+        """Make a component here; returns it, or the existing one of that name, or None."""
         wanted = Wanted(line, self.flavour.ident_fields)
         spec = self.modules.factory(wanted.implementation_id) if wanted.valid else None
         if spec is None or not wanted.matches(dict(modules.factory(spec, self.flavour))):
@@ -92,7 +92,7 @@ class Manager(RTM__POA.Manager):
         return self.stage.add(spec, name, **options(wanted.arguments))
 
     def _instance_name(self, spec, arguments):
-        """As given, now or (in Python) earlier to the same factory; else the type with the first free number."""
+        """The name that is given, now or (in Python) earlier to the same factory; else the type with the first free number."""
         name = self.stage.misname or arguments.get("instance_name")
         if self.flavour.sticky_name:
             name = name or self.names_kept.get(spec.implementation_id)
@@ -102,7 +102,7 @@ class Manager(RTM__POA.Manager):
         return next(name for name in map((spec.type_name + "%d").__mod__, itertools.count()) if name not in self.stage.listed)
 
     def _create_in_slave(self, line):
-        """In the first slave of that name that does it; one is started where there is none."""
+        """Create it in the first slave of that name that can; start a slave if there is none."""
         name, line = extract(line, "manager_name")
         address, line = extract(line, "manager_address")
         slaves = self._live_slaves(name)
@@ -125,7 +125,7 @@ class Manager(RTM__POA.Manager):
         return [slave for slave in self.slaves if not _among(slave, before)]
 
     def _create_at(self, address, line):
-        """In the manager at HOST:PORT."""
+        """Create it in the manager at HOST:PORT."""
         try:
             return children.manager_at(self.stage.process.orb, address).create_component(line)
         except CORBA.SystemException:
@@ -171,7 +171,7 @@ class Manager(RTM__POA.Manager):
         return nvlist(self._configuration())
 
     def set_configuration(self, name, value):
-        """RTC_OK; what there is keeps its value (it is read at the start), but for the logger's; new names are taken."""
+        """RTC_OK; new names are added, existing ones keep their values, which are read at the start, except the logger's."""
         if name.startswith("logger.") or name not in dict(self._configuration()):
             self.changed[name] = value
         return RTC.RTC_OK
@@ -205,7 +205,7 @@ class Manager(RTM__POA.Manager):
         self.add_master_manager(master)
 
     def leave(self):
-        """Tell the others; the slaves of a master live on."""
+        """Sign off at the other managers; the slaves of a master live on."""
         for others, tell in ((self.masters, "remove_slave_manager"), (self.slaves, "remove_master_manager")):
             for other in list(others):
                 omniORB.setClientCallTimeout(other, 1000)
@@ -215,7 +215,7 @@ class Manager(RTM__POA.Manager):
                     pass
 
     def _of_slaves(self, operation):
-        """What all slaves answer, in one list; those that are gone are forgotten now, not earlier."""
+        """The answers of all slaves in one list; those that do not exist any more are forgotten only now."""
         answers = []
         for slave in list(self.slaves):
             try:
@@ -253,7 +253,7 @@ class Manager(RTM__POA.Manager):
 
 
 def options(arguments):
-    """What the arguments of create_component change in the options of a component."""
+    """The changes that arguments of create_component make to the options of a component."""
     changes = {"arguments": arguments}
     if "naming.formats" in arguments:
         changes["context"] = arguments["naming.formats"]

@@ -22,7 +22,7 @@ class Failed(Exception):
 
 
 def binary():
-    """The omniNames program itself, None when there is none: the script of that name on PATH survives being killed."""
+    """The omniNames program or None; not the script of that name on PATH, whose child survives when the script is killed."""
     for entry in sys.path:
         for package in ("jeteve_omniorb", "omniORB"):
             path = os.path.join(entry, package, "bin", "omniNames")
@@ -36,7 +36,7 @@ def binary():
 
 
 def free_port(above=12000):
-    """A port below the kernel's ephemeral range, so that no outgoing connection takes it in between; there is one above it."""
+    """A free port below the kernel's ephemeral range, which outgoing connections do not use."""
     for _ in range(200):
         port = random.randrange(above + 1, (above + 32000) // 2)
         with socket.socket() as probe:
@@ -73,7 +73,7 @@ def start(directory):
 
 
 def answers(port):
-    """Whether the name server on a port says that its root context is there: it listens a little before it knows that."""
+    """Whether the name server on a port has its root context: it listens a little earlier."""
     body = struct.pack("<II", 1, len(b"NameService")) + b"NameService"
     try:
         with socket.create_connection(("127.0.0.1", port), DEADLINE) as connection:

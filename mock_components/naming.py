@@ -49,11 +49,11 @@ class Naming:
         return self.root.resolve(_name(name))
 
     def adopt(self, name):
-        """Unbind at the end a name that someone else has bound."""
+        """Unbind, in the end, a name that someone else has bound."""
         self.bound.append(name)
 
     def unbind(self, name):
-        """Remove one name; that it, or the server, is gone already is no matter."""
+        """Remove a name, if it and the server still exist."""
         try:
             self.root.unbind(_name(name))
         except CORBA.Exception:

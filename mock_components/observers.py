@@ -1,4 +1,4 @@
-"""Whom a component tells what happens to it: observers of two kinds, and loggers."""
+"""The services to which a component reports: observers of two kinds, and loggers."""
 import threading
 import time
 
@@ -39,7 +39,7 @@ class Consumer:
         return float(get(self.properties, name, "1.0"))
 
     def pulse(self):
-        """Seconds between two heartbeats, 0 for what has no heart."""
+        """Seconds between two heartbeats, 0 without any."""
         return 0
 
     def close(self):
@@ -57,7 +57,7 @@ class Observer(Consumer):
         super().__init__(component, profile, self.module.ComponentObserver)
 
     def configure(self, properties):
-        """Take over the properties, once more if they have changed; the hearts of before stop beating."""
+        """Apply the properties, again if they have changed; old heartbeats stop."""
         super().configure(properties)
         self.ended.set()
         self.ended = threading.Event()
@@ -87,7 +87,7 @@ class Observer(Consumer):
         return True
 
     def send(self, kind, hint):
-        """Whether the observer is still to be reached; if not, it is forgotten."""
+        """Whether the observer can still be reached; if not, it is forgotten."""
         try:
             self.reference.update_status(getattr(self.module, kind), hint)
         except CORBA.SystemException:
@@ -104,7 +104,7 @@ class FsmObserver(Observer):
 
 
 class Logger(Consumer):
-    """Gets log records when ctl says so, but for those of C++, which accept loggers and never tell them anything."""
+    """Gets log records on a command of ctl; not in C++, which accepts loggers and never writes to them."""
 
     def __init__(self, component, profile):
         super().__init__(component, profile, OpenRTM.Logger)
@@ -128,7 +128,7 @@ KINDS = {OBSERVER: Observer, FSM_OBSERVER: FsmObserver, LOGGER: Logger}
 
 
 class Observers:
-    """All that are registered with one component; nobody can list them."""
+    """All services that are registered with a component, which cannot be listed from outside."""
 
     def __init__(self, component, available):
         self.component = component
@@ -166,7 +166,7 @@ class Observers:
                 self.registered.pop(service_id).close()
 
     def report(self, kind, hint):
-        """Tell all observers that want to know."""
+        """Report to all observers that asked for this."""
         for consumer in list(self.registered.values()):
             if isinstance(consumer, Observer) and consumer.wants(kind, hint):
                 consumer.send(kind, hint)

@@ -1,4 +1,4 @@
-"""Names in a name server that are hard to print, to type, or to make sense of."""
+"""Names in a name server that are hard to print, type or interpret."""
 from .serviceport import MyService
 
 JAPANESE = "日本語".encode("utf-8").decode("latin-1")      # bytes travel as Latin-1 characters

@@ -1,4 +1,4 @@
-"""Components whose connected peer has been killed, and composites whose member has."""
+"""Components whose connected peer has been killed, and composites with a killed member."""
 import contextlib
 import subprocess
 

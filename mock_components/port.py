@@ -1,4 +1,4 @@
-"""Ports: profiles, and the dance of connecting and disconnecting. No lock is held across a call to another port."""
+"""Ports: profiles, connecting and disconnecting. No lock is held during a call to another port."""
 import threading
 import time
 import uuid
@@ -37,7 +37,7 @@ class Port(RTC__POA.PortService):
         return []
 
     def prepare(self, profile):
-        """Before a connection is made: what the port that got `connect` adds."""
+        """Before a connection is made: add the properties of the port that got `connect`."""
 
     def publish(self, profile):
         """Add to the connector what the other ports need; returns a code."""
@@ -48,7 +48,7 @@ class Port(RTC__POA.PortService):
         raise NotImplementedError
 
     def release(self, connector_id):
-        """The connection has ended: give up what carried its data."""
+        """The connection has ended: free what carried its data."""
         transport = self.transports.pop(connector_id, None)
         if transport:
             transport.close()
@@ -89,7 +89,7 @@ class Port(RTC__POA.PortService):
             raise CORBA.TRANSIENT(TRANSIENT_CONNECT_FAILED, CORBA.COMPLETED_MAYBE)
 
     def prune_for_component(self):
-        """The same on behalf of the component's profile, where C++ 2.1 ends its process."""
+        """The same for the component's profile, where C++ 2.1 ends its process."""
         if self.flavour.dead_peer == "die" and self._dead_connections():
             self.process.die()
         self._prune()
@@ -155,10 +155,10 @@ class Port(RTC__POA.PortService):
             return RTC.BAD_PARAMETER, profile
 
     def rewrite(self, profile):
-        """What becomes of a connector on its way to the next port."""
+        """Change a connector's profile before it is passed to the next port."""
 
     def _hang(self):
-        """The component answers no more."""
+        """The component no longer answers."""
         self.process.ledger.hang(self.component.instance_name, FOR_EVER)
         time.sleep(FOR_EVER)
 
@@ -217,7 +217,7 @@ class Port(RTC__POA.PortService):
 
 
 def forward_disconnect(port, connector_id):
-    """Have the next port of a connection forget it, too; the code that it answers."""
+    """Remove a connection from its next port, too; returns that port's code."""
     try:
         return port.notify_disconnect(connector_id)
     except CORBA.SystemException:
@@ -225,7 +225,7 @@ def forward_disconnect(port, connector_id):
 
 
 def alive(port):
-    """Whether the object answers; one of a vanished process or one that was removed does not."""
+    """Whether the object answers: its process lives, and it has not been removed."""
     try:
         return not port._non_existent()
     except CORBA.SystemException:

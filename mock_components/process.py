@@ -32,7 +32,7 @@ class Process:
     """The ORB of this process and the objects that it serves."""
 
     def __init__(self, port=0, host="127.0.0.1", publish=None):
-        """`publish` is the address that references tell, where it is not that on which the process listens."""
+        """`publish` is the address in references, if it is not the one on which the process listens."""
         published = ["-ORBendPointPublish", f"giop:tcp:{publish}:{port}"] if publish else []
         self.orb = CORBA.ORB_init([sys.argv[0], "-ORBendPoint", f"giop:tcp:{host}:{port or ''}"] + published + [
                                    "-ORBtraceLevel", "0",

@@ -10,7 +10,7 @@ KINDS = {"in": dataport.InPort, "out": dataport.OutPort, "event": dataport.Event
 
 
 class Component(OpenRTM__POA.DataFlowComponent):
-    """A component that does nothing of its own; those with behaviour derive from it."""
+    """A component without behaviour; others derive from it."""
 
     busy = False        # whether an active one has work in every cycle
     initialises = True  # whether a manager that makes one gets it
@@ -61,7 +61,7 @@ class Component(OpenRTM__POA.DataFlowComponent):
         return self.spec.identity(self.flavour)
 
     def properties(self):
-        """The pairs of the component profile, in about the order in which components give them."""
+        """The properties of the component profile, roughly in the order of real ones."""
         flavour, options = self.flavour, self.options
         endpoint = self.process.endpoint
         pairs = list(self.identity().items())
@@ -90,7 +90,7 @@ class Component(OpenRTM__POA.DataFlowComponent):
         return self._with_arguments(pairs)
 
     def _with_arguments(self, pairs):
-        """What create_component was told about the component replaces the rest, or is added to it."""
+        """The properties, replaced and extended by those given to create_component."""
         given, known = self.options.arguments, {name for name, _ in pairs}
         return ([(name, given.get(name, value)) for name, value in pairs] +
                 [(name, value) for name, value in given.items()
@@ -157,7 +157,7 @@ class Component(OpenRTM__POA.DataFlowComponent):
         return RTC.RTC_OK
 
     def read_ports(self, handle):
-        """Read all InPorts, once for each cycle that this execution in one of its contexts stands for."""
+        """Read all InPorts, once for each cycle that this execution represents."""
         context = self.process.local_servant(self._context(handle))
         for _ in range(context.cycles() if context else 1):
             for port in self.ports:
@@ -167,7 +167,7 @@ class Component(OpenRTM__POA.DataFlowComponent):
     # life cycle
 
     def initialize(self):
-        """As the real ones do: builds its contexts once more. No tool should call this."""
+        """Build the contexts once more, as real components do. No tool should call this."""
         self.own_context()
         return RTC.RTC_OK
 
@@ -208,7 +208,7 @@ class Component(OpenRTM__POA.DataFlowComponent):
         return any(cxt.get_component_state(self.reference) == RTC.ACTIVE_STATE for cxt in contexts)
 
     def report(self, kind, hint):
-        """Tell the observers."""
+        """Report to the observers."""
         self.observers.report(kind, hint)
 
     # callbacks: what contexts call, and the part of it that components have their own way of doing

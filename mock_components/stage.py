@@ -12,7 +12,7 @@ PUSH = [("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_c
 
 
 class Stage:
-    """What the functions of worlds.py are given."""
+    """The argument of the functions in worlds.py."""
 
     def __init__(self, process, names, flavour, options):
         self.process = process
@@ -51,11 +51,11 @@ class Stage:
         return component
 
     def stray(self, spec, instance_name):
-        """A component under a name that is taken, as Python makes it: it is bound nowhere, and no manager lists it."""
+        """A component whose name is taken, as made by Python: it is bound nowhere, and no manager lists it."""
         return spec.play(self.process, spec, instance_name, self.flavour, self.options)
 
     def gone(self, component):
-        """Whether a component has ended, if there ever was one."""
+        """Whether a component has existed and ended."""
         return component is None or self.process.local_servant(component.reference) is None
 
     def home(self):
@@ -85,7 +85,7 @@ class Stage:
             self.names.unbind(name)
 
     def end(self):
-        """Leave in good order: other processes first, then other managers, then the name server."""
+        """Clean up: other processes first, then other managers, then the name server."""
         children.end(self)
         if self.manager:
             self.manager.leave()
@@ -98,7 +98,7 @@ class Stage:
         later(linger, self._forget, component)
 
     def _forget(self, component):
-        """The name server and the manager follow; two components of one name take a process of C++ 1.x with them."""
+        """Unbind it and remove it from the manager; with two components of one name, a process of C++ 1.x ends."""
         self.process.ledger.own_thread()
         name = component.instance_name
         for bound in component.bound:

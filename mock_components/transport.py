@@ -1,4 +1,4 @@
-"""What carries the data of one connection: four classes, one for each end of push and pull."""
+"""The ends of a data connection: four classes, for push and pull."""
 import collections
 import threading
 import time
@@ -22,7 +22,7 @@ _PULL = {"corba_cdr": (OpenRTM.OutPortCdr, "get"), "data_service": (DataService.
 
 
 def operation(interface, reference, kinds):
-    """The operation of the far end that carries data; None for interfaces that are not played here."""
+    """The operation of the far end that carries data; None for interfaces that are not simulated."""
     if interface not in kinds:
         return None
     kind, name = kinds[interface]
@@ -30,7 +30,7 @@ def operation(interface, reference, kinds):
 
 
 def reference_any(reference):
-    """An any that holds a reference, as properties of connectors do."""
+    """An any with a reference, for properties of connectors."""
     return CORBA.Any(_REFERENCE, reference)
 
 
@@ -45,7 +45,7 @@ class Transport:
         self.servant = None
 
     def serve(self, servants):
-        """Make the object that the far end calls; of interfaces not played here there is only a reference."""
+        """Make the object that the far end calls; for interfaces that are not simulated, only a reference."""
         if self.interface in _GHOSTS:
             self.reference = self.process.ghost(_GHOSTS[self.interface])
             return

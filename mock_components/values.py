@@ -18,7 +18,7 @@ def typecode(type_name):
 
 
 def make(type_name, number, stamped=False):
-    """The value of a type that goes with a number, a sequence holding numbers from there on."""
+    """The value of a type for a number; a sequence holds numbers from there on."""
     now = (time.time() + CLOCK)
     tm = RTC.Time(int(now), int(now % 1 * 1e9)) if stamped else RTC.Time(0, 0)
     if type_name == arm.NAME:
@@ -51,7 +51,7 @@ def encode(type_name, value, little):
 
 
 def decode(type_name, data, little):
-    """The value that CDR bytes hold."""
+    """The value in CDR bytes."""
     return omniORB.cdrUnmarshal(typecode(type_name), data, little)
 
 

@@ -47,7 +47,7 @@ INSTANCE = "Wicked0"    # of the component whose string is empty
 
 
 class Wicked(StateMachine):
-    """A state machine that says its string whatever it is asked for, and from time to time without being asked."""
+    """A state machine that answers everything with its string, and also reports it from time to time."""
 
     def identity(self):
         said = self.spec.type_name
@@ -81,7 +81,7 @@ def spec(said):
 
 
 def add(stage, only=None):
-    """One component for each string, bound under it below the home context, each connected to the next; and a manager."""
+    """A component for each string, bound under it below the home context and connected to the next one; and a manager."""
     added = []
     for said in [STRINGS[only]] if only else STRINGS.values():
         names = [stage.home() + [(said, "rtc")]]

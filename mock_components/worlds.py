@@ -52,7 +52,7 @@ def robot(stage):
 
 
 def everything(stage):
-    """one component of every type that there can be"""
+    """a component of every type"""
     for type_name, spec in components.SPECS.items():
         if spec.play.initialises:
             stage.add(type_name)

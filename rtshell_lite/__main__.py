@@ -11,14 +11,17 @@ import sys
 
 # `python3 -m` looks for modules in the working directory first, even for those of Python itself; what is there may be anybody's.
 # What Python has imported before it comes here cannot be helped (README, "Install").
-if not sys.flags.isolated and not getattr(sys.flags, "safe_path", False) and sys.path:
+if __name__ == "__main__" and not sys.flags.isolated and not getattr(sys.flags, "safe_path", False) and sys.path:
     del sys.path[0]
 
-import difflib  # noqa: E402: see above
-import shlex  # noqa: E402
+from rtshell_lite import start
+start.quietly(__name__)
 
-from rtshell_lite import cli, errors  # noqa: E402
-from rtshell_lite.shell import installation  # noqa: E402
+import difflib
+import shlex
+
+from rtshell_lite import cli, errors
+from rtshell_lite.shell import installation
 
 
 def arguments(parser):
@@ -38,21 +41,21 @@ def unpack(directory, wheels):
     """Lay the commands and these wheels out under a directory, and print the line that puts them on PATH."""
     from rtshell_lite.shell.unpack import unpack
     if not directory or ":" in directory:
-        raise errors.Usage("%s: cannot stand in PATH" % (directory or "''"))
+        raise errors.Usage(f"{directory or repr('')}: cannot be in PATH")
     print(f"export PATH={shlex.quote(unpack(directory, wheels))}:$PATH")
 
 
 def unknown(name):
-    """The message for what is no command."""
+    """The message for an unknown command."""
     near = difflib.get_close_matches(name, installation.commands(), 1)
     return f"{name}: no such command" + (f"; did you mean {near[0]}?" if near else "")
 
 
 def summaries():
     """A line for each command: its name and the first line of its help."""
-    found = installation.commands()
-    width = max(map(len, found))
-    return ["  %-*s  %s" % (width, name, installation.summary(installation.read(found[name]))) for name in sorted(found)]
+    commands = installation.commands()
+    width = max(map(len, commands))
+    return [f"  {name:{width}}  {installation.summary(installation.read(path))}" for name, path in sorted(commands.items())]
 
 
 def run_command(path, words):
@@ -62,7 +65,7 @@ def run_command(path, words):
 
 
 def main():
-    """Run the command that the first argument names; without one, do what this module's own options say."""
+    """Run the command that the first argument names, or follow this module's own options."""
     sys.argv[0] = "rtshell_lite"
     words = sys.argv[1:]
     try:

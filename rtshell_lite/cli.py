@@ -1,36 +1,29 @@
-"""What every command shares: its parser and common options, its exit status, its one line on stderr.
+"""What every command shares: how it starts and ends, its exit status, its lines on stderr.
 
-How the commands report many steps or actions, each with an outcome of its own, is in system/reports.py.
+system/reports.py reports many steps or actions, each with its own result.
 """
-# Before all else: until main() can catch it, Ctrl-C ends the process without a word, not with a traceback of half an import.
-import _signal  # which `signal` is made of: that one takes longer to import than all that comes before it
-if _signal.getsignal(_signal.SIGINT) == _signal.default_int_handler:
-    try:
-        _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
-    except ValueError:  # not the main thread, so not a command that starts
-        pass
+import _signal  # see start.py
+import errno
+import io
+import os
+import sys
 
-import errno  # noqa: E402: see above
-import io  # noqa: E402
-import os  # noqa: E402
-import sys  # noqa: E402
+from rtshell_lite import errors, interrupts, options, text
+from rtshell_lite.corba import lanes
 
-from rtshell_lite import errors, interrupts, options, text  # noqa: E402
-from rtshell_lite.corba import lanes  # noqa: E402
-
-LAST_WORDS = 1.0  # seconds that output may take after a signal: its reader may have stopped
+FLUSH_LIMIT = 1.0  # seconds for flushing the output after a signal: its reader may have stopped
 
 _quiet = _verbose = False
-_left_out = set()  # type: set  # what this command has said to have left out
+_left_out = set()  # type: set  # lines already printed by left_out()
 
 
 # ---- running a command ----------------------------------------------------------------------------------------
 
 def main(arguments, run, doc, argv=None):
-    """Run one command and exit: `arguments(parser)` declares, `run(args)` does the work and returns the exit status."""
+    """Run one command and exit: `arguments(parser)` declares its options, `run(args)` does the work and returns the exit status."""
     _prepare_streams()
     try:
-        if _signal.getsignal(_signal.SIGINT) == _signal.SIG_DFL:
+        if _signal.getsignal(_signal.SIGINT) != _signal.SIG_IGN:
             _signal.signal(_signal.SIGINT, interrupts.ctrl_c)
         sys.unraisablehook = interrupts.lost  # from Python 3.8 on
         _leave(command(arguments, run, doc, sys.argv[1:] if argv is None else argv))
@@ -41,7 +34,7 @@ def main(arguments, run, doc, argv=None):
 
 
 class Ended(BaseException):
-    """SIGTERM or SIGHUP, on its way through the `finally`s; its argument is the exit status."""
+    """SIGTERM or SIGHUP, raised so that `finally` clauses run; its argument is the exit status."""
 
 
 def command(arguments, run, doc, argv):
@@ -68,24 +61,22 @@ def command(arguments, run, doc, argv):
         complain(f"internal error: {type(e).__name__}: {e} (RTSHELL_DEBUG=1 shows where)")
         return 70
     finally:
-        _settle(*before)  # to those of the rtsh that runs this command
+        _settle(*before)  # the settings of rtsh, if it runs this command
 
 
 def unwind_when_ended():
-    """Let SIGTERM and SIGHUP end the command as Ctrl-C does, by way of its `finally`s: it has put something into a component.
+    """Let SIGTERM and SIGHUP run `finally` clauses, as Ctrl-C does: the command has put something into a component.
 
-    The first of them counts: a terminal that closes and systemd send both.
+    Only the first counts: a closing terminal and systemd send both.
     """
-    import signal
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores SIGHUP
-            signal.signal(number, lambda number, frame: interrupts.strike(Ended(128 + number), ends=True))
+    for number in (_signal.SIGTERM, _signal.SIGHUP):
+        if _signal.getsignal(number) == _signal.SIG_DFL:  # nohup ignores SIGHUP
+            _signal.signal(number, lambda number, frame: interrupts.strike(Ended(128 + number), ends=True))
 
 
 def ignore_hangup():
-    """The terminal is gone, and we unwind: its SIGHUP, which comes later to all but the shell, must not cut that short."""
-    import signal
-    signal.signal(signal.SIGHUP, lambda *_: None)
+    """After the terminal is gone: its SIGHUP, which reaches the shell first, must not interrupt the clean-up."""
+    _signal.signal(_signal.SIGHUP, lambda *_: None)
 
 
 def _settle(quiet, verbose, session):
@@ -102,7 +93,7 @@ class _Closed(io.TextIOBase):
 
 
 def _prepare_streams():
-    """UTF-8 whatever the locale; descriptors 0 to 2 taken, so that no socket can get their number."""
+    """UTF-8 whatever the locale; descriptors 0 to 2 open, so that no socket gets their number."""
     fd = os.open(os.devnull, os.O_RDWR)
     while fd <= 2:
         fd = os.open(os.devnull, os.O_RDWR)
@@ -116,16 +107,16 @@ def _prepare_streams():
 
 
 def _leave(status):
-    """Exit at once: a thread that waits for a hung peer must not hold the process (os._exit also saves 6 ms of ORB)."""
+    """Exit at once: a thread that waits for a hung peer must not keep the process alive (and the ORB's shutdown takes 6 ms)."""
     os._exit(_flushed(status))
 
 
 def _leave_soon(status):
-    """Exit because of a signal, whether or not anybody takes the rest of the output."""
+    """Exit because of a signal, whether or not anybody reads the rest of the output."""
     with interrupts.held():
         box = interrupts.Mailbox()
         lanes.start(lambda: box.put(_flushed(status)))
-        os._exit(box.get(LAST_WORDS) or status)
+        os._exit(box.get(FLUSH_LIMIT) or status)
 
 
 def _flushed(status):
@@ -134,49 +125,49 @@ def _flushed(status):
     except BrokenPipeError:
         return 141
     except OSError as e:
-        return status or complain(e)  # else it has been reported
+        return status or complain(e)  # a failed command has reported it
     return status
 
 
 # ---- talking on stderr ----------------------------------------------------------------------------------------
 
 def complain(what):
-    """Print the one line of a failure on stderr; returns its exit status."""
+    """Print a failure as one line on stderr; returns its exit status."""
     status = getattr(what, "status", 1)
     if isinstance(what, OSError):
-        why = what.strerror or str(what)  # a timeout has words only
+        why = what.strerror or str(what)  # a timeout has no strerror
         what = f"{text.printable(str(what.filename))}: {why}" if what.filename else why
     _say(str(what))
     return status
 
 
 def left_out(line):
-    """Tell, once, that more came from a peer than anybody wants, and how much was left out; the command has not succeeded."""
+    """Report, once, how much of an excessive answer was left out; the command ends with status 5 at best."""
     if line not in _left_out:
         _left_out.add(line)
         complain(line)
 
 
-def first(most, found, where, what):
-    """The first `most` of a list that a peer has sent; the rest is left out, which is reported."""
-    if len(found) > most:
-        left_out("%s: %d of %d %s are left out" % (where, len(found) - most, len(found), what))
-    return found[:most]
+def first(most, items, where, what):
+    """The first `most` of a list that a peer has sent; what is left out is reported."""
+    if len(items) > most:
+        left_out(f"{where}: {len(items) - most} of {len(items)} {what} are left out")
+    return items[:most]
 
 
 def note(line):
-    """Tell something on stderr that is no failure; --quiet silences it."""
+    """Print a remark that is not a failure on stderr, unless --quiet is given."""
     if not is_quiet():
         _say(line)
 
 
 def is_quiet():
-    """Whether the user wants to hear of failures only."""
+    """Whether the user wants to see failures only."""
     return _quiet
 
 
 def detail(line):
-    """Tell what was done on stderr, with --verbose only."""
+    """Print what was done on stderr, with --verbose only."""
     if _verbose:
         _say(line)
 
@@ -199,24 +190,24 @@ def say(line):
 
 
 class Tally:
-    """Several objects, each tried: what failed is reported at once, the exit status sums it up."""
+    """Results for several objects: failures are reported at once, the exit status sums them up."""
 
     def __init__(self):
-        self.done, self.statuses, self.told = 0, set(), set()
+        self.done, self.statuses, self.reported = 0, set(), set()
 
     def add(self, value):
         """Count one result: an errors.Error is reported and counted as failed, anything else as done. Returns True if done."""
         if isinstance(value, errors.Error):
-            if str(value) not in self.told:  # a name server that is down fails all paths alike
+            if str(value) not in self.reported:  # a name server that is down fails all paths alike
                 complain(value)
-            self.told.add(str(value))
+            self.reported.add(str(value))
             self.statuses.add(value.status)
             return False
         self.done += 1
         return True
 
     def fail(self, error):
-        """Count a failure that is reported elsewhere."""
+        """Count a failure that has been reported elsewhere."""
         self.statuses.add(error.status)
 
     def status(self):
@@ -227,9 +218,9 @@ class Tally:
 
 
 def report(args, results):
-    """Tell the results of changes, each an errors.Error or a line; returns the exit status.
+    """Report the results of changes, each an errors.Error or a line; returns the exit status.
 
-    A line says what was done, for --verbose; after --dry-run it is a command that would do it, for stdout.
+    A line says what was done, for --verbose; with --dry-run it is the command that would do it, for stdout.
     """
     tally = Tally()
     for result in results:

@@ -1,7 +1,7 @@
 """Every failure a command can report: the docstring is the message, `status` the exit status.
 
-The first argument of most, called `where` elsewhere, is the object as the user knows it: a path spelt for the terminal. The
-last says why, in words that need no path.
+The first argument of most, called `where` elsewhere, is the object as the user knows it: a path escaped for the terminal. The
+last says why, without naming a path.
 """
 
 
@@ -15,7 +15,7 @@ class Error(Exception):
 
     @property
     def where(self):
-        """The object that the message begins with, as the user knows it."""
+        """The object that the message begins with."""
         return str(self.args[0])
 
     @property
@@ -26,7 +26,7 @@ class Error(Exception):
 
 
 def parted(values):
-    """Values of which some are Errors, in two lists: the others, and the Errors."""
+    """(values that are not Errors, the Errors) of a mixed list."""
     return [value for value in values if not isinstance(value, Error)], [value for value in values if isinstance(value, Error)]
 
 
@@ -47,7 +47,7 @@ class BadIdl(Error):
 
 
 class BadType(Error):
-    """{}: {}"""  # type, why it is of no use
+    """{}: {}"""  # type, why it cannot be used
 
 
 class MissingOmniORB(Error):

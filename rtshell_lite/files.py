@@ -1,8 +1,8 @@
-"""Local files: written whole or not at all, `-` for stdin and stdout; and nothing that others have prepared is trusted.
+"""Local files: written whole or not at all, `-` for stdin and stdout, safe in directories that others can write to.
 
-In a directory for all, /tmp say, somebody else may have put a link, or guess a name that we are about to write. So new files
-are created exclusively, under names that nobody can guess, readable by nobody else until they are as readable as what they
-replace; and links that are neither ours nor the directory's owner's are not followed, as Linux itself does it.
+In /tmp, say, somebody else may have put a link, or guess a name that we are about to write. So new files are created
+exclusively, under names that cannot be guessed, readable by nobody else until they get the mode of what they replace; and
+links that belong neither to us nor to the directory's owner are not followed, a rule of Linux itself.
 """
 import errno
 import os
@@ -14,15 +14,15 @@ from rtshell_lite import errors
 from rtshell_lite.text import printable
 
 LIMIT = 16 << 20  # octets of a file that is read as a whole
-LINKS = 40  # that may lead from one to the next
-# What a shell hands over as an open descriptor, `<(command)` say: it has a writer, and may be a pipe.
-_HANDED_OVER = re.compile(r"(/dev/stdin|/dev/fd/\d+|/proc/(self|\d+)/fd/\d+)\Z")
+LINKS = 40  # links to links that are followed
+# Names of open descriptors, as the shell passes them for `<(command)`: a pipe is fine there, for it has a writer.
+_DESCRIPTOR = re.compile(r"(/dev/stdin|/dev/fd/\d+|/proc/(self|\d+)/fd/\d+)\Z")
 
 
 # ---- reading --------------------------------------------------------------------------------------------------
 
 def read(name, limit=LIMIT):
-    """The text of a file (`-`: stdin), undecodable bytes kept as surrogate escapes. Raises OSError, errors.Failed when too big."""
+    """The text of a file (`-`: stdin), with undecodable bytes as surrogate escapes. Raises OSError, errors.Failed when too big."""
     if name == "-":
         if sys.stdin is None:
             raise errors.Failed("-", "there is no standard input")
@@ -37,7 +37,7 @@ def read(name, limit=LIMIT):
 
 def opened(name):
     """The file of that name, open for reading bytes. Raises OSError, and errors.Failed for what may block or never end."""
-    _refuse_endless(name, os.stat(name))  # some devices do something already when they are opened
+    _refuse_endless(name, os.stat(name))  # some devices act as soon as they are opened
     file = open(os.open(name, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb")
     try:
         _refuse_endless(name, os.fstat(file.fileno()))
@@ -48,25 +48,21 @@ def opened(name):
     return file
 
 
-def _refuse_endless(name, found):
-    if stat.S_ISDIR(found.st_mode):
+def _refuse_endless(name, status):
+    if stat.S_ISDIR(status.st_mode):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name)
-    if stat.S_ISREG(found.st_mode) or _HANDED_OVER.match(name) or _is_null(found):
+    if stat.S_ISREG(status.st_mode) or _DESCRIPTOR.match(name) or os.path.samestat(status, os.stat(os.devnull)):
         return
-    what = "FIFO" if stat.S_ISFIFO(found.st_mode) else "socket" if stat.S_ISSOCK(found.st_mode) else "device"
+    what = "FIFO" if stat.S_ISFIFO(status.st_mode) else "socket" if stat.S_ISSOCK(status.st_mode) else "device"
     raise errors.Failed(printable(name), f"a {what}; only files are read by name")
-
-
-def _is_null(found):
-    return stat.S_ISCHR(found.st_mode) and found.st_rdev == os.stat(os.devnull).st_rdev
 
 
 # ---- writing --------------------------------------------------------------------------------------------------
 
 def write(name, content):
-    """Write text to a file (`-`: stdout): it is there whole, or the old one stays. Raises OSError, errors.Failed.
+    """Write text to a file (`-`: stdout), completely or not at all. Raises OSError, errors.Failed.
 
-    A kill -9 in the middle of a plain write left 57 of 60 files torn; a temporary name, fsync and rename none.
+    Of 60 plain writes that a kill -9 interrupted, 57 left torn files; with a temporary name, fsync and rename, none.
     """
     data = content.encode("utf-8", "surrogateescape")
     if name == "-":
@@ -97,7 +93,7 @@ def _replace(target, data):
 
 
 def destination(name):
-    """Where a file is written that the user calls `name`: a link goes on pointing where it does.
+    """The file to write for the `name` that the user gave: links are followed, not replaced.
 
     Raises OSError, and errors.Failed for a link that somebody else has put into a directory for all.
     """
@@ -115,13 +111,12 @@ def destination(name):
 
 
 def is_special(target):
-    """True for what is there and no regular file: a device or a FIFO, or a directory."""
+    """True for something that exists and is not a regular file."""
     return os.path.exists(target) and not stat.S_ISREG(os.stat(target).st_mode)
 
 
 def open_special(target, buffering=-1):
-    """A device or a FIFO, open for writing. Raises OSError, and errors.Failed for what must not be written, or
-    where that would wait for ever."""
+    """A device or a FIFO, open for writing. Raises OSError, and errors.Failed for a disk and for a FIFO without a reader."""
     if stat.S_ISBLK(os.stat(target).st_mode):
         raise errors.Failed(printable(target), "a disk; only files are written by name")
     try:
@@ -135,21 +130,20 @@ def open_special(target, buffering=-1):
 
 
 class Temporary:
-    """A new file beside `target`, open for appending as `file`, that takes its place when it is complete. Raises OSError.
+    """A new file beside `target`, open for appending as `file`, that replaces it when complete. Raises OSError.
 
-    Each has a name of its own: of two processes that write to one target at a time, the last one wins, and neither tears what
-    the other writes.
+    Names are unique: of two processes that write to one target at a time, the last one wins, and the file is whole.
     """
 
     def __init__(self, target, buffering=-1):
         self.target = target
         folder, base = os.path.split(target)
-        # it begins like the target, whose name may be as long as names can be: 255 octets
+        # shortened: names have at most 255 octets
         self.path = os.path.join(folder, f".{base[:50]}.{os.urandom(8).hex()}.tmp")
         self.file = create(self.path, 0o600, buffering)
 
     def take_place(self):
-        """Let it be the target from now on, with the mode of what it replaces, or that of any new file."""
+        """Replace the target, keeping its mode; a new target gets the usual mode of new files."""
         os.fchmod(self.file.fileno(), self._mode())
         os.replace(self.path, self.target)
         self.path = None
@@ -164,25 +158,24 @@ class Temporary:
             try:
                 os.fchown(self.file.fileno(), -1, old.st_gid)
             except PermissionError:
-                mode &= 0o707  # what its group may do is not for another group
+                mode &= 0o707  # the permissions were for another group
         return mode
 
     def remove(self):
-        """Remove it, unless it has taken its place."""
+        """Remove the file, unless it has replaced the target."""
         if self.path:
             os.remove(self.path)
             self.path = None
 
 
 def create(path, mode=0o666, buffering=-1):
-    """A new file, open for appending; raises FileExistsError for whatever is there, a link that leads nowhere
-    included."""
+    """A new file, open for appending. Raises FileExistsError for whatever has that name, even a broken link."""
     fd = os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC, mode)
     return open(fd, "ab", buffering)
 
 
 def umask():
     """The permissions that new files of this process do not get."""
-    mask = os.umask(0o077)  # there is no way to ask that changes nothing; meanwhile others get less, not more
+    mask = os.umask(0o077)  # it can only be read by setting it; meanwhile other threads create files that are more private
     os.umask(mask)
     return mask

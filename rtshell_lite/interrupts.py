@@ -1,11 +1,11 @@
-"""Ctrl-C, SIGTERM and SIGHUP strike the main thread between any two steps. Here is what keeps whole what must not be torn.
+"""Ctrl-C, SIGTERM and SIGHUP may interrupt the main thread anywhere; this module protects what must not be interrupted.
 
-    with held(): …        what comes meanwhile is raised afterwards
-    Bell, Flag, Mailbox   what the main thread waits with while other threads bring it something
+    with held(): …        signals that come meanwhile are raised afterwards
+    Bell, Flag, Mailbox   for a main thread that waits for other threads
 
-threading.Event, Condition and queue.Queue are not for a main thread that others wake all the time: an exception out of a signal
-handler may leave Condition.wait without its lock, which is then released once too often (RuntimeError; CPython 3.6 to 3.14).
-A bare lock is taken, or not, in one step.
+threading.Event, Condition and queue.Queue are unsafe there: an exception from a signal handler may leave Condition.wait
+without its lock, which is then released once too often (RuntimeError; CPython 3.6 to 3.14). A bare lock is taken, or not, in
+one step.
 """
 import _signal  # which `signal` is made of: that one takes long to import
 import collections
@@ -14,20 +14,20 @@ import threading
 import time
 
 SOON = 0.001  # seconds
-BOUNCE = 0.3  # seconds in which a second Ctrl-C is the first one once more
-UNWINDING = 5.0  # seconds that a process is given to end in good order, before another signal cuts that short
+BOUNCE = 0.3  # seconds within which a second Ctrl-C is taken for the same key press
+UNWINDING = 5.0  # seconds to clean up in before another signal ends the process
 
-_held = 0  # how many `held` there are around what the main thread does
-_waiting = None  # what is raised when nothing is held any more
-_struck = None  # what was raised last
-_raised = -BOUNCE  # when the last one was
-_ending = -UNWINDING  # when one came that ends the process
+_held = 0  # how many `held` blocks the main thread is in
+_waiting = None  # the exception to raise when it leaves the outermost one
+_struck = None  # the exception raised last
+_raised = -BOUNCE  # when that was
+_ending = -UNWINDING  # when a signal came that ends the process
 
 
 def strike(exception, ends=False):
-    """For handlers of signals: raise the exception, or have it raised as soon as nothing is held.
+    """For signal handlers: raise the exception, or have it raised when the `held` block ends.
 
-    `ends`: it ends the process. Of such the first one counts, and others not before it has had time for that.
+    `ends`: it ends the process; others like it are ignored for UNWINDING seconds.
     """
     global _waiting, _ending
     now = time.monotonic()
@@ -48,7 +48,7 @@ def _raise(exception):
 
 
 def lost(unraisable):
-    """A sys.unraisablehook: what struck within a __del__ or a callback, where Python can raise nothing, strikes soon again."""
+    """A sys.unraisablehook: an interrupt that Python dropped, in a __del__ or a callback, is raised again soon."""
     if unraisable.exc_value is None or unraisable.exc_value is not _struck:
         sys.__unraisablehook__(unraisable)
         return
@@ -65,7 +65,7 @@ def _again(number, frame):
 
 
 def begin():
-    """Something new is begun, in rtsh: the next Ctrl-C is meant for that."""
+    """Another command begins, in rtsh: the next Ctrl-C is meant for it."""
     global _raised
     _raised = -BOUNCE
 
@@ -80,7 +80,7 @@ def _on_main_thread():
 
 
 class held:
-    """Nothing interrupts what is done within this `with`; on other threads nothing does anyway."""
+    """No signal interrupts this `with` block; signals never interrupt threads other than the main one."""
 
     def __enter__(self):
         global _held
@@ -99,7 +99,7 @@ class held:
 
 
 class Bell:
-    """Other threads ring it, one waits for it; a wait that was successful uses it up."""
+    """Other threads ring it, one thread waits for it; a successful wait resets it."""
 
     def __init__(self):
         self._lock = threading.Lock()
@@ -117,7 +117,7 @@ class Bell:
 
 
 class Flag:
-    """Other threads set it, once and for all; one waits for it."""
+    """Other threads set it, for good; one thread waits for it."""
 
     def __init__(self):
         self._is_set, self._bell = False, Bell()
@@ -135,7 +135,7 @@ class Flag:
 
 
 class Mailbox:
-    """What other threads `put` in and one thread takes out, in that order. At most `most` may wait, None for any number."""
+    """A queue: other threads `put` items, one thread gets them. At most `most` may wait, None for any number."""
 
     def __init__(self, most=None):
         self._items, self._most, self._bell = collections.deque(), most, Bell()
@@ -149,7 +149,7 @@ class Mailbox:
         return True
 
     def get(self, seconds):
-        """The next item; waits for it up to so many seconds, and returns None then."""
+        """The next item; None when there is none after so many seconds."""
         end = time.monotonic() + seconds
         while not self._items:
             if not self._bell.wait(end - time.monotonic()):

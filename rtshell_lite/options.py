@@ -1,4 +1,4 @@
-"""The command line: how it is read (options anywhere, numbers below zero, no abbreviations), and the options that commands share."""
+"""The command line: its parser, and the options that commands share."""
 import argparse
 import math
 import os
@@ -15,7 +15,7 @@ EXIT_STATUSES = """exit status:
 # ---- reading it ----------------------------------------------------------------------------------------------
 
 class Parser(argparse.ArgumentParser):
-    """argparse with options anywhere, numbers below zero as arguments, no abbreviations, and our errors."""
+    """argparse with options anywhere, negative numbers as arguments, no abbreviations, and our errors."""
 
     def error(self, message):
         raise errors.Usage(message.replace(": -- ", ": "))
@@ -25,24 +25,24 @@ class Parser(argparse.ArgumentParser):
         return super().parse_args(options + ["--"] + words if words else options)
 
     def unfinished(self, words):
-        """What the first words of a command line leave open, for completion.
+        """Where the first words of a command line lead, for completion.
 
-        Returns the words that are no options, the option whose value comes next (None), and whether `--` ended the options.
+        Returns the words that are not options, the option whose value comes next (or None), and whether `--` ended the options.
         Raises Usage for an unknown option.
         """
-        others, rest = [], list(words)
+        positional, rest = [], list(words)
         while rest:
             word = rest.pop(0)
             if word == "--":
-                return others + rest, None, True
+                return positional + rest, None, True
             if not self._is_option(word):
-                others.append(word)
+                positional.append(word)
                 continue
             last = not rest
-            action = self._option_string_actions.get(self._option(word, rest)[-1])  # None when a value is glued to it
+            action = self._option_string_actions.get(self._option(word, rest)[-1])  # None when its value is in the same word
             if last and action and action.nargs != 0:
-                return others, action, False
-        return others, None, False
+                return positional, action, False
+        return positional, None, False
 
     def _sorted(self, argv):
         """Separate options with their values from the other words; argparse itself cannot mix them on all Pythons."""
@@ -64,7 +64,7 @@ class Parser(argparse.ArgumentParser):
         return word.startswith("-") and word != "-"
 
     def _option(self, word, rest):
-        """One option as argparse reads it on every Python: clusters (-lR) apart, with its value, which may come from `rest`."""
+        """One option, with its value, which may be taken from `rest`, as words that every Python's argparse reads; -lR is split."""
         if word.startswith("--"):
             name, equals, _ = word.partition("=")
             action = self._known(name, word)
@@ -77,7 +77,7 @@ class Parser(argparse.ArgumentParser):
         return [word]
 
     def _known(self, name, word):
-        # not left to argparse: it takes abbreviations, and its way to forbid them breaks -n5 before Python 3.8
+        # argparse takes abbreviations, and allow_abbrev=False breaks -n5 before Python 3.8
         if name not in self._option_string_actions:
             self.error("unrecognized arguments: " + text.printable(word))
         return self._option_string_actions[name]
@@ -86,13 +86,13 @@ class Parser(argparse.ArgumentParser):
     def _with_value(word, action, rest, glue):
         if not rest or action.nargs == 0:
             return [word]
-        # --wait PATH, --shell PATH: a word that cannot be the option's value is not taken for it
+        # --wait PATH, --shell PATH: a word that cannot be the option's value is left alone
         if action.nargs == "?":
             fits = rest[0] in action.choices if action.choices else re.match(r"\.?[0-9]+\.?[0-9]*$", rest[0])
             if not fits:
                 return [word]
         value = rest.pop(0)
-        return [word + glue + value] if value.startswith("-") else [word, value]  # argparse would take -n -x for two options
+        return [word + glue + value] if value.startswith("-") else [word, value]  # argparse takes -n -5 for two options
 
 
 def parser(arguments, doc, prog):
@@ -116,7 +116,7 @@ def parser(arguments, doc, prog):
 
 
 def _formatter(prog):
-    # argparse makes one for every option; with its own idea of a width it would import shutil, 2 ms
+    # argparse makes a formatter for every option; without a width that imports shutil, 2 ms
     return argparse.RawDescriptionHelpFormatter(prog, width=text.width() - 2)
 
 
@@ -129,7 +129,7 @@ def _default_timeout():
 
 
 def seconds(value):
-    """A positive number of seconds, at most a day: the type of time options."""
+    """An option type: a positive number of seconds, at most a day."""
     try:
         number = float(value)
     except ValueError:
@@ -140,7 +140,7 @@ def seconds(value):
 
 
 def one_of(*words):
-    """A type of options that takes one of some words; argparse's own message differs from one Python to the next."""
+    """An option type that accepts these words; argparse's own message differs from one Python to the next."""
     def check(word):
         if word not in words:
             raise argparse.ArgumentTypeError(f"not one of {', '.join(words)}: {text.printable(word)}")
@@ -152,12 +152,12 @@ def one_of(*words):
 # ---- options that commands share ------------------------------------------------------------------------------
 
 def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
-    """The positional arguments `paths`; `metavar` says to completion.py what they are."""
+    """The positional arguments `paths`; completion.py reads from `metavar` what they are."""
     return parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)
 
 
 def parsed(words):
-    """What the user typed as paths, before anything is contacted. Raises BadPath."""
+    """The paths that the user typed; nothing is contacted. Raises BadPath."""
     return [path.parse(word) for word in words]
 
 
@@ -189,7 +189,7 @@ def null(parser):
 
 
 def profile_file(parser):
-    """The RtsProfile that a command works with: args.file, - for stdin, args.form as `profile_form` has it, args.map."""
+    """The RtsProfile that a command works with: args.file, - for stdin, args.form (see `profile_form`), args.map."""
     parser.add_argument("file", nargs="?", default="-", metavar="FILE", help="an RtsProfile in XML or YAML (default: stdin)")
     parser.add_argument("-m", "--map", action="append", default=[], metavar="OLD=NEW",
                         help="where things are now (see rtresurrect); may be repeated")
@@ -197,17 +197,17 @@ def profile_file(parser):
 
 
 def profile_form(parser, verb):
-    """-x and -y: args.form is the form of an RtsProfile file, None where the user did not say; the last one counts."""
+    """-x and -y: args.form is xml, yaml or None; the last option counts."""
     parser.add_argument("-x", "--xml", action="store_const", dest="form", const="xml", help=f"{verb} XML")
     parser.add_argument("-y", "--yaml", action="store_const", dest="form", const="yaml", help=f"{verb} YAML")
 
 
-# ---- those of commands that stay with ports for a while ------------------------------------------------------
+# ---- options of commands that send or receive data -----------------------------------------------------------
 
 def duration(parser, help):
-    """-t/--timeout SECONDS as with rtshell: args.duration, infinite where not given or negative.
+    """-t/--timeout SECONDS as in rtshell: args.duration, infinite where not given or negative.
 
-    How long a peer may stay silent is then said by RTSHELL_TIMEOUT alone.
+    Only RTSHELL_TIMEOUT then says how long a peer may stay silent.
     """
     parser.add_argument("-t", "--timeout", dest="duration", type=_duration, default=math.inf, metavar="SECONDS", help=help)
 
@@ -216,7 +216,7 @@ def limits(parser, what):
     """-n and -t: args.number, below 0 where not given, and args.duration, infinite where not given."""
     parser.add_argument("-n", "--number", type=int, default=-1, metavar="N", help=f"end after N {what} (default: never)")
     parser.add_argument("-t", dest="duration", type=_duration, default=math.inf, metavar="SECONDS",
-                        help=f"end after so long; status 1 when there were not N {what} by then")
+                        help=f"end after SECONDS; status 1 when there were fewer than N {what}")
 
 
 def _duration(value):
@@ -229,12 +229,12 @@ def _duration(value):
 
 
 def hertz(value):
-    """A positive rate in Hz: a type of options."""
+    """An option type: a positive rate in Hz."""
     return _positive(value, "a number of Hz above 0")
 
 
 def factor(value):
-    """A positive number: a type of options."""
+    """An option type: a positive number."""
     return _positive(value, "a number above 0")
 
 
@@ -268,8 +268,8 @@ def properties(parser):
 def delivery(parser):
     """--linger and --anyway: args.linger, seconds or None, and args.anyway."""
     parser.add_argument("--linger", type=_linger, metavar="SECONDS",
-                        help="stay connected at most so long after the last value (default: until the component can have read all)")
-    parser.add_argument("--anyway", action="store_true", help="send to a component that is not going to read the values now, too")
+                        help="stay connected at most SECONDS after the last value (default: until all can have been read)")
+    parser.add_argument("--anyway", action="store_true", help="send even to a component that will not read the values now")
 
 
 def _linger(value):
@@ -281,4 +281,4 @@ def pairs(words):
     for word in words:
         if not word.partition("=")[0] or "=" not in word:
             raise errors.Usage(f"not KEY=VALUE: {text.printable(word)}")
-    return dict((key, value) for key, _, value in (word.partition("=") for word in words))
+    return {key: value for key, _, value in (word.partition("=") for word in words)}

@@ -1,9 +1,9 @@
-r"""Paths of the RTC Tree: the one parser, the one way to spell them.
+r"""Paths of the RTC Tree: how they are parsed and spelt.
 
 /SERVER/CONTEXT.kind/…/NAME.kind:PORT, where SERVER is host, host:2809 or [::1]:2809. A name is split into id and kind at its
-last dot, as OpenRTM does. `.`, `..` and a working directory (RTCSH_CWD) work as in a file system. A backslash takes the
-meaning from the character after it (`\/ \: \. \\`), \xHH \uHHHH \UHHHHHHHH name a character by its code, and \e is an
-empty name. Spelling a path (`str`) and parsing it again gives the same path.
+last dot, as in OpenRTM. `.`, `..` and a working directory (RTCSH_CWD) work as in a file system. A backslash makes the next
+character an ordinary one (`\/ \: \. \\`), \xHH \uHHHH \UHHHHHHHH name a character by its code, and \e is an empty name.
+Spelling a path (`str`) and parsing it again gives the same path.
 """
 import collections
 import os
@@ -18,7 +18,7 @@ PROTOCOLS = ("iiop", "ssliop", "diop", "shmiop", "htiop")
 
 
 class Name(collections.namedtuple("Name", "id kind")):
-    """One name in a naming context, `id.kind` (CosNaming::NameComponent). Both are text, not wire strings."""
+    """A name in a naming context, `id.kind` (CosNaming::NameComponent). Both are text, not wire strings."""
 
     __slots__ = ()
 
@@ -33,10 +33,10 @@ class Name(collections.namedtuple("Name", "id kind")):
 class Path(collections.namedtuple("Path", "server names port directory")):
     """A place in the RTC Tree.
 
-    server     address text as typed, None at the root
-    names      tuple of Name from the root naming context downwards
-    port       port name, None where the path names no port
-    directory  True when the path was written with a slash at its end
+    server     address as typed, None at the root
+    names      tuple of Name, from the root naming context down
+    port       port name or None
+    directory  whether the path was written with a slash at its end
     """
 
     __slots__ = ()
@@ -72,7 +72,7 @@ ROOT = Path(None, (), None, False)
 
 
 def _spelt(s, more=""):
-    """`s` with everything escaped that the parser would take for something else."""
+    """`s` with everything escaped that has a meaning in a path."""
     if s.isalnum() and is_plain(s):  # most are
         return s
     s = printable(s)
@@ -88,10 +88,7 @@ def _spelt_server(server):
 
 
 def parse(text, cwd=None):
-    """Parse what a user typed into a Path. `cwd` is the directory relative paths start from (default: $RTCSH_CWD).
-
-    Raises BadPath for what cannot be a path; never looks at the network.
-    """
+    """The Path that a user typed. `cwd` is where relative paths start (default: $RTCSH_CWD). Raises BadPath."""
     if not text:
         raise errors.BadPath("empty path")
     elements = _elements(text)
@@ -127,19 +124,19 @@ def _working_directory(cwd):
 
 
 def _cut(text, separator):
-    """Split at every `separator` that no backslash protects; the pieces stay escaped."""
+    """Split at every unescaped `separator`; the pieces stay escaped."""
     if "\\" not in text:
         return text.split(separator)
     pieces, start = [], 0
-    for found in re.finditer(r"\\.|.", text, re.DOTALL):
-        if found.group() == separator:
-            pieces.append(text[start:found.start()])
-            start = found.end()
+    for character in re.finditer(r"\\.|.", text, re.DOTALL):
+        if character.group() == separator:
+            pieces.append(text[start:character.start()])
+            start = character.end()
     return pieces + [text[start:]]
 
 
 def _elements(text):
-    """The elements between the slashes, still escaped; the first is empty for an absolute path."""
+    """The elements between the slashes, still escaped; the first one is empty for an absolute path."""
     address = SCHEMES.match(text.lstrip("/"))
     if address:
         server, _, rest = text.lstrip("/").partition("#")
@@ -160,10 +157,10 @@ def _server(element, text):
 
 def split_address(address):
     """(host, TCP port) of `host`, `host:port`, `[v6]`, `[v6]:port`; the port is None where it is not a TCP port."""
-    found = re.match(r"(\[[^\]]*\]|[^:]*)(?::([0-9]{1,5}))?$", address)
-    if not found:
+    parts = re.match(r"(\[[^\]]*\]|[^:]*)(?::([0-9]{1,5}))?$", address)
+    if not parts:
         return address, None
-    host, port = found.group(1), int(found.group(2) or DEFAULT_PORT)
+    host, port = parts.group(1), int(parts.group(2) or DEFAULT_PORT)
     return host, port if 0 < port < 65536 else None
 
 
@@ -177,7 +174,7 @@ def _split_port(element, text):
 
 
 def _name(element, text):
-    """Split at the last dot that no backslash protects."""
+    """Split at the last unescaped dot."""
     if element == "\\e":
         return Name("", "")
     *head, kind = _cut(element, ".")

@@ -9,14 +9,14 @@ from rtshell_lite import errors
 
 # ---- the wire -------------------------------------------------------------------------------------------------
 
-_is_ascii = getattr(str, "isascii", lambda s: all(c < "\x80" for c in s))  # Python 3.6 has none
+_is_ascii = getattr(str, "isascii", lambda s: all(c < "\x80" for c in s))  # missing in Python 3.6
 
 
 def from_wire(s):
     """Turn a string that a peer sent into text.
 
-    Almost every ORB calls its bytes Latin-1 while they are UTF-8. Bytes that are not UTF-8 are kept as surrogate
-    escapes, so that `to_wire` gives back exactly what came. Text beyond Latin-1 was decoded by the ORB already.
+    Almost every ORB declares its UTF-8 bytes to be Latin-1. Bytes that are not UTF-8 become surrogate escapes, which `to_wire`
+    turns back. Text beyond Latin-1 has been decoded by the ORB.
     """
     if _is_ascii(s):
         return s
@@ -39,16 +39,16 @@ def to_wire(s):
 # ---- the terminal ---------------------------------------------------------------------------------------------
 
 MARKS = 4  # combining marks that may follow one another: Vietnamese has 2, Hebrew and Tibetan 3 or 4
-# Characters that draw nothing though Python calls them printable: fillers of Hangul, Braille, music, Khmer and Khitan, what joins
-# marks, and what selects a variant of the character before it.
+# Invisible characters that Python calls printable: fillers of Hangul, Braille, music, Khmer and Khitan, joiners of marks, and
+# variation selectors.
 _BLANK = re.compile("[\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180f\u2800\u3164\ufe00-\ufe0f\uffa0\U00016fe4\U0001d159"
                     "\U000e0000-\U000e0fff]")
 
 
 def printable(s):
-    """Spell `s` so that nothing in it harms a terminal or cannot be seen; `unescaped` reads the spelling back.
+    """`s` with everything escaped that harms a terminal or is invisible; `unescaped` reads it back.
 
-    Escaped are controls, what draws nothing, marks with nothing to stand on, and more than MARKS of them on one character.
+    That is: controls, characters that draw nothing, marks without a base character, and more than MARKS on one character.
     """
     if is_plain(s) and "\\" not in s:
         return s
@@ -56,23 +56,23 @@ def printable(s):
 
 
 def safe(s):
-    """`s` with the same characters escaped, but no backslash: for lines that hold text spelt for the terminal already."""
+    """`s` with the same characters escaped except backslashes: for lines with parts that are printable already."""
     return s if is_plain(s) else "".join(c if plain else _escape(c) for c, plain in judged(s))
 
 
 def is_plain(s):
-    """True where nothing of `s` needs to be escaped but backslashes."""
+    """True where nothing in `s` but backslashes has to be escaped."""
     return s.isprintable() and (_is_ascii(s) or max(s) < "\u0300" or all(plain for _, plain in judged(s)))
 
 
 def judged(s):
     """Each character of `s`, and whether it can be printed as it is."""
     from unicodedata import category
-    marks, base = MARKS, ""  # nothing to stand on, at first
+    marks, base = MARKS, ""  # no base character yet
     for c in s:
         kind = category(c) if c >= "\u0300" else ""
         if c in "\ufe0e\ufe0f" and base and not marks and category(base)[0] == "S":
-            marks, plain = 1, True  # an emoji, or a symbol that is to be none
+            marks, plain = 1, True  # a symbol shown as an emoji, or as text
         elif not c.isprintable() or _BLANK.match(c):
             marks, plain, base = MARKS, False, ""
         elif kind in ("Mn", "Me"):
@@ -82,13 +82,13 @@ def judged(s):
         yield c, plain
 
 
-LONGEST = 1 << 17  # characters of what a command line can hold as one word
+LONGEST = 1 << 17  # characters of a word on a command line, at most
 BEGINNING = 1000  # characters that are shown of a longer text
 
 
 def cut(s):
-    """`s`, or the beginning of one so long that nobody could read or type it, and how much more there is."""
-    return s if len(s) <= LONGEST else "%s… (%d more characters)" % (s[:BEGINNING], len(s) - BEGINNING)
+    """`s`, or the beginning of one that is too long to read or type, and how much is left out."""
+    return s if len(s) <= LONGEST else f"{s[:BEGINNING]}… ({len(s) - BEGINNING} more characters)"
 
 
 def _escape(c):
@@ -104,19 +104,18 @@ _ESCAPE = re.compile(r"\\(?:x([0-9a-fA-F]{2})|u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8}
 
 
 def unescaped(s):
-    """Read back what `printable` wrote; a backslash before punctuation is dropped. Raises ValueError on a bad escape."""
+    """The reverse of `printable`; a backslash before punctuation is dropped. Raises ValueError for a bad escape."""
     return _ESCAPE.sub(_meant, s) if "\\" in s else s
 
 
-def _meant(found):
-    byte, short, long, literal = found.groups()
+def _meant(escape):
+    byte, short, long, literal = escape.groups()
     if literal and not literal.isalnum():
         return literal
-    if literal or not (byte or short or long):
-        raise ValueError("bad escape " + found.group())
-    n = int(byte or short or long, 16)
-    if n > sys.maxunicode:
-        raise ValueError("bad escape " + found.group())
+    digits = byte or short or long
+    if not digits or int(digits, 16) > sys.maxunicode:
+        raise ValueError("bad escape " + escape.group())
+    n = int(digits, 16)
     return chr(n + 0xDC00 if byte and n >= 0x80 else n)
 
 
@@ -124,7 +123,7 @@ _ESCAPES = r"""\\(?:[\\'"abfnrtv\n]|[0-3][0-7]{0,2}|[4-7][0-7]?(?![0-7])|x[0-9a-
 
 
 def literal(word):
-    """The str or bytes that a literal of Python says. Raises ValueError; Python itself lets bad escapes pass with a warning."""
+    """The str or bytes of a Python literal. Raises ValueError, also for bad escapes, of which Python itself only warns."""
     import ast
     prefix = word[:min(word.index(quote) for quote in "'\"" if quote in word)].lower()
     if "r" not in prefix and "\\" in re.sub(_ESCAPES, "", word) or "b" in prefix and re.search(r"\\[uU]", word):
@@ -136,11 +135,11 @@ def literal(word):
 
 
 def shell_word(s):
-    """`s` as one word of a POSIX shell command, printable but for newlines, which the shell itself would drop at an end."""
+    """`s` as one word of a POSIX shell command, printable except newlines, which $(printf) would drop at an end."""
     if re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII):
         return s
     pieces = [(plain, "".join(c for c, _ in piece)) for plain, piece in itertools.groupby(
-        judged(s), lambda each: each[1] or each[0] == "\n")]
+        judged(s), lambda pair: pair[1] or pair[0] == "\n")]
     return "".join(_quoted(piece) if plain else _by_printf(piece) for plain, piece in pieces) or "''"
 
 
@@ -153,7 +152,7 @@ def _by_printf(s):
 
 
 def width():
-    """Columns of the terminal, 80 where there is none (shutil, which is slow to import, is not needed for that)."""
+    """Columns of the terminal, else $COLUMNS, else 80 (shutil, which can say this, is slow to import)."""
     for fd in (1, 2, 0):
         try:
             columns = os.get_terminal_size(fd).columns
@@ -169,7 +168,7 @@ def width():
 
 def cells(s):
     """How many columns of a terminal `s` fills: East Asian wide characters take two, combining ones none."""
-    if "\x1b" in s:  # our own colour: text from elsewhere is escaped before
+    if "\x1b" in s:  # our own colour: other text is escaped
         s = re.sub("\x1b\\[[0-9;]*m", "", s)
     if not s or max(s) < "\u0300":
         return len(s)
@@ -185,7 +184,7 @@ def padded(s, size):
 def columns(words, total, shown=None):
     """Lay `words` out row by row like ls -x: a list of lines no wider than `total`, one word a line at worst.
 
-    `shown`, a list as long as `words`, gives what is printed for each (coloured, say); the widths are those of `words`.
+    `shown` is a list of what is printed for each word (coloured, say); the widths are those of `words`.
     """
     shown = shown or words
     sizes = [cells(w) for w in words]
@@ -220,7 +219,7 @@ def pairs(items, indent=""):
 
 # ---- colour ---------------------------------------------------------------------------------------------------
 
-# States of a component as people write and read them; Unknown is that of a context which does not say.
+# States of a component; Unknown where its context does not say.
 STATES = ("Active", "Inactive", "Error", "Created", "Unknown")
 
 COLOURS = {
@@ -236,7 +235,7 @@ def colour_wanted():
 
 
 def painter():
-    """A function paint(word, role=word) that colours `word` as its role is coloured, or leaves it when not wanted."""
+    """A function paint(word, role=word) that gives `word` the colour of its role, or none where colours are not wanted."""
     if not colour_wanted():
         return lambda word, role=None: word
 
@@ -249,9 +248,9 @@ def painter():
 # ---- JSON -----------------------------------------------------------------------------------------------------
 
 def json_line(value):
-    """One object as one line: ASCII, sorted keys. Undecodable bytes stand as \\udcXX, Python's surrogate escapes.
+    """One object as one line: ASCII, sorted keys. Undecodable bytes are \\udcXX, Python's surrogate escapes.
 
-    A peer may send numbers that JSON has no words for, a rate of NaN say; they become null.
+    NaN and infinities, which a peer may send but JSON lacks, become null.
     """
     import json
     try:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Spoil a module of rtshell_lite in one place after another, and see whether a test fails. What survives is a hole in the tests,
+"""Change a module of rtshell_lite in one place after another, and see whether a test fails. What survives is a hole in the tests,
 or a change that changes nothing.
 
     python3 tests/mutate.py data/statistics.py [--seed N] [--most N] [--tests N]
@@ -32,7 +32,7 @@ DELETED = (ast.Expr, ast.Raise, ast.AugAssign, ast.Break, ast.Continue, ast.Dele
 # ---- what is changed ------------------------------------------------------------------------------------------
 
 class Source:
-    """The text of a module, and where its nodes are in it, in bytes."""
+    """The text of a module, and the positions of its nodes in bytes."""
 
     def __init__(self, data):
         self.data, self.tree = data, ast.parse(data)
@@ -48,7 +48,7 @@ class Source:
         return self.lines[node.end_lineno - 1] + node.end_col_offset
 
     def spoilt(self, start, end, new):
-        """The text with another piece at one place, its lines where they were; None where that means the same, or nothing."""
+        """The text with another piece at one place and the same lines; None where the meaning is the same, or invalid."""
         old = self.data[start:end]
         data = self.data[:start] + new.encode() + b"\\\n" * (old.count(b"\n") - new.count("\n")) + self.data[end:]
         try:
@@ -136,7 +136,7 @@ def _ExceptHandler(source, node):
 
 
 def _Call(source, node):
-    """Arguments dropped: the last of several without a name, and each that has one."""
+    """Arguments to drop: the last of several positional ones, and each keyword argument."""
     before = source.end(node.func)
     for number, argument in enumerate(node.args):
         if number == len(node.args) - 1 > 0:
@@ -183,7 +183,7 @@ def covering(path, most):
 
 
 class Tests:
-    """The tests in a copy of the checkout, where a module can be spoilt."""
+    """The tests in a copy of the checkout, where a module can be changed."""
 
     def __init__(self, copy, python):
         shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(".git", ".venv*", "__pycache__", ".*.tmp"))
@@ -204,7 +204,7 @@ class Tests:
         return "pass" in outcomes and "fail" not in outcomes
 
     def timed(self, names):
-        """Limits in seconds by name, of those that pass; the quickest first."""
+        """{name: limit in seconds} of the tests that pass, the quickest first."""
         seconds = {}
         for name in names:
             begun = time.monotonic()

@@ -1,1 +1,1 @@
-"""What travels over data ports: types, values and their octets; being a data port oneself."""
+"""What travels over data ports: types, values and their bytes; our own ends of such connections."""

@@ -1,7 +1,7 @@
-"""From what a person or a program wrote down to a value of a type, with everything checked: what does not fit is named.
+"""Turns what a person or a program wrote into a value of a type; errors name the part that does not fit.
 
-Written down is: numbers, texts, bytes, True and False, lists, dicts (of JSON), a Call (`RTC.Time(1, 2)`), a Word (an item of an
-enum) and values of the type itself.
+What is written consists of numbers, texts, bytes, True and False, lists, dicts (of JSON), a Call (`RTC.Time(1, 2)`), a Word (an
+item of an enum), and values of the type itself.
 """
 import base64
 import binascii
@@ -20,20 +20,20 @@ Call = collections.namedtuple("Call", "name positional keywords")  # RTC.Time(1,
 Word = collections.namedtuple("Word", "name")  # RTC.GRIPPER_STATE_OPEN
 
 DEEPEST = 100  # values inside values
-NUMBERS = {"NaN": float("nan"), "Infinity": float("inf"), "-Infinity": float("-inf")}  # what JSON has no numbers for
+NUMBERS = {"NaN": float("nan"), "Infinity": float("inf"), "-Infinity": float("-inf")}  # not numbers in JSON
 
 
 def build(descriptor, written, where, json=False, now=None):
     """The value of a type for what was `written`; `where` names it in errors: RTC.TimedLong.
 
-    With `json`, a text for octets is base64, else its UTF-8. `now`, (seconds, nanoseconds), is the time for a timestamp
-    that was left out or is the Word {time}; 0 when None. Raises BadValue.
+    A text for octets is base64 with `json`, else text in UTF-8. `now`, (seconds, nanoseconds), is used for a timestamp that was
+    left out or is the Word {time}; None is 0. Raises BadValue.
     """
     return _Builder(json, now or (0, 0)).build(descriptor, written, where, DEEPEST)
 
 
 def timed(descriptor):
-    """True for a struct of nothing but `tm`, with sec and nsec, and `data`, the standard timed types."""
+    """True for the standard timed types: a struct of `tm`, with sec and nsec, and `data`."""
     return kind(descriptor) == STRUCT and [name for name, _ in members(descriptor)] == ["tm", "data"] and \
         is_time(members(descriptor)[0][1])
 
@@ -142,7 +142,7 @@ class _Builder:
                 len(written), "up to " if kind(descriptor) == SEQUENCE else "", count))
         if isinstance(written, (str, bytes)):
             return written
-        values = [self.build(element(descriptor), each, "%s[%d]" % (where, i), depth - 1) for i, each in enumerate(written)]
+        values = [self.build(element(descriptor), part, f"{where}[{i}]", depth - 1) for i, part in enumerate(written)]
         return bytes(values) if sort == OCTET else "".join(values) if sort == CHAR else values
 
     def _octets(self, written, where):
@@ -174,7 +174,7 @@ class _Builder:
         return factory(descriptor)(*values)
 
     def _given(self, descriptor, written, where):
-        """{member: what was written for it} of a struct; None when it is written in no form of a struct."""
+        """{member: what was written for it} of a struct; None when what was written cannot be a struct."""
         names = [name for name, _ in members(descriptor)]
         if isinstance(written, dict):
             given = dict(written)
@@ -204,7 +204,7 @@ class _Builder:
         return given
 
     def _union(self, descriptor, written, where, depth):
-        made, known = factory(descriptor), cases(descriptor)
+        make, known = factory(descriptor), cases(descriptor)
         if isinstance(written, Call):
             if not fits(written.name, descriptor):
                 raise errors.BadValue(where, f"not {_a(descriptor)}: {printable(written.name)}")
@@ -221,20 +221,20 @@ class _Builder:
             label = next((case.label for case in known if case.member == given[0]), None)
         case = cases_by_label(descriptor).get(label, default_case(descriptor))
         if case is None:
-            return made(label, None)
+            return make(label, None)
         if not given or given[0] not in (case.member, "_v"):
             raise errors.BadValue(where, f"with discriminator {label} it holds {case.member}")
-        return made(label, self.build(case.type, written[given[0]], f"{where}.{case.member}", depth - 1))
+        return make(label, self.build(case.type, written[given[0]], f"{where}.{case.member}", depth - 1))
 
 
 def fits(name, descriptor):
-    """True when a name as written, with or without its modules, can mean this struct or union."""
+    """Whether a name, with or without its modules, can mean this struct or union."""
     parts = [part for part in name.replace("::", ".").split(".") if part]
     return bool(parts) and dotted(type_id(descriptor)).split(".")[-len(parts):] == parts
 
 
 def _member(names, name):
-    """The member that a name means; one that is a word of Python's may be written with _ before it, as in stubs."""
+    """The member that a name means; one that is a keyword of Python may begin with _, as in stubs."""
     if name in names or not isinstance(name, str):
         return name
     return name[1:] if name[:1] == "_" and name[1:] in names else "_" + name if "_" + name in names else name
@@ -250,7 +250,7 @@ def _a(descriptor):
 
 
 def _shown(written):
-    """What was written, cut to what fits into an error line."""
+    """What was written, shortened for an error line."""
     if isinstance(written, (Call, Word)):
         return printable(written.name)
     if isinstance(written, float) and not math.isfinite(written):

@@ -1,8 +1,8 @@
 """CDR, the form in which values travel (CORBA 3.0, 15.3), read and written by descriptors; needs no ORB.
 
-Why not omniORB's own: cdrUnmarshal cannot read a wchar, knows no rest after a value, overflows the stack on a type inside
-itself nested deep enough, and ends the whole process on a descriptor that it does not like. Bytes come from anywhere; here
-they cost no more memory than their length allows. Strings are UTF-8, broken bytes of which stay surrogate escapes.
+omniORB's cdrUnmarshal cannot read a wchar, accepts nothing after a value, overflows the stack on a recursive type that is
+nested deep enough, and ends the process on a descriptor that it does not like. Here, hostile bytes take memory in proportion
+to their number. Strings are UTF-8; invalid bytes become surrogate escapes.
 """
 import struct
 
@@ -16,19 +16,19 @@ NUMBERS = (SHORT, LONG, USHORT, ULONG, FLOAT, DOUBLE, BOOLEAN, LONGLONG, ULONGLO
 
 
 def codec(descriptor, little):
-    """(read, write) for a checked descriptor and a byte order, made once for many values.
+    """(read, write) for a checked descriptor and a byte order, for any number of values.
 
     `read(data, at)` gives (value, where it ends), or raises Fault, struct.error, RecursionError. `write(out, value)` appends
-    to the bytearray `out`, or raises anything for a value of another type: see `build_value.build`, which says what is wrong.
+    to the bytearray `out`, or raises anything for a value of another type; `build_value.build` then says what is wrong.
     """
-    made = _Maker("<" if little else ">")
-    return made.reader(descriptor), made.writer(descriptor)
+    maker = _Maker("<" if little else ">")
+    return maker.reader(descriptor), maker.writer(descriptor)
 
 
 # ---- readers and writers --------------------------------------------------------------------------------------
 
 class _Maker:
-    """Readers and writers of one byte order; a type inside itself finds its own by its identity."""
+    """Makes readers and writers of one byte order; a recursive type finds its own by its identity."""
 
     def __init__(self, order):
         self.order, self.count = order, struct.Struct(order + "I")
@@ -70,14 +70,14 @@ class _Maker:
         return write
 
     def read_struct(self, descriptor):
-        made, readers = factory(descriptor), [self.reader(inner) for _, inner in members(descriptor)]
+        make, readers = factory(descriptor), [self.reader(inner) for _, inner in members(descriptor)]
 
         def read(data, at):
             values = []
             for member in readers:
                 value, at = member(data, at)
                 values.append(value)
-            return made(*values), at
+            return make(*values), at
         return read
 
     def write_struct(self, descriptor):
@@ -90,47 +90,47 @@ class _Maker:
 
     @staticmethod
     def _of_cases(descriptor, make):
-        """What `make` makes of the types of a union's cases: by label, and for other labels (None: nothing)."""
-        other = default_case(descriptor)
-        return {label: make(case.type) for label, case in cases_by_label(descriptor).items()}, other and make(other.type)
+        """make(type) for the cases of a union: a dict by label, and that of the default case or None."""
+        default = default_case(descriptor)
+        return {label: make(case.type) for label, case in cases_by_label(descriptor).items()}, default and make(default.type)
 
     def read_union(self, descriptor):
-        made, switch = factory(descriptor), self.reader(discriminator(descriptor))
-        by_label, other = self._of_cases(descriptor, self.reader)
+        make, switch = factory(descriptor), self.reader(discriminator(descriptor))
+        by_label, default = self._of_cases(descriptor, self.reader)
 
         def read(data, at):
             label, at = switch(data, at)
-            member = by_label.get(label, other)
+            member = by_label.get(label, default)
             if member is None:
-                return made(label, None), at
+                return make(label, None), at
             value, at = member(data, at)
-            return made(label, value), at
+            return make(label, value), at
         return read
 
     def write_union(self, descriptor):
         switch = self.writer(discriminator(descriptor))
-        by_label, other = self._of_cases(descriptor, self.writer)
+        by_label, default = self._of_cases(descriptor, self.writer)
 
         def write(out, value):
             switch(out, value._d)
-            member = by_label.get(value._d, other)
+            member = by_label.get(value._d, default)
             if member:
                 member(out, value._v)
         return write
 
     def _size(self, data, at, most, smallest):
-        """The count at `at`, held against the bytes that are left, and where it ends."""
+        """The count at `at`, compared with the bytes that are left, and where it ends."""
         at += -at & 3
         size, = self.count.unpack_from(data, at)
         if most and size > most:
-            raise Fault("%d elements where %d may be" % (size, most))
+            raise Fault(f"{size} elements where {most} may be")
         if size * smallest > len(data) - at - 4:
-            raise Fault("%d elements are announced, but %d bytes are left" % (size, len(data) - at - 4))
+            raise Fault(f"{size} elements are announced, but {len(data) - at - 4} bytes are left")
         return size, at + 4
 
     def _count(self, out, value, most):
         if most and len(value) > most:
-            raise Fault("%d elements where %d may be" % (len(value), most))
+            raise Fault(f"{len(value)} elements where {most} may be")
         out += b"\0" * (-len(out) & 3) + self.count.pack(len(value))
 
     def read_sequence(self, descriptor):
@@ -182,12 +182,12 @@ class _Maker:
                 at += -at % width if size else 0
                 return list(struct.unpack_from("%s%d%s" % (order, size, code), data, at)), at + size * width
             return numbers
-        one = self.reader(element)
+        read_element = self.reader(element)
 
         def read(data, at, size):
             values = []
             for _ in range(size):
-                value, at = one(data, at)
+                value, at = read_element(data, at)
                 values.append(value)
             return values, at
         return read
@@ -204,11 +204,11 @@ class _Maker:
                 if len(values):
                     out += b"\0" * (-len(out) % width) + struct.pack(f"{order}{len(values)}{code}", *values)
             return numbers
-        one = self.writer(element)
+        write_element = self.writer(element)
 
         def write(out, values):
             for value in values:
-                one(out, value)
+                write_element(out, value)
         return write
 
     def read_string(self, descriptor):
@@ -241,7 +241,7 @@ class _Maker:
             size, at = self._size(data, at, 0, 1)
             text = _utf16(data[at:at + size])
             if most and len(text) > most:
-                raise Fault("%d characters where %d may be" % (len(text), most))
+                raise Fault(f"{len(text)} characters where {most} may be")
             return text, at + size
         return read
 
@@ -250,7 +250,7 @@ class _Maker:
 
         def write(out, value):
             if most and len(value) > most:
-                raise Fault("%d characters where %d may be" % (len(value), most))
+                raise Fault(f"{len(value)} characters where {most} may be")
             if "\0" in value:
                 raise Fault("a NUL in a string")
             units = b"\xff\xfe" + value.encode("utf-16-le", "surrogatepass") if value else b""  # as omniORB does

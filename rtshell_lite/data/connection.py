@@ -1,8 +1,8 @@
-"""One connector of a port of ours, which nobody sees: made, watched and removed (protocol.md 6.6).
+"""Connectors between a port and this process: made, watched and removed.
 
-    with connection.Opened([reader, writer]) as opened: …     several at once, in parallel
+    with connection.Opened([reader, writer]) as opened: …     in parallel
 
-The connector is removed however the `with` statement ends. Commands call cli.unwind_when_ended() before.
+However the `with` statement ends, the connectors are removed. Commands call cli.unwind_when_ended() before it.
 """
 import threading
 import time
@@ -12,27 +12,27 @@ from rtshell_lite.corba import lanes, orb, stubs
 from rtshell_lite.robot import component, connectors, ports
 from rtshell_lite.text import printable, shell_word, to_wire
 
-INTERFACES = ("corba_cdr", "data_service")  # what can be used, the first preferred
-LOOK = 1.0  # seconds between two looks whether a port that sends nothing is still there
-GRACE = 0.2  # seconds, besides the timeout, that an interrupted command waits for connectors that are just being made
+INTERFACES = ("corba_cdr", "data_service")  # usable interface types; the first is preferred
+LOOK = 1.0  # seconds between two looks whether a silent port still exists
+GRACE = 0.2  # seconds beyond the timeout that an interrupted command waits for connectors that are being made
 
 
 class Connection:
-    """A connector of one port. `failure` is None, or the errors.Error that says what is wrong with it now."""
+    """A connector of a port. `failure` is the errors.Error that says what is wrong with it now, or None."""
 
-    kind = side = dataflow = None  # the port's type; the word for its object in properties; push or pull
-    flows = ()  # the data flows that can be used
+    kind = side = dataflow = None  # the port's type; the name of its object in properties; push or pull
+    flows = ()  # usable data flows
 
     def __init__(self, port, name, properties):
         self.port, self.where, self.name = port, ports.label(port), name
         self.endpoint = orb.endpoint(port.ref)
         self.given = dict(properties or {})
         self.connector = self.failure = self.left = None  # left: a connector that could not be removed
-        self.remark = None  # what the user is to know, once, though nothing fails
+        self.remark = None  # a note for the user, printed once
         self.little = True  # the byte order agreed upon
         self.begun = False
         self.settled, self.closing = threading.Event(), threading.Event()
-        self.lock, self.changing = threading.Lock(), threading.Lock()  # the second while the connector is removed or replaced
+        self.lock, self.changing = threading.Lock(), threading.Lock()  # `changing`: the connector is being removed or replaced
         check(self.given, self.flows)
         if port.type != self.kind:
             raise errors.WrongKind(self.where, self.kind, port.type)
@@ -50,7 +50,7 @@ class Connection:
         self.opened.__exit__()
 
     def open(self):
-        """Make the connector; runs in a lane of the port's process. Raises errors.Error."""
+        """Make the connector. Raises errors.Error."""
         self.begun = True
         try:
             if not self.closing.is_set():
@@ -72,7 +72,7 @@ class Connection:
         self.little = _little(self.agreed) or self.always_little()
 
     def asked(self):
-        """The properties to connect with, a dict."""
+        """The dict of properties to connect with."""
         asked = {"dataport.dataflow_type": self.dataflow, "dataport.interface_type": self.interface,
                  "dataport.data_type": self.port.properties.get("dataport.data_type", ""),
                  "dataport.serializer.cdr.endian": "little,big"}
@@ -81,7 +81,7 @@ class Connection:
         return asked
 
     def close(self):
-        """Remove the connector; runs in a lane. What goes wrong is the `failure`, except that the port is gone anyway."""
+        """Remove the connector. Sets `failure` when that fails, unless the port is gone."""
         self.closing.set()
         with self.changing:
             self._close()
@@ -97,64 +97,64 @@ class Connection:
         except (errors.Silent, errors.Refused) as e:
             self.failure = self.failure or e
         except errors.Unreachable:
-            pass  # and its connectors with it
+            pass  # the port is gone, and its connectors with it
         self.release()
 
     def report_left(self):
-        """Print that the connector is still there, if it is, and what removes it."""
+        """Report a connector that could not be removed, and the command that removes it."""
         if self.left:
             cli.complain("%s: connection %s stays, because a call is unanswered and to remove it now could end the component; "
                          "when it answers again: rtdis -i %s %s" % (
                              self.where, printable(self.left.id), shell_word(self.left.id), shell_word(self.where)))
 
     def stop(self):
-        """The end is near: begin what `is_at_rest` waits for."""
+        """Prepare to close: begin what `is_at_rest` waits for."""
 
     def is_at_rest(self):
         """Whether the connector can be removed without harm; may wait until it can."""
         return True
 
     def look(self):
-        """See whether the port is there and has the connector; runs in a lane. Raises errors.Error."""
+        """Check that the port exists and has the connector. Raises errors.Error."""
         connector = self.connector
         if not connector:
             return
         try:
-            found = component.once_more(lambda: orb.call(
+            profile = component.once_more(lambda: orb.call(
                 self.where, self.port.ref, "get_connector_profile", to_wire(connector.id)))
         except (errors.Gone, errors.ConnectionRefused) as e:
             raise self.component_ended(e)
-        if not found.connector_id and not self.closing.is_set():
+        if not profile.connector_id and not self.closing.is_set():
             raise errors.Unreachable(self.where, self.lost())
 
     def component_ended(self, e):
-        """The error for a component that is found to be Gone, or ConnectionRefused."""
+        """The error for a component that was Gone or ConnectionRefused."""
         return errors.Unreachable(self.where, "the component %s" % (
             "has ended" if isinstance(e, errors.Gone) else "is gone, and its process too"))
 
     def lost(self):
-        """The words for a connector that someone else has removed."""
+        """The message for a connector that someone else has removed."""
         return "the connection has been removed"
 
     def due(self):
-        """Whether it is time to look at a connection on which nothing happens."""
+        """Whether it is time for a look()."""
         return False
 
     def wishes(self):
-        """Properties to ask for, besides the usual ones."""
+        """More properties to ask for."""
         return {}
 
     def release(self):
-        """Give up what belongs to the connector."""
+        """Free what belonged to the connector."""
 
     def always_little(self):
-        """Whether the byte order agreed upon is not kept: the values are little-endian all the same."""
+        """Whether values are little-endian whatever was agreed upon."""
         return False
 
     def remote(self, kinds):
-        """The object that the port has published for the connector; `kinds`: the name of its stub class, by interface type.
+        """The object that the port published for the connector; `kinds` names its stub class, by interface type.
 
-        Raises Refused when it has published none.
+        Raises Refused when there is none.
         """
         ior = self.agreed.get(f"dataport.{self.interface}.{self.side}_ior")
         if not ior:
@@ -171,9 +171,9 @@ class Connection:
 
 
 def check(given, flows):
-    """Refuse properties of a connection in which no port of ours can take part, before any component is asked. Raises Usage.
+    """Refuse properties that our end of a connection does not support, before any component is asked. Raises Usage.
 
-    Real ports are offered nothing that is not known to work: some list `duplex` and keep a ghost of a connection for ever.
+    Trying is harmful: some ports list `duplex`, fail to connect, and keep a ghost of the connection for ever.
     """
     for key, usable in (("dataport.dataflow_type", flows), ("dataport.interface_type", INTERFACES)):
         if key in given and given[key].lower() not in usable:
@@ -182,15 +182,15 @@ def check(given, flows):
 
 
 def _little(properties):
-    """The byte order in the properties of a connector: the first usable word decides (protocol.md 7.2)."""
+    """The byte order in the properties of a connector: both ends take the first word that they know."""
     words = [word.strip() for word in properties.get("dataport.serializer.cdr.endian", "").split(",")]
     return next((word == "little" for word in words if word in ("little", "big")), True)
 
 
 class Opened:
-    """Connections, opened and closed together; those that fail spoil no others. A look now and then finds dead ports.
+    """Connections that are opened and closed together; a failure affects no other. Regular looks find dead ports.
 
-    After `__enter__` each has its connector or its `failure`, which `live` leaves out; after `__exit__`, none has one.
+    After `__enter__` each has a connector or a `failure`; after `__exit__` none has a connector.
     """
 
     def __init__(self, connections):
@@ -213,47 +213,48 @@ class Opened:
         try:
             self._close()
         finally:
-            if not self.closed:  # a signal has struck before anything was held
+            if not self.closed:  # a signal came before held()
                 self._close()
 
     def _close(self):
         with interrupts.held():
             self.ended.set()
-            for each in self.connections:
-                each.stop()
+            for connection in self.connections:
+                connection.stop()
             self._in_lanes("close")
             self.closed = True
-            for each in self.connections:
-                each.report_left()
+            for connection in self.connections:
+                connection.report_left()
 
     def live(self):
-        """The connections that may still bring or take something."""
-        return [each for each in self.connections
-                if each.failure is None or each.connector and isinstance(each.failure, errors.Silent)]
+        """The connections that work, or may work again."""
+        return [connection for connection in self.connections if connection.failure is None or
+                connection.connector and isinstance(connection.failure, errors.Silent)]
 
     def _in_lanes(self, step, connections=None):
         connections = self.connections if connections is None else connections
-        results = lanes.each(connections, lambda each: getattr(each, step)())
-        for each, result in zip(connections, results):
-            if step == "look" and each.closing.is_set():
-                continue  # what it was asked is gone by our own doing
+        results = lanes.each(connections, lambda connection: getattr(connection, step)())
+        for connection, result in zip(connections, results):
+            if step == "look" and connection.closing.is_set():
+                continue  # we have removed its connector ourselves
             if isinstance(result, errors.Error):
-                each.failure = each.failure or result
-            elif isinstance(each.failure, errors.Silent) and step == "look":
-                each.failure = None
+                connection.failure = connection.failure or result
+            elif isinstance(connection.failure, errors.Silent) and step == "look":
+                connection.failure = None
 
     def _abandon(self):
-        """Connectors that are just being made are waited for, as long as they may take, and removed."""
+        """Wait for connectors that are being made, at most the timeout, and remove them."""
         self.ended.set()
-        for each in self.connections:
-            each.closing.set()
+        for connection in self.connections:
+            connection.closing.set()
         end = time.monotonic() + lanes.session.timeout + GRACE
-        for each in [each for each in self.connections if each.begun]:
-            each.settled.wait(max(0, end - time.monotonic()))
-        self._in_lanes("close", [each for each in self.connections if each.connector])
-        for each in self.connections:
-            each.report_left()
+        for connection in self.connections:
+            if connection.begun:
+                connection.settled.wait(max(0, end - time.monotonic()))
+        self._in_lanes("close", [connection for connection in self.connections if connection.connector])
+        for connection in self.connections:
+            connection.report_left()
 
     def _watch(self):
         while not self.ended.wait(LOOK):
-            self._in_lanes("look", [each for each in self.live() if each.due()])
+            self._in_lanes("look", [connection for connection in self.live() if connection.due()])

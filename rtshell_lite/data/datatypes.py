@@ -1,6 +1,6 @@
-"""Data types by their names, and the values of each as bytes.
+"""Data types by name, and their values as bytes.
 
-Where a type is looked for: the standard types; what the user names, IDL files and compiled stubs; what the component offers.
+A type is looked up among the standard types, in the IDL files and compiled stubs that the user names, and in the component.
 """
 import importlib
 import json
@@ -12,7 +12,7 @@ from rtshell_lite.corba import descriptors, orb, stubs
 from rtshell_lite.data import cdr, type_json, values
 from rtshell_lite.text import from_wire, printable
 
-STANDARD = ("RTC", "Img")  # the modules of the stubs that come along
+STANDARD = ("RTC", "Img")  # modules of our own stubs
 SOURCES = "name its IDL file (--idl FILE) or compiled stubs (-m MODULE -p DIR)"
 REMEDY = SOURCES + ", or look at the bytes (--raw)"
 
@@ -26,18 +26,18 @@ class Type:
         self._codecs = {}
 
     def _codec(self, little):
-        found = self._codecs.get(bool(little))
-        if found is None:
+        little = bool(little)
+        if little not in self._codecs:
             check(self.descriptor, self.name)
-            found = self._codecs[bool(little)] = cdr.codec(self.descriptor, little)
-        return found
+            self._codecs[little] = cdr.codec(self.descriptor, little)
+        return self._codecs[little]
 
     def decode(self, data, little=True):
-        """The value that the bytes of a data port hold (CDR from byte 0); bytes after it are left. Raises BadData."""
+        """The value that bytes of a data port hold (CDR from byte 0); bytes after it are ignored. Raises BadData."""
         return self.decode_part(data, little)[0]
 
     def decode_part(self, data, little=True):
-        """(value, number of bytes that it takes): what is after it belongs to another type or another version of it."""
+        """(value, number of bytes that it takes). More bytes mean another type, or another version of this one."""
         read, _ = self._codec(little)
         try:
             return read(data, 0)
@@ -45,11 +45,11 @@ class Type:
             raise errors.BadData(self.name, f"the data end too early, after {len(data)} bytes")
         except RecursionError:
             raise errors.BadData(self.name, "values are nested too deep")
-        except ValueError as e:  # cdr.Fault, and what the codecs of Unicode say
+        except ValueError as e:  # cdr.Fault, UnicodeError
             raise errors.BadData(self.name, str(e))
 
     def encode(self, value, little=True):
-        """The bytes of a value, as a data port takes them. Raises BadValue, naming the field that does not fit."""
+        """The bytes of a value for a data port. Raises BadValue, which names the field that does not fit."""
         _, write = self._codec(little)
         out = bytearray()
         try:
@@ -60,7 +60,7 @@ class Type:
         return bytes(out)
 
     def to_bytes(self):
-        """The whole type as bytes, for a file that shall need no IDL; `from_bytes` reads them."""
+        """The type as bytes, for files that are read without IDL; the reverse of `from_bytes`."""
         return json.dumps(type_json.plain(self.descriptor), separators=(",", ":")).encode("ascii")
 
 
@@ -70,20 +70,20 @@ def from_bytes(data):
 
 
 def check(descriptor, name):
-    """Raise BadType for a type of which no value can be read: one with an any or a reference in it."""
+    """Raise BadType for a type whose values cannot be read: one that contains an any or a reference."""
     for where, inner in descriptors.walk(descriptor, name):
         kind = descriptors.kind(inner)
         if kind not in descriptors.VALUES + descriptors.BUILT:
             raise errors.BadType(where, f"values of {descriptors.words(inner)} cannot be read; look at the bytes (--raw)")
 
 
-# ---- looking for them -----------------------------------------------------------------------------------------
+# ---- looking types up -----------------------------------------------------------------------------------------
 
 class Types:
-    """The types that are known: the standard ones, and those that the user named.
+    """The standard types, and those of the user.
 
-    `modules` are names of stubs to import, `path` the directories to look in first, `idl` IDL files, `include` directories
-    of files that these include. Nothing is read before a type is asked for that the standard ones do not have.
+    `modules` are names of stubs to import, `path` directories to look in first, `idl` IDL files, `include` directories of
+    files that these include. They are read when a type is not a standard one.
     """
 
     def __init__(self, modules=(), path=(), idl=(), include=()):
@@ -91,7 +91,7 @@ class Types:
         self._known, self._users = {}, None
 
     def load(self):
-        """Read what the user named, so that its faults show before anything else is done. Raises BadIdl, NoSuch."""
+        """Read the user's files now, so that faults in them are reported first. Raises BadIdl, NoSuch."""
         if self._users is None:
             self._users = {}
             if self.idl:
@@ -110,9 +110,9 @@ class Types:
         return found
 
     def of_port(self, port):
-        """The Type of what flows through a Port: by its name, else as the component itself describes it.
+        """The Type of a data Port: by its name, else as the component itself describes it.
 
-        C++ 1.1 and Java offer a value of the type as the property dataport.data_value (protocol.md 5.1).
+        C++ 1.1 and Java publish a value of the type as the property dataport.data_value.
         Raises NoSuch, BadIdl, BadType, Unreachable.
         """
         name = port.properties.get("dataport.data_type", "")
@@ -143,7 +143,7 @@ def _parts(name):
 
 
 def standard(name):
-    """The descriptor of a standard type by any spelling of its name, None for another."""
+    """The descriptor of a standard type by any spelling of its name, or None."""
     parts = _parts(name)
     if not parts or len(parts) > 2 or len(parts) == 2 and parts[0] not in STANDARD:
         return None
@@ -156,26 +156,26 @@ def standard(name):
 
 
 def _descriptor_of(scope, name):
-    """The descriptor of a type in a module of stubs (or an interface's class): that with its name where it has one."""
-    found = getattr(scope, "_ad_" + name, None) or getattr(scope, "_d_" + name, None)
-    return found if isinstance(found, (tuple, int)) else None
+    """The descriptor of a type in a module of stubs (or an interface's class), or None."""
+    descriptor = getattr(scope, "_ad_" + name, None) or getattr(scope, "_d_" + name, None)
+    return descriptor if isinstance(descriptor, (tuple, int)) else None
 
 
 def _best(known, name):
-    """The descriptor for a name among `known`, {id: descriptor}: that id, or the only one that ends in that name."""
+    """The descriptor for a name among `known`, {id: descriptor}: that of the id, or of the only id that ends with the name."""
     if name in known:
         return known[name]
     parts = _parts(name)
-    found = [key for key in known if parts and _parts(key)[-len(parts):] == parts]
-    same = [key for key in found if _parts(key) == parts]
-    if len(found) > 1 and len(same) != 1:
-        raise errors.NoSuch(printable(name), "data type for certain", "it may be " + " or ".join(map(printable, sorted(found))))
-    return known[(same or found)[0]] if found else None
+    ids = [key for key in known if parts and _parts(key)[-len(parts):] == parts]
+    same = [key for key in ids if _parts(key) == parts]
+    if len(ids) > 1 and len(same) != 1:
+        raise errors.NoSuch(printable(name), "data type for certain", "it may be " + " or ".join(map(printable, sorted(ids))))
+    return known[(same or ids)[0]] if ids else None
 
 
 def _imported(name, path):
     """The module of stubs that the user named. Raises NoSuch when it cannot be imported."""
-    orb.start()  # without omniORB no stub can be
+    orb.start()  # stubs need omniORB
     stubs.lend_standard()
     own, sys.path[:0] = list(sys.path), path
     try:
@@ -204,10 +204,10 @@ def _of_module(module):
 
 
 def _offered(port):
-    """The Type of the value that a component keeps in a port's profile; one more call."""
+    """The Type of the value in a port's profile, or None; one more call."""
     from rtshell_lite.robot import ports
-    found = orb.call(ports.label(port), port.ref, "get_port_profile")
-    for item in found.properties:
+    profile = orb.call(ports.label(port), port.ref, "get_port_profile")
+    for item in profile.properties:
         if from_wire(item.name) == "dataport.data_value":
             descriptor = orb.descriptor_of(item.value)
             return Type(descriptors.adopted(descriptor, orb.descriptor)) if isinstance(descriptor, tuple) else None
@@ -215,7 +215,7 @@ def _offered(port):
 
 
 def members(type_id):
-    """The members of a standard data type (`IDL:RTC/TimedLong:1.0`) as (name, type in words), None for a type not known."""
+    """[(name, type in words)] of the members of a standard type (`IDL:RTC/TimedLong:1.0`), None for an unknown one."""
     descriptor = standard(type_id)
     if descriptor is None or descriptors.kind(descriptor) != descriptors.STRUCT:
         return None
@@ -223,6 +223,6 @@ def members(type_id):
 
 
 def has_fixed_size(port):
-    """True when all values of a data port are of one, small size, as far as its standard type shows."""
+    """Whether all values of a data port have one, small size; False where its type is not a standard one."""
     known = members(port.properties.get("dataport.data_type", "")) or [("", "any")]
     return not any(words.startswith(("sequence", "string", "any")) for _, words in known)

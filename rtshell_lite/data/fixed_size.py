@@ -1,4 +1,4 @@
-"""Types whose values take one size: such a value is read, and written, in one go."""
+"""Types whose values have a fixed size: they are read and written by one call of the module struct."""
 import struct
 
 from rtshell_lite.corba.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT,
@@ -8,15 +8,15 @@ from rtshell_lite.corba.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, 
 CODES = {SHORT: "h", LONG: "i", USHORT: "H", ULONG: "I", FLOAT: "f", DOUBLE: "d", BOOLEAN: "?", CHAR: "c", OCTET: "B",
          LONGLONG: "q", ULONGLONG: "Q", ENUM: "I"}  # of the module struct
 SIZES = {code: struct.calcsize("<" + code) for code in CODES.values()}
-FEW = 64  # members up to which a type of one size is read in one go
+FEW = 64  # leaves, at most, of a type that is read like that
 
 
 class Fault(ValueError):
-    """Bytes that are no value of the type."""
+    """Bytes that are not a value of the type, or the other way round."""
 
 
 def least(descriptor):
-    """The fewest bytes that a value of a type takes; at least 1, so that a count can be held against the bytes left."""
+    """The fewest bytes that a value of a type takes, at least 1: a count is compared with the bytes that are left."""
     descriptor = plain(descriptor)
     sort = kind(descriptor)
     if sort in CODES:
@@ -31,15 +31,15 @@ def least(descriptor):
 
 
 class Fixed:
-    """A type whose values take one size: the codes of its leaves, and how a value is made of and turned into a flat list."""
+    """A type of fixed size: the codes of its leaves, and functions that turn their flat list into a value and back."""
 
     def __init__(self, codes, make, flatten):
         self.codes, self.make, self.flatten = codes, make, flatten  # make(leaves, index) → value; flatten(value) → leaves
 
 
 def fixed(descriptor):
-    """The Fixed form of a type; None when there is none, or it would be long."""
-    descriptor = plain(descriptor)  # one inside itself has no size
+    """The Fixed form of a type; None when its size varies or it has many leaves."""
+    descriptor = plain(descriptor)  # recursive types have no size
     sort = kind(descriptor)
     if sort == ENUM:
         known = items(descriptor)
@@ -53,7 +53,7 @@ def fixed(descriptor):
 
 def _item(known, number):
     if number >= len(known):
-        raise Fault("enum item number %d of %d" % (number, len(known)))
+        raise Fault(f"enum item number {number} of {len(known)}")
     return known[number]
 
 
@@ -98,7 +98,7 @@ def _fixed_array(descriptor):
 
 
 class Forms(dict):
-    """The struct.Struct of a list of codes for each place modulo 8 at which it may begin: padding depends on it."""
+    """The struct.Struct of a list of codes, by the offset modulo 8 at which it begins: padding depends on that."""
 
     def __init__(self, order, codes):
         super().__init__()

@@ -1,4 +1,4 @@
-"""Values that have come and wait to be used: those who bring them never wait, what does not fit is dropped and counted."""
+"""A queue of values that have arrived: adding one never blocks; what does not fit is dropped and counted."""
 import collections
 import threading
 import time
@@ -7,7 +7,7 @@ from rtshell_lite import interrupts
 
 MOST = 100000  # values
 MOST_BYTES = 64 << 20  # robots have little memory
-GATHER = 0.005  # seconds: to be woken for each value costs those who bring them half of their speed
+GATHER = 0.005  # seconds in which more values may come: waking the reader for each one halves the throughput
 
 
 class Inbox:
@@ -36,7 +36,7 @@ class Inbox:
         return lambda message: self.put(key, message)
 
     def get(self, seconds):
-        """All that has come, as a list in that order; waits up to `seconds` for the first one, and GATHER for those after it."""
+        """All values so far, as a list in their order; waits up to `seconds` for the first one, then GATHER for more."""
         if seconds:
             if not self.waiting:
                 self.arrived.wait(seconds)

@@ -1,7 +1,7 @@
 """Values as people write them on a command line: `RTC.TimedLong({time}, 42)` as for rtshell, or JSON. Nothing is evaluated.
 
-rtshell hands such text to Python's eval. Here it is read as names, calls, literals, lists and dicts, by a parser that knows
-nothing else; Python's own parser (ast) reads single literals only, for it may crash on text nested deep enough.
+rtshell passes such text to eval. Here a parser of our own reads names, calls, literals, lists and dicts; Python's parser (ast)
+reads single literals only, for deeply nested text may crash it.
 
     value  = name "(" [argument {"," argument}] ")" | name | literal | "[" … "]" | "(" … ")" | "{" literal ":" value … "}"
     argument = [identifier "="] value
@@ -32,10 +32,10 @@ _CALL = r"\s*[A-Za-z_][\w.:]*\s*\("
 
 
 class Expression:
-    """A value that a user wrote down, for one type; `value(now)` makes it as often as it is needed.
+    """A value that a user wrote, for a type; `value(now)` makes it.
 
     `text` is the constructor form or JSON. `types` are the Types that names are looked up in; `type` is the Type that is
-    wanted, None to take the one that the text names. All faults show here: BadValue, NoSuch.
+    wanted, None for the one that the text names. Raises BadValue, NoSuch.
     """
 
     def __init__(self, text, types, type=None):
@@ -51,14 +51,14 @@ class Expression:
         self.value(0)
 
     def value(self, now=None):
-        """A fresh value; `now`, in seconds since the epoch, is what {time} and a time left out become (now when None)."""
+        """A new value; `now`, seconds since the epoch, replaces {time} and a time that was left out (None: the present)."""
         now = time.time() if now is None else now
         stamp = (int(now), int(now % 1 * 1e9))
         return build_value.build(self.type.descriptor, self.written, self.type.name, self.json, stamp)
 
 
 def parse(text):
-    """What a text says, for `build_value.build`, and whether it is JSON. Raises BadValue."""
+    """(what a text says, for `build_value.build`; whether it is JSON). Raises BadValue."""
     if not re.match(_CALL, text, re.ASCII):
         try:
             return json.loads(text, parse_constant=lambda word: build_value.NUMBERS[word], parse_int=_whole), True
@@ -66,9 +66,9 @@ def parse(text):
             if text.lstrip()[:1] == "{" and not text.lstrip().startswith("{time}"):
                 raise errors.BadValue(_short(text), f"not JSON ({_fault_of(text)})")
     parser = _Parser(text)
-    found = parser.value(DEEPEST)
+    written = parser.value(DEEPEST)
     parser.take("end")
-    return found, False
+    return written, False
 
 
 def _whole(word):
@@ -97,18 +97,18 @@ class _Parser:
         self.advance()
 
     def advance(self):
-        """Go to the next token: its kind, its word, and where it starts."""
-        found = self.match(self.text, self.at)
-        if found is None:
+        """Go to the next token: set its kind, its word, and where it starts."""
+        token = self.match(self.text, self.at)
+        if token is None:
             self.kind, self.word = "error", ""
             self.start = self.at + len(self.text[self.at:]) - len(self.text[self.at:].lstrip())
             raise self.fault("cannot be read")
-        self.kind, self.word = found.lastgroup, found.group(found.lastgroup)
-        self.start, self.at = found.start(found.lastgroup), found.end()
+        self.kind, self.word = token.lastgroup, token.group(token.lastgroup)
+        self.start, self.at = token.start(token.lastgroup), token.end()
 
     def fault(self, why):
         there = _short(self.text[self.start:self.start + 20]) if self.text[self.start:].strip() else "the end"
-        return errors.BadValue(_short(self.text), "column %d: %s: %s" % (self.start + 1, why, there))
+        return errors.BadValue(_short(self.text), f"column {self.start + 1}: {why}: {there}")
 
     def is_mark(self, *marks):
         return self.kind == "mark" and self.word in marks
@@ -127,12 +127,12 @@ class _Parser:
         if kind == "name":
             return self.named(depth)
         if kind in ("number", "string", "time"):
-            found = TIME if kind == "time" else self.number() if kind == "number" else self.string()
+            value = TIME if kind == "time" else self.number() if kind == "number" else self.string()
             self.advance()
-            while kind == "string" and self.kind == "string" and isinstance(found, type(self.string())):  # "a" "b"
-                found += self.string()
+            while kind == "string" and self.kind == "string" and isinstance(value, type(self.string())):  # "a" "b"
+                value += self.string()
                 self.advance()
-            return found
+            return value
         if self.is_mark("[", "("):
             self.advance()
             return self.listed("]" if word == "[" else ")", depth)
@@ -176,7 +176,7 @@ class _Parser:
                     raise self.fault(f"{word} is given twice")
                 keywords[word] = self.value(depth - 1)
             elif keywords:
-                raise self.fault("a value without a name behind one with a name")
+                raise self.fault("a value without a name after one with a name")
             else:
                 positional.append(self.value(depth - 1))
             if not self.is_mark(")"):
@@ -185,16 +185,16 @@ class _Parser:
         return Call(name, positional, keywords)
 
     def listed(self, end, depth):
-        found = []
+        values = []
         while not self.is_mark(end):
-            found.append(self.value(depth - 1))
+            values.append(self.value(depth - 1))
             if not self.is_mark(end):
                 self.take(",")
         self.advance()
-        return found
+        return values
 
     def mapping(self, end, depth):
-        found = {}
+        members = {}
         self.advance()
         while not self.is_mark(end):
             if self.kind != "string":
@@ -202,8 +202,8 @@ class _Parser:
             name = self.string()
             self.advance()
             self.take(":")
-            found[name] = self.value(depth - 1)
+            members[name] = self.value(depth - 1)
             if not self.is_mark(end):
                 self.take(",")
         self.advance()
-        return found
+        return members

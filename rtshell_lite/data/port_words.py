@@ -6,14 +6,14 @@ from rtshell_lite import errors, path as paths
 from rtshell_lite.robot import ports, tree
 from rtshell_lite.text import printable
 
-# `path` as parsed, NAME included in its port; `name` None where no NAME can be; `label` says which port it is, printable.
+# A port as typed: NAME is still part of the port in `path`; `label` is printable.
 Target = collections.namedtuple("Target", "path formatter label")
-# `name` is the NAME given, or None.
+# The Port, and the NAME given or None.
 Found = collections.namedtuple("Found", "port name formatter label")
 
 
 def parse(words, formatters=False):
-    """What the user typed as a list of Target, before anything is contacted. Raises Usage, BadPath."""
+    """A list of Target for what the user typed; nothing is contacted. Raises Usage, BadPath."""
     targets = []
     for word in words:
         formatter = re.search(r"(?<!\\)#([\w.]+)\Z", word) if formatters else None
@@ -26,21 +26,20 @@ def parse(words, formatters=False):
 
 
 def find(targets):
-    """A Found for each Target, in parallel; an errors.Error in the place of what failed.
+    """A Found, or an errors.Error, for each Target, in parallel.
 
-    A port may have a dot in its name, and NAME follows a dot: the longer port name is tried first.
+    A port's name may contain a dot, and NAME follows a dot: the longer port name is tried first.
     """
     listed = tree.on_components([target.path.object() for target in targets], ports.ports)
-    return [there if isinstance(there, errors.Error) else _named(target, there) for target, there in zip(targets, listed)]
+    return [known if isinstance(known, errors.Error) else _named(target, known) for target, known in zip(targets, listed)]
 
 
-def _named(target, there):
-    found = ports.named(target.path, there)
-    name = None
-    if isinstance(found, errors.Error):
+def _named(target, known):
+    port, name = ports.named(target.path, known), None
+    if isinstance(port, errors.Error):
         shorter, dot, rest = target.path.port.rpartition(".")
         if dot and re.match(r"\w+\Z", rest):
-            found, name = ports.named(target.path.with_port(shorter), there), rest
-    if isinstance(found, errors.Error):
-        return ports.named(target.path, there)
-    return Found(found, name, target.formatter, name or target.label)
+            port, name = ports.named(target.path.with_port(shorter), known), rest
+    if isinstance(port, errors.Error):
+        return ports.named(target.path, known)
+    return Found(port, name, target.formatter, name or target.label)

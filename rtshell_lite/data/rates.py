@@ -1,14 +1,14 @@
-"""The rate at which a component is really executed."""
+"""The rate at which a component is executed in fact."""
 from rtshell_lite.data import reading
 from rtshell_lite.robot import component, ports
 from rtshell_lite.text import printable
 
 
 def measured(node, seconds):
-    """What can be observed of the rate at which a component is executed: (Hz, how), the former None where nothing can.
+    """(Hz, how it was measured) of a component's execution; (None, why) where it cannot be measured.
 
-    Nobody outside sees the cycles of a context; but a component that writes to an out port in each shows them. The values
-    are fetched through a connector of our own, which only queues them, and which is removed again.
+    The cycles of a context are not visible; but a component that writes to an out port in each cycle shows them. The values
+    are fetched through a pull connector, which is removed again.
     """
     if component.state(node) != "Active":
         return None, "the component is not Active"

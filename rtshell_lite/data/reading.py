@@ -1,8 +1,8 @@
 """Data from out ports of components, pushed to us or fetched by us.
 
-    with reading.Reader(port, deliver) as reader: …       `deliver(Message)` for each value, from a thread of the ORB
+    with reading.Reader(port, deliver) as reader: …       calls deliver(Message) for each value, on a thread of the ORB
 
-writing.py goes the other way.
+writing.py sends to in ports.
 """
 import collections
 import sys
@@ -14,26 +14,25 @@ from rtshell_lite.corba import lanes, orb
 from rtshell_lite.data.connection import GRACE, Connection
 from rtshell_lite.robot import component, connectors, ports
 
-# One value: when it came, in nanoseconds since 1970; CDR bytes without any header (protocol.md 7.1); their byte order.
+# One value: its arrival, in nanoseconds since 1970; its CDR bytes without a header; their byte order.
 Message = collections.namedtuple("Message", "received data little")
 
-QUEUE = 4096  # values the port may queue between two looks while writes are counted
-BUFFER, BUFFER_BYTES = 256, 16 << 20  # what the port may queue for a reader that pauses: values, and their bytes
-POLL = 0.02  # seconds between two looks at a queue
-FEWEST = 4  # values, however large
-ANSWERED = 0.05  # seconds after which a fetch that has been answered is over for the component, too
-QUIET = 0.1  # seconds that the last value is waited for, and in which a new connector is no longer new
-HANDED_OVER = 0.002  # seconds after which a component is done with the value that it has just pushed
-SWITCH = 0.0005  # seconds that a component may have to wait for Python's lock; with Python's own 0.005, 290 MB/s came, not 430
+QUEUE = 4096  # values that the port may queue while writes are counted
+BUFFER, BUFFER_BYTES = 256, 16 << 20  # values, and their bytes, that the port may queue for a slow reader
+FEWEST = 4  # values that it may queue however large they are
+POLL = 0.02  # seconds between two fetches from an empty queue
+ANSWERED = 0.05  # seconds from the answer to a fetch until the component has left the connector
+QUIET = 0.1  # seconds to wait for a last value; after them a connector is no longer new
+HANDED_OVER = 0.002  # seconds from the arrival of a value until the component has left the connector
+SWITCH = 0.0005  # seconds between switches of Python's threads; with the default, 0.005, 290 MB/s arrived, not 430
 
 
 class Reader(Connection):
-    """A connector from a DataOutPort that calls deliver(Message) for each value, from a thread of its own.
+    """A connector from a DataOutPort that calls deliver(Message) for each value, on a thread of its own.
 
-    dataflow: "push" (the component calls us), "pull" (we ask, POLL seconds apart when there was nothing; for peers that
-    cannot reach us), None for push where the port offers it. subscription, of push: new, flush or periodic; None takes new,
-    in which values wait in the port's buffer and no slow reader delays the component. `properties`, a dict, goes into the
-    connector and wins. `name` is the connector's.
+    dataflow: "push" (the component calls us), "pull" (we fetch, for components that cannot reach us), None for push where the
+    port offers it. subscription, of push: new, flush or periodic; None is new, which lets no slow reader delay the component.
+    `properties` is a dict of the connector's properties, which override ours; `name` is the connector's name.
     """
 
     kind, side, flows = "DataOutPort", "outport", ("push", "pull")
@@ -44,13 +43,13 @@ class Reader(Connection):
         offer = ports.offer_without(port, "dataport.dataflow_type", "push")
         self.dataflow = self.given.get("dataport.dataflow_type", "").lower() or dataflow or ("pull" if offer else "push")
         self.subscription = subscription
-        self.room, self.heaviest = BUFFER, 0  # values that the port may queue; bytes of the largest so far
-        self.idle, self.answered = threading.Event(), 0.0  # set when no fetch is under way; when the last one ended
+        self.room, self.heaviest = BUFFER, 0  # values that the port may queue; bytes of the largest one so far
+        self.idle, self.answered = threading.Event(), 0.0  # no fetch is under way; when the last one ended
         self.idle.set()
-        self.ended, self.came = threading.Event(), threading.Event()  # no more values are wanted; one has come since
+        self.ended, self.came = threading.Event(), threading.Event()  # no more values are wanted; one came all the same
         self.count = self.seen = 0  # values so far, and at the last look
         self.served = None
-        self.early = []  # values that come before the byte order is known for certain
+        self.early = []  # values that came before the byte order was known
 
     def wishes(self):
         common = {"dataport.buffer.length": str(self.room)}
@@ -76,7 +75,7 @@ class Reader(Connection):
             self.early = None
         if self.dataflow == "pull":
             get = fetcher(self)
-            self.idle.clear()  # only now: who cannot fetch has nothing to wait for
+            self.idle.clear()
             lanes.start(self._poll, get, self.ended)
 
     def _take(self, received, data):
@@ -103,7 +102,7 @@ class Reader(Connection):
             self.idle.set()
 
     def _fetch(self, get, ended):
-        """Fetch one value, or wait a moment where there is none. Raises errors.Error where there will be none any more."""
+        """Fetch a value, or wait POLL seconds when there is none. Raises errors.Error when there will be no more."""
         try:
             data = get()
         except errors.Silent as e:
@@ -121,12 +120,12 @@ class Reader(Connection):
             self.ended.set()
 
     def is_at_rest(self):
-        """Wait for a moment in which the component does nothing with the connector; False where there is none.
+        """Wait until the component is not using the connector; False if it goes on using it.
 
-        A C++ component ends when a connector is removed while it serves a fetch: the last answer is waited for. It may also end
-        when it is just pushing a value. Of C++ 2.1 at 100 Hz, 17 of 2,100 removals soon after the connection ended the process,
-        1 of 600 later ones, and none of 6,000 right after a value had come: so a value is waited for, too. Of many ports a few
-        are closed at a time: those that send nothing are waited for together, and a value that came meanwhile is too old.
+        Removing a connector ends a C++ component that is serving a fetch through it: so wait for the last answer. It may also end
+        one that is pushing a value: with C++ 2.1 at 100 Hz, 17 of 2,100 removals soon after connecting ended the process, 1 of 600
+        later ones, and none of 6,000 right after a value had come: so wait for a value, too. Ports are closed a few at a time: all
+        share the wait since stop(), and a value that came before this call is too old.
         """
         self.stop()
         if self.dataflow == "push":
@@ -152,11 +151,11 @@ class Reader(Connection):
         super().look()
 
     def _is_too_heavy(self):
-        """Whether so many values as the port may queue would take too much of the component's memory."""
+        """Whether a full queue of the largest values would take too much of the component's memory."""
         return self.heaviest * self.room > BUFFER_BYTES and self.failure is None and "dataport.buffer.length" not in self.given
 
     def _reopen(self):
-        """Take a connector with a shorter buffer: how large values are is known only when they have come."""
+        """Replace the connector by one with a shorter buffer, now that the size of values is known."""
         with self.changing:
             if self.closing.is_set():
                 return
@@ -176,13 +175,13 @@ class Reader(Connection):
         return super().lost()
 
     def release(self):
-        with self.lock:  # who opens and who closes may both do it
+        with self.lock:  # opening and closing may call this at the same time
             served, self.served = self.served, None
         if served:
             served.withdraw()
 
     def always_little(self):
-        """C++ from 1.2 on, and RtORB, push little-endian whatever was agreed upon (protocol.md 7.2 and 19)."""
+        """C++ from 1.2 on, and RtORB, push little-endian whatever was agreed upon."""
         if self.dataflow == "pull":
             return False
         properties = dict(component.profile(self.port.node).properties)
@@ -191,7 +190,7 @@ class Reader(Connection):
 
 
 def fetcher(reader):
-    """A function that fetches the oldest value of a pull connection as bytes, None when there is none now."""
+    """A function that fetches the oldest value of a pull connection as bytes, or None."""
     source = reader.remote({"corba_cdr": "dataport.OpenRTM.OutPortCdr", "data_service": "dataport.RTC.DataPullService"})
     operation = "get" if reader.interface == "corba_cdr" else "pull"
 
@@ -201,7 +200,7 @@ def fetcher(reader):
         except errors.Gone:
             raise errors.Unreachable(reader.where, reader.lost())
         except errors.Refused as e:
-            if e.name == "BAD_PARAM":  # what Python components answer when nothing was written
+            if e.name == "BAD_PARAM":  # Python components answer this before the first value
                 return None
             raise
         if str(status) in ("UNKNOWN_ERROR", "PORT_ERROR"):
@@ -211,9 +210,9 @@ def fetcher(reader):
 
 
 def count_writes(port, seconds):
-    """How many values a DataOutPort is given within `seconds`: (count, seconds between the first and the last look)."""
+    """(number of values that a component writes to a DataOutPort, in how many seconds), measured for about `seconds`."""
     with Reader(port, lambda message: None, "pull", properties={"dataport.buffer.length": str(QUEUE)}) as reader:
-        time.sleep(2 * POLL)  # values from before may be there
+        time.sleep(2 * POLL)  # fetch older values first
         before, start = reader.count, time.monotonic()
         time.sleep(seconds)
         if reader.failure:

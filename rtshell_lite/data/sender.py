@@ -1,4 +1,4 @@
-"""Sending values to in ports at a rate: where they come from, when each is due, and what becomes of it."""
+"""Sending values to in ports at a rate."""
 import math
 import queue
 import select
@@ -10,27 +10,27 @@ from rtshell_lite import errors, interrupts
 from rtshell_lite.corba import lanes
 from rtshell_lite.data import values, writing
 
-TICK = 0.2  # seconds between two looks at what is not a value
-LATE = 1.0  # seconds that may be caught up; what is later than that stays late
-HURRY = 2  # how many times the rate values may come then: no burst follows a hiccup
+TICK = 0.2  # seconds between two calls of look()
+LATE = 1.0  # seconds of delay that are caught up at most
+HURRY = 2  # times the rate, at most, while catching up: no bursts
 
 
 class Constant:
-    """One value again and again."""
+    """The same value, repeated."""
 
     def __init__(self, text):
         self.text = text
 
     def next(self, seconds):
-        """(text of a value, where it is)"""
+        """(text of a value, None)"""
         return self.text, None
 
     def close(self):
-        """Nothing is open."""
+        """Do nothing."""
 
 
 class Lines:
-    """The values on stdin. A line is read when it is asked for, by a thread, so that a clock can be kept meanwhile."""
+    """The values on stdin. A thread reads a line when one is asked for, so that others can wait with a time limit."""
 
     def __init__(self):
         if sys.stdin is None:
@@ -40,17 +40,17 @@ class Lines:
         lanes.start(self._read)
 
     def next(self, seconds):
-        """The next (text, where it is); None when none has come within `seconds`. Raises EOFError, OSError."""
+        """(text of the next value, its line); None when none has come within `seconds`. Raises EOFError, OSError."""
         if not self.waiting:
             self.waiting = True
             self.asked.put(True)
-        found = self.read.get(seconds)
-        if found is None:
+        result = self.read.get(seconds)
+        if result is None:
             return None
         self.waiting = False
-        if isinstance(found, Exception):
-            raise found
-        return found
+        if isinstance(result, Exception):
+            raise result
+        return result
 
     def _read(self):
         while self.asked.get():
@@ -60,7 +60,7 @@ class Lines:
                 self.read.put(e)
 
     def close(self):
-        """Read no more: what is typed from now on is for the prompt of rtsh."""
+        """Stop reading: what is typed from now on is for the prompt of rtsh."""
         self.closed.set()
 
     def _line(self):
@@ -91,17 +91,17 @@ class Injection:
         if where is None and text in self._ready:
             return self._ready[text]
         try:
-            found = [values.Expression(text, self.types, kind) for kind in self.kinds]
+            expressions = [values.Expression(text, self.types, kind) for kind in self.kinds]
         except errors.BadValue as e:
             if where is None:
                 raise
             raise errors.BadValue(f"{where}: {e.where}", e.why)
         if where is None:
-            self._ready[text] = found
-        return found
+            self._ready[text] = expressions
+        return expressions
 
     def expect(self, number, rate, seconds):
-        """Have the Writers ask for buffers that hold what is to be sent: `number` values (-1: any), `rate` Hz, for `seconds`."""
+        """Make the Writers ask for buffers that hold `number` values (-1: any), sent at `rate` Hz for `seconds`."""
         coming = min(seconds, writing.BURST) * rate if rate < math.inf else writing.ROOM
         for i, writer in enumerate(self.writers):
             known = [found[i] for found in self._ready.values()]
@@ -132,19 +132,19 @@ class Injection:
             due = max(due, now - LATE)
 
     def live(self):
-        """(Writer, its place) of those that can be sent to; silent ones, which hold up all, where there are no others."""
-        found = [(writer, i) for i, writer in enumerate(self.writers) if writer.failure is None]
-        return found or [(writer, i) for i, writer in enumerate(self.writers)
-                         if writer.connector and isinstance(writer.failure, errors.Silent)]
+        """[(Writer, its index)] to send to: those without a failure, else silent ones, which would delay the others."""
+        healthy = [(writer, i) for i, writer in enumerate(self.writers) if writer.failure is None]
+        return healthy or [(writer, i) for i, writer in enumerate(self.writers)
+                           if writer.connector and isinstance(writer.failure, errors.Silent)]
 
     def _next(self, source, end, look):
         while time.monotonic() < end:
             try:
-                found = source.next(max(0, min(TICK, end - time.monotonic())))
+                value = source.next(max(0, min(TICK, end - time.monotonic())))
             except EOFError:
                 return None
-            if found:
-                return found
+            if value:
+                return value
             look()
         return None
 
@@ -158,7 +158,7 @@ class Injection:
                 look()
 
     def _send(self, expressions):
-        """Send one value to all ports, with one time; returns the errors."""
+        """Send a value to all ports, with the same time; returns the errors."""
         now = time.time()
         self.ended = time.monotonic()
         self.begun = self.begun or self.ended

@@ -1,15 +1,15 @@
-"""How values flow over a port: their rate, the gaps between them, bytes, and what their own timestamps say."""
+"""Statistics of the values of a port: rate, gaps, bytes, and what their timestamps say."""
 import collections
 import math
 import time
 
-LONG, SHORT = 1.5, 0.5  # gaps between timestamps: in so many times the usual one cycles are absent, or the next come close after
-PAUSE, PAUSE_LEAST = 20, 10**9  # a gap of so many usual ones, and of 1 s at least, is a pause, from which all begins anew
-FIRST = 10  # gaps that show what is usual
+LONG, SHORT = 1.5, 0.5  # times the usual gap between timestamps: in a longer one cycles are absent, a shorter one makes up for one
+PAUSE, PAUSE_LEAST = 20, 10**9  # a gap of so many usual ones, and of at least 1 s, is a pause; the usual gap is then found anew
+FIRST = 10  # gaps from which the usual one is found
 
 
 class Spread:
-    """Least, mean, greatest and standard deviation of numbers, without keeping them."""
+    """Minimum, mean, maximum and standard deviation of numbers, which are not kept."""
 
     def __init__(self):
         self.count = 0
@@ -17,7 +17,7 @@ class Spread:
         self._squares = 0.0
 
     def add(self, number):
-        """Welford's method: no cancellation however many there are."""
+        """Welford's method, which avoids cancellation."""
         self.count += 1
         if self.count == 1:
             self.least = self.mean = self.most = number
@@ -32,7 +32,7 @@ class Spread:
 
 
 class Stretch:
-    """What happened within a stretch of time."""
+    """The figures of a stretch of time."""
 
     def __init__(self):
         self.count = self.bytes = self.absent = self.disordered = self.repeated = 0
@@ -44,11 +44,11 @@ class Stretch:
         rate        values a second, from the gaps between them
         gap_…       seconds between two values; jitter is the standard deviation
         age_…       seconds from a value's own timestamp to its arrival (negative where clocks differ)
-        missing     values known to be lost: those dropped here. Timestamps do not show it: a gap between two of them is
-                    the same whether the source overslept or values were lost on the way
-        absent      cycles that did not come: so many values would fill the long gaps between timestamps, less those that
-                    came close after; for ports that send at regular intervals
-        disordered  values with a timestamp before that of the value before; repeated: with the same
+        missing     values known to be lost: those dropped here. Timestamps cannot show losses: a source that overslept
+                    leaves the same gap
+        absent      values that would fill the long gaps between timestamps, less those that came close after; for ports
+                    that send at regular intervals
+        disordered  values with an earlier timestamp than the value before; repeated: with the same one
         """
         gaps, ages = self.gaps, self.ages
         return {"seconds": seconds, "values": self.count, "bytes": self.bytes,
@@ -67,22 +67,22 @@ class Flow:
     def __init__(self):
         self.total, self.recent = Stretch(), Stretch()
         self.last = self.stamp = None  # the last arrival and the last timestamp, ns
-        self.stamps = self.since = 0  # gaps between timestamps since a pause, and all of them together
+        self.stamps = self.since = 0  # number and sum of the gaps between timestamps since a pause
 
     def add(self, received, size, stamp):
-        """Count a value of `size` bytes that came at `received`, with its own timestamp or None; both in ns since 1970."""
+        """Count a value of `size` bytes that came at `received` with a timestamp or None; both in ns since 1970."""
         if self.last is not None:
             self._both("gaps", (received - self.last) / 1e9)
         self.last = received
         for stretch in (self.total, self.recent):
             stretch.count += 1
             stretch.bytes += size
-        if stamp:  # 0, in values of components that do not stamp them, is no time
+        if stamp:  # 0 in values of components that set no timestamps
             self._both("ages", (received - stamp) / 1e9)
             self._order(stamp)
 
     def look(self):
-        """The Stretch since the last look; begins a new one."""
+        """The Stretch since the last look."""
         recent, self.recent = self.recent, Stretch()
         return recent
 
@@ -100,7 +100,7 @@ class Flow:
             self._gap(gap)
 
     def _gap(self, gap):
-        usual = self.since / self.stamps if self.stamps else gap  # the mean since the last pause: no hiccup sways that
+        usual = self.since / self.stamps if self.stamps else gap
         if gap > max(PAUSE * usual, PAUSE_LEAST):
             self.stamps = self.since = 0
             return
@@ -118,15 +118,15 @@ class Flow:
 
 # ---- the rate of the last seconds -----------------------------------------------------------------------------
 
-WINDOW = 2.0  # seconds over which a rate is taken
-LEAST = 0.2  # seconds below which there is none
+WINDOW = 2.0  # seconds over which a rate is measured
+LEAST = 0.2  # seconds after which there is a first rate
 
 # Values and bytes a second, None while not known; `path` is the port's, `failure` an errors.Error or None.
 Rate = collections.namedtuple("Rate", "path values bytes failure")
 
 
 class Meter:
-    """Counts the values of the port at a path; `take` is what its reading.Reader, the `reader`, delivers to."""
+    """Counts the values of the port at a path; `reader` is a reading.Reader that delivers to `take`."""
 
     def __init__(self, path, failure=None):
         self.path, self.failure = path, failure

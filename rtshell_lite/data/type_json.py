@@ -1,10 +1,10 @@
-"""A data type as JSON, for log files: read without any IDL or ORB, and nothing in it is believed unchecked.
+"""A data type as JSON, for log files: read without IDL or ORB, and checked, for files may be hostile.
 
     "long"  "string"  ["string", bound]  ["sequence", type, bound]  ["array", type, length]  ["alias", id, name, type]
     ["struct", id, name, [[member, type], …]]  ["enum", id, name, [item, …]]
     ["union", id, name, type, index of the default or -1, [[label, member, type], …]]   an enum's label is its item's number
     ["object", id, name]  ["fixed", digits, scale]   of which no values are read
-    ["see", id]  a struct, union or enum that came before or is around
+    ["see", id]  a struct, union or enum that came before or encloses this
 """
 import json
 
@@ -13,7 +13,7 @@ from rtshell_lite.corba import descriptors
 from rtshell_lite.corba.descriptors import (ALIAS, ARRAY, ENUM, FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING,
                                             kind)
 
-LARGEST = 1 << 20  # bytes of a type
+LARGEST = 1 << 20  # bytes of the JSON
 _KINDS = {words: kind for kind, words in descriptors.NAMES.items()}
 
 
@@ -48,9 +48,9 @@ def plain(descriptor, seen=None):
 
 
 def descriptor(data):
-    """The descriptor for the JSON bytes of `plain`'s answer. Raises BadType."""
+    """The descriptor for the JSON of what `plain` returned, as bytes. Raises BadType."""
     if len(data) > LARGEST:
-        raise errors.BadType(f"a type of {len(data)} bytes", "is too large")
+        raise errors.BadType(f"a type of {len(data)} bytes", "too large")
     try:
         return descriptors.adopted(_raw(json.loads(data.decode("ascii")), {}))
     except errors.BadType as e:
@@ -60,9 +60,9 @@ def descriptor(data):
 
 
 def _raw(part, known):
-    """A descriptor in which no more than the sorts of its parts is checked; complete structs, unions and enums go into `known`.
+    """A descriptor, of which only the kinds of parts are checked. `known` collects complete structs, unions and enums.
 
-    What is seen within itself stays an indirection, which names it.
+    A type within itself becomes an indirection by its id.
     """
     if isinstance(part, str):
         return _KINDS[part]
@@ -104,7 +104,7 @@ def _union(known, identifier, name, discriminator, default, cases):
 
 
 def _fixed(known, digits, scale):
-    if not all(isinstance(each, int) for each in (digits, scale)):
+    if not isinstance(digits, int) or not isinstance(scale, int):
         raise ValueError("not a number")
     return (FIXED, digits, scale)
 

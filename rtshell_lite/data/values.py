@@ -1,7 +1,7 @@
-"""Values of data types: as text, as JSON, as columns; one field of them; their time; and how a person writes one down.
+"""Values of data types: as text, as JSON, as columns; their fields and timestamps; and how a person writes one.
 
-A value is what stubs make: structs have attributes, unions _d and _v, items of enums _n and _v; sequences are lists, those of
-octets bytes and those of characters text.
+A value is what stubs make: structs have attributes, unions _d and _v, items of enums _n and _v; sequences are lists, or bytes
+(of octets) or text (of characters).
 """
 import base64
 import math
@@ -20,7 +20,7 @@ SCALARS = ((1, "B", "octet"), (2, "h", "short"), (4, "i", "long"), (4, "f", "flo
 SHOWN = 64  # characters of a guessed string
 
 
-# ---- what a value is ------------------------------------------------------------------------------------------
+# ---- parts of a value -----------------------------------------------------------------------------------------
 
 def _sort(value):
     if isinstance(value, (str, int, float, bytes)) or value is None:
@@ -32,13 +32,12 @@ def _sort(value):
 
 
 def _case(union):
-    """The name of the member that a union holds, None when it holds none."""
-    found = getattr(type(union), "_d_to_m", {}).get(union._d)
-    return found or getattr(type(union), "_def_m", None)
+    """The name of the member that a union holds, or None."""
+    return getattr(type(union), "_d_to_m", {}).get(union._d) or getattr(type(union), "_def_m", None)
 
 
 def timestamp(value):
-    """(seconds, nanoseconds) that a value says it is from, its member `tm`; None when it has none."""
+    """(seconds, nanoseconds) of a value's member `tm`; None when it has none."""
     members = getattr(getattr(value, "tm", None), "__dict__", None)
     if not members or list(members) != ["sec", "nsec"]:
         return None
@@ -47,17 +46,17 @@ def timestamp(value):
 
 
 def with_timestamp(value, sec, nsec):
-    """A copy of a value with another time in its member `tm`; a value without one as it is."""
+    """A copy of a value with another time in its member `tm`; the value itself when it has none."""
     if timestamp(value) is None:
         return value
     members = dict(vars(value), tm=type(value.tm)(sec + nsec // 1000000000, nsec % 1000000000))
-    made = object.__new__(type(value))
-    made.__dict__.update(members)
-    return made
+    copy = object.__new__(type(value))
+    copy.__dict__.update(members)
+    return copy
 
 
 def _bounded(function, *args):
-    """What a function gives that goes down into a value. Raises BadValue for one that Python's stack does not hold."""
+    """The result of a recursive function. Raises BadValue for a value that is nested too deep for Python's stack."""
     try:
         return function(*args)
     except RecursionError:
@@ -69,7 +68,7 @@ def _bounded(function, *args):
 def text(value, limit=None):
     """One line for people: `[SEC.NSEC] DATA` for a value with a time, as the rtshell manual promises.
 
-    Of a sequence, octets included, no more than `limit` elements are shown and the others counted; None shows all.
+    Of a sequence, at most `limit` elements are shown, and the number of the others; None shows all.
     """
     return _bounded(_line, value, limit)
 
@@ -98,7 +97,7 @@ def _text(value, limit):
         return f"<{_cut([_hex(value[:limit])] if value else [], len(value), limit, ' ', len(value[:limit]))}>"
     sort = _sort(value)
     if sort == "list":
-        return f"[{_cut([_text(each, limit) for each in value[:limit]], len(value), limit, ', ', len(value[:limit]))}]"
+        return f"[{_cut([_text(element, limit) for element in value[:limit]], len(value), limit, ', ', len(value[:limit]))}]"
     if sort == "struct":
         return "(%s)" % ", ".join("%s=%s" % (name, _text(inner, limit)) for name, inner in vars(value).items())
     if sort == "union":
@@ -146,12 +145,12 @@ def _escaped(c):
     return f"\\x{n:02x}" if n < 256 else f"\\u{n:04x}" if n < 65536 else f"\\U{n:08x}"
 
 
-# ---- for programs ---------------------------------------------------------------------------------------------
+# ---- as JSON and in tables ------------------------------------------------------------------------------------
 
 def json(value):
-    """What `json.dumps` takes: structs as objects, enums by name, octets in base64, unions as {"_d": label, member: value}.
+    """The value for json.dumps: structs as objects, enums by name, octets in base64, unions as {"_d": label, member: value}.
 
-    NaN and the infinities, for which JSON has no numbers, are "NaN", "Infinity" and "-Infinity".
+    NaN and the infinities, which JSON lacks, are "NaN", "Infinity" and "-Infinity".
     """
     return _bounded(_json, value)
 
@@ -164,7 +163,7 @@ def _json(value):
     sort = _sort(value)
     if sort == "list":
         plain = value and (isinstance(value[0], (int, str)) or isinstance(value[0], float) and all(map(math.isfinite, value)))
-        return value if plain else [_json(each) for each in value]
+        return value if plain else [_json(element) for element in value]
     if sort == "struct":
         return {name: _json(inner) for name, inner in vars(value).items()}
     if sort == "union":
@@ -183,7 +182,7 @@ def _flat(value, column):
     if isinstance(value, bytes):
         return [(column, value.hex())]
     if sort == "list":
-        return [cell for i, each in enumerate(value) for cell in _flat(each, "%s[%d]" % (column, i))]
+        return [cell for i, element in enumerate(value) for cell in _flat(element, f"{column}[{i}]")]
     if sort in ("struct", "union"):
         members = vars(value) if sort == "struct" else {"_d": value._d}
         if sort == "union" and _case(value):
@@ -197,15 +196,15 @@ _STEP = re.compile(r"\.?([A-Za-z_]\w*)|\[(\d{1,9})\]", re.ASCII)
 
 
 def field(value, path):
-    """One part of a value: field(value, "data.points[0].x"). Raises NoSuch, saying what there is."""
-    at, found = 0, value
+    """A part of a value: field(value, "data.points[0].x"). Raises NoSuch, which lists the fields, and BadPath."""
+    at, part = 0, value
     while at < len(path):
         step = _STEP.match(path, at)
         if step is None:
             raise errors.BadPath(f"{printable(path)}: not a field; one is written data.points[0].x")
-        found = _step(found, step, path)
+        part = _step(part, step, path)
         at = step.end()
-    return found
+    return part
 
 
 def _step(value, step, path):
@@ -228,10 +227,10 @@ def _step(value, step, path):
     raise errors.NoSuch(printable(path), "field", f"{step.group().lstrip('.')} ({there})")
 
 
-# ---- bytes of no known type -----------------------------------------------------------------------------------
+# ---- bytes of an unknown type ---------------------------------------------------------------------------------
 
 def raw(data, little=True, limit=None):
-    """Lines about bytes whose type is not known: their number, a hex dump, and what they might be, never said for certain."""
+    """Lines about bytes of an unknown type: their number, a hex dump, and guesses at what they are."""
     lines = [f"{len(data)} bytes"]
     shown = data[:limit]
     for at in range(0, len(shown), 16):
@@ -243,24 +242,24 @@ def raw(data, little=True, limit=None):
 
 
 def _guesses(data, order):
-    """What the bytes might say: a time at the start, the rest after it as one kind of number or text."""
-    found, start = [], 0
+    """Guesses: a time at the start, then numbers of one kind, or text."""
+    guesses, start = [], 0
     if len(data) >= 8:
         sec, nsec = struct.unpack_from(order + "II", data)
         if nsec < 1000000000 and (946684800 <= sec < 4102444800 or sec == nsec == 0):  # the years 2000 to 2099
-            found.append("time %d.%09d" % (sec, nsec))
+            guesses.append("time %d.%09d" % (sec, nsec))
             start = 8
     size = len(data) - start
     for width, code, words in SCALARS:
         number = struct.unpack_from(order + code, data, start)[0] if size == width else None
         if number is not None and (isinstance(number, int) or number == 0 or 1e-9 < abs(number) < 1e12):
-            found.append(f"{words} {number!r}")
+            guesses.append(f"{words} {number!r}")
     if size >= 5:
         count, = struct.unpack_from(order + "I", data, start)
         if count == size - 4 and data[-1:] == b"\0":
-            found.append(f"string '{printable(data[start + 4:-1].decode('utf-8', 'surrogateescape')[:SHOWN])}'")
+            guesses.append(f"string '{printable(data[start + 4:-1].decode('utf-8', 'surrogateescape')[:SHOWN])}'")
         for width, words in ((1, "octets"), (2, "shorts"), (4, "longs or floats"), (8, "doubles")):
             head = start + 4 + (-(start + 4) % width)
             if count and len(data) == head + count * width:
-                found.append("sequence of %d %s" % (count, words))
-    return found
+                guesses.append("sequence of %d %s" % (count, words))
+    return guesses

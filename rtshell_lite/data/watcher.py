@@ -1,4 +1,4 @@
-"""What commands that stay connected report meanwhile: which connections fail, and that nobody reads the output."""
+"""What commands report while they are connected: failures of connections. They end when nobody reads their output."""
 import errno
 import select
 import sys
@@ -7,10 +7,10 @@ from rtshell_lite import cli
 
 
 class Watcher:
-    """Reports on stderr when a connection fails and, after silence, when it goes on; ends us when nobody reads our output."""
+    """Reports on stderr when a connection fails, and when a silent one answers again."""
 
     def __init__(self, connections):
-        self.connections, self.told = connections, {}
+        self.connections, self.reported = connections, {}  # failures, by connection
         self.output = select.poll()
         try:
             self.output.register(sys.stdout.fileno(), 0)
@@ -18,31 +18,31 @@ class Watcher:
             pass  # there is none
 
     def look(self):
-        """To be called a few times a second. Raises BrokenPipeError."""
-        for each in self.connections:
-            if each.remark:
-                cli.note(f"{each.where}: {each.remark}")
-                each.remark = None
-            before = self.told.get(each)
-            if each.failure is not None and str(each.failure) != str(before):
-                cli.complain(each.failure)
-            elif each.failure is None and before is not None:
-                cli.note(f"{each.where}: answers again")
-            self.told[each] = each.failure
+        """To be called a few times a second. Raises BrokenPipeError when nobody reads the output."""
+        for connection in self.connections:
+            where, failure, before = connection.where, connection.failure, self.reported.get(connection)
+            if connection.remark:
+                cli.note(f"{where}: {connection.remark}")
+                connection.remark = None
+            if failure is not None and str(failure) != str(before):
+                cli.complain(failure)
+            elif failure is None and before is not None:
+                cli.note(f"{where}: answers again")
+            self.reported[connection] = failure
         if any(events & (select.POLLERR | select.POLLHUP) for _, events in self.output.poll(0)):
             cli.ignore_hangup()
             raise BrokenPipeError(errno.EPIPE, "nobody reads the output")
 
     def skip(self):
-        """What is wrong now has been reported already."""
-        self.told.update({each: each.failure for each in self.connections if each.failure is not None})
+        """Do not report present failures: they have been."""
+        self.reported.update({connection: connection.failure for connection in self.connections if connection.failure is not None})
 
     def count(self, tally, of_no_use=()):
-        """Add each connection's failure or success to a Tally; what was reported before is not reported again.
+        """Add each connection's failure or success to a Tally; what has been reported is not reported again.
 
-        Those in `of_no_use` are well, but all that came from them has been counted as failed.
+        Those in `of_no_use` work, but nothing of what came from them could be used: they do not count as done.
         """
-        for each in self.connections:
-            tally.told.add(str(self.told.get(each)))
-            if each.failure or each not in of_no_use:
-                tally.add(each.failure)
+        for connection in self.connections:
+            tally.reported.add(str(self.reported.get(connection)))
+            if connection.failure or connection not in of_no_use:
+                tally.add(connection.failure)

@@ -1,12 +1,12 @@
-"""Values to in ports, until the component has read them.
+"""Data to in ports of components.
 
     with connection.Opened([Writer(port), …]) as opened:
         writer.put(data, writer.little)
         linger(opened.live(), seconds, look)
 
-What a port has taken waits in its buffer. The component reads it in a cycle of its own, while it is Active and while the port
-has a connector; what is left when the last connector goes is read at the next connection of anybody. The port has one buffer
-for all its connectors, and keeps the length and the policy that the last one asked for; to ask for a length empties it.
+A value that a port accepts waits in its buffer. The component reads it in a later cycle, while it is Active and the port has a
+connector; what is unread when the last connector goes is read at the next connection, whoever makes it. The port has one
+buffer for all its connectors, and keeps the length and policy that the last one asked for; asking for a length empties it.
 (Seen with C++ 2.1 and Python 2.1: InPort::isNew, RingBuffer::length.)
 """
 import collections
@@ -22,39 +22,36 @@ from rtshell_lite.text import shell_word
 
 LENGTH = 8  # values that a port's buffer holds unless a connector has asked for more
 ROOM, ROOM_BYTES = 5000, 16 << 20  # the longest buffer that is asked for, in values and bytes
-BURST = 5.0  # seconds: what comes within them may have to wait
-TYPICAL_SIZE = 4096  # bytes of a value whose size is not known before
-SLACK = 0.25  # the part by which components execute less often than they claim: 0.11 was seen (a 1 kHz context of C++)
-SETTLE = 0.1  # seconds more than a cycle may take
-UNKNOWN = 1.0  # seconds that a component may need whose contexts have no rate: they wait for triggers
-USUAL = 50.0  # Hz, of a component whose rate is not asked for
+BURST = 5.0  # seconds of values that the buffer should hold
+TYPICAL_SIZE = 4096  # bytes of a value whose size is unknown
+SLACK = 0.25  # the fraction by which components may execute less often than they claim: 0.11 was seen (a 1 kHz context of C++)
+SETTLE = 0.1  # seconds to add to a cycle
+UNKNOWN = 1.0  # seconds to wait for a component whose contexts have no rate, but are triggered
+USUAL = 50.0  # Hz, assumed of a component whose rate is not asked for
 READING = 0.02  # seconds that a component may take to read a value
-REST = 0.2  # seconds at most that an interrupted command waits until the last value has been read
-LONGEST = 60.0  # seconds to linger, unless the user says otherwise
-WORTH_A_WORD = 2.0  # seconds: a longer wait is announced, with its reason
-TICK = 0.1  # seconds between two looks while lingering
+REST = 0.2  # seconds that an interrupted command waits, at most, until the last value has been read
+LONGEST = 60.0  # seconds to linger at most, unless the user says otherwise
+ANNOUNCED = 2.0  # seconds: a longer wait is announced, with its reason
+TICK = 0.1  # seconds between two calls of look() while lingering
 
 REFUSALS = {"BUFFER_FULL": "its buffer is full", "BUFFER_TIMEOUT": "its buffer stayed full",
             "PORT_ERROR": "it reports an error of the port", "UNKNOWN_ERROR": "it reports an unknown error"}
 
-# One execution context of a component: `index` as -e counts, its reference, the component's state in it, whether it runs.
+# An execution context of a component: `index` as in -e, its reference, the component's state in it, whether it runs.
 Cycle = collections.namedtuple("Cycle", "index ref state running")
 
 
 # ---- who reads ------------------------------------------------------------------------------------------------
 
 class Audience:
-    """The component of a port, as far as it reads: `rate` (Hz) is how often, None where its contexts do not say."""
+    """The component that reads a port: `rate` (Hz) is how often, None where its contexts have none."""
 
     def __init__(self, node, where):
         self.node, self.where = node, where
         self.rate = None
 
     def look(self):
-        """See whether the component reads what the port is given; returns why it does not, with what helps, or None.
-
-        Raises errors.Error where it cannot be asked.
-        """
+        """None when the component reads the port; else (why it does not, the commands that change it). Raises errors.Error."""
         cycles = self._cycles()
         reading = [cycle for cycle in cycles if cycle.state == "Active" and cycle.running]
         if not reading:
@@ -76,7 +73,7 @@ class Audience:
 
 
 def _why_not(node, cycles):
-    """Why a component with these Cycles reads nothing, and the commands that change it."""
+    """(why a component with these Cycles reads nothing, the commands that change it)"""
     path = shell_word(str(node.path))
     state = component.merged([cycle.state for cycle in cycles])
     able = next((cycle for cycle in cycles if cycle.running), None)
@@ -94,9 +91,9 @@ def _option(index):
 
 
 class Backlog:
-    """How many values wait in a buffer, by what is known: `rate` (Hz) at which they are read, and its `length`.
+    """An estimate of how many values wait in a buffer of this `length` that is read at `rate` (Hz).
 
-    `refuses`: when it is full it takes no value, and loses none.
+    `refuses`: a full buffer refuses values instead of losing the oldest ones.
     """
 
     def __init__(self, rate, length, refuses=False):
@@ -104,7 +101,7 @@ class Backlog:
         self.waiting = self.lost = self._at = 0.0
 
     def add(self, now):
-        """A value was taken at `now` (seconds); a full buffer that refuses none has lost its oldest for it."""
+        """The port took a value at `now` (seconds); a full buffer that does not refuse it has lost its oldest one."""
         self.drain(now)
         self.waiting += 1
         excess = max(0.0, self.waiting - self.length)
@@ -112,22 +109,22 @@ class Backlog:
         self.lost += 0 if self.refuses else excess
 
     def drain(self, now):
-        """What has been read by `now` waits no more."""
+        """Subtract the values that have been read by `now`."""
         if self.rate:
             self.waiting = max(0.0, self.waiting - (now - self._at) * self.rate)
         self._at = now
 
     def seconds(self, taken):
-        """How long it takes until all of `taken` values are read: rates, which must be known, are not kept to the letter."""
+        """How long it takes to read all of `taken` values, with SLACK; the rate must be known."""
         return (self.waiting + min(self.length, SLACK * taken) + 1) / self.rate + SETTLE
 
 
 # ---- sending --------------------------------------------------------------------------------------------------
 
 class Writer(Connection):
-    """A connector to a DataInPort; `put` gives it values. `little` is the byte order that it expects.
+    """A connector to a DataInPort; `put` sends it values. `little` is the byte order that it expects.
 
-    `anyway`: whether or not the component is going to read the values.
+    `anyway`: even if the component will not read the values.
     """
 
     kind, side, dataflow, flows = "DataInPort", "inport", "push", ("push",)
@@ -138,26 +135,26 @@ class Writer(Connection):
         self.taken = self.refused = 0
         self.backlog = Backlog(None, LENGTH)
         self.was_connected = False
-        self.read_by = 0.0  # when all that was taken is read, by the clock; infinite where the component has no rate
+        self.read_by = 0.0  # time.monotonic() when all values will have been read; infinite where the component has no rate
         self.alone = not port.connectors
         self.room = None  # the length of buffer that the port is asked for
-        self.idle, self.unanswered = threading.Event(), False  # set when no put is under way; whether the last one is unanswered
+        self.idle, self.unanswered = threading.Event(), False  # no put is under way; the last one got no answer
         self.idle.set()
         self.last = 0.0  # when the last value was taken
         self.hurried = False
 
     def expect(self, values, size):
-        """So many values, of `size` bytes each, may come before the component has read the first.
+        """Prepare for so many values, of `size` bytes each, before the component has read the first.
 
-        Where nobody else is connected, the port is asked for a buffer that holds them and that refuses what does not fit; it has
-        its usual one, empty, when the Writer is closed.
+        If nobody else is connected, the port is asked for a buffer that holds them and refuses more; it gets its usual one back,
+        empty, when the Writer is closed.
         """
         room = min(values, ROOM, ROOM_BYTES // max(1, size))
         if room > LENGTH and self.alone and self.audience and not self._chosen():
             self.room = room
 
     def _chosen(self):
-        """What the user asks of the buffer, as a dict: length, write.full_policy and the like."""
+        """The user's properties of the buffer: length, write.full_policy and the like."""
         return {key.partition("buffer.")[2]: value for part in ("dataport.buffer.", "dataport.inport.buffer.")
                 for key, value in self.given.items() if key.startswith(part)}
 
@@ -168,10 +165,10 @@ class Writer(Connection):
         return Backlog(self.audience.rate, self.room or (int(length) if length.isdigit() and int(length) else LENGTH), refuses)
 
     def wishes(self):
-        found = {"dataport.subscription_type": "flush"}
+        wishes = {"dataport.subscription_type": "flush"}
         if self.room:
-            found.update({"dataport.buffer.length": str(self.room), "dataport.buffer.write.full_policy": "do_nothing"})
-        return found
+            wishes.update({"dataport.buffer.length": str(self.room), "dataport.buffer.write.full_policy": "do_nothing"})
+        return wishes
 
     def _open(self):
         if self.audience:
@@ -215,10 +212,10 @@ class Writer(Connection):
         self.read_by = self.last + self.backlog.seconds(self.taken) if self.backlog.rate else math.inf
 
     def is_at_rest(self):
-        """Wait for a moment in which the component does nothing with the connector; False where there is none.
+        """Wait until the component is not using the connector; False if it goes on using it.
 
-        A C++ component ends when a connector is removed while it takes a value from us, and may end when it is removed while it
-        reads one (2 of 31 rtinjects that Ctrl-C ended, at 50 values a second; InPort::read uses the connector without its lock).
+        Removing a connector ends a C++ component that is taking a value from us, and may end one that is reading one (2 of 31
+        interrupted rtinjects, at 50 values a second; InPort::read uses the connector without its lock).
         """
         if not self.idle.wait(0 if self.unanswered else lanes.session.timeout + GRACE):
             return False
@@ -230,7 +227,7 @@ class Writer(Connection):
         return not self.unanswered
 
     def _compare_rates(self, full):
-        """Remark once that values come faster than they are read."""
+        """Remark, once, that values come faster than they are read."""
         self.backlog.drain(time.monotonic())
         if self.backlog.rate and (self.backlog.lost >= 1 or full and self.room) and not self.hurried:
             self.hurried = True
@@ -249,11 +246,11 @@ class Writer(Connection):
         if why:
             raise errors.Unread(self.where, f"{why[0]} now; {self.unread_words()}")
         if self.audience:
-            self.backlog.drain(time.monotonic())  # at the rate of until now
+            self.backlog.drain(time.monotonic())  # at the old rate
             self.backlog.rate = self.audience.rate
 
     def unread(self):
-        """errors.Unread where the component cannot have read all that its port took, by its rate; else None."""
+        """errors.Unread where the component, at its rate, cannot have read all values; else None."""
         if self.audience is None or self.audience.rate is None:
             return None
         self.backlog.drain(time.monotonic())
@@ -262,18 +259,18 @@ class Writer(Connection):
         return errors.Unread(self.where, f"it executes at {self.audience.rate:g} Hz; {self.unread_words()}")
 
     def unread_words(self):
-        """What became of the values, as far as it is known."""
+        """The message that says how many values were read, and where the rest is."""
         self.backlog.drain(time.monotonic())
         read = max(0, round(self.taken - self.backlog.lost) - math.ceil(self.backlog.waiting))
         rest = "dropped" if self.alone else "in its buffer, or overwritten"
-        return "it has read about %d of %d values; the rest is %s" % (read, self.taken, rest)
+        return f"it has read about {read} of {self.taken} values; the rest is {rest}"
 
     def release(self):
-        """Give the port its usual buffer again, emptied of what may be unread: it would be read at some later connection.
+        """Give the port its usual buffer back, empty: unread values would be read at some later connection.
 
-        Where somebody else has connected to it meanwhile, only no value shall be refused any more: the rest may be that one's.
+        If somebody else has connected meanwhile, only change the policy back: the values may be theirs.
         """
-        unread = self.taken and (self.failure or time.monotonic() < self.read_by - SETTLE / 2)  # which leaves linger's rounding
+        unread = self.taken and (self.failure or time.monotonic() < self.read_by - SETTLE / 2)  # linger() rounds less than that
         if self.left or not self.was_connected or not self.room and not (self.alone and self.audience and unread):
             return
         if self.failure is None and self.unread():  # interrupted while lingering
@@ -287,13 +284,13 @@ class Writer(Connection):
         except (errors.Silent, errors.Refused) as e:
             self.failure = self.failure or e
         except errors.Unreachable:
-            pass  # and its buffer with it
+            pass  # the port is gone, and its buffer with it
 
 
 def linger(writers, seconds, look):
-    """Wait until the components can have read what these Writers have put, or for `seconds` (None: as long as it takes).
+    """Wait until the components can have read what these Writers sent, or for `seconds` (None: as long as it takes).
 
-    Who cannot have read it all, or reads no more, has errors.Unread as its failure. look() is called every TICK.
+    The failure of those that cannot have read all, or have stopped reading, becomes errors.Unread. look() is called every TICK.
     """
     for writer in writers:
         if writer.refused and writer.refused + writer.taken > 1:
@@ -302,7 +299,7 @@ def linger(writers, seconds, look):
     needed = [_needed(writer, seconds) for writer in writers]
     if not writers:
         return
-    if max(needed) > WORTH_A_WORD:
+    if max(needed) > ANNOUNCED:
         slowest = writers[needed.index(max(needed))]
         cli.note(f"{slowest.where}: waiting {max(needed):.1f} s until it has read the values (--linger limits it)")
     begun = time.monotonic()
@@ -313,7 +310,7 @@ def linger(writers, seconds, look):
 
 
 def _wait(begun, writers, needed, look):
-    """Wait until the last of the Writers that have not failed meanwhile has had the seconds that it needs, from `begun` on."""
+    """Wait until each Writer that has not failed meanwhile has had the seconds that it needs, from `begun` on."""
     while True:
         left = begun - time.monotonic() + max(
             (seconds for writer, seconds in zip(writers, needed)

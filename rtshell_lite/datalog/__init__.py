@@ -1,6 +1,6 @@
-"""Log files of rtlog: a robot's messages as they came, in a file that survives what happens to robots.
+"""Log files of rtlog: messages as they came, in a file that survives crashes.
 
-The format. Numbers are little-endian and follow each other without gaps. A file is a magic word and blocks:
+The format. Numbers are little-endian, without padding. A file is a magic word and blocks:
 
     file    89 'RTLOG' 0D 0A, then blocks up to the end
     block   kind (1 octet: H, R or I), length of the body (uint32), CRC-32 of kind, length and body (uint32), body
@@ -13,13 +13,12 @@ The format. Numbers are little-endian and follow each other without gaps. A file
               "headers": [offset, …], "points": [[number, offset, latest arrival before it], …]},
               then where this block begins (uint64) and 'rtlogend'
 
-Whoever reads trusts nothing: a length is compared with the file before it is read, a checksum is verified before a block
-is used. A file is only ever written at its end, and given to the operating system at once (a kill -9 costs what was on
-its way, milliseconds), and to the disk every few seconds (what a power failure costs). Then the end may be half a record:
-it is reported, and left out. The index is a convenience: it comes with the regular end, it is believed only where the file
-agrees, and whoever finds none reads through the file. To append to a file means to cut off its index, or its torn end,
-and to go on with one more header. A typecode is what datatypes.Type.to_bytes gives: a log can be read without any IDL.
+A reader trusts nothing: it compares a length with the file before it reads, and verifies a checksum before it uses a block. A
+file is only written at its end; messages go to the operating system at once (a kill -9 loses milliseconds) and to the disk
+every few seconds (which a power failure loses). Half a record at the end is reported and left out. The index is optional: it
+is written at the regular end, and used only if the file agrees with it; else the whole file is read. Appending cuts off the
+index, or a torn end, and adds another header. A typecode is what datatypes.Type.to_bytes returns: no IDL is needed to read it.
 
-Modules: blocks.py is the frame, writer.py and reader.py are the two ends of it; recorder.py feeds a writer, textlog.py is
-another one; simpkl.py reads rtshell's logs with pickles.py; meaning.py says what entries mean, play.py when each is due.
+Modules: blocks.py has the frame that writer.py writes and reader.py reads; recorder.py feeds a writer or textlog.py; simpkl.py
+reads rtshell's logs with pickles.py; meaning.py says what entries mean, play.py sends them.
 """

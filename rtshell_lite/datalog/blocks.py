@@ -1,15 +1,15 @@
-"""The frame around everything in a log file: kind, length, checksum. The package's docstring describes the format."""
+"""The blocks of a log file: kind, length, checksum, body. The package's docstring describes the format."""
 import json
 import struct
 import zlib
 
-MAGIC = b"\x89RTLOG\r\n"  # as PNG's: not text, and torn apart by whatever translates line ends
+MAGIC = b"\x89RTLOG\r\n"  # like PNG's: not text, and changed by whatever translates line ends
 HEADER, RECORD, INDEX = b"H", b"R", b"I"
 BLOCK = struct.Struct("<cII")  # kind, length of the body, CRC-32 of both and of the body
 ENTRY = struct.Struct("<QqHB")  # number, time of arrival (ns since the epoch), channel, flags
 FOOTER = struct.Struct("<Q8s")  # where the index begins, _END
 LITTLE = 1  # flag: the data is little-endian
-LARGEST = 256 << 20  # octets of a message: a longer one is not written, a greater length is damage, and nobody allocates it
+LARGEST = 256 << 20  # octets of a message; longer ones are not written, and a greater length is damage
 WORDS = 4 << 20  # octets of a header or an index
 
 _START = struct.Struct("<cI")
@@ -17,15 +17,15 @@ _END = b"rtlogend"
 
 
 class Damaged(Exception):
-    """There is no whole block at a place of a file."""
+    """There is no whole block at this place of a file."""
 
 
 class Unsound(Damaged):
-    """A record whose checksum is wrong; args[0] is the block's length, if that is right."""
+    """A record whose checksum is wrong; args[0] is the block's length, which may be wrong, too."""
 
 
 def frame(kind, *body):
-    """A block of that kind as a list of bytes, which are not copied into one: messages may be long."""
+    """A block as a list of bytes, which are not joined: messages may be long."""
     length = sum(map(len, body))
     crc = zlib.crc32(_START.pack(kind, length))
     for part in body:
@@ -34,12 +34,12 @@ def frame(kind, *body):
 
 
 def entry(number, received, channel, little, data):
-    """The block of one message, a list of bytes."""
+    """The block of a message, a list of bytes."""
     return frame(RECORD, ENTRY.pack(number, received, channel, LITTLE if little else 0), data)
 
 
 def text(kind, value, footer_at=None):
-    """A block whose body is JSON; that of the index ends with where it begins."""
+    """A block whose body is JSON; that of the index ends with the offset at which the block begins."""
     body = [json.dumps(value, sort_keys=True).encode("ascii")]
     if footer_at is not None:
         body.append(FOOTER.pack(footer_at, _END))
@@ -47,7 +47,7 @@ def text(kind, value, footer_at=None):
 
 
 def read(file, left):
-    """Read one block of at most `left` octets, at the file's position: (kind, body). Raises Damaged."""
+    """Read a block of at most `left` octets at the file's position: (kind, body). Raises Damaged."""
     kind, length, crc = _head(file, left)
     body = file.read(length)
     if len(body) < length:
@@ -60,7 +60,7 @@ def read(file, left):
 
 
 def read_number(file, left):
-    """The number of the record there, without a look at the rest of it. Raises Damaged."""
+    """The number of the record at the file's position; the rest of it is not checked. Raises Damaged."""
     kind, length, _ = _head(file, left)
     if kind != RECORD or length < ENTRY.size:
         raise Damaged("no record")
@@ -79,7 +79,7 @@ def _head(file, left):
 
 
 def index_position(file, size):
-    """Where a file of `size` octets says that its index begins, None when it does not."""
+    """Where a file of `size` octets says that its index begins, or None."""
     if size < len(MAGIC) + BLOCK.size + FOOTER.size:
         return None
     file.seek(size - FOOTER.size)
@@ -88,7 +88,7 @@ def index_position(file, size):
 
 
 def parsed(body, footer=False):
-    """The JSON value of a block's body. Raises Damaged; hostile nesting is damage, too."""
+    """The JSON value of a block's body. Raises Damaged, also for hostile nesting."""
     try:
         return json.loads((body[:-FOOTER.size] if footer else body).decode("ascii"))
     except (ValueError, RecursionError):

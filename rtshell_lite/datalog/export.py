@@ -22,7 +22,7 @@ def json_lines(channels, entries):
 
 
 def csv_lines(channels, before, entries):
-    """The same entries as rows of a table; `before` are the same entries once more: what columns there are takes a look at all."""
+    """The same entries as rows of a table; `before` iterates over the same entries, to find all columns first."""
     columns = {}
     for entry in before:
         for name, _ in _cells(channels, entry):
@@ -38,13 +38,13 @@ def csv_lines(channels, before, entries):
 
 
 def _cells(channels, entry):
-    """The cells of an entry, by column; text is spelt for the terminal, where tables are looked at, too."""
+    """(column, scalar) of an entry; text is made printable, for tables are shown on terminals."""
     for column, scalar in meaning.cells(channels, entry):
         yield printable(column), printable(scalar) if isinstance(scalar, str) else scalar
 
 
 def _taken(line):
-    found = line.getvalue()
+    row = line.getvalue()
     line.seek(0)
     line.truncate()
-    return found
+    return row

@@ -1,8 +1,8 @@
-"""The index of a log: what its records are, and where some of them begin."""
+"""The index of a log: how many records it has, and where some of them begin."""
 from rtshell_lite.datalog import blocks
 
-STRIDE = 1 << 20  # octets between two points of the index, to begin with
-POINTS = 2048  # more than these, and every second one goes: neither memory nor index grow with the log
+STRIDE = 1 << 20  # octets between two points of the index, at first
+POINTS = 2048  # points at most; then every second one is dropped
 
 
 class Index:
@@ -15,7 +15,7 @@ class Index:
     count = property(lambda self: sum(self.counts.values()))
 
     def add(self, position, number, received, name):
-        """Take note of the next record, at `position`."""
+        """Count the next record, at `position`."""
         if not self.points or position - self.points[-1][1] >= self._stride:
             self.points.append([number, position, self.latest])
             if len(self.points) > POINTS:

@@ -12,7 +12,7 @@ def is_text(start):
 
 
 def load(name, modules=()):
-    """Open a log file of either form, rtlog or simpkl, told apart by their content. To be used in a `with` statement.
+    """Open a log file, rtlog or simpkl by its content, for a `with` statement.
 
     `modules` are Python modules whose classes a simpkl file may mention. Raises OSError, errors.Failed.
     """

@@ -11,29 +11,29 @@ FIRST, INSIDE = "first", "inside"  # where a type's timestamp is
 
 
 class Channels:
-    """The channels of a log and their types: those in the file, else those that `types` (datatypes.Types) knows.
+    """The channels of a log with their types: those in the file, else those of `types`, a datatypes.Types.
 
-    `unreadable` counts the entries that were shown as bytes because they are not what their type says, or nested too deep.
+    `unreadable` counts the entries that were shown as bytes because they do not fit their type, or are nested too deep.
     """
 
     def __init__(self, log, types):
         self.log, self._types = log, types
-        self._found, self._stamped = {}, {}
+        self._known, self._stamped = {}, {}
         self.unreadable = 0
 
     def type(self, number):
-        """The datatypes.Type of a channel, None when nobody knows it. Raises BadIdl and the like for what the user named."""
-        if number not in self._found:
-            self._found[number] = found = self._type(self.log.channels[number])
-            self._stamped[number] = found and _stamped(found.descriptor)
-        return self._found[number]
+        """The datatypes.Type of a channel, None when it is not known. Raises BadIdl and the like for the user's files."""
+        if number not in self._known:
+            self._known[number] = type = self._type(self.log.channels[number])
+            self._stamped[number] = type and _stamped(type.descriptor)
+        return self._known[number]
 
     def _type(self, channel):
         if channel.typecode:
             try:
                 return datatypes.from_bytes(channel.typecode)
             except errors.BadType:
-                pass  # damaged: its name may do
+                pass  # damaged: look up its name
         try:
             return self._types.named(channel.type_id)
         except errors.NoSuch:
@@ -46,7 +46,7 @@ class Channels:
             yield "%d entries are not what their type says, and shown as bytes" % self.unreadable
 
     def value(self, entry):
-        """The value of an entry as stubs make it; None when the type is not known. Raises errors.Failed when it does not fit."""
+        """The value of an entry; None when its type is not known. Raises errors.Failed when it does not fit its type."""
         type = self.type(entry.channel)
         if type is None:
             return None
@@ -58,10 +58,10 @@ class Channels:
             raise errors.Failed(self.log.where, "entry %d: %s" % (entry.number, e))
 
     def data(self, entry, little, moment=None):
-        """The CDR of an entry in a byte order; with `moment` (ns), its timestamp moved by what has passed since it arrived.
+        """The CDR of an entry in a byte order. With `moment` (ns), its timestamp moves by the time since it arrived.
 
-        A timestamp of 0 stays: many components never set theirs. Raises errors.Failed: the entry does not fit its type, or
-        that is needed and not known.
+        A timestamp of 0 stays: many components never set theirs. Raises errors.Failed when the entry does not fit its type, or
+        when the type is needed and not known.
         """
         type = self.type(entry.channel)
         stamped = moment is not None and self._stamped[entry.channel]
@@ -93,7 +93,7 @@ def _stamped(descriptor):
 
 
 def _shifted(data, little, shift):
-    """CDR that begins with a timestamp, without a look at the rest: that may be an image."""
+    """CDR that begins with a timestamp, moved; the rest, which may be an image, is not decoded."""
     order = "<II" if little else ">II"
     if len(data) < 8:
         return data
@@ -129,8 +129,8 @@ def summary(log):
 
 def as_dict(log):
     """The same as fields; times are seconds since the epoch."""
-    channels = [{"name": each.name, "type": each.type_id, "sources": list(each.sources), "typecode": bool(each.typecode),
-                 "entries": log.counts.get(each.name, 0)} for each in log.channels]
+    channels = [{"name": channel.name, "type": channel.type_id, "sources": list(channel.sources),
+                 "typecode": bool(channel.typecode), "entries": log.counts.get(channel.name, 0)} for channel in log.channels]
     return {"file": log.where, "form": log.form, "size": log.size, "started": _seconds(log.started),
             "first": _seconds(log.first), "last": _seconds(log.last), "entries": log.count, "channels": channels,
             "closed": log.closed, "torn": log.torn, "damaged": log.damaged}
@@ -174,7 +174,7 @@ def line(channels, entry, limit=None):
 
 
 def _shown(channels, entry, form):
-    """form(value of an entry); None when its type is not known, or the entry does not fit it or nests deeper than Python."""
+    """form(value of an entry); None when its type is not known, or the entry does not fit it or is nested too deep."""
     try:
         value = channels.value(entry)
         return None if value is None else form(value)
@@ -197,7 +197,7 @@ def record(channels, entry):
 
 
 def _tame(value):
-    """A value of no known type, of dicts and lists, as JSON takes it."""
+    """A value of an unknown type, made of dicts and lists, for JSON."""
     if isinstance(value, dict):
         return {name: _tame(part) for name, part in value.items()}
     if isinstance(value, list):
@@ -208,17 +208,17 @@ def _tame(value):
 def cells(channels, entry):
     """An entry as [(column, scalar)] for a table."""
     channel, shown = channels.log.channels[entry.channel], _shown(channels, entry, values.flat)
-    found = [("number", entry.number), ("received", "%d.%09d" % divmod(entry.received, 10 ** 9)), ("port", channel.name)]
+    head = [("number", entry.number), ("received", "%d.%09d" % divmod(entry.received, 10 ** 9)), ("port", channel.name)]
     if shown is not None:
-        return found + shown
+        return head + shown
     if entry.data is None:
-        return found + _flat(entry.value, "")
-    return found + [("hex", entry.data.hex())]
+        return head + _flat(entry.value, "")
+    return head + [("hex", entry.data.hex())]
 
 
 def _flat(value, column):
     if isinstance(value, dict):
         return [cell for name, part in value.items() for cell in _flat(part, column + "." + name if column else name)]
     if isinstance(value, list):
-        return [cell for number, part in enumerate(value) for cell in _flat(part, "%s[%d]" % (column, number))]
+        return [cell for number, part in enumerate(value) for cell in _flat(part, f"{column}[{number}]")]
     return [(column, value.hex() if isinstance(value, bytes) else value)]

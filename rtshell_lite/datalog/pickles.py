@@ -1,9 +1,9 @@
-"""Reading pickles that may come from anybody: a machine that makes plain values and inert records, and calls nothing.
+"""Reading pickles from untrusted files: this machine makes plain values and records, and calls nothing.
 
-Python's own Unpickler, even with a find_class of one's own, calls what it finds, sets attributes, and believes lengths.
-This one knows the opcodes that data needs. A class is its name; an object is a Record of that name with its attributes.
-Every opcode takes at least one octet and makes one small object, and lengths are compared with the file: so memory stays
-within a multiple of what is read.
+Python's own Unpickler, even with another find_class, calls what it finds, sets attributes, and believes lengths. This one
+knows the opcodes that data needs. A class is only a name; an object is a Record of that name with its attributes. An opcode
+takes at least one octet and makes one small object, and lengths are compared with the file: so memory is bounded by a multiple
+of what is read.
 """
 import codecs
 import struct
@@ -11,7 +11,7 @@ import struct
 from rtshell_lite.text import printable
 
 LONGEST_LINE = 4096  # octets of a number or name that is written as a line (protocol 0)
-LONGEST_NUMBER = 256  # octets of an integer: more cost more than time
+LONGEST_NUMBER = 256  # octets of an integer
 LARGEST = 256 << 20  # octets of one pickle
 
 
@@ -37,21 +37,21 @@ class Record:
 
 
 _MARK = object()
-# What protocols 0 and 1 write for an object, here by its names in Python 2; Machine.reduce knows what it means.
+# What protocols 0 and 1 write for an object, by its names in Python 2; see Machine.reduce.
 _RECONSTRUCTOR, _OBJECT = Class("copy_reg", "_reconstructor"), Class("__builtin__", "object")
 _HELPERS = {("copy_reg", "_reconstructor"): _RECONSTRUCTOR, ("copyreg", "_reconstructor"): _RECONSTRUCTOR,
             ("__builtin__", "object"): _OBJECT, ("builtins", "object"): _OBJECT}
 
 
 class Machine:
-    """Reads pickles in a row from a file of `size` octets; `known(module, name)` says which classes may appear."""
+    """Reads successive pickles from a file of `size` octets; `known(module, name)` says which classes may appear."""
 
     def __init__(self, file, size, known):
         self._file, self._size, self._known = file, size, known
         self.position = 0  # where the next pickle begins
 
     def load(self):
-        """The value of the pickle at `position`, which moves after it. Raises Refused, EOFError at the end of the file."""
+        """The value of the pickle at `position`, which moves past it. Raises Refused; EOFError at the end of the file."""
         if self.position >= self._size:
             raise EOFError
         self._stack, self._memo = [], {}
@@ -79,7 +79,7 @@ class Machine:
             raise Refused("it does not end")
         data = self._file.read(count)
         self.position += len(data)
-        if len(data) < count:  # somebody makes the file shorter
+        if len(data) < count:  # the file has become shorter
             raise Refused("it does not end")
         return data
 
@@ -173,7 +173,7 @@ class Machine:
     # ---- objects ----
 
     def find(self, module, name):
-        """A class is named: it becomes its name, if it is known."""
+        """Push a class, which must be known."""
         if (module, name) in _HELPERS:
             self.push(_HELPERS[module, name])
         elif self._known(module, name):
@@ -188,13 +188,13 @@ class Machine:
         self.find(module, name)
 
     def make(self, type, arguments):
-        """An object is made: from its class, without arguments, for these come later as its attributes."""
+        """Push an object of a class; there must be no arguments, for attributes come later."""
         if not isinstance(type, Class) or type in (_RECONSTRUCTOR, _OBJECT) or len(arguments):
             raise Refused("an object that is not made from a class alone")
         self.push(Record(type))
 
     def reduce(self):
-        """A function is called: the one that protocols 0 and 1 make objects with, and no other."""
+        """Call the function with which protocols 0 and 1 make objects, and no other."""
         arguments, function = self._pop(), self._pop()
         if function is not _RECONSTRUCTOR:
             raise Refused("a call")
@@ -204,11 +204,11 @@ class Machine:
         self.make(type, ())
 
     def build(self):
-        """An object gets its attributes."""
+        """Set the attributes of an object."""
         state, target = self._pop(), self._top()
         if not isinstance(target, Record) or not isinstance(state, dict) or target.fields:
             raise Refused("attributes without an object")
-        target.fields = state  # not copied: that would be many octets for one
+        target.fields = state  # not copied: a small pickle could ask for many copies
 
 
 def _fill(target, values):

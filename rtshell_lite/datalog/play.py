@@ -1,4 +1,4 @@
-"""Playing a log to ports: which entries, when each is due, which port gets which channel, and what becomes of them."""
+"""Playing a log to ports: which entries, when each is due, and which port gets which channel."""
 import itertools
 import math
 import time
@@ -10,14 +10,14 @@ from rtshell_lite.datalog import meaning
 from rtshell_lite.robot import ports
 from rtshell_lite.text import printable
 
-LONGEST = 86400  # seconds: what a log asks for may be more than time.sleep takes
+LONGEST = 86400  # seconds for one time.sleep, which has a limit; a log may ask for any
 
 
 class Range:
     """Which entries of a log are played: from `start` to `end`, both either numbers (`by_index`) or seconds since the epoch.
 
-    None is no limit, and so is an end of -1. As in rtshell, an end without a start (or with 0) is a number of entries, with
-    a start it is the last entry.
+    None is no limit, and so is an end of -1. As in rtshell, an end by index is a number of entries without a start (or with 0),
+    and the last entry with one.
     """
 
     def __init__(self, start, end, by_index):
@@ -25,7 +25,7 @@ class Range:
         self.end = None if end == -1 else end
 
     def entries(self, log):
-        """The entries. Raises errors.Failed where the log ends before the start, or begins after the end."""
+        """The entries. Raises errors.Failed where there are none."""
         first = self._first(log)
         entries = log.entries(first)
         if self.end is None:
@@ -39,7 +39,7 @@ class Range:
         return itertools.takewhile(lambda entry: entry.received <= limit, entries)
 
     def words(self, seconds):
-        """What is reported of it and of a limit in seconds, as lines."""
+        """Lines that report the range and a limit in seconds."""
         if seconds < math.inf:
             yield f"Playing for {seconds}s."
         limits = self.start, self.end
@@ -65,11 +65,11 @@ class Range:
 
 
 def channel(log, port, name, place):
-    """The number of the channel that is played to a Port: that of the NAME, or the one at that place among all.
+    """The number of the channel that is played to a Port: the one called `name`, or the one at that `place` without a name.
 
     Raises errors.NoSuch; errors.Failed when the types differ.
     """
-    where, names = ports.label(port), [each.name for each in log.channels]
+    where, names = ports.label(port), [channel.name for channel in log.channels]
     number = names.index(name) if name in names else place if name is None and place < len(names) else None
     if number is None:
         raise errors.NoSuch(where, f"channel in {log.where}", "%s (there are: %s)" % (
@@ -81,10 +81,10 @@ def channel(log, port, name, place):
 
 
 def due(entries, rate, cycle=None, seconds=math.inf):
-    """The entries, each when it is due: time runs `rate` times as fast as when they were recorded; it starts with the first.
+    """The entries, each when it is due: `rate` times as fast as they were recorded, the first at once.
 
-    With `cycle` (seconds) entries come only at its multiples, and after `seconds` no more. A clock that was set back while
-    recording costs no time.
+    With `cycle` (seconds) entries are due at multiples of it; after `seconds` there are no more. If the clock was set back while
+    recording, nothing is added.
     """
     begun, last, elapsed = time.monotonic(), None, 0
     for entry in entries:
@@ -100,7 +100,7 @@ def due(entries, rate, cycle=None, seconds=math.inf):
 
 
 def portions(entries, count, cycle, seconds=math.inf):
-    """The entries, `count` of them every `cycle` seconds, whenever they were recorded; after `seconds` no more."""
+    """The entries, `count` of them every `cycle` seconds, for `seconds`."""
     begun = time.monotonic()
     for number, entry in enumerate(entries):
         if number % count == 0 and not _waited(begun, number // count * cycle, seconds):
@@ -109,7 +109,7 @@ def portions(entries, count, cycle, seconds=math.inf):
 
 
 def _waited(begun, moment, seconds):
-    """Wait until `moment` seconds after the begin; False when `seconds` end it before."""
+    """Wait until `moment` seconds after `begun`; False when the limit of `seconds` comes first."""
     end = begun + min(moment, seconds)
     while time.monotonic() < end:
         time.sleep(max(0, min(end - time.monotonic(), LONGEST)))
@@ -117,24 +117,24 @@ def _waited(begun, moment, seconds):
 
 
 class Playing:
-    """A log that is played to ports; those that cannot be played to are counted in `tally`, and reported."""
+    """A log that is played to ports. Ports that fail are reported and counted in `tally`."""
 
     def __init__(self, wanted, properties, channels, anyway):
-        """`wanted` are port_words.Targets, `properties` go into the connections, `channels` are the log's meaning.Channels.
+        """`wanted` are port_words.Targets, `properties` those of the connections, `channels` the log's meaning.Channels.
 
-        `anyway`: to components that are not going to read the values, too.
+        `anyway`: even to components that will not read the values.
         """
         self.channels, self.tally = channels, cli.Tally()
         self.sinks = list(self._sinks(wanted, properties, anyway))
 
     def _sinks(self, wanted, properties, anyway):
-        for place, each in enumerate(port_words.find(wanted)):
+        log = self.channels.log
+        for place, target in enumerate(port_words.find(wanted)):
             try:
-                if isinstance(each, errors.Error):
-                    raise each
-                number = channel(self.channels.log, each.port, each.name, place)
-                writer = writing.Writer(each.port, properties, "rtlog", anyway)
-                log = self.channels.log
+                if isinstance(target, errors.Error):
+                    raise target
+                number = channel(log, target.port, target.name, place)
+                writer = writing.Writer(target.port, properties, "rtlog", anyway)
                 coming = log.counts.get(log.channels[number].name, 0)
                 writer.expect(coming, log.size // max(1, coming))
                 yield number, writer
@@ -142,10 +142,10 @@ class Playing:
                 self.tally.add(e)
 
     def play(self, entries, absolute, linger):
-        """Send the entries as they come; with `absolute` the times within them stay, else they are moved to now.
+        """Send the entries as they come; with `absolute` their timestamps stay, else they are moved to now.
 
-        Then wait until they can have been read, for `linger` seconds at most (None: as long as it takes). Returns True when all
-        were sent, False when no port was left before. Disconnects however it ends.
+        Then wait until they can have been read, for `linger` seconds at most (None: as long as it takes). Returns False when all
+        ports had failed before the end.
         """
         watcher = Watcher([writer for _, writer in self.sinks])
         with connection.Opened(watcher.connections) as opened:
@@ -155,12 +155,12 @@ class Playing:
         return complete
 
     def _send(self, entries, absolute, opened, watcher):
-        """Give each entry to the ports of its channel; a port that is gone gets no more."""
+        """Send each entry to the ports of its channel that have not failed."""
         for entry in entries:
             live = opened.live()
             if not live:
                 return False
-            able = [writer for writer in live if writer.failure is None] or live  # who is silent holds up all
+            able = [writer for writer in live if writer.failure is None] or live  # silent ones would delay the others
             for _, writer in [sink for sink in self.sinks if sink[0] == entry.channel and sink[1] in able]:
                 try:
                     moment = None if absolute else int(time.time() * 1e9)

@@ -1,4 +1,4 @@
-"""Reading log files of rtlog's own form: nothing in them is trusted, and what is whole is read."""
+"""Reading log files of rtlog's own form: nothing in them is trusted, and everything that is whole is read."""
 import bisect
 
 from rtshell_lite import errors
@@ -6,15 +6,15 @@ from rtshell_lite.datalog import blocks
 from rtshell_lite.datalog.index import Index
 from rtshell_lite.datalog.records import Channel, Entry, is_moment
 
-MOST = 1000  # channels, and sources of one: more come from nobody who means well
+MOST = 1000  # channels, and sources of a channel: more are hostile
 
 
 class Log:
     """An open log, to be used in a `with` statement.
 
-    `channels`; `started` (ns since the epoch), `count`, `first` and `last` (arrival of the first and the last record, None
-    without any), `counts` (by channel's name), `torn` (octets at the end that are no record), `closed` (False: recording
-    was killed, or goes on), and `damaged` (records left out), which may grow while entries are read.
+    `channels`; `started` (ns since the epoch), `count`, `first` and `last` (arrival of the first and the last record, or None),
+    `counts` (by channel's name), `torn` (octets of half a record at the end), `closed` (False: recording was killed, or goes
+    on), and `damaged` (records left out), which may grow while entries are read.
     """
 
     form = "rtlog"
@@ -58,7 +58,7 @@ class Log:
             self.torn = self.size - self._whole
 
     def since(self, moment):
-        """The number of the first record that arrived at `moment` (ns) or later, None when none did."""
+        """The number of the first record that arrived at `moment` (ns) or later, or None."""
         latest = [point[2] for point in self.index.points[1:]]  # the first point has nothing before it
         point = bisect.bisect_left(latest, moment)
         for entry in self.entries(self.index.points[point][0] if self.index.points else 0):
@@ -85,11 +85,11 @@ class Log:
     # ---- blocks ----
 
     def _header(self, offset, body):
-        """Take in a header's channels; returns when recording began."""
+        """Add a header's channels; returns when recording began."""
         header, ours = blocks.parsed(body), []
         try:
-            for each in header["channels"]:
-                channel = Channel(each["name"], each["type"], bytes.fromhex(each["typecode"] or ""), tuple(each["sources"]))
+            for fields in header["channels"]:
+                channel = Channel(fields["name"], fields["type"], bytes.fromhex(fields["typecode"] or ""), tuple(fields["sources"]))
                 if not all(isinstance(word, str) for word in channel[:2] + channel.sources):
                     raise ValueError("no text")
                 ours.append(self._channel(channel))
@@ -102,11 +102,11 @@ class Log:
         return created
 
     def _channel(self, channel):
-        """The number of a channel; one that was appended to under its name and type is the same."""
+        """The number of a channel; a later header may have it again, with the same name and type."""
         number = self._numbers.setdefault(channel[:2], len(self.channels))
         if number < len(self.channels):
             known = self.channels[number]
-            more = tuple(each for each in channel.sources if each not in known.sources)
+            more = tuple(source for source in channel.sources if source not in known.sources)
             self.channels[number] = known._replace(sources=(known.sources + more)[:MOST])
             return number
         if len(self.channels) >= MOST or len(channel.sources) >= MOST:
@@ -115,11 +115,11 @@ class Log:
         return number
 
     def _records(self, offset, end):
-        """The whole records between two offsets: (offset, Entry). In the end, self._whole is after the last whole block."""
-        known = [each for each in sorted(self._maps) if each <= offset]
-        channels, number = self._maps[known[-1]] if known else [], -1
+        """(offset, Entry) of the whole records between two offsets. In the end, self._whole is after the last whole block."""
+        headers = [header for header in sorted(self._maps) if header <= offset]
+        channels, number = self._maps[headers[-1]] if headers else [], -1
         while offset < end:
-            self._file.seek(offset)  # whoever gets the records may read elsewhere meanwhile
+            self._file.seek(offset)  # between two records the caller may read elsewhere
             try:
                 kind, body = blocks.read(self._file, end - offset)
                 if kind == blocks.HEADER:
@@ -141,9 +141,9 @@ class Log:
         self._whole = offset
 
     def _sound(self, offset, end):
-        """True when there is a whole block there: only then can the length before it be right."""
+        """Whether there is a whole block at `offset`: else the length of the one before it may be wrong."""
         if offset >= end:
-            return False  # a torn end may have its length, and the rest of its page
+            return False  # a torn record may have its right length
         self._file.seek(offset)
         try:
             blocks.read(self._file, end - offset)
@@ -154,7 +154,7 @@ class Log:
     # ---- the index ----
 
     def _indexed(self):
-        """The index that the file ends with, and where it begins; None when there is none that agrees with the file."""
+        """(the index at the end of the file, its offset); None where there is none that agrees with the file."""
         position = blocks.index_position(self._file, self.size)
         if position is None:
             return None
@@ -169,20 +169,20 @@ class Log:
         except (blocks.Damaged, KeyError, TypeError, ValueError, IndexError, AttributeError):
             return None
 
-    def _believed(self, told, position):
-        """An Index of what the file says. Raises what wrong numbers raise."""
+    def _believed(self, fields, position):
+        """The Index of a file, checked. Raises ValueError and whatever wrong types raise."""
         index = Index()
-        index.next, index.first, index.last = told["next"], told["first"], told["last"]
-        index.counts, index.headers, index.points = told["counts"], told["headers"], told["points"]
-        _demand(all(isinstance(each, int) for each in [index.next] + index.headers + list(index.counts.values())))
+        index.next, index.first, index.last = fields["next"], fields["first"], fields["last"]
+        index.counts, index.headers, index.points = fields["counts"], fields["headers"], fields["points"]
         _demand(index.headers[0] == len(blocks.MAGIC) and index.headers == sorted(set(index.headers)))
         _demand(bool(index.points) == bool(index.count) and index.count <= index.next)
         numbers = [point[0] for point in index.points]
         offsets = [point[1] for point in index.points]
         latest = [point[2] for point in index.points[1:]]
-        _demand(all(isinstance(each, int) for each in numbers + offsets + latest))
+        counts = list(index.counts.values())
+        _demand(all(isinstance(number, int) for number in [index.next] + index.headers + counts + numbers + offsets + latest))
         _demand(latest == sorted(latest) and all(a < b for a, b in zip(numbers, numbers[1:])))
-        _demand(all(0 <= each < position for each in index.headers + offsets))
+        _demand(all(0 <= offset < position for offset in index.headers + offsets))
         for offset in index.headers[1:]:
             self._file.seek(offset)
             kind, body = blocks.read(self._file, position - offset)
@@ -193,7 +193,7 @@ class Log:
         return index
 
     def _compare(self, index, numbers, offsets, position):
-        """Look whether the points are at records of their numbers, and whether the last record is the one that it names."""
+        """Check that the points are at records of their numbers, and that the last record is the one it names."""
         for number, offset in zip(numbers, offsets):
             self._file.seek(offset)
             _demand(blocks.read_number(self._file, position - offset) == number)
@@ -203,7 +203,7 @@ class Log:
         _demand(last is not None and last.number == index.next - 1 and last.received == index.last and is_moment(index.first))
 
     def _scanned(self):
-        """An index made by reading all, and where the whole blocks end."""
+        """(an index made by reading the whole file, the offset after the last whole block)"""
         index, start = Index(), len(blocks.MAGIC)
         self.channels, self._maps, self._numbers = [], {}, {}
         for offset, entry in self._records(start, self.size):

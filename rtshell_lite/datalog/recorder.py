@@ -1,6 +1,6 @@
-"""Recording from ports into a file: the connections, the limits, and what is reported meanwhile.
+"""Recording from ports into a file: connections, limits, reports.
 
-What waits in an inbox.Inbox is written by a thread of its own, so that no sender waits for a disk.
+A thread writes what arrives in an inbox.Inbox, so that no sender waits for a disk.
 """
 import math
 import threading
@@ -14,15 +14,15 @@ from rtshell_lite.datalog.records import Channel
 from rtshell_lite.robot import ports
 from rtshell_lite.text import printable
 
-VALUES = 200000  # that may wait
+VALUES = 200000  # that may wait to be written
 TICK = 0.1  # seconds between two looks whether recording is over
 SYNC = 5.0  # seconds between two fsyncs: what a power failure costs
 
 
 class Channels:
-    """The channels of a log to be: ports of one NAME share one.
+    """The channels of a new log; ports with the same NAME share one.
 
-    `found` are the datalog.Channels, `types` their datatypes.Type or None; `notes` say why None.
+    `found` are the records.Channels, `types` their datatypes.Type or None; `notes` say why None.
     """
 
     def __init__(self, known):
@@ -30,7 +30,7 @@ class Channels:
         self._known, self.found, self.types, self.notes = known, [], [], []
 
     def add(self, port, name):
-        """The number of a Port's channel. Raises errors.Failed when its NAME is taken by one of another type."""
+        """The number of a Port's channel. Raises errors.Failed when a channel of that NAME has another type."""
         where, type_id = ports.label(port), port.properties.get("dataport.data_type", "")
         for number, channel in enumerate(self.found):
             if channel.name == name:
@@ -53,10 +53,10 @@ class Channels:
 
 
 class Recorder:
-    """Writes the Messages that come into its `box`, whose keys are numbers of channels.
+    """Writes the Messages that arrive in its `box`, whose keys are numbers of channels.
 
-    `done` is a Flag that is set when `most` messages are written, or no more can be. `count` and `octets` say how many
-    were written, `failure` (OSError or None) why no more could be.
+    The Flag `done` is set when `most` messages are written or writing fails. `count` and `octets` say how many were written,
+    `failure` (OSError or None) why writing failed.
     """
 
     def __init__(self, most=None):
@@ -66,13 +66,13 @@ class Recorder:
         self.done, self._stopped = interrupts.Flag(), threading.Event()
 
     def start(self, writer):
-        """Write what has come and what will come with a Writer (of writer or textlog)."""
+        """Start writing with a Writer (of writer or textlog)."""
         with interrupts.held():  # `close` waits for a thread that has started
             self._thread = threading.Thread(target=self._run, args=(writer,), daemon=True)
             self._thread.start()
 
     def close(self):
-        """Wait until all that has come is written and on the disk. Raises OSError: why writing failed; a bug's RuntimeError."""
+        """Wait until all messages are on the disk. Raises OSError, the reason why writing failed; RuntimeError for a bug."""
         self._stopped.set()
         if self._thread:
             self._thread.join()
@@ -80,14 +80,14 @@ class Recorder:
             raise self.failure
 
     def _run(self, writer):
-        self.failure = RuntimeError("the thread that writes has ended")  # until it is known better: a bug is no success
+        self.failure = RuntimeError("the thread that writes has ended")  # if a bug raises
         try:
             self.failure = self._written(writer)
         finally:
             self.done.set()
 
     def _written(self, writer):
-        """Write until the end, and close; the OSError that prevented it, or None."""
+        """Write until the end, and close; returns the OSError that prevented it, or None."""
         failure = None
         for step in (lambda: self._write(writer), writer.close):
             try:
@@ -106,8 +106,7 @@ class Recorder:
         due, last = time.monotonic() + SYNC, False
         while not (last or self.done.is_set()):
             last = self._stopped.is_set()
-            batch = self.box.get(0 if last else TICK)
-            batch = [each for each in batch if self._fits(*each)]
+            batch = [message for message in self.box.get(0 if last else TICK) if self._fits(*message)]
             if self._most is not None:
                 batch = batch[:self._most - self.count]
             writer.write([(channel, message.received, message.little, message.data) for channel, message in batch])
@@ -120,10 +119,10 @@ class Recorder:
                 due = time.monotonic() + SYNC
 
 
-# ---- a recording from its begin to its end --------------------------------------------------------------------
+# ---- a recording from beginning to end ------------------------------------------------------------------------
 
 class Limits:
-    """When recording ends: after `entries` or at `until` (seconds since the epoch), None is never; after `seconds`."""
+    """When recording ends: after `entries`, at `until` (seconds since the epoch), after `seconds`; None is never."""
 
     def __init__(self, end, by_index, seconds):
         """`end` is a number of entries (`by_index`) or seconds since the epoch; None and -1 are never."""
@@ -133,26 +132,26 @@ class Limits:
         self.seconds = seconds
 
     def words(self):
-        """What is reported of it, None when nothing limits."""
+        """The line that reports the limits, None without any."""
         if self.seconds < math.inf:
             return f"Recording for {self.seconds}s."
         if self.entries is not None:
-            return "Recording %d entries." % self.entries
+            return f"Recording {self.entries} entries."
         return self.until and f"Recording until {meaning.date(int(self.until * 1e9))}."
 
     def left(self):
-        """Seconds from now to the end, as far as it is one of time."""
+        """Seconds that are left; infinite without a limit in time."""
         return min(self.seconds, math.inf if self.until is None else self.until - time.time())
 
 
 class File:
-    """Where it is recorded to: `name`, None for one made of the time; `form` rtlog, simpkl or text; whether to go on with it."""
+    """The file to record to: `name`, None for one made from the time; `form`: rtlog, simpkl or text; whether to append."""
 
     def __init__(self, name, form, append):
         self.name, self.form, self.append = name, form, append
 
     def writer(self, channels, begun):
-        """What writes Channels, recorded since `begun` (ns since the epoch). Raises OSError, errors.Failed."""
+        """The Writer for these Channels, recorded since `begun` (ns since the epoch). Raises OSError, errors.Failed."""
         name = self.name
         if name is None:
             name = "rtlog_%d.rtlog" % time.time()
@@ -167,9 +166,9 @@ class File:
 
 
 def record(wanted, types, properties, pull, limits, file):
-    """Record until a limit is reached or no port is left; returns the exit status, and disconnects however it ends.
+    """Record until a limit is reached or no port is left; returns the exit status.
 
-    `wanted` are port_words.Targets, `types` datatypes.Types, `properties` go into the connections; `pull`: values are fetched.
+    `wanted` are port_words.Targets, `types` datatypes.Types, `properties` those of the connections; `pull`: values are fetched.
     """
     tally, channels, work = cli.Tally(), Channels(types), Recorder(limits.entries)
     readers = list(_readers(wanted, properties, pull, channels, work.box, tally))
@@ -189,27 +188,27 @@ def record(wanted, types, properties, pull, limits, file):
 
 
 def _readers(wanted, properties, pull, channels, box, tally):
-    for number, each in enumerate(port_words.find(wanted)):
+    for number, target in enumerate(port_words.find(wanted)):
         try:
-            if isinstance(each, errors.Error):
-                raise each
-            reader = reading.Reader(each.port, None, "pull" if pull else None, None, properties, "rtlog")
-            reader.deliver = box.taker(channels.add(each.port, each.name or "input%d" % number))
+            if isinstance(target, errors.Error):
+                raise target
+            reader = reading.Reader(target.port, None, "pull" if pull else None, None, properties, "rtlog")
+            reader.deliver = box.taker(channels.add(target.port, target.name or f"input{number}"))
             yield reader
         except errors.Error as e:
             tally.add(e)
 
 
 def _wait(limits, work, opened, watcher):
-    """Wait for the end of recording; report meanwhile what goes wrong."""
+    """Wait for the end of recording, and report what goes wrong."""
     end = time.monotonic() + limits.left()
-    told, due = 0, 0.0
+    reported, due = 0, 0.0
     while opened.live() and time.monotonic() < end and not work.done.wait(min(TICK, max(0, end - time.monotonic()))):
         watcher.look()
         dropped = sum(work.box.dropped.values())
-        if dropped > told and time.monotonic() >= due:
-            told, due = dropped, time.monotonic() + 1
-            cli.complain("%d messages dropped so far: they come faster than they can be written" % dropped)
+        if dropped > reported and time.monotonic() >= due:
+            reported, due = dropped, time.monotonic() + 1
+            cli.complain(f"{dropped} messages dropped so far: they come faster than they can be written")
 
 
 def _finish(work, watcher, tally):
@@ -220,6 +219,6 @@ def _finish(work, watcher, tally):
     watcher.count(tally)
     dropped = sum(work.box.dropped.values())
     if dropped:
-        cli.complain("%d of %d messages dropped" % (dropped, dropped + work.count))
+        cli.complain(f"{dropped} of {dropped + work.count} messages dropped")
         tally.fail(errors.Partial())
-    cli.detail("%d messages, %d octets recorded" % (work.count, work.octets))
+    cli.detail(f"{work.count} messages, {work.octets} octets recorded")

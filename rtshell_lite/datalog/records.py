@@ -1,7 +1,7 @@
 """What a log holds: channels, and entries in them."""
 import collections
 
-# A stream in a log: the name it is played by, its data type's id, that type as bytes (b"": unknown), where it came from.
+# A stream in a log: its name for playing, its data type's id, that type as bytes (b"": unknown), the ports it came from.
 Channel = collections.namedtuple("Channel", "name type_id typecode sources")
 
 # One message: its number, when it arrived (ns since the epoch), its channel's number, and either its CDR and whether that
@@ -10,5 +10,5 @@ Entry = collections.namedtuple("Entry", "number received channel little data val
 
 
 def is_moment(value):
-    """True for what can be a time: nanoseconds since the epoch, in 64 bits as records have it."""
+    """Whether a value can be a time: nanoseconds since the epoch, in 64 bits."""
     return type(value) is int and -1 << 63 <= value < 1 << 63

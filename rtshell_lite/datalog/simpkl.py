@@ -1,7 +1,7 @@
 """Reading the log files that rtshell's rtlog wrote ("simple pickle").
 
-Such a file is a row of pickles: (when recording began, list of PortSpec); 256 octets for a CurPos, which is put there when
-recording ends; then the entries, each (number, EntryTS, (port's name, data), own offset, offset of the one before).
+Such a file is a sequence of pickles: (when recording began, list of PortSpec); 256 octets for a CurPos, which is written when
+recording ends; then the entries: (number, EntryTS, (port's name, data), own offset, offset of the one before).
 """
 from rtshell_lite import errors, text
 from rtshell_lite.datalog import pickles
@@ -15,10 +15,9 @@ _HOMES = {"RTC", "Img", "rtctree", "OpenRTM_aist"}  # the packages that have the
 
 
 class Log:
-    """An open log, to be used in a `with` statement; what it offers is that of reader.Log.
+    """An open log, to be used in a `with` statement like reader.Log.
 
-    Its entries have a `value` instead of data: structs as dicts, enumerators by name; octets from Python 2 are text, whose
-    bytes are them.
+    Its entries have a `value` instead of data: structs as dicts, enumerators by name, octets of Python 2 as text.
     """
 
     form = "simpkl"
@@ -53,7 +52,7 @@ class Log:
     counts = property(lambda self: self._extent()[3])
 
     def _extent(self):
-        """What only reading all can show: number of entries, arrival of the first and the last, numbers by channel."""
+        """(number of entries, arrival of the first and the last, numbers by channel), found by reading the whole file."""
         if self._known_extent is None:
             count, first, last, counts = 0, None, None, {}
             for entry in self.entries():
@@ -64,7 +63,7 @@ class Log:
         return self._known_extent
 
     def entries(self, start=0):
-        """The entries from number `start` on, one by one. Damage ends them, see `notes`."""
+        """The entries from number `start` on, one by one, up to the first damage; see `notes`."""
         machine, number = self._machine(self._start), 0
         while machine.position < self.size:
             offset = machine.position
@@ -81,7 +80,7 @@ class Log:
             number += 1
 
     def since(self, moment):
-        """The number of the first entry that arrived at `moment` (ns) or later, None when none did."""
+        """The number of the first entry that arrived at `moment` (ns) or later, or None."""
         for entry in self.entries():
             if entry.received >= moment:
                 return entry.number
@@ -111,17 +110,17 @@ class Log:
         if name not in self._numbers:
             raise ValueError("of no port in the header")
         received = _moment(fields["_sec"], fields["_nsec"])
-        # A value may mention its parts many times, and these theirs: what it would come to is bounded by what was read.
+        # A value may refer to its parts many times, and these to theirs: its size is bounded by what was read.
         return Entry(number, received, self._numbers[name], None, None, _Plain(1000 + 16 * length).value(data, DEEP))
 
 
 def _channel(fields):
-    sources = [_text(each) for each in fields.get("_raw_specs") or ()]
+    sources = [_text(source) for source in fields.get("_raw_specs") or ()]
     return Channel(_text(fields["_name"]), _text(fields["_type_name"]), b"", tuple(sources))
 
 
 def _moment(seconds, nanoseconds):
-    """A time in ns since the epoch. Raises ValueError, OverflowError, TypeError for what is none."""
+    """A time in ns since the epoch. Raises ValueError, OverflowError, TypeError for anything else."""
     if isinstance(seconds, str) or isinstance(nanoseconds, str):  # int() would read them, however long
         raise TypeError("no number")
     moment = int(seconds) * 10 ** 9 + int(nanoseconds)
@@ -137,34 +136,34 @@ def _text(value):
 
 
 class _Plain:
-    """Turns records into dicts, of at most so many values and characters."""
+    """Turns records into dicts, with at most so many values and characters."""
 
     def __init__(self, most):
         self.left = most
 
-    def value(self, it, deep):
+    def value(self, data, depth):
         self.left -= 1
-        if self.left < 0 or deep == 0:
+        if self.left < 0 or depth == 0:
             raise pickles.Refused("a value that never ends")
-        if isinstance(it, pickles.Record):
-            if str(it.type) == "omniORB.EnumItem":
-                return _text(it.fields["_n"])
-            it = it.fields
-        if isinstance(it, dict):
-            return {name: self.value(part, deep - 1) for name, part in it.items()}
-        if isinstance(it, (list, tuple)):
-            self.left -= len(it)
-            if not any(isinstance(part, (pickles.Record, dict, list, tuple)) for part in it[:1]):
-                return list(map(self._leaf, it))
-            return [self.value(part, deep - 1) for part in it]
-        return self._leaf(it)
+        if isinstance(data, pickles.Record):
+            if str(data.type) == "omniORB.EnumItem":
+                return _text(data.fields["_n"])
+            data = data.fields
+        if isinstance(data, dict):
+            return {name: self.value(part, depth - 1) for name, part in data.items()}
+        if isinstance(data, (list, tuple)):
+            self.left -= len(data)
+            if not any(isinstance(part, (pickles.Record, dict, list, tuple)) for part in data[:1]):
+                return list(map(self._leaf, data))
+            return [self.value(part, depth - 1) for part in data]
+        return self._leaf(data)
 
-    def _leaf(self, it):
-        if isinstance(it, (str, bytes)):
-            self.left -= len(it)
+    def _leaf(self, data):
+        if isinstance(data, (str, bytes)):
+            self.left -= len(data)
             if self.left < 0:
                 raise pickles.Refused("a value that never ends")
-            return text.from_wire(it) if isinstance(it, str) else it
-        if it is None or isinstance(it, (bool, int, float)):
-            return it
+            return text.from_wire(data) if isinstance(data, str) else data
+        if data is None or isinstance(data, (bool, int, float)):
+            return data
         raise pickles.Refused("a value that no message has")

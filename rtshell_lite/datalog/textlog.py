@@ -12,7 +12,7 @@ from rtshell_lite.text import printable
 
 
 class Writer:
-    """Writes one; takes the place of writer.Writer. `types` are the datatypes.Type of the channels, or None."""
+    """Writes a log of text, instead of a writer.Writer. `types` are the datatypes.Type of the channels, or None."""
 
     def __init__(self, name, channels, types, append=False):
         self.name, self._names, self._types = name, [channel.name for channel in channels], types
@@ -41,8 +41,8 @@ class Writer:
         """Append messages, each (channel number, received, little, data). Raises OSError."""
         try:
             for channel, received, little, data in messages:
-                said = (self._names[channel], self._spelt(channel, little, data))
-                line = "%d.%09d\t(%r, %s)\n" % (divmod(received, 10 ** 9) + said)
+                seconds, nanoseconds = divmod(received, 10 ** 9)
+                line = f"{seconds}.{nanoseconds:09d}\t({self._names[channel]!r}, {self._spelt(channel, little, data)})\n"
                 self._file.write(line.encode("utf-8", "backslashreplace"))
             self._file.flush()
         except OSError as e:
@@ -54,16 +54,16 @@ class Writer:
             try:
                 return values.constructor(self._types[channel].decode(data, little))
             except (errors.BadData, errors.BadType, errors.BadValue):
-                pass  # only its bytes say what it is
+                pass  # write its bytes
         return repr(data)
 
     def sync(self):
-        """Let the disk have what was written."""
+        """Flush to the disk."""
         if stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
             os.fsync(self._file.fileno())
 
     def close(self):
-        """Let the disk have all."""
+        """Flush to the disk, and close."""
         try:
             self._file.flush()
             self.sync()

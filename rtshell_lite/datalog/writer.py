@@ -14,17 +14,17 @@ class Writer:
     """A log file that is being written. All its methods raise OSError, and leave a file of whole records."""
 
     def __init__(self, name, channels, begun, append=False):
-        """Create the file, with a header and nothing else, or make it ready to go on. Raises errors.Failed, too.
+        """Create the file with its header, or prepare it for appending. Raises errors.Failed, too.
 
-        `begun` is when recording began, ns since the epoch. A file of that name is replaced at the moment when the header
-        of the new one is on the disk.
+        `begun` is when recording began, ns since the epoch. An old file of that name is replaced when the header of the new one is
+        on the disk.
         """
         self.name, self.channels, self._synced, self._failed = name, channels, True, False
         self.index, self.end = Index(), 0  # end: offset after the last whole block
         header = blocks.text(blocks.HEADER, {
             "created": begun, "program": "rtlog " + __version__,
-            "channels": [{"name": each.name, "type": each.type_id, "sources": list(each.sources),
-                          "typecode": each.typecode.hex() if each.typecode else None} for each in channels]})
+            "channels": [{"name": channel.name, "type": channel.type_id, "sources": list(channel.sources),
+                          "typecode": channel.typecode.hex() if channel.typecode else None} for channel in channels]})
         self._file = None
         try:
             self._target = files.destination(name)
@@ -36,7 +36,7 @@ class Writer:
             if self._file:
                 self._file.close()
             if isinstance(e, OSError) and str(e.filename).endswith(".tmp"):
-                e.filename = name  # not a name that nobody knows
+                e.filename = name  # the one that the user knows
             raise
 
     def _create(self, header):
@@ -57,7 +57,7 @@ class Writer:
         try:
             self._begin(header, self._target)
             begun = True
-        finally:  # Ctrl-C may have come, too
+        finally:  # also after Ctrl-C
             if not begun and _is_still(self._file, self._target):
                 os.remove(self._target)
 
@@ -73,13 +73,13 @@ class Writer:
                 temporary.remove()
 
     def _lock(self, file, path):
-        """Keep other recorders away from a file. Raises errors.Failed, also when one has put another in its place meanwhile."""
+        """Lock a file against other recorders. Raises errors.Failed, also when one of them has just replaced it."""
         lock(file, self.name)
         if not _is_still(file, path):
             raise errors.Failed(text.printable(self.name), "another rtlog is recording to it")
 
     def _begin(self, header, path):
-        """Write the header of a new file, and let the disk have it."""
+        """Write the header of a new file to the disk."""
         self._lock(self._file, path)
         self._start(header)
         os.fsync(self._file.fileno())
@@ -94,7 +94,7 @@ class Writer:
         self._file = open(self._target, "r+b", 0)
         lock(self._file, self.name)
         if self._file.read(len(blocks.MAGIC)) != blocks.MAGIC:
-            raise errors.Failed(text.printable(self.name), "not a log that can be gone on with")
+            raise errors.Failed(text.printable(self.name), "not a log that can be appended to")
         size = os.fstat(self._file.fileno()).st_size
         with open(self._target, "rb") as file:
             old = reader.Log(file, text.printable(self.name), size)
@@ -109,7 +109,7 @@ class Writer:
         self._put([header])
 
     def _is_torn(self, size):
-        """True when the last `size` octets are what a sudden end leaves, not records after one that is damaged."""
+        """Whether the last `size` octets are what a sudden end leaves, not records after a damaged one."""
         self._file.seek(self.end)
         head = self._file.read(blocks.BLOCK.size)
         if size <= CHUNK or not head.strip(b"\0"):  # file systems leave zeros after a power failure
@@ -125,7 +125,7 @@ class Writer:
                     text.printable(channel.name), text.printable(types[channel.name]), text.printable(channel.type_id)))
 
     def write(self, messages):
-        """Append messages, each (channel number, received, little, data), and give them to the operating system."""
+        """Append messages, each (channel number, received, little, data), and pass them to the operating system."""
         parts, size = [], 0
         for channel, received, little, data in messages:
             block = blocks.entry(self.index.next, received, channel, little, data)
@@ -147,28 +147,28 @@ class Writer:
                 while rest:
                     rest = rest[self._file.write(rest):]
         except OSError as e:
-            self._failed = True  # from here on the index would name what is not there
+            self._failed = True  # an index would be wrong
             self._cut()
             e.filename = self.name
             raise
         self.end += size
 
     def _cut(self):
-        """Take back what was written of a chunk: the disk is full, and the file must end with a whole record."""
+        """Remove the part of a chunk that was written to a full disk: the file must end with a whole record."""
         try:
             os.ftruncate(self._file.fileno(), self.end)
         except OSError:
             pass  # a pipe; a reader leaves out the torn end
 
     def sync(self):
-        """Let the disk have what was written: after this it survives a power failure."""
+        """Flush to the disk: what was written survives a power failure."""
         if self._synced or not stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
             return
         os.fsync(self._file.fileno())
         self._synced = True
 
     def close(self):
-        """Write the index, and let the disk have all."""
+        """Write the index, flush to the disk, and close."""
         try:
             if not self._failed:
                 self._put([self.index.block(self.end)])
@@ -178,7 +178,7 @@ class Writer:
 
 
 def _pieces(parts):
-    """Small parts put together, large ones as they are: a copy costs more than a call."""
+    """The parts, with small ones joined: a system call costs more than a copy of them."""
     small = []
     for part in parts:
         if len(part) < LARGE:
@@ -191,12 +191,12 @@ def _pieces(parts):
 
 
 def _is_still(file, name):
-    """True when an open file is the one of that name."""
+    """Whether an open file still has that name."""
     return os.path.exists(name) and os.path.samestat(os.fstat(file.fileno()), os.stat(name))
 
 
 def lock(file, name):
-    """Keep a second recorder away. Raises errors.Failed; file systems that know no locks have none."""
+    """Lock a file against other recorders, if its file system has locks. Raises errors.Failed."""
     import fcntl
     try:
         fcntl.flock(file.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)

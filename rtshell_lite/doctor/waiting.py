@@ -4,6 +4,7 @@ Its ports cannot be asked, as they wait. On this host the kernel knows the TCP c
 """
 import glob
 import ipaddress
+import itertools
 import os
 import re
 
@@ -12,6 +13,7 @@ from rtshell_lite.doctor import addresses
 
 ESTABLISHED, LISTENING = "01", "0A"
 TABLES = ("/proc/net/tcp", "/proc/net/tcp6")
+READINGS = 3  # the kernel gives a table in pieces, and a row can slip through while sockets come and go
 
 
 def culprits(snapshot, hung):
@@ -68,14 +70,14 @@ def _inodes(process):
 
 def _table():
     """(local end, far end, state, inode) of each TCP socket of this host; an end is (IP address, port)."""
-    for name in TABLES:
+    rows = set()
+    for name in TABLES * READINGS:
         try:
             with open(name) as file:
-                rows = [line.split() for line in file][1:]
+                rows.update((row[1], row[2], row[3], row[9]) for row in map(str.split, itertools.islice(file, 1, None)))
         except OSError:
             continue  # no Linux
-        for row in rows:
-            yield _end(row[1]), _end(row[2]), row[3], row[9]
+    return [(_end(local), _end(remote), state, inode) for local, remote, state, inode in rows]
 
 
 def _end(text):

@@ -1,8 +1,8 @@
-"""What could stand at the end of an unfinished command line: commands, options, paths, ports, sets, parameters, files.
+"""Completion of an unfinished command line: commands, options, paths, ports, sets, parameters, files.
 
-An argument's metavar says what completes it (KINDS below), or its choices do; an attribute `completion` on it counts before
-the metavar, where what help shows is not precise enough. Words such as rtconf's `get` are taken from the lines of a docstring
-that show their use, `  rtconf PATH get PARAM`. So a new command is completed without a word here.
+An argument is completed by its choices or by its metavar (KINDS below); an attribute `completion` overrides the metavar. Words
+such as rtconf's `get` come from the lines of a docstring that show their use, `  rtconf PATH get PARAM`. So a new command needs
+nothing here.
 """
 import argparse
 import collections
@@ -17,17 +17,17 @@ from rtshell_lite.robot import tree
 from rtshell_lite.shell import installation, setup
 from rtshell_lite.text import is_plain, printable
 
-# `text` stands for the whole last word; a `final` word is complete, others go on (a directory, an optional port).
+# `text` replaces the whole last word; a `final` word is complete, others may be continued (a directory, an optional port).
 Candidate = collections.namedtuple("Candidate", "text final help")
 
-SECONDS = 0.7  # for everything: with the start of Python, the answer is there within a second
+SECONDS = 0.7  # for everything: with the start of Python, an answer takes at most a second
 
 
 def candidates(words, redirected=False):
     """The Candidates for the last of `words`, a command line whose other words are complete; [] in case of any failure.
 
-    The text of a candidate begins with what was typed. With `redirected`, the last word is the file behind a < or >. Asks at
-    most one name server and one component, changes nothing.
+    The text of a candidate begins with what was typed. With `redirected`, the last word is the file after a < or >. Asks at
+    most one name server and one component.
     """
     try:
         if redirected:
@@ -36,14 +36,14 @@ def candidates(words, redirected=False):
             found = _arguments(os.path.basename(words[0]), words[1:-1], words[-1]) if words[1:] else _command_names()
     except (errors.Error, OSError):
         return []
-    return sorted({each.text: each for each in found if each.text.startswith(words[-1])}.values())
+    return sorted({candidate.text: candidate for candidate in found if candidate.text.startswith(words[-1])}.values())
 
 
 def answers(which, line, typed, meant=lambda words: words):
-    """The lines that the shell `which` is to take for completions of `line`; none if they cannot be had in SECONDS.
+    """The lines with completions of `line` for the shell `which`; none if they take longer than SECONDS.
 
-    `typed` is that end of the line which the shell replaces by one of them; `meant` gives the words that it understands
-    for those on the line.
+    `typed` is the end of the line that the shell replaces by one of them; `meant` turns the words of the line, as typed in
+    rtsh, into those of a command.
     """
     line = setup.split(line, which == "fish")
     if line.open or not line.words[0]:
@@ -53,7 +53,7 @@ def answers(which, line, typed, meant=lambda words: words):
     lanes.session.timeout = min(lanes.session.timeout, SECONDS)
     thread.start()
     thread.join(SECONDS)
-    lanes.session.timeout = before  # in rtsh there is an after
+    lanes.session.timeout = before  # rtsh goes on
     return setup.answers(which, line, list(found), typed)
 
 
@@ -67,16 +67,16 @@ def _arguments(command, before, word):
         return []
     module = installation.load(known[command], "rtshell_lite command")
     parser = options.parser(module.arguments, module.__doc__, command)
-    others, option, ended = parser.unfinished(before)
+    positional, option, ended = parser.unfinished(before)
     if option:
-        found = _for_action(option, word, others)
-        return found if found or option.nargs != "?" else _positional(parser, module.__doc__, others, word)
+        found = _for_action(option, word, positional)
+        return found if found or option.nargs != "?" else _positional(parser, module.__doc__, positional, word)
     if word.startswith("-") and not ended:
-        return _options(parser, word, others)
-    return _positional(parser, module.__doc__, others, word)
+        return _options(parser, word, positional)
+    return _positional(parser, module.__doc__, positional, word)
 
 
-def _options(parser, word, others):
+def _options(parser, word, positional):
     """Options, or the value of one after its equals sign."""
     name, equals, value = word.partition("=")
     options = {text: action for action in parser._actions for text in action.option_strings
@@ -84,16 +84,16 @@ def _options(parser, word, others):
     if not equals:
         formatter = parser._get_formatter()
         return [Candidate(text, True, formatter._expand_help(action)) for text, action in options.items()]
-    found = _for_action(options[name], value, others) if name in options else []
-    return [each._replace(text=name + "=" + each.text) for each in found]
+    found = _for_action(options[name], value, positional) if name in options else []
+    return [candidate._replace(text=f"{name}={candidate.text}") for candidate in found]
 
 
-def _positional(parser, doc, others, word):
+def _positional(parser, doc, positional, word):
     actions = [action for action in parser._actions if not action.option_strings]
     if not actions:
         return []
     many = [i for i, action in enumerate(actions) if action.nargs in ("*", "+")]
-    number = min([len(others)] + many)
+    number = min([len(positional)] + many)
     if number >= len(actions):
         return []
     uses = _uses(doc, parser.prog)
@@ -101,14 +101,14 @@ def _positional(parser, doc, others, word):
     if action.metavar == "COMMAND" and uses:
         return [Candidate(use, True, "") for use in uses]
     if action.metavar == "ARG" and uses:
-        chosen = uses.get(others[number - 1], [])
-        kinds = chosen[len(others) - number:] or [each for each in chosen[-1:] if each == "PATH"]
-        return _of_kind(kinds[0], word, others) if kinds else []
-    return _for_action(action, word, others)
+        chosen = uses.get(positional[number - 1], [])
+        kinds = chosen[len(positional) - number:] or [kind for kind in chosen[-1:] if kind == "PATH"]
+        return _of_kind(kinds[0], word, positional) if kinds else []
+    return _for_action(action, word, positional)
 
 
 def _uses(doc, prog):
-    """{command word: metavars behind it} from lines such as `  rtconf PATH get PARAM` and `  rtec PATH start | stop   …`."""
+    """{command word: metavars after it} from lines such as `  rtconf PATH get PARAM` and `  rtec PATH start | stop   …`."""
     uses = {}
     for line in doc.partition("\nexamples:")[0].split("\n"):
         words = re.split(r" {2,}", line.strip())[0].replace(" ...", "").split(" ")
@@ -118,26 +118,26 @@ def _uses(doc, prog):
     return uses
 
 
-def _for_action(action, word, others):
+def _for_action(action, word, positional):
     choices = action.choices or getattr(action.type, "words", None)
     if choices:
         return [Candidate(choice, True, "") for choice in choices]
-    return _of_kind(getattr(action, "completion", action.metavar), word, others)
+    return _of_kind(getattr(action, "completion", action.metavar), word, positional)
 
 
-def _of_kind(kind, word, others):
+def _of_kind(kind, word, positional):
     complete = KINDS.get(kind)
-    return complete(word, others) if complete and word is not None else []
+    return complete(word, positional) if complete and word is not None else []
 
 
 # ---- the RTC Tree ---------------------------------------------------------------------------------------------
 
-_Entry = collections.namedtuple("_Entry", "name kind")  # what a directory holds, as spelt; directory, manager or object
+_Entry = collections.namedtuple("_Entry", "name kind")  # a printable name in a directory; directory, manager or object
 
 
 def _paths(wanted, port_types=(), port_needed=False):
-    """A function that completes paths to what is `wanted`: kinds of _Entry, and ports of some types."""
-    def complete(word, others):
+    """A function that completes paths to _Entries of the `wanted` kinds, and to ports of some types."""
+    def complete(word, _):
         above, last = _split(word)
         component, colon, _ = _cut_at_colon(last)
         if colon and parse(above or ".") != ROOT:
@@ -158,7 +158,7 @@ def _no_option(word):
 
 
 def _split(word):
-    """A path at its last slash that no backslash protects."""
+    """Split a path after its last unescaped slash."""
     last = re.search(r"(?:\\.|[^\\/])*\\?\Z", word, re.DOTALL).start()
     return word[:last], word[last:]
 
@@ -169,7 +169,7 @@ def _cut_at_colon(name):
 
 
 def _entries(path):
-    """The _Entries of a directory, by one call for all names: what each is, its binding and its kind tell well enough."""
+    """The _Entries of a directory, by one call: bindings and kinds of names say well enough what they are."""
     node = tree.resolve(path)
     if node.kind == "unsure":
         node, = tree.look([node])
@@ -183,37 +183,32 @@ def _entries(path):
 
 
 def _ports(component, types):
-    """Paths of the ports of a component. They alone are asked, as `ports` tells why."""
+    """Paths of the ports of a component."""
     from rtshell_lite.robot import ports
     node = tree.component(parse(component))
-    found = []
-    for each in ports.ports(node):
-        if each.type in types:
-            name = ports.label(each)[len(str(node.path)):]
-            found.append(Candidate(component + name, True, each.properties.get("dataport.data_type", "")))
-    return found
+    return [Candidate(component + ports.label(port)[len(str(node.path)):], True, port.properties.get("dataport.data_type", ""))
+            for port in ports.ports(node) if port.type in types]
 
 
 # ---- configuration --------------------------------------------------------------------------------------------
 
-def _configuration(others):
+def _configuration(path):
     from rtshell_lite.robot import configuration
-    return configuration.Configuration(tree.component(parse(others[0]))) if others else None
+    return configuration.Configuration(tree.component(parse(path)))
 
 
-def _sets(word, others):
-    found = _configuration(others)
-    return [Candidate(printable(each.id), True, "") for each in found.sets()] if found else []
+def _sets(_, positional):
+    return [Candidate(printable(one_set.id), True, "") for one_set in _configuration(positional[0]).sets()] if positional else []
 
 
-def _parameters(word, others):
-    found = _configuration(others)
-    return [Candidate(printable(name), True, printable(value)) for name, value in found.set().values.items()] if found else []
+def _parameters(_, positional):
+    values = _configuration(positional[0]).set().values if positional else {}
+    return [Candidate(printable(name), True, printable(value)) for name, value in values.items()]
 
 
 # ---- local files ----------------------------------------------------------------------------------------------
 
-def _files(word, others):
+def _files(word, _):
     above = word[:word.rfind("/") + 1]
     found = []
     for name in os.listdir(os.path.expanduser(above) or "."):
@@ -224,8 +219,8 @@ def _files(word, others):
     return found
 
 
-def _directories(word, others):
-    return [each for each in _files(word, others) if not each.final]
+def _directories(word, positional):
+    return [candidate for candidate in _files(word, positional) if not candidate.final]
 
 
 _DATA, _ALL = ("DataInPort", "DataOutPort"), ("DataInPort", "DataOutPort", "CorbaPort", "Port")

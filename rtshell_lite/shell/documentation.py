@@ -1,6 +1,6 @@
-"""What is generated for a reader: `python3 -m rtshell_lite.shell.documentation`, in a checkout, writes it.
+"""Writes the documents that are generated: `python3 -m rtshell_lite.shell.documentation`, in a checkout.
 
-That is the manual pages below man/, and in README.ja.md a row for each command that its table lacks, in English until somebody
+They are the manual pages below man/, and in README.ja.md a row for each command that its table lacks, in English until somebody
 translates it. tests/unit/test_documentation.py fails when one of them is out of date.
 """
 import os
@@ -14,7 +14,7 @@ ROW = re.compile(r"^\| (`rt.*?) \| .*\n", re.MULTILINE)
 
 
 def documents():
-    """All that is generated: {path below the checkout: text}."""
+    """All generated documents, {path below the checkout: text}."""
     english, japanese = (files.read(os.path.join(ROOT, name)) for name in ("README.md", "README.ja.md"))
     japanese = with_rows(japanese, english)
     found = {"man/" + name: text for name, text in manpages.pages({"README.md": english, "README.ja.md": japanese}).items()}
@@ -23,7 +23,7 @@ def documents():
 
 
 def with_rows(japanese, english):
-    """The Japanese README with a row for each command of the English one, and no other."""
+    """The Japanese README with rows for the commands of the English one."""
     source, target = manpages.sections(english)["Commands"], manpages.sections(japanese)["コマンド"]
     wanted = [name for row in ROW.finditer(source) for name in _names(row)]
     present = [name for row in ROW.finditer(target) for name in _names(row)]
@@ -34,18 +34,18 @@ def with_rows(japanese, english):
 
 
 def _names(row):
-    """The commands that a row of a table is about."""
+    """The commands in a row of a table."""
     return row.group(1).split(", ")
 
 
 def _only(row, wanted):
-    """The row with those of its commands that are wanted; "" without any."""
+    """The row with only the wanted commands; "" without any."""
     names = [name for name in _names(row) if name in wanted]
     return "| " + ", ".join(names) + row.group()[row.end(1) - row.start():] if names else ""
 
 
 def main():
-    """Write all that is generated, and remove the pages of commands that are gone."""
+    """Write the generated documents, and remove the pages of commands that no longer exist."""
     wanted = documents()
     for directory, _, names in list(os.walk(os.path.join(ROOT, "man"))):
         for path in [os.path.join(directory, name) for name in names]:

@@ -1,4 +1,4 @@
-"""Where this rtshell_lite is: in a checkout, in an installation, or in a wheel file; its commands and its files."""
+"""The commands and files of this rtshell_lite, which is in a checkout, installed, or in a wheel file."""
 import ast
 import glob
 import importlib.machinery
@@ -21,16 +21,16 @@ def wheel():
 
 
 def commands():
-    """The commands' names and where their files are; a path may lead into the wheel file. Raises Error if there are none."""
+    """The commands, {name: path}; a path may lead into the wheel file. Raises Error if there are none."""
     archive = wheel()
-    found = _in_wheel(archive) if archive else next(filter(None, map(_in_directory, _places())), {})
-    if not found:
+    paths = _in_wheel(archive) if archive else next(filter(None, map(_in_directory, _places())), {})
+    if not paths:
         raise errors.Error(f"the commands are missing: they are not beside {PACKAGE}")
-    return found
+    return paths
 
 
 def manual_pages():
-    """The manual pages, {path below share/man: path}; a path may lead into the wheel file. {} where they are not."""
+    """The manual pages, {path below share/man: path}; a path may lead into the wheel file. {} if there are none."""
     archive = wheel()
     if archive:
         with zipfile.ZipFile(archive) as members:
@@ -46,7 +46,7 @@ def manual_pages():
 
 
 def read(path):
-    """The bytes of a file of ours, also out of the wheel file."""
+    """The bytes of a file of ours, which may be in the wheel file."""
     return rtshell_lite.__spec__.loader.get_data(path)
 
 
@@ -81,7 +81,7 @@ def _in_wheel(archive):
 
 
 def _places():
-    """Directories where an installation may have put the commands, the surest first."""
+    """Directories where an installation may have put the commands, the most likely first."""
     beside = os.path.dirname(PACKAGE)
     yield os.path.join(beside, "bin")  # a checkout; also pip install --target
     yield os.path.join(os.path.dirname(beside), "bin")  # --unpack
@@ -91,7 +91,7 @@ def _places():
                 if re.match(r"(\.\./|/).*/rt\w+,", line):
                     yield os.path.normpath(os.path.join(beside, os.path.dirname(line.partition(",")[0])))
     yield sysconfig.get_path("scripts")
-    yield os.path.join(sys.prefix, "bin")  # where OS packages put them, whatever their pip says
+    yield os.path.join(sys.prefix, "bin")  # where packages of an operating system put them
 
 
 def _in_directory(directory):

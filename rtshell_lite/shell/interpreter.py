@@ -1,4 +1,4 @@
-"""Many commands in one process, with one ORB and open connections: how rtsh reads them and runs them."""
+"""How rtsh reads commands and runs them in its own process, with one ORB and open connections."""
 import contextlib
 import difflib
 import io
@@ -11,7 +11,7 @@ from rtshell_lite import cli, errors
 from rtshell_lite.shell import installation
 from rtshell_lite.text import printable
 
-# One word as sh reads it, one operator, or a comment; blanks before it.
+# A word of sh, an operator or a comment, after blanks.
 _TOKEN = re.compile(r"""\s*(?: (?P<word> (?: [^\s;&|<>()'"\\\#] | \\. | '[^']*' | "(?:[^"\\]|\\.)*" )
                                         (?: [^\s;&|<>()'"\\] | \\. | '[^']*' | "(?:[^"\\]|\\.)*" )* )
                         | (?P<end> ; | \Z | \#.* ) | (?P<operator> &&? | \|\|? | <<? | >>? | [()] ) )""", re.VERBOSE | re.DOTALL)
@@ -21,26 +21,26 @@ LONGEST = 4 << 20  # characters of a line
 
 
 class Left(Exception):
-    """`exit` was said; its argument is the exit status."""
+    """The end of rtsh, by `exit` for example; its argument is the exit status."""
 
 
 def split(line):
     """The commands of a line, each a list of words, quoted as in sh. Raises BadLine for what only a real shell can do."""
-    if "\0" in line:  # no shell could pass it on, so no command expects one
+    if "\0" in line:  # commands do not expect it, for shells cannot pass it
         raise errors.BadLine("a NUL character: " + printable(line.strip()))
-    commands, words, at = [], [], 0
-    while at < len(line):
-        found = _TOKEN.match(line, at)
-        if not found:
-            raise errors.BadLine("a quote or a backslash without its other half: " + printable(line[at:].strip()))
-        if found.group("operator"):
-            raise errors.BadLine(f"{found.group('operator')}: only a real shell has that; quote it if it belongs to a word")
-        if found.group("word"):
-            words.append(_unquoted(found.group("word")))
+    commands, words, position = [], [], 0
+    while position < len(line):
+        token = _TOKEN.match(line, position)
+        if not token:
+            raise errors.BadLine("a quote or a backslash without its other half: " + printable(line[position:].strip()))
+        if token.group("operator"):
+            raise errors.BadLine(f"{token.group('operator')}: only a real shell has that; quote it if it belongs to a word")
+        if token.group("word"):
+            words.append(_unquoted(token.group("word")))
         elif words:
             commands.append(words)
             words = []
-        at = found.end() if found.end() > at else len(line)
+        position = token.end() if token.end() > position else len(line)
     return commands + [words] if words else commands
 
 
@@ -52,7 +52,7 @@ def _unquoted(word):
 
 
 def lines(read):
-    """(number of its first line, text) for each line that read() gives, '' at the end; a backslash at the end joins two."""
+    """(number of its first line, text) for each line of read(), which returns '' at the end; a final backslash joins two."""
     number, first, text = 0, 1, ""
     while True:
         line = read()
@@ -69,7 +69,7 @@ def lines(read):
 
 
 class Interpreter:
-    """Runs commands; `status` is the exit status of the last one, `stop` says whether a failure is the end of all."""
+    """Runs commands; `status` is the exit status of the last one, `stop`: a failure ends rtsh."""
 
     def __init__(self, stop=False):
         self.stop, self.status = stop, 0
@@ -82,10 +82,11 @@ class Interpreter:
             if name in self.files:
                 return name
         near = difflib.get_close_matches(word, sorted(self.files), 1)
-        raise errors.BadLine("%s: no such command%s" % (printable(word) or "''", "; did you mean %s?" % near[0] if near else ""))
+        hint = f"; did you mean {near[0]}?" if near else ""
+        raise errors.BadLine(f"{printable(word) or repr('')}: no such command{hint}")
 
     def run_line(self, line):
-        """Run the commands of one line. Raises BadLine, Left (`exit`, or a failure that is the end of all)."""
+        """Run the commands of a line. Raises BadLine, Left."""
         for words in split(line):
             cli.detail(" ".join(map(shlex.quote, words)))
             if words[0] == "exit":
@@ -95,7 +96,7 @@ class Interpreter:
                 raise Left(self.status)
 
     def run(self, words):
-        """Run one command, given as its words, and return its exit status."""
+        """Run a command, a list of words, and return its exit status."""
         try:
             name = self.name(words[0])
         except errors.BadLine as e:

@@ -1,13 +1,11 @@
-"""Manual pages: that of a command says what its docstring and its parser say; rtshell_lite(7) what README.md says, its Japanese
-version what README.ja.md says.
-"""
+"""Manual pages: of commands, from their docstrings and parsers; rtshell_lite(7), from README.md; in Japanese, from README.ja.md."""
 import argparse
 import re
 
 from rtshell_lite import __version__, options
 from rtshell_lite.shell import installation
 
-# The parts of the READMEs that make rtshell_lite(7), and the headings of its first and its last section.
+# Of rtshell_lite(7): the headings of NAME and DESCRIPTION, the sections taken from the README, the heading of SEE ALSO.
 SECTIONS = {
     "README.md": ("NAME", "DESCRIPTION", ["Commands", "Paths", "Environment", "Exit status", "Scripts"], "SEE ALSO"),
     "README.ja.md": ("名前", "説明", ["コマンド", "パス", "環境変数", "終了ステータス", "スクリプト"], "関連項目"),
@@ -18,7 +16,7 @@ WIDEST = 76
 
 
 def pages(readmes):
-    """All pages, {path below man/: text}, given the text of both READMEs by their names."""
+    """All pages, {path below man/: text}; `readmes` are the texts of both READMEs by name."""
     commands = installation.commands()
     found = {f"man1/{name}.1": _command_page(name, path) for name, path in commands.items()}
     found["man7/rtshell_lite.7"] = _overview("README.md", readmes["README.md"], commands)
@@ -69,7 +67,7 @@ def _argument(action):
 
 
 def _label(action):
-    """An argument or option with its value, as the heading of what it does."""
+    """An argument or option with its value, as a heading."""
     value = _text(action.metavar or action.dest.upper())
     if not action.option_strings:
         return f"\\fI{value}\\fR"
@@ -92,7 +90,7 @@ def _paragraphs(text):
 
 
 def _entries(text):
-    """Indented lines, each a paragraph; those indented more go on with the one before."""
+    """A paragraph for each indented line; lines that are indented more continue the one before."""
     return [line for entry in re.split("\n  (?! )", "\n" + text.rstrip())[1:] for line in (".PP", _text(" ".join(entry.split())))][1:]
 
 
@@ -110,7 +108,7 @@ def _overview(readme, text, commands):
 
 
 def _markdown(text):
-    """The little Markdown of our READMEs: paragraphs, code, tables whose first column names what the others tell of."""
+    """The subset of Markdown in our READMEs: paragraphs, code, tables whose first column names what the others describe."""
     lines = []
     for block in re.findall(r"```.*\n(?:.*\n)*?```|(?:(?!```).+\n?)+", text):
         rows = block.rstrip("\n").split("\n")
@@ -128,7 +126,7 @@ def _markdown(text):
 
 
 def _joined(rows):
-    """Lines of one paragraph; between Japanese characters a new line is no blank."""
+    """The lines of a paragraph; between Japanese characters a line end is not a blank."""
     text = rows[0].strip()
     for row in rows[1:]:
         text += ("" if _wide(text[-1]) and _wide(row.strip()[0]) else " ") + row.strip()
@@ -138,10 +136,10 @@ def _joined(rows):
 # ---- troff ----------------------------------------------------------------------------------------------------
 
 def _text(s):
-    """Plain text for troff; what is not ASCII is written such that any terminal and any troff can show it."""
+    """Plain text for troff; characters beyond ASCII are written so that every troff can show them."""
     s = s.replace("\\", "\\e").replace("-", "\\-")
     s = "".join(c if c < "\x80" or _wide(c) else f"\\[u{ord(c):04X}]" for c in s)
-    # Japanese has no blanks to break lines at: they may break between any two characters but before 、。 and brackets' ends
+    # Japanese lines may break between any two characters except before 、。 and closing brackets
     s = re.sub("([\u3000-\u9fff\uff00-\uffef])(?=[\u3010-\u9fff])", r"\1\\:", s)
     return "\\&" + s if s[:1] in (".", "'") else s
 
@@ -158,7 +156,7 @@ def _prose(s):
 
 
 def _literal(lines):
-    """Lines that stay as they are, each indented by two blanks or more; remarks beside them go below where it gets too wide."""
+    """Lines that stay as they are, each indented by two blanks or more; if they are too wide, remarks beside them go below."""
     if max(map(len, lines)) > WIDEST:
         lines = [part for line in lines for part in re.sub(r"(?<=\S) {2,}", "\n        ", line, 1).split("\n")]
     return [".PP", ".RS 2", ".nf"] + [_text(line[2:]) or "\\&" for line in lines] + [".fi", ".RE"]

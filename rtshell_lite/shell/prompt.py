@@ -6,11 +6,11 @@ from rtshell_lite.path import parse
 from rtshell_lite.shell import completion
 
 HISTORY = "~/.rtsh_history"
-LENGTH = 1000  # lines that it keeps
+LENGTH = 1000  # lines
 
 
 def text():
-    """What stands before the cursor: the working directory."""
+    """The prompt: the working directory."""
     try:
         return f"rtsh {parse('.')!s}> "
     except errors.BadPath:  # RTCSH_CWD came from elsewhere
@@ -18,7 +18,7 @@ def text():
 
 
 class Editor:
-    """readline, if there is one: as a context, it reads the history and writes it down afterwards."""
+    """readline, if Python has it; a context that reads the history, and writes it in the end."""
 
     def __init__(self, interpreter):
         self.interpreter = interpreter
@@ -38,7 +38,7 @@ class Editor:
         try:
             self.readline.read_history_file(os.path.expanduser(HISTORY))
         except OSError:
-            pass  # the first time, or a home that cannot be read
+            pass  # there is none yet, or it cannot be read
         return self
 
     def __exit__(self, *_):
@@ -49,10 +49,10 @@ class Editor:
         try:
             files.write(os.path.expanduser(HISTORY), "".join(line + "\n" for line in lines))
         except OSError:
-            pass  # a robot whose home is read-only
+            pass  # the home directory is read-only, say
 
     def _complete(self, typed, number):
-        """readline's way to ask: the completions of `typed` one by one, then None."""
+        """Called by readline with 0, 1, …: the completions of `typed`, then None."""
         if number == 0:
             line = self.readline.get_line_buffer()[:self.readline.get_endidx()]
             begins = line.rpartition(";")[2].strip() == typed  # the first word of a command
@@ -66,7 +66,7 @@ class Editor:
             return words
 
     def _names(self, typed):
-        """Commands as they are called in rtsh, in full only if they are begun so."""
+        """Names of commands without rt, or with it if `typed` has it."""
         full = sorted(self.interpreter.files)
         names = full if typed.startswith("rt") else sorted(["cd", "exit"] + [name[len("rt"):] for name in full])
         return [name + " " for name in names if name.startswith(typed)]

@@ -1,8 +1,7 @@
 """What the user's shell evaluates, `eval "$(rtcwd --shell bash)"`: a function that changes RTCSH_CWD, and completion.
 
-The program prints a path and never shell code with a path in it: rtshell's export RTCSH_CWD="…", evaluated, ran the
-command in a directory called $(command). For completion the shell gives the line up to the cursor, and gets back words that
-are quoted for it already.
+rtcwd prints a path, never shell code with a path in it: rtshell's export RTCSH_CWD="…", evaluated, ran the command in a
+directory called $(command). For completion the shell passes the line up to the cursor, and gets words that are quoted for it.
 """
 import collections
 import re
@@ -72,22 +71,22 @@ _COMPLETIONS = {"bash": _COMPLETE_BASH, "zsh": _COMPLETE_ZSH, "fish": _COMPLETE_
 
 
 def code(shell, commands):
-    """What a shell evaluates at its start: its rtcwd and, if it can complete, completion of the `commands`."""
+    """The code for a shell: its function rtcwd and, for most shells, completion of the `commands`."""
     completion = _COMPLETIONS.get(shell)
     return FUNCTIONS[shell] + (completion % " ".join(sorted(commands)) if completion else "")
 
 
 # ---- words on a line that is being typed ----------------------------------------------------------------------
 
-# `words` of the last command, the last of them unfinished; `quote` that it is in ('', ", ' or, behind a backslash, \);
-# `open` True when the shell will make something else of the last word, which is not to be guessed.
+# The `words` of the last command, of which the last one is unfinished; the `quote` that it is in: '', ", ' or, after a backslash,
+# \; `open`: it will be expanded by the shell; `redirected`: it is a file after < or >.
 Line = collections.namedtuple("Line", "words quote open redirected")
 
 _BETWEEN_COMMANDS, _EXPANDED = ";|&()\n", "$`*?[{"
 
 
 def split(line, fish=False):
-    """Read an unfinished command line as the shell will, as far as quotes go: a Line."""
+    """The Line of an unfinished command line, by the shell's rules of quoting."""
     words, quote, opened, redirected = [], "", False, False
     word = None  # type: str
     special = "$" if fish else "$`"  # within double quotes
@@ -124,13 +123,13 @@ def split(line, fish=False):
     return Line(words + [word or ""], quote, opened, redirected)
 
 
-def answers(shell, line, found, typed):
-    """The lines that complete a Line in a shell, for `found` (candidates: text, final, help); `typed` is what it replaces."""
-    if shell == "fish":  # which quotes by itself, and puts a blank behind all but / : =
-        more = [each.text + ":" for each in found if not each.final and each.text[-1] not in "/:="]
-        return [f"{each.text}\t{each.help}" if each.help else each.text for each in found] + more
+def answers(shell, line, candidates, typed):
+    """The lines that complete a Line in a shell, for candidates (text, final, help); `typed` is what they replace."""
+    if shell == "fish":  # which quotes by itself, and adds a blank after all but / : =
+        more = [text + ":" for text, final, _ in candidates if not final and text[-1] not in "/:="]
+        return [f"{text}\t{help}" if help else text for text, _, help in candidates] + more
     written = []
-    for text, final, _ in found:
+    for text, final, _ in candidates:
         rest = _quoted(text[len(line.words[-1]):], line.quote)
         if line.quote != "\\" or rest.startswith("\\"):
             written.append(typed + rest[line.quote == "\\":] + (" " if final and line.quote in ("", "\\") else ""))
@@ -138,7 +137,7 @@ def answers(shell, line, found, typed):
 
 
 def _quoted(s, quote):
-    """`s` as it is typed inside of such a quote, such that the shell takes every character for itself."""
+    """`s` as it is typed inside such a quote, with every special character escaped."""
     if quote == "'":
         return s.replace("'", "'\\''")
     if quote == '"':

@@ -1,8 +1,7 @@
-"""Lay rtshell_lite and other wheels out under a directory, ready to run: for robots without pip.
+"""Install rtshell_lite and other wheels under a directory without pip.
 
-DIR/bin holds the commands, DIR/lib what they import, DIR/share/man their manual pages, where `man` looks for commands of
-DIR/bin. A wheel's own shared libraries are found because the linker looks for them beside the module that needs them
-($ORIGIN), as it does in site-packages.
+DIR/bin holds the commands, DIR/lib what they import, DIR/share/man the manual pages, where `man` looks for them. Shared
+libraries in a wheel are found as in site-packages: beside the module that needs them ($ORIGIN).
 """
 import ast
 import compileall
@@ -24,7 +23,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.realpath
 
 
 def unpack(directory, wheels):
-    """Write everything under a directory; returns where the commands are. Raises Error, leaving commands whole."""
+    """Write everything under a directory; returns where the commands are. Raises Error; old commands then still work."""
     files = Files(os.path.abspath(directory))
     own = installation.wheel()
     if own:
@@ -39,12 +38,12 @@ def unpack(directory, wheels):
         _check_tags(path)
         files.add_wheel(path)
     files.write()
-    compileall.compile_dir(os.path.join(files.directory, "lib"), quiet=2)  # 20 ms a command where it cannot be done later
+    compileall.compile_dir(os.path.join(files.directory, "lib"), quiet=2)  # else 20 ms a command in a read-only directory
     return os.path.join(files.directory, "bin")
 
 
 class Files:
-    """What is to be written: all is read and checked before the first byte is."""
+    """Files to write: all are read and checked before the first one is written."""
 
     def __init__(self, directory):
         self.directory = directory
@@ -64,7 +63,7 @@ class Files:
                     self.add("/".join(["lib"] + os.path.relpath(path, above).split(os.sep)), file.read())
 
     def add_wheel(self, path):
-        """All that a wheel has to import; other wheels' scripts, headers and data are left out."""
+        """Add what can be imported from a wheel; scripts, headers and data are left out."""
         try:
             with zipfile.ZipFile(path) as wheel:
                 for member in wheel.infolist():
@@ -77,7 +76,7 @@ class Files:
             raise errors.Error(f"{path}: not a wheel, or a damaged one ({e})")
 
     def write(self):
-        """Write beside the targets, flush the disk, then rename: the commands last, so that they find what they import."""
+        """Write beside the targets, flush to the disk, then rename; the commands last, so that they find what they import."""
         order = sorted(self.contents, key=lambda name: (name.startswith("bin/"), name))
         temporaries = []
         try:
@@ -109,7 +108,7 @@ class Files:
 
 
 def _target(wheel, name):
-    """Where a wheel's member goes, or None; a name that leads out of the directory refuses the whole wheel."""
+    """Where a wheel's member goes, or None. Raises Error for a name that leads out of the directory."""
     if name.endswith("/"):
         return None
     if re.search(r"[\\:\0]|^/|(^|/)(\.{0,2})(/|$)", name):
@@ -121,7 +120,7 @@ def _target(wheel, name):
 
 
 def _check_tags(path):
-    """Refuse a wheel for another Python or machine: it would be found, and fail to import."""
+    """Refuse a wheel for another Python or machine. Raises Error."""
     match = re.match(r"[^-]+-[^-]+(?:-\d[^-]*)?-([^-]+)-([^-]+)-([^-]+)\.whl$", os.path.basename(path))
     if match is None:
         raise errors.Error(f"{path}: not the name of a wheel")
@@ -138,7 +137,7 @@ def _check_tags(path):
 
 
 def _command(source):
-    """A command's file with the running Python in its first line, and the way to DIR/lib behind its docstring."""
+    """A command's file with the running Python in its first line, and with FIND_LIBRARY after its docstring."""
     python = sys.executable or "/usr/bin/env python3"
     if sys.executable and (re.search(r"\s", python) or len(os.fsencode(python)) > 120):
         raise errors.Error(f"{python}: cannot be named in the first line of a script (blanks, or too long)")

@@ -1,7 +1,6 @@
-"""Characters that XML cannot hold, spelt _xHHHH_ and read back: a name off the wire may be any bytes.
+"""Characters that XML cannot hold, most controls and lone surrogates, are spelt _xHHHH_: names of peers may hold any bytes.
 
-XML has no way to write most control characters and lone surrogates. This spelling is known from other formats that are
-kept as XML; text without such characters is written as it is, unless it looks like such a spelling by accident.
+Other formats in XML have the same spelling. Other text stays as it is, unless it looks like such a spelling.
 """
 import re
 
@@ -9,7 +8,7 @@ from rtshell_lite.text import is_plain, judged
 
 _ILLEGAL = "\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff"
 _SPELT = "(?:00(?:0[0-8BCEF]|1[0-9A-F]|5F)|D[89A-F][0-9A-F]{2}|FFF[EF])"
-# An underscore that would begin such a spelling is spelt itself; what is illegal begins with one once it is spelt.
+# An underscore that would begin such a spelling is spelt, too.
 _TO_SPELL = re.compile(f"[{_ILLEGAL}]|_(?=x{_SPELT}[_{_ILLEGAL}])")
 _TO_READ = re.compile(f"_x({_SPELT})_")
 _ILLEGAL_ONE = re.compile(f"[{_ILLEGAL}]")
@@ -18,16 +17,16 @@ _MARKUP = re.compile(f"[&<>\"\t\n\r{_INVISIBLE}]")
 
 
 def quoted(text):
-    """`text` as it is written in an attribute between double quotes, or as the content of an element."""
+    """`text` for an attribute in double quotes, or for the content of an element."""
     if text.isalnum() and is_plain(text):  # most are
         return text
     if _TO_SPELL.search(text):
-        text = _TO_SPELL.sub(lambda found: f"_x{ord(found.group()):04X}_", text)
+        text = _TO_SPELL.sub(lambda character: f"_x{ord(character.group()):04X}_", text)
     return marked(text)
 
 
 def marked(text):
-    """`text`, which XML can hold, with references for what would be markup, read as a blank, or do something to a terminal."""
+    """`text`, which XML can hold, with references for markup, tabs and line ends, and what is not printable."""
     text = _MARKUP.sub(_reference, text) if _MARKUP.search(text) else text
     if is_plain(text):
         return text
@@ -42,10 +41,10 @@ def is_legal(text):
 _NAMED = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"}
 
 
-def _reference(found):
-    return _NAMED.get(found.group()) or "&#%d;" % ord(found.group())
+def _reference(character):
+    return _NAMED.get(character.group()) or f"&#{ord(character.group())};"
 
 
 def unspelt(text):
-    """Read back what `quoted` spelt; the XML parser has read the references before."""
-    return _TO_READ.sub(lambda found: chr(int(found.group(1), 16)), text) if "_x" in text else text
+    """The reverse of `quoted`, after the XML parser has replaced references."""
+    return _TO_READ.sub(lambda spelling: chr(int(spelling.group(1), 16)), text) if "_x" in text else text

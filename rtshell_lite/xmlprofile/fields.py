@@ -1,4 +1,4 @@
-"""What the classes of an RtsProfile (model.py) are made of: fields that know their names in files, elements, foreign parts."""
+"""What the classes of an RtsProfile (model.py) are made of: fields with their names in files, elements, foreign parts."""
 import itertools
 
 TEXT, BOOLEAN, INTEGER, NUMBER, DATE = "text", "true or false", "whole number", "number", "date"
@@ -21,7 +21,7 @@ class Field:
         self.choices = choices
         self.also = also
         self.key = key or (self.prefix + "::" if self.prefix != "rts" else "") + self.local[0].lower() + self.local[1:]
-        self.within = None  # a mapping of its own that YAML puts around it
+        self.within = None  # the key of a mapping that YAML puts around it
 
 
 class Child(Field):
@@ -41,7 +41,7 @@ class Children(Child):
 
 
 class Foreign:
-    """What the schema does not know, kept so that it can be written again.
+    """What the schema does not have, kept for writing.
 
     attributes  XML attributes, {"{namespace}name": text}
     elements    ForeignElement
@@ -64,7 +64,7 @@ class Foreign:
 
 
 class ForeignElement:
-    """An XML element that the schema does not know; `content` is a list of str and ForeignElement."""
+    """An XML element that the schema does not have; `content` is a list of str and ForeignElement."""
 
     def __init__(self, tag, attributes=None, content=None):
         self.tag = tag
@@ -78,7 +78,7 @@ class ForeignElement:
 
 
 def tidy(content):
-    """The content of an XML element with neighbouring texts joined, and without blanks that only indent its children."""
+    """The content of an XML element with adjacent texts joined, and without blanks that only indent children."""
     if len(content) == 1 and content[0] != "":
         return content
     joined = []
@@ -88,10 +88,10 @@ def tidy(content):
 
 
 class Element:
-    """What the classes of model.py share: fields by name, equality."""
+    """The base of the classes of model.py: fields by name, equality."""
 
     FIELDS = ()
-    XSI_TYPE = None  # how XML names the extended type; rtsprofile writes it on some elements only, and so do we
+    XSI_TYPE = None  # the xsi:type in XML; rtsprofile writes it on some elements only, and so do we
 
     def __init__(self, **values):
         own = self.__dict__
@@ -112,18 +112,18 @@ class Element:
 
     def __repr__(self):
         values = [(field.name, getattr(self, field.name), field.default) for field in self.FIELDS]
-        return "%s(%s)" % (type(self).__name__, ", ".join(
-            "%s=%r" % (name, value) for name, value, default in values if value != default and value != []))
+        shown = ", ".join(f"{name}={value!r}" for name, value, default in values if value != default and value != [])
+        return f"{type(self).__name__}({shown})"
 
     def fault(self, given):
-        """What is wrong with this element, as a reader found it with the fields `given`; None if nothing is."""
+        """What is wrong with this element, of which a file has the fields `given`, or None."""
         for field in self.FIELDS:
             if field.required and field.name not in given:
                 return f"{field.local} is missing"
         return None
 
     def property(self, name, default=None):
-        """The value of the extended property `name` (the first one: files repeat names); None if it has no value."""
+        """The value of the extended property `name` (the first one: files repeat names), which may be None."""
         for item in getattr(self, "properties", ()):
             if item.name == name:
                 return item.value
@@ -131,7 +131,7 @@ class Element:
 
 
 def same(a, b):
-    """Equal, where a number that is none (NaN) equals itself."""
+    """Whether two values are equal; NaN equals NaN."""
     if isinstance(a, dict) and isinstance(b, dict):
         return a.keys() == b.keys() and all(same(a[key], b[key]) for key in a)
     if isinstance(a, list) and isinstance(b, list):

@@ -1,15 +1,14 @@
 """What an RtsProfile says about a system: components, connections, the order of starting and stopping.
 
-Plain classes without files and without CORBA. FIELDS of a class is its whole schema: both file forms are read and
-written by it, and names.py says how each spells it. Version 0.1 is turned into these classes, too (version01.py).
+FIELDS of a class is its whole schema, by which both file forms are read and written.
 
     Component(id="RTC:Acme:nav:Planner:2.0", path_uri="localhost/Planner0.rtc", instance_name="Planner0")
 
-A field that is not given has its default. `foreign` holds what a file has that the schema has not.
+A field that is not given has its default. `foreign` holds what is not in the schema.
 """
 from rtshell_lite.xmlprofile.fields import BOOLEAN, DATE, INTEGER, NUMBER, TEXT, Child, Children, Element, Field
 
-# Files spell these in any case, version 0.1 names them otherwise, and rtsprofile misspells one.
+# Files spell these in any case, version 0.1 has other names, and rtsprofile misspells one.
 COMPOSITE_TYPES = {name.lower(): name for name in (
     "None", "PeriodicECShared", "PeriodicStateShared", "Grouping", "FsmECShared", "FsmStateShared")}
 COMPOSITE_TYPES.update({"choice": "None", "ecshared": "PeriodicECShared", "allshared": "PeriodicStateShared",
@@ -22,7 +21,7 @@ DIRECTIONS = {name.lower(): name for name in ("DOWN", "RIGHT", "UP", "LEFT")}
 class Property(Element):
     FIELDS = (
         Field("name", "rtsExt:name", required=True, always=True, key="name"),
-        Field("value", "rtsExt:value", default=None, key="value"),  # many real ones have none
+        Field("value", "rtsExt:value", default=None, key="value"),  # many files have properties without values
     )
 
 
@@ -137,7 +136,7 @@ class Group(Element):
 # ---- connections ------------------------------------------------------------------------------------------------
 
 class Connector(Element):
-    """A connection. Files know a source and a target; ends beyond these are in an element that other tools pass over."""
+    """A connection. The schema has a source and a target; further ends are in an element that other tools ignore."""
 
     @property
     def ends(self):
@@ -196,7 +195,7 @@ class WaitTime(Element):
 
 
 class Preceding(Element):
-    """Wait for other components: SYNC until they are in the state, ASYNC until they were told to change."""
+    """Wait for other components: SYNC until they are in the state, ASYNC until they have been asked to change."""
 
     FIELDS = (
         Field("timeout", "rts:timeout", INTEGER, 0, always=True),  # milliseconds; 0: for ever
@@ -206,7 +205,7 @@ class Preceding(Element):
 
 
 class Condition(Element):
-    """When a component is to change its state. Without wait_time and preceding it gives the order alone."""
+    """When to change a component's state. Without wait_time and preceding, `sequence` gives the order."""
 
     XSI_TYPE = "rtsExt:condition_ext"
     FIELDS = (
@@ -219,7 +218,7 @@ class Condition(Element):
 
 
 class MessageSending(Element):
-    """A section such as Activation: the conditions of the components that it starts or stops."""
+    """A section such as Activation: conditions of components."""
 
     FIELDS = (Children("targets", "rts:targets", Condition),)
 
@@ -236,7 +235,7 @@ SECTIONS = tuple(Child(name, "rts:" + local, MessageSending) for name, local in 
 
 
 class RtsProfile(Element):
-    """A whole system. Dates are text as XML has them, such as 2024-03-05T14:07:09 or with fraction and zone after."""
+    """A whole system. Dates are text as in XML, such as 2024-03-05T14:07:09, perhaps with fraction and zone."""
 
     FIELDS = (
         Field("id", "rts:id", always=True),
@@ -257,5 +256,5 @@ class RtsProfile(Element):
 
     @property
     def connectors(self):
-        """All connections, those of data ports first; one with a single end was a tool's, and is no part of the system."""
-        return [each for each in self.data_port_connectors + self.service_port_connectors if len(each.ends) > 1]
+        """All connections, those of data ports first, without those of tools, which have a single end."""
+        return [connector for connector in self.data_port_connectors + self.service_port_connectors if len(connector.ends) > 1]

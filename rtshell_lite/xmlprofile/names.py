@@ -1,13 +1,12 @@
-"""How files name the fields of an element: by XML attribute, by XML child, by YAML key.
+"""The names of fields in files: XML attributes, XML children, YAML keys.
 
-XML names are as expat gives them: namespace, SEPARATOR, name. The model has "{namespace}name". Every table holds the right
-spelling and those that are understood.
+XML names are as in expat: namespace, SEPARATOR, name. The model has "{namespace}name".
 """
 from xml.parsers import expat
 
 from rtshell_lite.xmlprofile import escape
 
-SEPARATOR = "\x01"  # expat refuses a namespace that holds it, and XML cannot
+SEPARATOR = "\x01"  # cannot occur in XML
 
 NAMESPACES = {
     "rts": "http://www.openrtp.org/namespaces/rts",
@@ -17,43 +16,43 @@ NAMESPACES = {
 XML = "http://www.w3.org/XML/1998/namespace"
 XMLNS = "http://www.w3.org/2000/xmlns/"
 TYPE = NAMESPACES["xsi"] + SEPARATOR + "type"
-YAML_KEY = "urn:rtshell_lite:yaml" + SEPARATOR + "key"  # an XML element for a key that only YAML knows; its text is YAML
+YAML_KEY = "urn:rtshell_lite:yaml" + SEPARATOR + "key"  # an XML element for a foreign key of YAML; its text is YAML
 
-# YAML keys for what only XML knows.
+# YAML keys for foreign attributes and elements of XML.
 ATTRIBUTES, ELEMENTS = "xml::attributes", "xml::elements"
 
 
 def exact(field):
-    """The right name of a fields.Field in XML, as expat gives it."""
+    """The right name of a fields.Field in XML, as in expat."""
     return NAMESPACES[field.prefix] + SEPARATOR + field.local
 
 
 def clark(name):
-    """A name as the model has it."""
+    """The model's form of a name from expat."""
     space, separator, local = name.rpartition(SEPARATOR)
-    return "{%s}%s" % (space, local) if separator else name
+    return f"{{{space}}}{local}" if separator else name
 
 
 def parts(clark_name):
-    """(namespace or "", name) of a name as the model has it."""
+    """(namespace or "", name) of a name in the model's form."""
     space, _, local = clark_name[1:].rpartition("}") if clark_name.startswith("{") else ("", "", clark_name)
     return space, local
 
 
 def raw(clark_name):
-    """A name as expat gives it."""
+    """expat's form of a name of the model."""
     space, local = parts(clark_name)
     return space + SEPARATOR + local if space else local
 
 
 def _spellings(field):
-    """Names for a field: with the right namespace, the other one, none."""
+    """Accepted names for a field: with the right namespace, with the other one, without."""
     return [space + local for local in (field.local,) + tuple(field.also)
             for space in (NAMESPACES["rts"] + SEPARATOR, NAMESPACES["rtsExt"] + SEPARATOR, "")]
 
 
 class Table:
-    """The fields of a class of elements by their names in files."""
+    """The fields of a class of elements by their names in files; the loose tables also have wrong spellings."""
 
     def __init__(self, cls):
         values = [field for field in cls.FIELDS if not field.child]
@@ -75,14 +74,14 @@ _TABLES = {}
 
 
 def table(cls):
-    """The Table of a class of elements, made once."""
+    """The Table of a class of elements."""
     if cls not in _TABLES:
         _TABLES[cls] = Table(cls)
     return _TABLES[cls]
 
 
 def is_own_key(cls, key):
-    """Whether a YAML key of this class of elements means something to us."""
+    """Whether a YAML key has a meaning in this class of elements."""
     known = table(cls)
     return key in known.loose_keys or key in known.wrappers or key in (ATTRIBUTES, ELEMENTS)
 

@@ -12,9 +12,9 @@ XML, YAML = "xml", "yaml"
 
 
 def load(data, name, form=None):
-    """The profile in a file: `data` is its bytes, or its text as files.read gives it. Raises errors.BadProfile.
+    """The profile in a file: `data` is its bytes, or its text from files.read. Raises errors.BadProfile.
 
-    `name` is the file in messages. The content shows the form unless it is given.
+    `name` is the file in messages. Without a `form`, the content shows it.
     """
     if isinstance(data, str):
         try:
@@ -24,7 +24,7 @@ def load(data, name, form=None):
     if not data.strip():
         raise errors.BadProfile(name, 1, 1, "the file is empty")
     collecting = gc.isenabled()
-    gc.disable()  # all that is made here stays: looking for cycles in it took half of the time of a big file
+    gc.disable()  # nothing here is garbage, and collecting took half of the time of a big file
     try:
         if (form or form_of(data)) == XML:
             from rtshell_lite.xmlprofile import xml
@@ -43,7 +43,7 @@ def form_of(data):
 
 
 def dump(profile, form):
-    """The text of a file in XML or YAML, to be written as UTF-8. The same profile gives the same text."""
+    """The text of a file in XML or YAML, to be written as UTF-8."""
     if form == XML:
         from rtshell_lite.xmlprofile import xml
         return xml.write(profile)

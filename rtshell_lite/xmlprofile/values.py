@@ -1,4 +1,4 @@
-"""The values of fields as text, and back. Raises ValueError with a message for people."""
+"""The values of fields as text, and back. Raises ValueError with a message for users."""
 import re
 
 from rtshell_lite.xmlprofile import fields
@@ -9,7 +9,7 @@ _LONGEST_NUMBER = 100  # characters: long ones take quadratic time
 
 
 def from_text(field, text):
-    """What a field holds, from its text in a file."""
+    """The value of a field for its text in a file."""
     if field.kind == fields.TEXT:
         return _choice(field, text) if field.choices else text
     if field.kind == fields.DATE:
@@ -49,7 +49,7 @@ def _number(word):
 
 
 def from_number(field, value):
-    """What a field holds, from a bool, int or float that YAML gave."""
+    """The value of a field for a bool, int or float from YAML."""
     if field.kind == fields.BOOLEAN:
         return _boolean(str(value))
     if isinstance(value, bool):
@@ -62,7 +62,7 @@ def from_number(field, value):
 
 
 def to_text(field, value):
-    """The text of a value as XML spells it."""
+    """The text of a value in XML."""
     if field.kind == fields.BOOLEAN:
         return "true" if value else "false"
     if field.kind == fields.NUMBER:
@@ -74,6 +74,6 @@ _SPECIAL = {"inf": "INF", "-inf": "-INF", "nan": "NaN"}
 
 
 def shown(text):
-    """A piece of a file in a message, short."""
+    """A piece of a file for a message, shortened."""
     text = str(text)
     return f"\"{text if len(text) <= 40 else text[:37] + '...'}\""

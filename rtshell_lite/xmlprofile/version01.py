@@ -1,7 +1,7 @@
-"""RtsProfile 0.1 as 0.2: moves what is elsewhere there. Works on nodes of xml.py, which a table of fields reads then.
+"""Turns nodes of xml.py of an RtsProfile 0.1 into those of 0.2.
 
-In 0.1 a connection is inside its source port and names its target alone, and a component holds its own conditions
-for starting up; names that differ only in spelling are understood by the fields themselves.
+In 0.1 a connection is inside its source port and names only its target, and a component holds its own conditions for starting
+up. Names that differ only in spelling are handled by the fields.
 """
 import re
 
@@ -10,12 +10,12 @@ from rtshell_lite.xmlprofile import model, names
 RTS = names.NAMESPACES["rts"] + names.SEPARATOR
 _SECTIONS = {field.local for field in model.SECTIONS}
 _CONNECTORS = {"DataPortConnectors": "sourceDataPort", "ServicePortConnectors": "sourceServicePort"}
-MOST_COPIES = 250000  # what is beside the conditions of a section goes into each of them
+MOST_COPIES = 250000  # values of a section that are copied into its conditions
 _DURATION = re.compile(r"P(?:(\d{1,6})D)?(?:T(?:(\d{1,6})H)?(?:(\d{1,6})M)?(?:(\d{1,9}(?:\.\d{1,9})?)S)?)?\Z", re.ASCII)
 
 
 def upgrade(root, fail):
-    """Change the nodes below `root` in place. fail(node, reason) raises."""
+    """Change the nodes below `root`. fail(node, reason) raises."""
     hoist = _Hoist(root, fail)
     for node in root.children():
         if node.local in ("Component", "Components"):
@@ -32,7 +32,7 @@ def _value(node, name):
 
 
 def _split_participants(component):
-    """0.1 puts all members of a composite component into one element, 0.2 each into its own."""
+    """0.1 has all members of a composite component in one element, 0.2 has an element for each."""
     content = []
     for node in component.content:
         content.append(node)
@@ -44,17 +44,17 @@ def _split_participants(component):
 
 
 def _node(like, local, attributes=None, content=()):
-    """A new node, which takes the place of the node `like`."""
+    """A new node at the position of the node `like`."""
     node = type(like)(RTS + local, attributes or {}, like.line, like.column)
     node.content = list(content)
     return node
 
 
 def _remove(node, children):
-    """Take children out of a node, all at once: there may be 100,000 of them."""
+    """Remove children of a node, together: there may be 100,000 of them."""
     gone = set(children)
     if gone:
-        node.content = [each for each in node.content if each not in gone]
+        node.content = [child for child in node.content if child not in gone]
 
 
 def _owner(component):
@@ -75,7 +75,7 @@ def _hoist_connectors(root, component):
 
 
 class _Hoist:
-    """Puts the conditions of components into the sections of the whole system."""
+    """Moves the conditions of components into the sections of the whole system."""
 
     def __init__(self, root, fail):
         self.root, self.fail = root, fail
@@ -100,7 +100,7 @@ class _Hoist:
                     _node(section, "targets", dict(section.attributes), condition.children() + others + [target]))
 
     def _place(self, section):
-        """The section of the whole system that has the name of a component's."""
+        """The section of the whole system with the name of a component's section."""
         if section.local not in self.sections:
             self.sections[section.local] = _node(section, section.local)
             self.root.content.append(self.sections[section.local])
@@ -108,14 +108,14 @@ class _Hoist:
 
 
 def _milliseconds(wait, fail):
-    """0.1 gives a duration such as PT1.5S as the text of the element, 0.2 milliseconds as an attribute."""
+    """0.1 has a duration such as PT1.5S as the text of the element, 0.2 has milliseconds in an attribute."""
     text = "".join(wait.content).strip() if not wait.children() else ""
     if not text:
         return
-    found = _DURATION.match(text)
-    if not found:
+    duration = _DURATION.match(text)
+    if not duration:
         fail(wait, "WaitTime: not a duration such as PT1.5S")
-    days, hours, minutes, seconds = (float(part or 0) for part in found.groups())
+    days, hours, minutes, seconds = (float(part or 0) for part in duration.groups())
     milliseconds = int(round(1000 * (((days * 24 + hours) * 60 + minutes) * 60 + seconds)))
     wait.attributes = dict(wait.attributes, **{RTS + "waitTime": str(milliseconds)})
     wait.content = []

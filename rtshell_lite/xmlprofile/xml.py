@@ -1,7 +1,7 @@
-"""RtsProfile files in XML: what RTSystemEditor, rtcryo and people write is read; what all of them read is written.
+"""RtsProfile files in XML, as RTSystemEditor, rtcryo and people write and read them.
 
-Elements and attributes are found by namespace and name, whatever the prefixes and the order; names in the wrong one of
-the two namespaces, or in none, are understood. The parser is expat, without entities, external files or a DTD.
+Elements and attributes are found by namespace and name, whatever the prefixes and the order; names in the wrong one of the two
+namespaces, or in none, are accepted. The parser is expat, without entities, external files or a DTD.
 """
 import codecs
 import re
@@ -14,11 +14,11 @@ from rtshell_lite.xmlprofile.yaml import reader as yaml_reader, scalars, writer 
 MOST_BYTES = 16 << 20
 MOST_ELEMENTS = 250000  # 16 MiB of <a/> would take 1 GB; a system of 1,000 components has about 50,000 elements
 LONGEST_TAG = 1 << 20  # expat keeps a whole tag: 16 MiB of attributes would take 500 MB
-DEEPEST = 64  # nesting costs 300 bytes a level here, and Python's stack later
+DEEPEST = 64  # levels take 300 bytes each here, and later Python's stack
 _CHUNK = 1 << 16
-_NO_ATTRIBUTES = {}  # an empty dict each would double what an empty element takes
+_NO_ATTRIBUTES = {}  # shared: it is half of the memory of an empty element
 
-# What expat cannot decode itself. Not every codec of Python: some take quadratic time.
+# Encodings that expat cannot decode itself. Not all codecs of Python: some take quadratic time.
 _CODECS = re.compile(r"(shift_?jis|sjis|ms932|ms_kanji|cp932|windows_31j|euc_?(jp|kr)|ujis|iso_?2022_?jp|gbk|gb2312|gb18030"
                      r"|big5|cp949|ks_c_5601_1987|(iso_?8859|windows|cp|koi8)_\w+|cp\d+|latin_?1)\Z")
 _DECLARATION = re.compile(br"""\s*<\?xml[^>]{0,200}?\sencoding\s*=\s*["']([A-Za-z][\w.:-]*)["']""")
@@ -27,7 +27,7 @@ _DECLARATION = re.compile(br"""\s*<\?xml[^>]{0,200}?\sencoding\s*=\s*["']([A-Za-
 # ---- reading: text to nodes -------------------------------------------------------------------------------------
 
 class Node:
-    """An XML element as it was read; names are as expat gives them."""
+    """An XML element; names are as in expat."""
 
     __slots__ = "tag", "attributes", "content", "line", "column"
 
@@ -50,7 +50,7 @@ class Node:
 
 
 class _Reader:
-    """Builds nodes while expat reads, within the limits."""
+    """Builds nodes, within the limits."""
 
     def __init__(self, name):
         self.name = name
@@ -120,14 +120,14 @@ def _nodes(data, name):
 
 
 def _decoder(data, reader):
-    """What decodes a declared encoding that expat has not; None for UTF-8."""
-    found = _DECLARATION.match(data[3:] if data.startswith(codecs.BOM_UTF8) else data, 0)
-    encoding = found.group(1).decode("ascii").lower().replace("-", "_") if found else "utf_8"
+    """The decoder for a declared encoding that expat lacks; None for UTF-8."""
+    declaration = _DECLARATION.match(data[3:] if data.startswith(codecs.BOM_UTF8) else data, 0)
+    encoding = declaration.group(1).decode("ascii").lower().replace("-", "_") if declaration else "utf_8"
     if encoding in ("utf_8", "utf8", "us_ascii", "ascii"):
         return None
     try:
         if _CODECS.match(encoding):
-            encoding = "cp932" if encoding in ("shift_jis", "shiftjis", "sjis") else encoding  # as Windows writes it
+            encoding = "cp932" if encoding in ("shift_jis", "shiftjis", "sjis") else encoding  # that of Windows
             return codecs.getincrementaldecoder(encoding)()
     except LookupError:
         pass
@@ -144,12 +144,12 @@ def _decoded(decoder, chunk, final, reader):
 # ---- reading: nodes to the model --------------------------------------------------------------------------------
 
 def read(data, name):
-    """The profile that `data`, the bytes of an XML file, holds. Raises BadProfile; `name` is for messages."""
+    """The profile in `data`, the bytes of an XML file. Raises BadProfile; `name` is for messages."""
     root = _nodes(data, name)
 
     def fail(node, reason):
         raise errors.BadProfile(name, node.line, node.column, reason)
-    if root.local not in ("RtsProfile", "RTSystemProfile"):  # the last one is the schema's name in version 0.1
+    if root.local not in ("RtsProfile", "RTSystemProfile"):  # the latter in version 0.1
         fail(root, f"not an RtsProfile: its root element is {values.shown(root.local)}")
     version01.upgrade(root, fail)
     return _element(root, model.RtsProfile, fail)
@@ -177,7 +177,7 @@ def _element(node, cls, fail):
 
 
 def _attributes(node, table, fail):
-    """The fields that a node's attributes give, by name, and what is foreign among them."""
+    """The values of a node's attributes by field name; foreign ones are in "foreign"."""
     found, others = {}, []
     for name, text in node.attributes.items():
         field = table.attributes.get(name)
@@ -187,7 +187,7 @@ def _attributes(node, table, fail):
             others.append(name)
     for name in others:
         field = table.loose_attributes.get(name)
-        # An attribute that would not be written again must not hide one in the wrong namespace: reading twice is reading once.
+        # An attribute that would not be written must not hide one in the wrong namespace: else a second reading differs.
         if field and (field.name not in found or not field.always and found[field.name] == field.default):
             found[field.name] = _value(node, field, node.attributes[name], fail)
         else:
@@ -213,7 +213,7 @@ def _is_plain_text(node):
 
 
 def _keep_element(found, cls, node):
-    """Keep an element that the schema does not know: a key of a YAML file, or something else."""
+    """Keep an element that the schema does not have: a key of a YAML file, or something else."""
     foreign = _foreign(found)
     key = escape.unspelt(node.attributes.get("name", ""))
     if node.tag == names.YAML_KEY and not node.children() and key not in foreign.keys and not names.is_own_key(cls, key):
@@ -221,7 +221,7 @@ def _keep_element(found, cls, node):
             foreign.keys[key] = scalars.plain(yaml_reader.parse(node.text(), "")[1])
             return
         except (errors.BadProfile, ValueError):
-            pass  # not ours after all
+            pass  # keep it as an element
     foreign.elements.append(_foreign_element(node))
 
 
@@ -234,13 +234,13 @@ def _foreign_element(node):
 # ---- writing ----------------------------------------------------------------------------------------------------
 
 def write(profile):
-    """The text of an XML file, which says that it is UTF-8."""
+    """The text of an XML file, which declares UTF-8."""
     writer = _Writer()
     writer.element("rts:RtsProfile", profile, "")
     spaces = "".join(f' xmlns:{prefix}="{escape.marked(uri)}"' for uri, prefix in writer.prefixes.items()
                      if uri != names.XML)
     head = "<rts:RtsProfile"
-    writer.lines[0] = head + spaces + writer.lines[0][len(head):]  # now that all namespaces are known
+    writer.lines[0] = head + spaces + writer.lines[0][len(head):]  # all namespaces are known only now
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + "\n".join(writer.lines) + "\n"
 
 
@@ -299,7 +299,7 @@ class _Writer:
         return f' {self.name(name)}="{escape.quoted(text)}"'
 
     def foreign(self, element):
-        """On one line: blanks between elements that also hold text would be text."""
+        """On one line: blanks would become text of mixed content."""
         tag = self.name(element.tag)
         head = "<" + tag + "".join(self.attribute(*pair) for pair in sorted(element.attributes.items()))
         content = "".join(escape.quoted(item) if isinstance(item, str) else self.foreign(item) for item in element.content)

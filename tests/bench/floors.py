@@ -1,4 +1,4 @@
-"""The floor under a command: bare Python that imports omniORB, makes the fewest calls that can give the same answer, prints it.
+"""The floor under a command: bare Python that imports omniORB, makes the fewest calls for the same answer, and prints it.
 
     python3 floors.py FLOOR TCPPORT NAME ...      objects are bound in test.host_cxt of the name server at that port
 """
@@ -30,7 +30,7 @@ def nothing(port, names):
 
 
 def listed(port, names):
-    """Which objects there are, sorted, and whether they live."""
+    """All objects, sorted, and whether they live."""
     directory = start(port)
     bindings, _ = directory.list(10000)
     lines = []
@@ -76,7 +76,7 @@ def _texts(profile):
 
 
 def profiles(port, names):
-    """All that a component says of itself and its ports."""
+    """The profiles of a component and its ports."""
     for each in components(start(port), names):
         ports = [found.get_port_profile() for found in each.get_ports()]
         contexts = each.get_owned_contexts(), each.get_participating_contexts()

@@ -1,4 +1,4 @@
-"""Runs what is asked for on stdin, a line of JSON each, and tells CPU, wall and peak memory: a small process of its own,
+"""Runs commands given on stdin, a line of JSON each, and prints CPU, wall and peak memory: a small process of its own,
 because a child's peak memory begins with that of the process that started it.
 """
 import json

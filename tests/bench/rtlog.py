@@ -53,7 +53,7 @@ os._exit(0)
 
 
 def bare(world, port, type_id, *file):
-    """Messages and octets a second that a servant of nothing else takes, or one that writes the data to a file."""
+    """Messages and octets a second of a bare servant, or of one that writes the data to a file."""
     ior = worlds.Server.orb.object_to_string(world.port("Source0", port))
     said = subprocess.run([sys.executable, "-c", BARE, ior, type_id, str(SECONDS)] + list(file), check=True,
                           stdout=subprocess.PIPE, env=worlds.ENVIRONMENT).stdout.split()

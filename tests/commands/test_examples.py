@@ -139,7 +139,7 @@ class Robot:
                 pass  # slaves end after their master, and in good order
 
     def here(self, line):
-        """The same with the names of this machine, where no name server has a port to be proud of."""
+        """The same with the names and ports of this machine."""
         for name, ours in NAMES:
             line = re.sub(name, ours, line) if "(" in name else line.replace(name, ours)
         return line.replace("@PORT@", str(Server.port)).replace("@MANAGER@", self.manager_port() if "manager" in line else "")
@@ -264,7 +264,7 @@ class Special(unittest.TestCase):
         self.assertEqual([line for line in indented() if line not in readme_lines() and not line.startswith(NO_COMMANDS)], [])
 
     def test_values(self):
-        """The values in README.md can be sent, as what they say they are."""
+        """The values in README.md can be sent, as values of the types that they name."""
         types = datatypes.Types().load()
         lines = [re.split("  +", line) for line in indented() if line.startswith(("RTC.", "{"))]
         found = [word for words in lines for word in words[:-1 if len(words) > 1 else None]]
@@ -299,7 +299,7 @@ class Readme(Case):
         return path
 
     def in_shells(self, name, arguments, before, after):
-        """Run a script in both shells, between a preparation and a check; returns what it says."""
+        """Run a script in both shells, between a preparation and a check; returns its output."""
         path, outputs = self.script(name), []
         for shell in "dash", "busybox ash":
             if shutil.which(shell.split()[0]):
@@ -345,7 +345,7 @@ class Readme(Case):
 
 class Tour(unittest.TestCase):
     def test_tour(self):
-        """mock_components/tour, but for its installation of what is installed already, runs and does what it says."""
+        """mock_components/tour, without its installation, runs and does what it says."""
         top = tempfile.mkdtemp(dir=TOP)
         os.makedirs(os.path.join(top, ".venv-tour", "bin"))
         python = os.path.join(top, ".venv-tour", "bin", "python")

@@ -1,4 +1,4 @@
-"""The wheel as a robot gets it: if this fails, the commands may work here and nowhere else.
+"""The wheel as installed on a robot: if this fails, the commands may work only here.
 
 tests/run gives the built wheel in RTSHELL_WHEEL and omniORBpy's in RTSHELL_OMNIORB_WHEEL; the Python that runs this
 needs neither of them installed.
@@ -51,7 +51,7 @@ def run(words, **keywords):
 
 
 class Checkout(unittest.TestCase):
-    """bin/ and tests/commands/ name the same commands; each command is what a command is."""
+    """bin/ and tests/commands/ have the same commands; each command has the required parts."""
 
     def test_every_command_has_a_transcript(self):
         """rtls.t, and rtls-names.t for a topic of its own."""
@@ -156,7 +156,7 @@ class Robot(unittest.TestCase):
                     self.check_line(name, 1, run(asking, environment=environment), MISSING)
 
     def asking(self, name):
-        """Words with which a command must ask somebody, if it ever does."""
+        """Arguments with which a command must contact somebody, if it ever does."""
         places = {"SERVER": "/localhost/a.cxt", "A": "/localhost/a.rtc", "B": "/localhost/b.rtc", "MGR": "/localhost/a.mgr",
                   "FILE": os.path.join(ROOT, "tests", "data", "valid", "as-rtcryo-writes.xml"),
                   "OUT": os.path.join(self.directory, "out")}
@@ -291,7 +291,7 @@ class Unpacked(Robot):
         return path
 
     def check_refused(self, wheel, part):
-        """One line, and not a file anywhere."""
+        """One line of output, and no files."""
         place = os.path.join(self.directory, "place")
         before = files(self.top, "bare")
         self.check_line("rtshell_lite", 1, self.from_wheel("--unpack", place, wheel), part)

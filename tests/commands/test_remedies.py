@@ -1,4 +1,4 @@
-"""Follows what rtdoctor says, blindly: if one of these fails, who does so harms a robot, or is not helped.
+"""Follows the advice of rtdoctor blindly: if one of these fails, the advice does harm, or does not help.
 
 For each fault: what there is in the world is written down, each remedy that is a command is pasted into a shell, and rtdoctor
 looks again. What it found must be gone, and nothing else may have changed but what the remedy is for.
@@ -80,7 +80,7 @@ FAULTS = {
 # ---- what there is --------------------------------------------------------------------------------------------
 
 def facts(server):
-    """{"KIND PATH …": what is so} of all that a name server leads to."""
+    """{"KIND PATH …": state} of everything that a name server leads to."""
     found = {}
     for node in tree.look(list(tree.walk(tree.resolve(server), managers=False))):
         where = str(node.path)

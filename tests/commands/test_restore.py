@@ -44,7 +44,7 @@ def connect(*ends, **more):
 
 
 def captured():
-    """The profile of all that runs, with no faults in the way."""
+    """The profile of the running system, captured without faults."""
     lanes.session.silent.clear()
     found = capture.capture([path.parse("/127.0.0.1:%d" % worlds.Server.port)], all_components=True)
     assert not found.failures, found.failures
@@ -181,7 +181,7 @@ class Faults(Worlds):
         self.wreck()
 
     def wreck(self):
-        """Everything that can be restored is otherwise."""
+        """Change everything that can be restored."""
         for world in self.worlds:
             self.ctl(world, "reset")
         torn_down(self.saved)
@@ -209,7 +209,7 @@ class Faults(Worlds):
         return found
 
     def truth(self, outcomes):
-        """Compare a report with what there is, asked in other ways. All that is not done has to be as it was."""
+        """Compare a report with the system, asked in other ways. What is not done must be unchanged."""
         for world in self.worlds:
             self.ctl(world, "reset")
         now = {each.path_uri: each for each in captured().components}
@@ -275,7 +275,7 @@ class Faults(Worlds):
         self.assertLessEqual({"done", "already so", "failed", "not tried"}, seen)
 
     def test_rolled_back_all_is_as_before(self):
-        """Unless what fails is how it is undone, which is reported."""
+        """Unless undoing fails, which is reported."""
         before = without_dates(captured())
         for world, operation, count in self.faults():
             if operation not in CHANGES:

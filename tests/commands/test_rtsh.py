@@ -1,4 +1,4 @@
-"""rtsh on a terminal: if one of these fails, a person at a prompt gets wrong completions, or Ctrl-C takes too much with it."""
+"""rtsh on a terminal: completion, history, Ctrl-C."""
 import os
 import pty
 import re
@@ -38,7 +38,7 @@ def environment(**more):
 
 class Many(unittest.TestCase):
     def test_a_hundred_commands_are_one_process_with_few_connections(self):
-        """What each costs beside a process of its own: python3 -m tests.bench sessions."""
+        """python3 -m tests.bench sessions compares their cost with that of separate processes."""
         session = subprocess.Popen(["rtsh"], env=environment(), stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                    universal_newlines=True)
         self.addCleanup(session.communicate)
@@ -64,7 +64,7 @@ class Many(unittest.TestCase):
 
 
 def held(pid):
-    """What the open descriptors of a process are; each socket has a number of its own."""
+    """What the open descriptors of a process lead to; each socket has its own number."""
     directory = "/proc/%d/fd" % pid
     return {os.readlink(os.path.join(directory, name)) for name in os.listdir(directory)}
 
@@ -92,7 +92,7 @@ class AtThePrompt(unittest.TestCase):
         self.ended = True
 
     def press(self, keys):
-        """Press keys; what the terminal showed before does not count any more."""
+        """Press keys, and forget what the terminal showed before."""
         self.screen = ""
         os.write(self.terminal, keys if isinstance(keys, bytes) else keys.encode())
 

@@ -75,7 +75,7 @@ class Terminal(unittest.TestCase):
         return self.tmux("capture-pane", "-p")
 
     def shows(self, pattern, without=None):
-        """Wait until the terminal shows a line that matches; returns the whole screen. `without`: and none like this."""
+        """Wait until the terminal shows a line that matches, and none that matches `without`; returns the whole screen."""
         end = time.monotonic() + worlds.LIMIT
         while True:
             screen = self.screen()
@@ -121,7 +121,8 @@ class Page(Terminal):
         names = re.findall(r"\?*(\w+)\.rtc", screen)
         self.assertEqual(names, sorted(names))
         self.tmux("pipe-pane", "-o", "cat > sent")
-        time.sleep(1.2)  # two looks and more, which find nothing new
+        before = World.robot.count("get_component_state")
+        eventually(lambda: World.robot.count("get_component_state") > before + 3 * len(names), "some looks, which find nothing new")
         self.tmux("pipe-pane")
         self.assertLess(os.path.getsize(os.path.join(self.home, "sent")), 20, "what has not changed is not sent again")
         self.press("s")

@@ -1,10 +1,11 @@
-"""Profiles against PyYAML and the real rtsprofile: what they write is read, what is written they read as the same.
+"""Profiles against PyYAML and the real rtsprofile: each reads what the other writes.
 
-`tests/run --compat` runs it, in an environment of its own with both packages from the package index.
+`tests/run --compat` runs this, in an environment of its own with both packages from the package index.
 """
 import glob
 import os
 import random
+import re
 import sys
 import unittest
 
@@ -48,8 +49,7 @@ def styles(rng):
     return dict(default_flow_style=rng.choice([False, True, None]), default_style=rng.choice([None, None, '"', "'", "|", ">"]),
                 allow_unicode=rng.random() < 0.5, width=rng.choice([None, 10, 80, 1000]), indent=rng.choice([None, 2, 4, 7]),
                 explicit_start=rng.random() < 0.2 or None, explicit_end=rng.random() < 0.2 or None,
-                canonical=rng.random() < 0.1 or None, line_break=rng.choice([None, "\r\n", "\r"]),
-                version=(1, 1) if rng.random() < 0.1 else None)
+                line_break=rng.choice([None, "\r\n", "\r"]))
 
 
 PIECES = ["a", "b", ": ", ":", "- ", "-", "\n", "\n  ", "\n    ", " ", "'", '"', "#", " #", "|\n", ">-\n", "&a ", "*a",
@@ -58,7 +58,7 @@ PIECES = ["a", "b", ": ", ":", "- ", "-", "\n", "\n  ", "\n    ", " ", "'", '"',
 
 class PyYAML(unittest.TestCase):
     def test_what_it_writes_is_read(self):
-        rng, maker = random.Random(1), random_profiles.Maker(1)
+        rng, maker, compared = random.Random(1), random_profiles.Maker(1), 0
         for _ in range(COUNT):
             data = maker.data()
             if rng.random() < 0.2:
@@ -66,7 +66,10 @@ class PyYAML(unittest.TestCase):
                 data = {"x": data, "y": shared, "z": shared[0], "w": [shared[1], shared[1]]}
             style = styles(rng)
             text = pyyaml.safe_dump(data, **style)
-            self.assertTrue(fields.same(ours(text), theirs(text)), (style, text))
+            if not re.search(r"(^|[\n\r\x85\u2028\u2029{,])[ -]*\? ", text):  # keys of several lines, and long ones: not in profiles
+                compared += 1
+                self.assertTrue(fields.same(ours(text), theirs(text)), (style, text))
+        self.assertGreater(compared, COUNT / 2)
 
     def test_what_is_written_it_reads(self):
         maker = random_profiles.Maker(2)
@@ -82,7 +85,7 @@ class PyYAML(unittest.TestCase):
             self.assertTrue(fields.same(ours(data), theirs(data)), path)
 
     def test_what_it_refuses_is_refused_in_blocks(self):
-        """In flow style a few things are read that PyYAML stumbles over, such as a question mark inside a word."""
+        """In flow style we read a few things that PyYAML refuses, such as a question mark inside a word."""
         rng = random.Random(3)
         for _ in range(COUNT):
             text = "".join(rng.choice(PIECES) for _ in range(rng.randint(1, 14)))
@@ -92,7 +95,7 @@ class PyYAML(unittest.TestCase):
                 continue
             with self.subTest(text):
                 wanted = theirs(text)
-                if "? " not in text and "\n: " not in text:  # keys stay text here
+                if "\n: " not in text and not re.search(r"\d:\d", text):  # keys and numbers of base 60 are text here
                     self.assertTrue(fields.same(data, keyed_by_text(wanted)), (data, wanted))
 
 
@@ -103,7 +106,7 @@ def keyed_by_text(data):
 
 
 class Modest(random_profiles.Maker):
-    """Profiles within what rtsprofile can hold: it loses or breaks on the rest (reference: its defects)."""
+    """Profiles that rtsprofile can hold; it loses the rest, or fails."""
 
     def text(self):
         text = random_profiles.Maker.text(self)

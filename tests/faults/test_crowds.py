@@ -33,7 +33,7 @@ def tearDownModule():
 
 class SideBySide(unittest.TestCase):
     def test_all_see_the_same(self):
-        """Eight of each command that looks, all at the same world; nothing in it changes."""
+        """Eight of each command that only reads, all on the same world, in which nothing changes."""
         server = around.name_server("crowd")
         around.world(server, "linked")
         around.world(server, "config")

@@ -1,4 +1,4 @@
-"""Peers that say nothing but hostile text: none of it reaches the terminal, a shell, or a reader of JSON as what it is.
+"""Peers all of whose text is hostile: it reaches no terminal, shell or reader of JSON unescaped.
 
 If one of these fails, whoever can start a component, or reach a name server, can type into the operator's terminal.
 """
@@ -141,7 +141,7 @@ class Hostile(unittest.TestCase):
             self.assertEqual((ran.status, ran.err), (0, b""))
 
     def test_2_commands_that_are_printed_do_what_they_say(self):
-        """Fed to shells that know nothing but stand-ins of our commands, each is understood, and nothing else is run."""
+        """Shells in which only stand-ins of our commands exist understand each line, and run nothing else."""
         tools = around.directory("tools")
         os.symlink(shutil.which("printf"), os.path.join(tools, "printf"))  # mksh has none of its own
         for name in invocations.all_commands():

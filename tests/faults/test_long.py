@@ -1,4 +1,4 @@
-"""Commands that run for long do not grow: neither memory, nor threads, nor open files.
+"""Commands that run for long do not grow in memory, threads or open files.
 
 30 seconds, or 10 minutes with `tests/run --long`. If this fails, a monitor that runs for a week ends the robot it watches.
 """
@@ -45,7 +45,7 @@ class Watched:
             threading.Thread(target=drain, args=(self.output,), daemon=True).start()
 
     def look(self):
-        """Note its size; tell it more, and throw away what it has printed."""
+        """Record its size; give it more input, and discard its output."""
         proc = "/proc/%d/" % self.process.pid
         with open(proc + "statm") as file:
             memory = int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") // 1024
@@ -80,7 +80,7 @@ def terminal_pair():
 
 
 def drain(file):
-    """Read what is printed, and close the file when nobody prints any more."""
+    """Read the output, and close the file at its end."""
     with file:
         try:
             while file.read(65536):

@@ -1,4 +1,4 @@
-"""The n-th call fails, for every n, of every command that makes several: what it reports is what has become of the robot.
+"""The n-th call fails, for every n, of every command that makes several: its report must be true.
 
 If one of these fails, an operator is told that a connection or a state is there which is not, or the other way round.
 """
@@ -49,7 +49,7 @@ class Lane:
                 self.worlds[number] = around.world(self.direct, *words, "--context", self.place + "/%n.rtc")
 
     def heal(self, broken):
-        """No faults any more, and no connections; the worlds that died or hang, by number, are replaced."""
+        """Remove faults and connections; replace the worlds, given by number, that died or hang."""
         self.names.reset()
         for number, name in enumerate(self.worlds):
             if number in broken:
@@ -173,7 +173,7 @@ def made(lane, name, wanted):
 
 
 def asked(lane, *words):
-    """What a command says when nothing is in its way."""
+    """The output of a command without faults."""
     lane.names.reset()
     for name in lane.worlds:
         try:

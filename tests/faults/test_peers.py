@@ -49,7 +49,7 @@ class Case:
         return "%s %s, %s as %s" % (self.command, self.line, self.mode, self.role)
 
     def meant(self):
-        """What the words of the tables stand for."""
+        """The meaning of the words of the tables."""
         top = "/127.0.0.1:%d" % ports[self.mode]
         if self.role == "server":
             names = {"SERVER": top, "A": top + "/a.rtc", "B": top + "/b.rtc", "MGR": top + "/m.mgr"}
@@ -138,7 +138,7 @@ def cases():
 
 
 def control(_):
-    """Seconds that a command takes which has to do with no fault, in the same crowd."""
+    """Seconds that a command without any fault takes in the same crowd."""
     return running.run(["rtcat", server + "/test.host_cxt/ConsoleIn0.rtc"], around.top).seconds
 
 

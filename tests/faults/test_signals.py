@@ -1,4 +1,4 @@
-"""Ctrl-C, SIGTERM and SIGHUP at random moments of every command: it is gone at once and leaves nothing behind.
+"""Ctrl-C, SIGTERM and SIGHUP at random moments of every command: it ends at once and leaves nothing behind.
 
 If one of these fails, an operator who gives up on a command leaves observers, half connections or half a file on the robot.
 """
@@ -43,7 +43,7 @@ FATAL = set(invocations.stated("fatal"))
 
 
 class Lane:
-    """A world of one's own, in which nobody else changes anything."""
+    """A world for one command at a time."""
 
     def __init__(self, number):
         self.place = "lane%d.host_cxt" % number
@@ -61,17 +61,17 @@ class Lane:
         return {port: around.ctl(self.world, "connectors", port) for port in PORTS}
 
     def left_behind(self):
-        """What is there that must not be: services of tools, connections that only one end knows, of more than two ends."""
+        """What must not be left: services of tools, and connections that do not have exactly two ends."""
         for component in COMPONENTS:
             if around.ctl(self.world, "observers", component):
                 yield "observers of " + component
         found = self.connections()
-        ends = [each for each in found.values() for each in each]
-        if any(ends.count(each) != 2 for each in ends):
+        ends = [connection for connections in found.values() for connection in connections]
+        if any(ends.count(connection) != 2 for connection in ends):
             yield "connections: %s" % found
 
     def tidy(self):
-        """As it was in the beginning."""
+        """Remove all connections."""
         for port in PORTS:
             around.ctl(self.world, "forget", port)
 
@@ -143,9 +143,8 @@ class Case:
         elif self.status not in range(7):
             yield "status %d" % self.status
         if b"internal error" in self.said or re.search(rb"Traceback[^$]*rtshell_lite/\w+\.py", self.said):
-            yield "a traceback"  # that of Python itself, not yet at our first line, is none of ours
-        for each in self.left + self.files:
-            yield each
+            yield "a traceback"  # one from before our first line is Python's
+        yield from self.left + self.files
 
 
 def wrong_files(where, command):
@@ -176,7 +175,7 @@ def cases():
 
 
 class Screen:
-    """A command on a terminal, which is there still when the command has gone."""
+    """A command on a terminal that outlives it."""
 
     def __init__(self, words):
         self.master, self.slave = pty.openpty()
@@ -205,7 +204,7 @@ class Screen:
 
 class Signals(unittest.TestCase):
     def test_the_terminal_is_as_it_was(self):
-        """Also for those that take it over, ended at any moment; Ctrl-C is typed."""
+        """Also after commands that take it over, ended at any moment; Ctrl-C is typed."""
         dice = random.Random(11)
         for words in ["rttop"], ["rtsh"]:
             for which in ("\x03", signal.SIGTERM, signal.SIGHUP) * (10 if running.THOROUGH else 2):

@@ -68,7 +68,7 @@ def stop(process):
     """Close its stdin; the exit status."""
     process.stdin.close()
     process.stdout.close()
-    return process.wait(5)
+    return process.wait(60)
 
 
 def context_at(port):
@@ -196,7 +196,7 @@ class ProcessTest(unittest.TestCase):
     def test_ends_on_sigterm(self):
         process, _ = start("refused")
         process.terminate()
-        self.assertEqual(process.wait(5), 0)
+        self.assertEqual(process.wait(60), 0)
         stop(process)
 
     def test_closed_peer_refuses(self):

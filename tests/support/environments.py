@@ -19,7 +19,7 @@ SOURCES = ["setup.py", "setup.cfg", "pyproject.toml", "README.md", "LICENSE", "C
 
 
 class Failed(Exception):
-    """Something that was tried did not work."""
+    """Making an environment failed."""
 
 
 class Missing(Failed):
@@ -27,7 +27,7 @@ class Missing(Failed):
 
 
 def lock():
-    """Wait for another run in this tree to end: two would reinstall under each other's feet."""
+    """Wait for another run in this tree to end: both would install to the same environment."""
     os.makedirs(STORE, exist_ok=True)
     file = open(os.path.join(STORE, "lock"), "w")
     try:
@@ -184,7 +184,7 @@ def _environment(python, directory, requirement, words, imports):
 
 
 def _refresh(interpreter, directory, wheel):
-    """Install this very wheel, unless it is installed: the version alone does not tell during development."""
+    """Install this wheel unless it is installed, which is decided by its content: the version does not change."""
     marker = os.path.join(directory, "wheel")
     if _content(marker) == wheel:
         return

@@ -1,4 +1,4 @@
-"""What components of the four implementations that were measured answer where they differ.
+"""The answers in which components of the four implementations differ, as measured.
 
 `added` is what a connector gains, by whether the InPort comes first and by data flow; the rest speaks for itself
 where it is used.

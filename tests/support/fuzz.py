@@ -28,11 +28,11 @@ LARGEST = 1 << 16  # bytes of a case
 
 
 class Crash(Exception):
-    """What a case shows that must not be."""
+    """A case has shown a bug."""
 
 
 class Refused(Exception):
-    """The input was refused as it should be."""
+    """The input was refused with a declared error."""
 
 
 # ---- spoiling -------------------------------------------------------------------------------------------------
@@ -44,7 +44,7 @@ BYTES = [b"\0", b"\xff", b"\x80", b"\x7f", b"\n", b"\x1b", b"\xc2\x85", b"\xe2\x
 
 
 def spoilt(rng, data, words, others):
-    """`data` with a few changes; `words` are pieces that mean something in it, `others` like documents to steal from."""
+    """`data` with a few changes; `words` are meaningful pieces of such data, `others` are similar documents to copy from."""
     for _ in range(rng.choice((1, 1, 2, 3, 6))):
         data = _changed(rng, data, words, others)[:LARGEST]
     return data
@@ -104,7 +104,7 @@ class Target:
 
 
 def same(one, other, what):
-    """Raise Crash where two things differ that must not."""
+    """Raise Crash if two things differ."""
     if one != other:
         raise Crash("%s: %.300r is not %.300r" % (what, one, other))
 
@@ -113,7 +113,7 @@ def same(one, other, what):
 
 @contextlib.contextmanager
 def limits():
-    """At most MEMORY more for this process while it goes on."""
+    """A context in which this process may use at most MEMORY more."""
     before = resource.getrlimit(resource.RLIMIT_AS)
     with open("/proc/self/statm") as file:
         now = int(file.read().split()[0]) * resource.getpagesize()
@@ -131,7 +131,7 @@ def _too_slow(*_):
 
 
 def tried(target, data):
-    """Try one case: None when it was read, "refused", or a text that tells what is wrong."""
+    """Try a case: None when it was read, "refused", or a text that says what is wrong."""
     signal.setitimer(signal.ITIMER_PROF, SECONDS if target.alone else 0)
     try:
         target.check(data)
@@ -150,7 +150,7 @@ def case(target, seed, number):
 
 
 def fuzz(target, seed, seconds=None, cases=None, report=print):
-    """Try cases until the time or their number is up: (cases, of these read, [(number, data, what is wrong)])."""
+    """Try cases up to a time or number: (number of cases, number of those read, [(number, data, what is wrong)])."""
     end = time.monotonic() + seconds if seconds else None
     number, read, wrong, slowest = 0, 0, [], 0.0
     target.prepare()

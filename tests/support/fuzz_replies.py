@@ -1,4 +1,4 @@
-"""What a robot answers, spoilt: recorded GIOP replies with changes in them, served by a socket to commands in a child process.
+"""Corrupted answers of a robot: recorded GIOP replies with changes, served by a socket to commands in a child process.
 
     python3 tests/support/fuzz_replies.py     records tests/data/replies.json anew, from omniNames and mock components
 
@@ -93,13 +93,13 @@ class Robot:
 
 
 def asked(request):
-    """What tells one question from another: the object, the operation, its arguments."""
+    """What distinguishes requests: the object, the operation, its arguments."""
     reader = request.arguments
     return [request.key.hex(), request.operation, reader.data[reader.position:].hex()]
 
 
 def found(recorded, request):
-    """The recorded reply to a question, or to one that is as like it as there is."""
+    """The recorded reply to a request, or to the most similar one."""
     wanted = asked(request)
     for count in (3, 2):
         for *question, message in recorded:
@@ -184,7 +184,7 @@ class Replies(fuzz.Target):
             raise fuzz.Refused(said)
 
     def _run(self, words, robot):
-        """The exit status of a command, what it said, how long it took, how much its process has grown."""
+        """The exit status of a command, its output, how long it took, how much its process has grown."""
         if not self.child:
             self.child = subprocess.Popen([sys.executable, os.path.abspath(__file__), "--child"], stdin=subprocess.PIPE,
                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=dict(
@@ -221,7 +221,7 @@ class Replies(fuzz.Target):
 # ---- the child ------------------------------------------------------------------------------------------------
 
 def serve():
-    """Run the commands that come on stdin, a line of JSON each, and answer with what became of them."""
+    """Run the commands on stdin, a line of JSON each, and print their results."""
     import faulthandler
     import io
     from rtshell_lite import cli
@@ -255,7 +255,7 @@ def _memory():
 # ---- recording ------------------------------------------------------------------------------------------------
 
 class Recorder:
-    """Ports that pass on to others what they get, and note the questions and the replies; references lead to such ports, too."""
+    """Ports that forward to others, and record requests and replies; references lead to such ports, too."""
 
     def __init__(self):
         self.noted, self.fronts = [], {}

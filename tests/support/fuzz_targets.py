@@ -1,4 +1,4 @@
-"""What is fuzzed within one process: paths, profiles, log files, IDL files, constructor expressions, CDR values. See fuzz.py."""
+"""Targets of fuzz.py in its own process: paths, profiles, log files, IDL files, constructor expressions, CDR values."""
 import glob
 import json
 import os
@@ -113,7 +113,7 @@ class Logs(Target):
         return content(self.file)
 
     def make(self, rng):
-        """Half of the cases of our form have good checksums: what is behind these is fuzzed, too."""
+        """Half of the cases of our form have good checksums, so that what follows them is fuzzed, too."""
         data = rng.choice(self.seeds)
         if not data.startswith(blocks.MAGIC) or rng.random() < 0.5:
             return spoilt(rng, data, self.words, self.seeds)
@@ -202,7 +202,7 @@ class Idl(Target):
 # ---- values ---------------------------------------------------------------------------------------------------
 
 class _Some(datatypes.Types):
-    """These types and no others, so that no stubs are needed."""
+    """Only these types, so that no stubs are needed."""
 
     def __init__(self, known):
         datatypes.Types.__init__(self)
@@ -231,7 +231,7 @@ def _everything():
 
 
 def _through_every_form(one, value, types, speakable=True):
-    """A value that was made must come back from bytes, from JSON and, where its types' names are names, from rtinject's form."""
+    """Check that a value comes back from bytes, from JSON and, if its types have valid names, from rtinject's form."""
     expected = random_values.plain(value)
     for little in (True, False):
         same(random_values.plain(one.decode(one.encode(value, little), little)), expected, "bytes")
@@ -246,7 +246,7 @@ def _through_every_form(one, value, types, speakable=True):
 
 
 class Values(Target):
-    """A case is the name of a type, or nothing, a line end, and what a user writes down."""
+    """A case is the name of a type, or nothing, a line end, and a value as a user writes it."""
 
     name = "values"
     words = [b"(", b")", b"[", b"]", b"{", b"}", b",", b"=", b":", b"{time}", b"{{", b"}}", b"'", b'"', b"b'", b"\\x", b"\\ud800", b"NaN",
@@ -282,7 +282,7 @@ class Values(Target):
 
 
 class Cdr(Target):
-    """A case is a type, as log files have it, in one line, and the bytes of a value behind it."""
+    """A case is a type in the form of log files, on a line, and after it the bytes of a value."""
 
     name = "cdr"
     words = [b"\0", b"\1", b"\0\0\0\1", b"\1\0\0\0", b"\xfe\xff", b"\xff\xfe", b"\xd8\0", b"\x80", b"\2", b"\4"]

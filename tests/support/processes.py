@@ -137,7 +137,7 @@ def state_of(process):
 
 
 def waited_for_processor(pid):
-    """Seconds that the main thread of a process has been ready to run and was not let, 0 where the kernel does not say."""
+    """Seconds that the main thread of a process has waited for a processor, 0 where the kernel does not say."""
     try:
         with open("/proc/%d/schedstat" % pid) as file:
             return int(file.read().split()[1]) / 1e9

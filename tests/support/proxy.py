@@ -1,4 +1,4 @@
-"""A name server that fails in the middle: what stands before a real one and passes on its GIOP messages until one is to fail."""
+"""A name server that fails at a chosen call: a proxy that forwards GIOP messages to a real one."""
 import socket
 import threading
 
@@ -8,7 +8,7 @@ KINDS = ("CUT", "LOST", "HANG", "GONE")  # connection lost before, after the cal
 
 
 class Proxy:
-    """Listens on a port of its own and passes on to that of the name server, `target`, which is set before the first call."""
+    """Listens on its own port and forwards to that of the name server, `target`, which is set before the first call."""
 
     def __init__(self):
         self.lock = threading.Lock()
@@ -17,7 +17,7 @@ class Proxy:
         self.reset()
 
     def reset(self):
-        """No faults, no calls counted; where it had gone, it is there again."""
+        """Start again without faults, and count calls from 0; listen again if it had stopped."""
         self.calls, self.nth, self.kind, self.hangs = 0, None, None, False
         if self.listener is None:
             self.listener = socket.socket()
@@ -32,7 +32,7 @@ class Proxy:
         self.calls, self.nth, self.kind = 0, nth, kind
 
     def close(self):
-        """End as a process does."""
+        """Close everything, as a process does when it ends."""
         with self.lock:
             closing, self.open = [self.listener] + self.open, []
             self.listener = None
@@ -69,7 +69,7 @@ class Proxy:
         link.end()
 
     def _fate(self):
-        """What becomes of this call: one of KINDS, or None."""
+        """How this call fails: one of KINDS, or None."""
         with self.lock:
             self.calls += 1
             fate = self.kind if self.calls == self.nth else None
@@ -78,7 +78,7 @@ class Proxy:
 
 
 class Link:
-    """A connection of a client, and that to the name server."""
+    """A connection of a client, and its connection to the name server."""
 
     def __init__(self, client, server):
         self.client, self.server, self.loses = client, server, False

@@ -1,4 +1,4 @@
-"""Profiles at random: every section, every field, strings that are meant to break readers and writers."""
+"""Random profiles: every section, every field, strings that are meant to break readers and writers."""
 import random
 
 from rtshell_lite.xmlprofile import fields, model, names
@@ -84,7 +84,7 @@ class Maker:
         return fields.ForeignElement(tag, {"{urn:a}b": self.text()} if depth else {}, fields.tidy(content))
 
     def data(self, depth=0):
-        """Plain data as YAML has it."""
+        """Plain data for YAML."""
         chance = self.random.random()
         if depth > 3 or chance < 0.4:
             return self.text()

@@ -133,7 +133,7 @@ class Robot:
                 for part, node in self.nodes.items() for port in ports.ports(node)}
 
     def wrong(self):
-        """What is not as it was: processes that have ended, ports whose connectors are others."""
+        """What has changed: processes that have ended, ports with other connectors."""
         dead = self.dead()
         if dead:
             return dead

@@ -61,7 +61,7 @@ def flat(suite):
 
 
 def meant(test, patterns):
-    """Is the test meant? A module that could not be imported is, whatever the patterns."""
+    """Does a pattern match the test? A module that could not be imported always counts."""
     name = test.id()
     return not patterns or name.startswith("unittest.loader") or \
         any(pattern in name or fnmatch.fnmatch(name, pattern) for pattern in patterns)

@@ -48,7 +48,7 @@ PACKAGING = "commands/test_packaging"
 
 
 class Job:
-    """Something that runs by itself and gives outcomes: a test module, or a transcript under one shell."""
+    """A test module, or a transcript under a shell; `run` returns outcomes."""
 
     def __init__(self, label, run, alone):
         self.label = label
@@ -59,7 +59,7 @@ class Job:
 # ---- jobs ----
 
 def test_modules():
-    """Names of the test modules that run wherever tests do: unit/test_path …"""
+    """Names of the test modules: unit/test_path …"""
     paths = [path for directory in DIRECTORIES for path in glob.glob(os.path.join(glob.escape(TESTS), directory, "test_*.py"))]
     return sorted(os.path.relpath(path, TESTS)[:-3] for path in paths)
 
@@ -159,7 +159,7 @@ def has_turn(version, path):
 # ---- running them ----
 
 class Score:
-    """What has been seen so far; told as it comes."""
+    """The outcomes so far, which are printed as they come."""
 
     def __init__(self):
         self.counts = {"pass": 0, "fail": 0, "skip": 0}
@@ -190,7 +190,7 @@ class Score:
 
 
 def run_jobs(jobs, score):
-    """Run them, several at a time but for those that want to be alone; each once, whatever becomes of it."""
+    """Run jobs, several at a time, except those that must run alone; each once, whatever the outcome."""
     _run_some([job for job in jobs if not job.alone], 2 * (os.cpu_count() or 1), score)  # they wait more than they compute
     _run_some([job for job in jobs if job.alone], 1, score)
 
@@ -229,7 +229,7 @@ def mark():
 
 
 def left_behind(marker):
-    """Command lines of processes that carry the mark, other than this one; they are killed."""
+    """Kill the processes that have the mark, except this one; returns their command lines."""
     found = []
     for number in (int(name) for name in os.listdir("/proc") if name.isdigit()) if os.path.isdir("/proc") else ():
         try:
@@ -285,7 +285,7 @@ def packaging_jobs(version, wheel, args):
 
 
 def gather_jobs(args, wheel, score):
-    """The jobs of all versions asked for; a Python that is not here is reported as skipped."""
+    """The jobs of all requested versions; a Python that is not installed is reported as skipped."""
     if args.compat:
         return compat_jobs(args)
     versions = FULL + PURE if args.all else args.python or [sys.executable]
@@ -330,7 +330,7 @@ def options():
 
 
 def hear_signals():
-    """Ignore no signal that whoever started us ignores, as `nohup … &` does: it would be inherited by all that is tested."""
+    """Stop ignoring signals that our parent ignored, as `nohup … &` does: the commands under test would inherit that."""
     for number, handler in ((signal.SIGINT, signal.default_int_handler), (signal.SIGHUP, signal.SIG_DFL)):
         if signal.getsignal(number) == signal.SIG_IGN:
             signal.signal(number, handler)

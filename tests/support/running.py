@@ -1,4 +1,4 @@
-"""Running commands and seeing what they cost: seconds, memory, what they say; and the surroundings to run them in."""
+"""Running commands and measuring them: seconds, memory, output; and the surroundings to run them in."""
 import concurrent.futures
 import fcntl
 import glob
@@ -131,7 +131,7 @@ class Surroundings:
         self.lock = threading.Lock()
 
     def name_server(self, name="names", published=None):
-        """Start one; its address. `published`: the port that its references tell, where that is another one."""
+        """Start a name server; returns its address. `published`: the port in its references, if it is another one."""
         return "/127.0.0.1:" + processes.start_name_server(name, published=published)
 
     def world(self, server, *words):
@@ -174,7 +174,7 @@ class Surroundings:
         return text, log
 
     def done(self, words):
-        """What a command prints that has to succeed."""
+        """The output of a command, which has to succeed."""
         ran = run(words, self.top)
         assert ran.status == 0, ran
         return ran.out.decode()
@@ -188,7 +188,7 @@ class Surroundings:
         return path
 
     def dumped(self, component, changes):
-        """Two files for `rtconf load`: what a component's configuration is, and that with {parameter: value} in every set."""
+        """Two files for `rtconf load`: a component's configuration, and the same with {parameter: value} in every set."""
         text = self.done(["rtconf", component, "dump"])
         paths = [os.path.join(self.top, name) for name in ("dumped", "changed")]
         for path in paths:

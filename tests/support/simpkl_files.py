@@ -1,4 +1,4 @@
-"""Log files as rtshell writes them, made without rtshell: classes of the same names, and for Python 2 opcodes by hand."""
+"""Log files of rtshell, made without it: classes of the same names, and for Python 2 opcodes by hand."""
 import contextlib
 import pickle
 import struct
@@ -27,7 +27,7 @@ def make(cls, **attributes):
 
 @contextlib.contextmanager
 def importable(classes=CLASSES):
-    """pickle wants to find the classes that it names."""
+    """Make the classes importable, as pickle requires."""
     modules = {}
     for cls in classes:
         parts = cls.__module__.split(".")
@@ -76,7 +76,7 @@ def log(data, protocol=4, closed=True, specs=None, start=1795247464.75, classes=
 # ---- Python 2 -------------------------------------------------------------------------------------------------
 
 def python2_log(data, old_style=False):
-    """The same as Python 2 writes it: protocol 2, text as strings of octets; classes may be of the old style."""
+    """The same in the form of Python 2: protocol 2, text as strings of octets; classes may be of the old style."""
     def text(value):
         return b"U" + bytes([len(value)]) + value.encode()
 

@@ -50,7 +50,7 @@ class Step:
         self.expected = []
 
     def lines(self, output):
-        """The step as it stands in a file, with this output."""
+        """The text of the step in a file, with this output."""
         marks = ["  $ "] + ["  > "] * (len(self.command) - 1)
         command = [(mark + line).rstrip() for mark, line in zip(marks, self.command)]
         return command + ["  " + line if line else "" for line in output]
@@ -147,7 +147,7 @@ def _glob(pattern):
 
 
 def merge(expected, actual):
-    """The actual lines, each in the spelling of the expected line that it matches.
+    """The actual lines, each replaced by the expected line that it matches.
 
     The result equals `expected` exactly if the step passes.
     """

@@ -27,7 +27,7 @@ def setUpModule():
 
 
 class PublishedOtherwise(unittest.TestCase):
-    """A name server that publishes another address than that by which it is asked, as most do that are called localhost."""
+    """A name server that publishes another address than the one we use, as is usual for localhost."""
 
     def setUp(self):
         self.directory = tempfile.mkdtemp()

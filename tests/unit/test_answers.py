@@ -39,7 +39,7 @@ class Commands(unittest.TestCase):
         return "/127.0.0.1:%d" % peer.port
 
     def says(self, mode, status, said, *words):
-        """What a command says of the peer, in one line; returns what it prints."""
+        """Check the single line that a command reports; returns what it prints."""
         server = self.peer(mode)
         words = [word.replace("SERVER", server) for word in words]
         found, out, err = run(*words)

@@ -1,4 +1,4 @@
-"""In which order steps are done: if this fails, a big system takes long to restore, or steps overtake those they need."""
+"""The order of steps: if this fails, restoring a big system takes long, or steps come before those that they need."""
 import itertools
 import random
 import unittest

@@ -1,4 +1,4 @@
-"""What every command shares, tried on a command of our own: options anywhere, one line a failure, exit statuses."""
+"""What every command shares, tested with a command of our own: options anywhere, a line for each failure, exit statuses."""
 import io
 import os
 import subprocess
@@ -15,6 +15,9 @@ COMMAND = '''\
 examples:
   rtfoo a
 """
+from rtshell_lite import start
+start.quietly(__name__)
+
 from rtshell_lite import cli, errors, options
 
 
@@ -44,6 +47,40 @@ def run(args):
 cli.main(arguments, run, __doc__)
 '''
 
+# Imports all that there is, and prints what of the process has changed. (omniORB itself adds a directory to sys.path.)
+IMPORTING = """
+import importlib, os, pkgutil, signal, sys, threading, warnings
+import rtshell_lite
+
+def process():
+    numbers = set(range(1, signal.NSIG)) - {signal.SIGKILL, signal.SIGSTOP}
+    return {"signals": [signal.getsignal(number) for number in sorted(numbers)],
+            "path": [path for path in sys.path if "omniORB" not in path], "warnings": list(warnings.filters),
+            "streams": [sys.stdin, sys.stdout, sys.stderr], "hooks": [sys.excepthook, getattr(sys, "unraisablehook", None)],
+            "arguments": list(sys.argv), "environment": dict(os.environ), "directory": os.getcwd(),
+            "threads": threading.enumerate(), "finders": sys.meta_path + sys.path_hooks}
+
+for module in pkgutil.walk_packages(rtshell_lite.__path__, "rtshell_lite."):
+    before = process()
+    try:
+        importlib.import_module(module.name)
+    except ImportError as e:
+        assert "omniORB" in str(e), e
+    print("".join(module.name + ": " + what for what, value in process().items() if value != before[what]), end="")
+"""
+
+
+def environment(**more):
+    return dict(os.environ, PYTHONPATH=os.pathsep.join(p for p in sys.path if p), **more)
+
+
+class Import(unittest.TestCase):
+    def test_changes_nothing_in_the_process(self):
+        """If this fails, a program that uses us as a library loses its own Ctrl-C, path or streams."""
+        ran = subprocess.run([sys.executable, "-c", IMPORTING], env=environment(), cwd="/",
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (0, b"", b""))
+
 
 class Command(unittest.TestCase):
     @classmethod
@@ -57,14 +94,13 @@ class Command(unittest.TestCase):
     def tearDownClass(cls):
         cls.folder.cleanup()
 
-    def foo(self, *words, **environment):
-        env = dict(os.environ, PYTHONPATH=os.pathsep.join(p for p in sys.path if p), **environment)
-        ran = subprocess.run([sys.executable, self.file] + list(words), env=env, stdout=subprocess.PIPE,
+    def foo(self, *words, **variables):
+        ran = subprocess.run([sys.executable, self.file] + list(words), env=environment(**variables), stdout=subprocess.PIPE,
                              stderr=subprocess.PIPE, stdin=subprocess.DEVNULL)
         return ran.returncode, ran.stdout.decode("utf-8"), ran.stderr.decode("utf-8")
 
-    def said(self, *words, **environment):
-        return self.foo(*words, **environment)[1].strip()
+    def said(self, *words, **variables):
+        return self.foo(*words, **variables)[1].strip()
 
     def test_options_stand_anywhere(self):
         expected = "['a', 'b'] 2 5 None None 3.0"
@@ -128,14 +164,14 @@ class Command(unittest.TestCase):
     def test_streams_that_are_missing_or_full(self):
         for redirection, expected in (">&-", 1), (">/dev/full", 1), ("2>&-", 0), ("<&-", 0):
             ran = subprocess.run(["sh", "-c", '"$0" "$1" a ' + redirection, sys.executable, self.file],
-                                 env=dict(os.environ, PYTHONPATH=os.pathsep.join(p for p in sys.path if p)),
+                                 env=environment(),
                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
             self.assertEqual(ran.returncode, expected, (redirection, ran.stderr))
 
     def test_a_reader_that_went_away_is_141_in_silence(self):
         ran = subprocess.Popen([sys.executable, self.file, "-q"] + ["x" * 100] * 1000, stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE,
-                               env=dict(os.environ, PYTHONPATH=os.pathsep.join(p for p in sys.path if p)))
+                               env=environment())
         ran.stdout.close()
         self.assertEqual((ran.wait(20), ran.stderr.read()), (141, b""))
         ran.stderr.close()
@@ -143,7 +179,7 @@ class Command(unittest.TestCase):
 
 class Files(unittest.TestCase):
     def test_two_that_write_to_one_file(self):
-        """The file is what one of them wrote, and nothing else is left."""
+        """The file is the one that either of them wrote, and there are no others."""
         program = ("import sys; from rtshell_lite import files\n"
                    "for _ in range(30): files.write(sys.argv[1], sys.argv[2] * 1000000)")
         with tempfile.TemporaryDirectory() as directory:
@@ -155,7 +191,7 @@ class Files(unittest.TestCase):
                 self.assertIn(file.read(), ("a" * 1000000, "b" * 1000000))
 
     def test_the_longest_names(self):
-        """Names that the file system takes are taken: 255 octets."""
+        """As long as the file system allows: 255 octets."""
         names = ["a" * 255, "b" * 250, "\u00e9" * 127, "\u3042" * 85]
         program = "import sys; from rtshell_lite import files\nfor name in sys.argv[1:]: files.write(name, name)"
         with tempfile.TemporaryDirectory() as directory:

@@ -1,4 +1,4 @@
-"""Connectors of many ports are removed a few at a time: if this fails, Ctrl-C takes longer the more ports there are."""
+"""Removing the connectors of many ports: if this fails, Ctrl-C takes longer the more ports there are."""
 import threading
 import time
 import unittest
@@ -7,7 +7,7 @@ from rtshell_lite.data import reading
 
 
 def idle_reader():
-    """A push Reader of a port that sends nothing, as far as its end goes."""
+    """The part of a push Reader that closes it, for a port that sends nothing."""
     reader = reading.Reader.__new__(reading.Reader)
     reader.dataflow = "push"
     reader.ended, reader.came = threading.Event(), threading.Event()
@@ -24,7 +24,7 @@ class Closing(unittest.TestCase):
         self.assertLess(time.monotonic() - begun, 100 * reading.QUIET / 2)
 
     def test_a_value_that_came_long_ago_is_no_sign(self):
-        """It came while others were closed: the next one is waited for, up to a limit."""
+        """A value that came while others were closed does not count; the next one is waited for, up to a limit."""
         reader = idle_reader()
         reader.stop()
         reader.came.set()

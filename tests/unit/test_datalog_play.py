@@ -2,6 +2,7 @@
 import json
 import struct
 import sys
+import threading
 import time
 import unittest
 
@@ -159,23 +160,22 @@ class Deep(Case):
 
 class Recording(Case):
     def test_a_slow_disk_costs_messages_not_time(self):
-        """The sender never waits; what does not fit is counted."""
-        message = message_of(b"x" * 1000000)
+        """The sender never waits, not even for a disk that writes nothing until all is sent; what does not fit is counted."""
+        message, sent = message_of(b"x" * 1000000), threading.Event()
 
         class Slow(writer.Writer):
             def write(self, messages):
-                time.sleep(0.05 if messages else 0)
+                if messages:
+                    sent.wait()
                 writer.Writer.write(self, messages)
 
         work = recorder.Recorder()
         work.start(Slow(self.name, CHANNELS, START))
-        take, longest = work.box.taker(0), 0
+        take = work.box.taker(0)
         for _ in range(400):
-            begun = time.monotonic()
             take(message)
-            longest = max(longest, time.monotonic() - begun)
+        sent.set()
         work.close()
-        self.assertLess(longest, 0.04)
         self.assertEqual(work.count + sum(work.box.dropped.values()), 400)
         self.assertGreater(work.box.dropped[0], 0)
         self.assertEqual(len(self.read()[1]), work.count)
@@ -186,19 +186,19 @@ class Recording(Case):
         for _ in range(5):
             work.box.put(1, message_of(b"abc"))
         work.start(writer.Writer(self.name, CHANNELS, START))
-        self.assertTrue(work.done.wait(5))
+        self.assertTrue(work.done.wait(60))
         work.close()
         self.assertEqual([entry.channel for entry in self.read()[1]], [1, 1, 1])
 
     def test_a_bug_is_no_success(self):
-        """Whatever ends the thread that writes, the recording has ended, and not well."""
+        """Whatever ends the thread that writes, the recording ends with an error."""
         class Broken(writer.Writer):
             def write(self, messages):
-                sys.exit("broken")  # the one exception that a thread ends with in silence
+                sys.exit("broken")  # the only exception that a thread does not report
 
         work = recorder.Recorder()
         work.start(Broken(self.name, CHANNELS, START))
-        self.assertTrue(work.done.wait(5))
+        self.assertTrue(work.done.wait(60))
         with self.assertRaises(RuntimeError):
             work.close()
 

@@ -27,7 +27,7 @@ MINE = "module Mine { struct Reading { long a; sequence<string> from; }; interfa
 
 
 def a_port(type_id, **properties):
-    """A Port as of a component that says this much about its type."""
+    """A Port of a component that says this about its type."""
     return ports.Port(None, "a", "DataOutPort", dict(properties, **{"dataport.data_type": type_id}), [], [], None, None)
 
 
@@ -54,7 +54,7 @@ class Standard(unittest.TestCase):
                     yield module, name[3:]
 
     def test_beside_omniorb(self):
-        """The same bytes but for padding, and the same values, in both byte orders."""
+        """The same bytes, except padding, and the same values, in both byte orders."""
         orb.start()
         rng, count = random.Random(1), 0
         for module, name in self.every():
@@ -82,7 +82,7 @@ class Standard(unittest.TestCase):
                 self.assertEqual(one.decode(theirs, little).data, data)
 
     def test_checked_bytes(self):
-        """Bytes seen on the wire (idl.md 16)."""
+        """Bytes that a real component sent."""
         for name, data, expected in (
                 ("TimedLong", 3, "010000000200000003000000"), ("TimedShort", -3, "0100000002000000fdff"),
                 ("TimedDouble", 1.5, "0100000002000000000000000000f83f"), ("TimedString", "abc", "01000000020000000400000061626300"),
@@ -92,7 +92,7 @@ class Standard(unittest.TestCase):
 
 
 def text_as_ours(value):
-    """A value as omniORB reads it, its Latin-1 text as the UTF-8 that it is."""
+    """A value as omniORB reads it, with Latin-1 text decoded as UTF-8."""
     if isinstance(value, str):
         try:
             return value.encode("latin-1").decode("utf-8", "surrogateescape") if len(value) > 1 else value
@@ -178,7 +178,7 @@ class Named(unittest.TestCase):
 
 
 class Node:
-    """Stands for the node of a port in errors."""
+    """Replaces the node of a port, for error messages."""
 
     class path:
         names = [type("name", (), {"id": "x"})]
@@ -190,7 +190,7 @@ class Node:
 
 @unittest.skipIf(omniORB is None, "needs omniORBpy")
 class Offered(unittest.TestCase):
-    """TypeCodes that components offer are taken apart with care."""
+    """TypeCodes of components may be hostile."""
 
     def taken(self, typecode):
         return datatypes.Type(descriptors.adopted(typecode._d, orb.descriptor))
@@ -219,7 +219,7 @@ class Offered(unittest.TestCase):
 
 @unittest.skipUnless(omniORB and processes.nameserver.binary(), "needs omniNames")
 class OfPorts(unittest.TestCase):
-    """C++ 1.1 and Java offer a value of the type that flows through a port; the others only its name."""
+    """C++ 1.1 and Java publish a value of a port's type; others only its name."""
 
     @classmethod
     def setUpClass(cls):

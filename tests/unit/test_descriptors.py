@@ -1,4 +1,4 @@
-"""Descriptors that others made, and what is made of them: broken, a peer's type or a user's stubs harm who reads them."""
+"""Descriptors from peers and users' stubs, which may be broken or hostile."""
 import unittest
 
 from rtshell_lite import errors
@@ -10,12 +10,12 @@ LONG = next(kind for kind, words in descriptors.NAMES.items() if words == "long"
 
 
 def struct(*members):
-    """A descriptor as omniORB has it, IDL:Node:1.0, of (name, descriptor) pairs."""
+    """A descriptor in omniORB's form, IDL:Node:1.0, of (name, descriptor) pairs."""
     return (STRUCT, object, "IDL:Node:1.0", "Node") + tuple(part for member in members for part in member)
 
 
 def itself():
-    """How omniORB names a type inside itself."""
+    """omniORB's reference to an enclosing type."""
     return (INDIRECT, ["IDL:Node:1.0"])
 
 

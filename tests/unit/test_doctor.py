@@ -1,4 +1,4 @@
-"""What rtdoctor says of things that no mock of ours does: if one of these fails, it stumbles over a broken robot."""
+"""What rtdoctor says of robots that are broken in ways that the mocks do not have."""
 import unittest
 from unittest import mock
 
@@ -49,7 +49,7 @@ class Here(unittest.TestCase):
 
 
 class NameServers(unittest.TestCase):
-    """omniNames does nothing of this."""
+    """Faults that omniNames does not have."""
 
     def stopped(self, check, answer):
         def call(*_):
@@ -70,7 +70,7 @@ class NameServers(unittest.TestCase):
 
 class Names(unittest.TestCase):
     def test_bound_twice_without_telling_its_names(self):
-        """OpenRTM-aist tells the names of a component in a property; others do not."""
+        """OpenRTM-aist has the names of a component in a property; others do not."""
         nodes = [tree.Node(path.parse(where), "component", None)
                  for where in ("/one/a.host_cxt/In0.rtc", "/one/b.host_cxt/In0.rtc", "/two/a.host_cxt/In0.rtc")]
         each = snapshot.Snapshot(nodes[0], nodes[1:])

@@ -1,4 +1,4 @@
-"""Manual pages, READMEs and docstrings: if one of these fails, they describe another rtshell_lite than this one."""
+"""Manual pages, READMEs and docstrings: if one of these fails, they do not describe this version."""
 import ast
 import glob
 import json
@@ -31,7 +31,7 @@ def below(top):
 
 
 def names(directory):
-    """The commands that a directory has files for, whatever these end in."""
+    """The commands that have files in a directory, with any extension."""
     return sorted({re.match(r"rt\w+", name).group() for name in os.listdir(os.path.join(ROOT, directory)) if name.startswith("rt")})
 
 
@@ -41,7 +41,7 @@ def documented(command):
 
 
 def printed():
-    """Objects of JSON that transcripts show of commands, each with the commands that may have printed it."""
+    """JSON objects in transcripts, each with the commands that may have printed it."""
     for path in sorted(glob.glob(os.path.join(ROOT, "tests", "commands", "*.t"))):
         for step in transcripts.steps(transcripts.parse(read(path))):
             line = "\n".join(step.command)
@@ -57,7 +57,7 @@ def printed():
 
 class Generated(unittest.TestCase):
     def test_up_to_date(self):
-        """The pages in man/ and the rows of README.ja.md are what docstrings, parsers and READMEs make."""
+        """The pages in man/ and the rows of README.ja.md agree with docstrings, parsers and READMEs."""
         environment = dict(os.environ, PYTHONPATH=ROOT, PYTHONDONTWRITEBYTECODE="1")
         program = "import json; from rtshell_lite.shell import documentation; print(json.dumps(documentation.documents()))"
         made = json.loads(subprocess.check_output([sys.executable, "-c", program], env=environment, cwd=ROOT).decode())
@@ -67,7 +67,7 @@ class Generated(unittest.TestCase):
         self.assertEqual(stale, [], "to bring them up to date, run: python3 -m rtshell_lite.shell.documentation")
 
     def test_rows_of_commands(self):
-        """A command without a row gets the English one, a command that is gone loses its own; what is translated stays."""
+        """A command without a row gets the English one, the row of a command that no longer exists goes; translations stay."""
         english = "## Commands\n\n| command | does |\n|---|---|\n| `rta` | a |\n| `rtb`, `rtc`, `rtd` | b |\n"
         japanese = "## コマンド\n\n| コマンド | 働き |\n|---|---|\n| `rtc`, `rtold` | 日本 |\n| `rtgone` | 語 |\n\n本\n"
         self.assertEqual(documentation.with_rows(japanese, english), "## コマンド\n\n| コマンド | 働き |\n|---|---|\n"
@@ -75,7 +75,7 @@ class Generated(unittest.TestCase):
 
 
 class Commands(unittest.TestCase):
-    """What each command says of itself."""
+    """The docstring of each command."""
 
     def test_readme(self):
         rows = re.findall(r"^\| (`rt.*?) \|", read("README.md"), re.MULTILINE)
@@ -91,7 +91,7 @@ class Commands(unittest.TestCase):
         self.assertEqual(missing, [], "with --json, the docstring lists the fields between a line JSON: and the line examples:")
 
     def test_fields_are_documented(self):
-        """Those that transcripts show, but of parameters and modules, which bring their own names."""
+        """All that transcripts show, except those of parameters and modules, whose names vary."""
         seen = 0
         for path, commands, value in printed():
             if not set(commands) & {"rtconf", "rtmgr"}:
@@ -128,7 +128,7 @@ class Japanese(unittest.TestCase):
         return found.group(1)
 
     def firsts(self, readme, title):
-        """What stands in the first column of a section's table, word by word."""
+        """The words in the first column of a section's table."""
         rows = re.findall(r"^\| (.*?) \|", self.section(readme, title), re.MULTILINE)[1:]
         return [word for row in rows for word in row.split(", ")]
 
@@ -137,7 +137,7 @@ class Japanese(unittest.TestCase):
             self.assertEqual(self.firsts("README.ja.md", japanese), self.firsts("README.md", english))
 
     def test_code(self):
-        """Scripts and commands to type are the same; what is behind blanks explains them."""
+        """Scripts and commands are the same, apart from remarks after several blanks."""
         for english, japanese in (("Scripts", "スクリプト"), ("Install", "インストール"),
                                   ("When the robot does not work", "ロボットが動かないとき")):
             self.assertEqual(self.code("README.ja.md", japanese), self.code("README.md", english))
@@ -146,7 +146,7 @@ class Japanese(unittest.TestCase):
         return re.findall(r"^(?:    .*|```(?:.*\n)*?```)$", self.section(readme, title), re.MULTILINE)
 
     def test_options_named(self):
-        """The options and files that the sections speak of."""
+        """The options and files in the sections."""
         for english, japanese in ("Commands", "コマンド"), ("Install", "インストール"), ("Paths", "パス"):
             words = [sorted(set(re.findall(r"`(-[^`\s]*|\\[^`]*)", self.section(*where)))) for where in
                      (("README.md", english), ("README.ja.md", japanese))]

@@ -94,7 +94,7 @@ class Writing(Case):
         self.assertEqual(files.umask(), 0o027)
 
     def test_a_prepared_link_is_not_written_through(self):
-        """Under every name that was ever used for temporary files, and as a link that leads nowhere yet."""
+        """Under every name that was ever used for temporary files, and as a broken link."""
         canary = self.path("canary")
         for name, way in WAYS.items():
             for temporary in (".%s.tmp" % name, ".%s.%d.tmp" % (name, os.getpid())):
@@ -184,7 +184,7 @@ class Writing(Case):
 
 
 class Endless(Case):
-    """All that takes the name of a file to read, or to write."""
+    """Everything that takes the name of a file to read or write."""
 
     def fifo(self):
         os.mkfifo(self.path("fifo"))
@@ -254,7 +254,7 @@ class Shell(Case):
 
 
 class WorkingDirectory(Case):
-    """What lies in the directory in which a command is run is not imported."""
+    """Files in the working directory are not imported."""
 
     def test_nothing_is_imported_from_it(self):
         import rtshell_lite

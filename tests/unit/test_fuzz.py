@@ -1,4 +1,4 @@
-"""Spoilt input of every kind (see fuzz.py), some of it on every run; and all that has ever failed, tests/data/fuzz/TARGET/*."""
+"""A few corrupted inputs of every kind (see fuzz.py), and all that have ever failed, tests/data/fuzz/TARGET/*."""
 import importlib.util
 import unittest
 
@@ -27,7 +27,7 @@ class Fuzz(unittest.TestCase):
         self.assertGreater(count, 3)
 
     def test_new_cases(self):
-        """Read or refused, soon, in little memory; and what is read comes back the same."""
+        """Each is read or refused, soon, in little memory; and what is read can be written and read again."""
         for name, target in sorted(self.targets.items()):
             with self.subTest(target=name):
                 number, read, wrong = fuzz.fuzz(target(), "ci", cases=CASES[name], report=lambda line: None)

@@ -1,4 +1,4 @@
-"""Pictures of systems: if this fails, rtstodot prints what Graphviz refuses, or leaves out what there is."""
+"""Pictures of systems: if this fails, rtstodot prints what Graphviz refuses, or leaves out something."""
 import os
 import random
 import re
@@ -39,7 +39,7 @@ def lines(profile, states=None):
 
 class Deep(unittest.TestCase):
     def test_composites_in_composites(self):
-        """Deeper than Python's stack, and every picture is drawn."""
+        """A chain that is longer than Python's stack is drawn."""
         count = 3000
         profile = model.RtsProfile(components=[component("C%d" % i, ["C%d" % (i + 1)] * (i + 1 < count)) for i in range(count)])
         picture = graph.of(profile)
@@ -52,7 +52,7 @@ class Deep(unittest.TestCase):
 
 class Dot(unittest.TestCase):
     def check(self, profile):
-        """Every line is of the grammar, braces and records are balanced, every name of a connection is declared."""
+        """Check that every line is valid, braces and records are balanced, and names in connections are declared."""
         found = lines(profile)
         self.assertEqual(found[:3], ["digraph rtsprofile {", "  rankdir=LR;", "  node [shape=Mrecord];"])
         self.assertEqual(found[-1], "}")
@@ -145,7 +145,7 @@ STEPS = {"l": (0, -1, "r"), "r": (0, 1, "l"), "u": (-1, 0, "d"), "d": (1, 0, "u"
 
 
 def reached(lines, row, column):
-    """Rows where the line ends that starts at this border: out to its lane, up and down there, back to the left."""
+    """Rows where the line that starts at this border ends: out to its lane, up and down there, back to the left."""
     todo, rows = [(row, column, "r")], set()
     while todo:
         row, column, way = todo.pop()
@@ -169,7 +169,7 @@ class Text(unittest.TestCase):
         return lines
 
     def check(self, graph):
-        """Following each line from its start leads to the ports that it connects, and to no other."""
+        """Each line, followed from its start, leads only to the ports that it connects."""
         lines = self.draw(graph)
         border = lines[0].index("┐")
         rows, at = graph_text._stack(graph)

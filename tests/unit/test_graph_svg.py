@@ -1,4 +1,4 @@
-"""Systems as SVG: if this fails, boxes lie over each other, or lines do not lead from port to port."""
+"""Systems as SVG: if this fails, boxes overlap, or lines do not connect their ports."""
 import itertools
 import os
 import random

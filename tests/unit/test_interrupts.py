@@ -6,6 +6,7 @@ import sys
 import threading
 import time
 import unittest
+from unittest import mock
 
 from rtshell_lite import errors, interrupts
 from rtshell_lite.data.connection import Opened
@@ -26,7 +27,7 @@ class Striking(unittest.TestCase):
 
 
 class Struck(list):
-    """A list whose append brings two signals, and takes its time between and behind them."""
+    """A list whose append sends two signals, with a pause after each."""
 
     def append(self, item):
         list.append(self, item)
@@ -37,7 +38,7 @@ class Struck(list):
 
 class Waiting(Striking):
     def test_what_has_come_is_taken_again_after_ctrl_c_amid_a_put(self):
-        """With a Condition, either side was told: release unlocked lock."""
+        """With a Condition, either side raised: release unlocked lock."""
         box, broken = Inbox(), []
         box.waiting = Struck()
 
@@ -105,10 +106,14 @@ class Held(Striking):
         self.assertEqual(done, ["within"])
 
     def test_comes_at_once_where_nothing_holds_it(self):
-        self.assertRaises(KeyboardInterrupt, self.strike)
-        self.strike()  # the same key press
-        interrupts.begin()
-        self.assertRaises(KeyboardInterrupt, self.strike)
+        with mock.patch.object(interrupts, "time") as clock:
+            clock.monotonic.return_value = 100.0
+            self.assertRaises(KeyboardInterrupt, self.strike)
+            self.strike()  # the same key press
+            interrupts.begin()
+            self.assertRaises(KeyboardInterrupt, self.strike)
+            clock.monotonic.return_value += 2 * interrupts.BOUNCE
+            self.assertRaises(KeyboardInterrupt, self.strike)
 
     def test_other_threads_hold_nothing(self):
         holding, over = threading.Event(), threading.Event()
@@ -126,14 +131,14 @@ class Held(Striking):
 
 
 class Dying:
-    """Something that Ctrl-C strikes while it is taken away, where Python ignores what is raised."""
+    """Ctrl-C comes while this is deleted, where Python ignores exceptions."""
 
     def __del__(self):
         os.kill(os.getpid(), signal.SIGINT)
         time.sleep(0.01)
 
 
-@unittest.skipIf(sys.version_info < (3, 8), "this Python tells nobody of what it ignores")
+@unittest.skipIf(sys.version_info < (3, 8), "this Python has no sys.unraisablehook")
 class Lost(Striking):
     handler = staticmethod(interrupts.ctrl_c)
 
@@ -149,7 +154,7 @@ class Lost(Striking):
 
 
 class Connection:
-    """Stands for a connection.Connection; signals strike while it is opened or closed."""
+    """Replaces a connection.Connection; signals come while it is opened or closed."""
 
     def __init__(self, strikes=()):
         self.strikes, self.endpoint, self.where = strikes, ("here", 1), "/a.rtc:out"

@@ -1,4 +1,4 @@
-"""The order of packages and a few rules of the house, read from the source: if this fails, layers grow together."""
+"""The order of packages and other rules, checked in the source."""
 import ast
 import os
 import re
@@ -10,7 +10,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 ONCE = "it reads the source: one Python is enough"
 
 # Files and packages of rtshell_lite import from those before them, never from those after them.
-ORDER = """__init__ errors interrupts text files path idl_stubs corba options cli
+ORDER = """__init__ start errors interrupts text files path idl_stubs corba options cli
            robot data xmlprofile datalog system events views top doctor shell __main__ bin""".split()
 OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only, like stubs
 PRINTING = ("bin", "__main__.py", "cli.py", "system/reports.py")
@@ -42,13 +42,13 @@ def place(path):
 
 
 def is_in(path, names):
-    """True for what is one of these files of rtshell_lite, or in one of these packages."""
+    """Whether a path is one of these files of rtshell_lite, or in one of these packages."""
     inner = path[len("rtshell_lite/"):] if path.startswith("rtshell_lite/") else path
     return inner in names or inner.startswith(tuple(name + "/" for name in names))
 
 
 def imports(tree):
-    """Dotted names that a module imports, anywhere, each with whether it stands in a function."""
+    """(dotted name, whether it is inside a function) of all imports of a module."""
     inner = {node for function in ast.walk(tree) if isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef))
              for node in ast.walk(function)}
     for node in ast.walk(tree):
@@ -115,7 +115,7 @@ class Layers(unittest.TestCase):
 
     def test_few_files_print(self):
         wrong = [(path, calls(tree, {"print"})) for path, tree in self.trees.items() if not is_in(path, PRINTING)]
-        self.assertEqual([each for each in wrong if each[1]], [])
+        self.assertEqual([(path, lines) for path, lines in wrong if lines], [])
 
 
 class Rules(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""Addresses of managers: what is asked when no name server is. Broken, rtmgr talks to the wrong process, or to none."""
+"""Addresses of managers without a name server: if these fail, rtmgr talks to the wrong process."""
 import unittest
 
 try:

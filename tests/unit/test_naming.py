@@ -1,4 +1,4 @@
-"""Taking names out of name servers: what comes between the look at a name and its end."""
+"""Removing names from name servers: what may happen between the look at a name and its removal."""
 import unittest
 from unittest import mock
 

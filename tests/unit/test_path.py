@@ -1,4 +1,4 @@
-"""Paths of the RTC Tree: what is typed, what is printed, and that one leads back to the other."""
+"""Paths of the RTC Tree: what is typed, what is printed, and that each can be turned into the other."""
 import os
 import random
 import unittest

@@ -163,7 +163,7 @@ class Making(unittest.TestCase):
 
 
 class World:
-    """Components that take their time, as a Schedule sees them; `fate` is {name: (seconds, what becomes of it)}."""
+    """Simulated components for a Schedule; `fate` is {name: (seconds until the result, result)}."""
 
     def __init__(self, actions, fate):
         self.schedule = plan.Schedule(actions, "Active")
@@ -263,7 +263,7 @@ class Playing(unittest.TestCase):
 
 
 class Random:
-    """A plan at random, without circles, and what has to be true of the way in which it goes."""
+    """A random plan without circles, and what must hold when it is carried out."""
 
     def __init__(self, case, seed):
         self.case, rng = case, random.Random(seed)
@@ -325,7 +325,7 @@ class Random:
         return self.world.ended[other] if sync else self.world.told.get(other, self.world.ended[other])
 
     def earliest(self, name, steps, armed):
-        """When an action that was started was free to start."""
+        """The earliest time for an action that was started."""
         if name not in self.delayed:
             rank = self.order.get(name, -1)
             return max([self.world.ended[other] for other in steps if self.order.get(other, -1) < rank] or [0])

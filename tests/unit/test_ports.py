@@ -1,4 +1,4 @@
-"""Matching and disconnecting ports: if this fails, ports are joined that cannot talk, or kept apart that can."""
+"""Matching and disconnecting ports."""
 import unittest
 from unittest import mock
 
@@ -71,7 +71,7 @@ class DataTypes(Case):
         self.assertEqual(self.reasons(out(), into("\x1b")), ["data types differ (RTC/TimedLong, \\x1b)"])
 
     def test_any_is_a_word_of_its_own(self):
-        """Company is no `any`."""
+        """A longer word that begins with `any` is not `any`."""
         self.assertEqual(len(self.reasons(out("IDL:Company/X:1.0"), into("IDL:RTC/TimedLong:1.0"))), 1)
 
 

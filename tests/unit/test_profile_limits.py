@@ -1,4 +1,4 @@
-"""Files that are meant to exhaust a reader of profiles end it soon and small: if this fails, a file can take a robot down."""
+"""Files that are meant to exhaust a reader of profiles are refused soon, in little memory."""
 import concurrent.futures
 import os
 import subprocess
@@ -8,7 +8,7 @@ import unittest
 ALONE = True  # it measures
 ONCE = "the bounds are the same for every Python"
 MIB = 1 << 20
-SECONDS = 8.0  # of processor time for 16 MiB of the worst there is; most end within 0.1 s
+SECONDS = 8.0  # of processor time for 16 MiB of the worst input; most take less than 0.1 s
 MEGABYTES = 150  # beyond what the Python itself takes
 ROOT = "rtsProfile: "
 
@@ -89,7 +89,7 @@ print(time.process_time() - start, max(peak() - before - held, 0), said)
 
 
 def read(expression):
-    """What became of the child that reads such a file."""
+    """The result of a child that reads such a file."""
     return subprocess.run([sys.executable, "-c", CHILD.replace("EXPRESSION", expression)],
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, timeout=120)
 

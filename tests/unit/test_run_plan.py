@@ -1,4 +1,4 @@
-"""Starting and stopping with a fault at every call: if this fails, rtstart or rtstop say something that is not so."""
+"""Starting and stopping with a fault at every call: if this fails, reports of rtstart or rtstop are wrong."""
 import os
 import sys
 import unittest
@@ -29,7 +29,7 @@ def tearDownModule():
 
 
 class Reported:
-    """What a Run tells."""
+    """What a Run reports."""
 
     def __init__(self):
         self.outcomes = {}
@@ -85,7 +85,7 @@ class Sweep(unittest.TestCase):
         return told.outcomes
 
     def compare(self, outcomes, reached, before):
-        """That every outcome agrees with the state of the mock."""
+        """Check that every outcome agrees with the state of the mock."""
         states = self.states()
         if outcomes is None:
             self.assertEqual(states, dict.fromkeys(NAMES, before))

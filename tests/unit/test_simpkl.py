@@ -156,7 +156,7 @@ class Hostile(Case):
                 load(data)
 
     def test_within_a_log(self):
-        """As an entry behind good ones: these are read, the rest is told of and left."""
+        """As an entry after good ones, which are read; the rest is reported and left out."""
         data = files.log(files.values(2))
         for hostile in self.CALLS + self.FAULTS[1:]:
             log, found = self.read(data + hostile)
@@ -165,7 +165,7 @@ class Hostile(Case):
             self.read(b"\x80\x04" + self.CALLS[1])
 
     def test_attributes_are_inert(self):
-        """Even names that mean something to Python end in a dictionary."""
+        """Even names that are special for Python become keys of a dictionary."""
         found = load(b"\x80\x02cknown\nKnown\n)\x81}(U\x09__class__U\x01xU\x0c__setstate__U\x01yub.")
         self.assertEqual(found.fields, {"__class__": "x", "__setstate__": "y"})
         self.assertEqual(type(found), pickles.Record)
@@ -195,7 +195,7 @@ class Hostile(Case):
             tracemalloc.stop()
 
     def test_bombs(self):
-        """Values of few octets that would be gigabytes, for ever deep, or inside themselves, end with errors."""
+        """Values of few octets that expand to gigabytes, nest too deep, or contain themselves, are errors."""
         with files.importable():
             stamp = pickle.dumps(files.make(files.EntryTS, _sec=1, _nsec=0), 2)[2:-1]
         laughs = b"](K\x01K\x01K\x01K\x01e" + b"".join(b"q%c0](" % i + b"h%c" % i * 9 + b"e" for i in range(20))
@@ -213,14 +213,14 @@ class Hostile(Case):
             self.assertEqual((found, list(log.notes())[0].rpartition(": ")[2]), ([], "a value that never ends"))
 
     def test_long_text_many_times(self):
-        """A text costs its length wherever it is mentioned."""
+        """A text counts with its length at every place where it is used."""
         for text, protocol in (("\xe9" * 100000, 2), (b"\xe9" * 100000, 4)):
             log, found = self.read(files.log([[text] * 300], protocol))
             self.assertEqual((found, list(log.notes())[0].rpartition(": ")[2]), ([], "a value that never ends"))
         self.assertEqual(len(self.read(files.log([["\xe9" * 1000 + str(i) for i in range(300)]]))[1]), 1)
 
     def test_times_that_cannot_be(self):
-        """Every time fits into 64 bits of nanoseconds, as in logs of our own form: all that is told of it can be told."""
+        """Every time fits into 64 bits of nanoseconds, as in logs of our own form."""
         for seconds in (1 << 2040, "9" * 4000, 1e300, -1e300, float("nan"), None):
             stamp = files.make(files.EntryTS, _sec=seconds, _nsec=0)
             with files.importable():

@@ -1,4 +1,4 @@
-"""The figures on the flow of values: if these fail, rtprint --stats says what is not so. All sequences are fixed."""
+"""The figures of rtprint --stats, for fixed sequences of values."""
 import math
 import unittest
 
@@ -62,7 +62,7 @@ class Figures(Checked):
 
 
 class Cycles(Checked):
-    """What timestamps tell. They cannot tell a source that overslept from values that were lost on the way."""
+    """Figures from timestamps, which do not distinguish a source that overslept from values that were lost."""
 
     def test_regular(self):
         self.check(figures(range(0, 300, 10), cycles(*range(30))), absent=0, disordered=0, repeated=0, rate=100.0, jitter=0.0)

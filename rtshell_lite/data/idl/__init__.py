@@ -1,8 +1,8 @@
-"""OMG IDL files, the part of them that describes data: modules, structs, unions, enums, typedefs and constants.
+"""The data types of OMG IDL files: modules, structs, unions, enums, typedefs and constants.
 
-Interfaces, valuetypes, exceptions, components and homes are skipped; types within an interface are kept. Nothing of a file
-is run. What is read of the preprocessor: includes, conditions, macros without parameters, and the pragmas prefix, ID, version.
+Interfaces, valuetypes, exceptions, components and homes are skipped; types within an interface are read. The preprocessor has
+includes, conditions, macros without parameters, and the pragmas prefix, ID, version. Nothing is evaluated.
 
-Modules, in the order of a file's way: tokens.py (the preprocessor included), parser.py (definitions), types.py, constants.py
-(expressions), scopes.py (names). What comes out are descriptors (descriptors.py).
+tokens.py reads tokens and preprocesses them; parser.py reads definitions, types.py types, constants.py expressions; scopes.py
+has the names. The result are descriptors (corba/descriptors.py).
 """

@@ -1,11 +1,13 @@
-"""Constant expressions of IDL (CORBA 3.0, 3.10.2): numbers, texts and items of enums worked out with nothing evaluated."""
+"""Constant expressions of IDL (CORBA 3.0, 3.10.2): numbers, texts and items of enums."""
+import operator
+
 from rtshell_lite.corba import descriptors
 from rtshell_lite.corba.descriptors import BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, RANGES, STRING, WCHAR, WSTRING, kind
 from rtshell_lite.data.idl import tokens
 from rtshell_lite.text import literal
 
 DEEPEST = 50  # brackets within brackets
-WIDEST = 128  # bits of a number on the way
+WIDEST = 128  # bits of an intermediate number
 LEVELS = (("|",), ("^",), ("&",), ("<<", ">>"), ("+", "-"), ("*", "/", "%"))
 
 
@@ -13,66 +15,37 @@ def expression(parser, depth=0, level=0):
     """The value of the expression that comes next: an int, float, bool, str or item. Raises BadIdl."""
     if level == len(LEVELS):
         return _unary(parser, depth)
-    found = expression(parser, depth, level + 1)
+    value = expression(parser, depth, level + 1)
     while parser.is_mark(*LEVELS[level]):
         token = parser.advance()
-        found = _worked_out(parser, token, found, expression(parser, depth, level + 1))
-    return found
+        value = _operated(parser, token, value, expression(parser, depth, level + 1))
+    return value
 
 
-def _worked_out(parser, token, one, other):
-    whole = is_whole(one) and is_whole(other)
-    if not whole and not (all(is_whole(n) or isinstance(n, float) for n in (one, other)) and token.word in "+-*/"):
+def _operated(parser, token, left, right):
+    whole = is_whole(left) and is_whole(right)
+    if not whole and not (all(is_whole(n) or isinstance(n, float) for n in (left, right)) and token.word in "+-*/"):
         raise parser.fault(f"{token.word} does not go with these", token)
     try:
-        found = {"|": _or, "^": _xor, "&": _and, "<<": _left, ">>": _right, "+": _sum, "-": _difference, "*": _product,
-                 "/": _quotient, "%": _rest}[token.word](one, other)
+        value = OPERATORS[token.word](left, right)
     except (ZeroDivisionError, OverflowError, ValueError):
         raise parser.fault("cannot be worked out", token)
-    if whole and abs(found) >> WIDEST:
+    if whole and abs(value) >> WIDEST:
         raise parser.fault("too large a number", token)
-    return found
+    return value
 
 
 def is_whole(value):
-    """True for a whole number; TRUE and FALSE are none."""
+    """Whether a value is a whole number; TRUE and FALSE are not."""
     return isinstance(value, int) and not isinstance(value, bool)
 
 
-def _or(a, b):
-    return a | b
-
-
-def _xor(a, b):
-    return a ^ b
-
-
-def _and(a, b):
-    return a & b
-
-
-def _left(a, b):
-    if not 0 <= b < 64:
-        raise ValueError(b)
-    return a << b
-
-
-def _right(a, b):
-    if not 0 <= b < 64:
-        raise ValueError(b)
-    return a >> b
-
-
-def _sum(a, b):
-    return a + b
-
-
-def _difference(a, b):
-    return a - b
-
-
-def _product(a, b):
-    return a * b
+def _shift(shift):
+    def shifted(a, b):
+        if not 0 <= b < 64:
+            raise ValueError(b)
+        return shift(a, b)
+    return shifted
 
 
 def _quotient(a, b):
@@ -82,8 +55,8 @@ def _quotient(a, b):
     return abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
 
 
-def _rest(a, b):
-    return a - b * _quotient(a, b)
+OPERATORS = {"|": operator.or_, "^": operator.xor, "&": operator.and_, "<<": _shift(operator.lshift), ">>": _shift(operator.rshift),
+             "+": operator.add, "-": operator.sub, "*": operator.mul, "/": _quotient, "%": lambda a, b: a - b * _quotient(a, b)}
 
 
 def _unary(parser, depth):
@@ -91,15 +64,15 @@ def _unary(parser, depth):
         raise parser.fault("nested too deep")
     if parser.is_mark("-", "+", "~"):
         token = parser.advance()
-        found = _unary(parser, depth + 1)
-        if not (is_whole(found) or isinstance(found, float) and token.word != "~"):
+        value = _unary(parser, depth + 1)
+        if not (is_whole(value) or isinstance(value, float) and token.word != "~"):
             raise parser.fault(f"{token.word} does not go with this", token)
-        return -found if token.word == "-" else ~found if token.word == "~" else found
+        return -value if token.word == "-" else ~value if token.word == "~" else value
     if parser.is_mark("("):
         parser.advance()
-        found = expression(parser, depth + 1)
+        value = expression(parser, depth + 1)
         parser.take(")")
-        return found
+        return value
     return _literal(parser)
 
 
@@ -109,24 +82,24 @@ def _literal(parser):
         parser.advance()
         return _number(parser, token)
     if token.kind == "string":
-        found = ""
+        words = ""
         while parser.token.kind == "string":
-            found += text(parser, parser.advance())
-        return found
+            words += text(parser, parser.advance())
+        return words
     if token.kind == "char":
         parser.advance()
-        found = text(parser, token)
-        if len(found) != 1:
+        character = text(parser, token)
+        if len(character) != 1:
             raise parser.fault("not one character", token)
-        return found
+        return character
     if token.kind == "name" and token.word in ("TRUE", "FALSE"):
         parser.advance()
         return token.word == "TRUE"
     if token.kind == "name" or parser.is_mark("::"):
-        found = parser.look_up()
-        if found.sort not in ("constant", "item"):
+        entry = parser.look_up()
+        if entry.sort not in ("constant", "item"):
             raise parser.fault(f"not a constant: {token.word}", token)
-        return found.what
+        return entry.what
     raise parser.fault("expected a constant")
 
 
@@ -141,7 +114,7 @@ def _number(parser, token):
 
 
 def text(parser, token):
-    """What a literal of text says; IDL spells it as C does, and so, but for a few escapes, does Python."""
+    """The text of a literal; apart from a few escapes, Python spells it as C and IDL do."""
     word = token.word[1:] if token.word[0] == "L" else token.word
     try:
         return literal(word.replace("\\?", "?"))
@@ -155,7 +128,7 @@ def check(parser, descriptor, value, token):
     sort = kind(switch)
     if sort in RANGES and is_whole(value):
         low, high = RANGES[sort]
-        if value < low and value + 2 * (high + 1) > high and low == 0:  # ~0 for an unsigned one
+        if value < low and value + 2 * (high + 1) > high and low == 0:  # ~0 for an unsigned type
             value += high + 1
         if low <= value <= high:
             return value

@@ -16,14 +16,14 @@ _QUOTED = re.compile(r'"([^"]*)"\s*\Z')
 def parse_file(path, include=()):
     """The types that an IDL file and its includes define: {repository id: descriptor}, typedefs as aliases.
 
-    `include` are directories for #include; the IDL files of OpenRTM's own data types come along and need none.
-    Raises BadIdl with file, line and column, and errors.Failed for a file that cannot be read.
+    `include` are directories for #include; OpenRTM's own IDL files need none. Raises BadIdl with file, line and column, and
+    errors.Failed for a file that cannot be read.
     """
     return Parser(tokens.tokens(path, include)).types()
 
 
 class Parser:
-    """Reads tokens once, from the front, and collects the types that they describe."""
+    """Reads tokens and collects the types that they define."""
 
     def __init__(self, tokens):
         self.tokens, self.at = tokens, 0
@@ -31,7 +31,7 @@ class Parser:
         self.made = {}  # identity of an Entry → (repository id, descriptor)
         self.announced, self.prefixes = [], []  # Entries of structs and unions; prefixes of the files around this place
         self.weights = {}  # identity of a descriptor → (types in it, depth)
-        self.kept = []  # what these identities are of: it must stay as long as they do
+        self.kept = []  # the objects of these identities, which must live as long
         self._go()
 
     def types(self):
@@ -46,7 +46,7 @@ class Parser:
     # ---- tokens -----------------------------------------------------------------------------------------------
 
     def _go(self):
-        """Stand on the next token that is one of the grammar; pragmas and the ends of files are obeyed on the way."""
+        """Go to the next token of the grammar, past pragmas and ends of files."""
         while True:
             self.token = self.tokens[self.at]
             if self.token.kind == "pragma":
@@ -58,7 +58,7 @@ class Parser:
             self.at += 1
 
     def advance(self):
-        """The token at this place; skip it."""
+        """The current token, which is skipped."""
         token = self.token
         if token.kind != "end":
             self.at += 1
@@ -66,7 +66,7 @@ class Parser:
         return token
 
     def fault(self, why, token=None):
-        """The BadIdl for a token, or for the one at this place."""
+        """The BadIdl for a token (default: the current one)."""
         token = token or self.token
         return errors.BadIdl(printable(token.file), token.line, token.column, why)
 
@@ -135,7 +135,7 @@ class Parser:
     # ---- names ------------------------------------------------------------------------------------------------
 
     def name(self, what):
-        """An identifier being declared; one escaped with _ without it. Raises BadIdl for a keyword."""
+        """An identifier that is declared, without an escaping _. Raises BadIdl for a keyword."""
         token = self.token
         if token.kind != "name":
             raise self.fault(f"expected the name of {what}, not {printable(token.word)}")
@@ -149,7 +149,7 @@ class Parser:
         return token.word
 
     def declare(self, entry, token):
-        """Put a name into this scope. Raises BadIdl when it is there already, in whatever case."""
+        """Add a name to this scope. Raises BadIdl when it is there already, in whatever case."""
         old = self.scope.names.get(entry.name.lower())
         if old is not None:
             raise self.fault(f"{entry.name} is declared already{'' if old.name == entry.name else ' as ' + old.name}", token)
@@ -178,7 +178,7 @@ class Parser:
         return found
 
     def plain(self):
-        """Go past a name without scopes: the name. Raises BadIdl for anything else, keywords included."""
+        """The name that comes next, without scopes. Raises BadIdl for anything else, keywords included."""
         token = self.token
         if token.kind != "name":
             raise self.fault(f"expected a name, not {printable(token.word)}")
@@ -265,7 +265,7 @@ class Parser:
                 entry.what.bases.append(base.what)
 
     def _skip(self):
-        """Go past everything up to the next semicolon outside all brackets."""
+        """Skip everything up to the next semicolon outside all brackets."""
         start, open_marks = self.token, []
         while open_marks or not self.is_mark(";"):
             token = self.token
@@ -279,7 +279,7 @@ class Parser:
             self.advance()
 
     def _unread(self):
-        """A valuetype, component or home: only its name is taken."""
+        """A valuetype, component or home: only its name is read."""
         while self.is_word("custom", "abstract", "valuetype", "component", "home", "eventtype"):
             self.advance()
         token = self.token
@@ -308,7 +308,7 @@ class Parser:
         self.declare(Entry(self.name("a type"), "unknown"), token)
 
     def _exception(self, depth):
-        """An exception holds what a struct holds, but is no data."""
+        """An exception is read like a struct, but is not a data type."""
         self.advance()
         token = self.token
         name = self.name("an exception")
@@ -347,7 +347,7 @@ class Parser:
         return self.weights.get(id(descriptor), (1, 1)) if isinstance(descriptor, tuple) else (1, 1)
 
     def weigh(self, descriptor, weight, depth):
-        """The descriptor, its weight noted: that and the depth are of what is in it. Raises BadIdl."""
+        """The descriptor; `weight` and `depth` are those of its parts. Raises BadIdl when they are too large."""
         if weight > descriptors.LARGEST or depth > descriptors.DEEPEST:
             raise self.fault("a type too large or nested too deep")
         self.weights[id(descriptor)] = (weight + 1, depth + 1)
@@ -355,6 +355,6 @@ class Parser:
         return descriptor
 
     def weighed(self, descriptor, inner):
-        """The same for a descriptor of several parts."""
-        weights = [self.weight(each) for each in inner]
+        """The descriptor, weighed by its `inner` parts."""
+        weights = [self.weight(part) for part in inner]
         return self.weigh(descriptor, sum(weight for weight, _ in weights), max(depth for _, depth in weights))

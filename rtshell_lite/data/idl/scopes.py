@@ -1,18 +1,18 @@
-"""Names of an IDL file: what they stand for, where they are seen, and the repository ids that they make."""
+"""The names of an IDL file: their meanings, scopes and repository ids."""
 
 DEEPEST = 40  # scopes in scopes, types in types
-# Words that cannot be names; those of CORBA 3 (component, home, uses, …) are names in real files, and to omniidl
+# Words that cannot be names. Those of CORBA 3 (component, home, uses, …) can, as in omniidl: real files have them.
 KEYWORDS = frozenset("""abstract any attribute boolean case char const context custom default double enum exception factory
 false fixed float in inout interface local long module native object octet oneway out private public raises readonly sequence
 short string struct supports switch true truncatable typedef union unsigned valuebase valuetype void wchar wstring""".split())
 
 
 class Entry:
-    """What a name stands for: `sort` module, interface, type, struct (one only announced), item, constant or unknown.
+    """The meaning of a name: `sort` is module, interface, type, struct (only announced), item, constant or unknown.
 
     `what` is the Scope of a module or interface, the descriptor of a type, the value of a constant, the item of an enum.
-    `type_id` is its repository id, None for what has none; `token` is where it was declared. `hole`, a list of one, is where
-    descriptors look for a struct or union that is only announced: it holds None until that is described.
+    `type_id` is its repository id or None; `token` is where it was declared. `hole`, a list of one element, is where descriptors
+    look for a struct or union that has been announced: it holds None until that is defined.
     """
 
     def __init__(self, name, sort, what=None, type_id=None, hole=None, token=None):
@@ -27,7 +27,7 @@ class Scope:
         self.names, self.bases = {}, []
 
     def own(self, name):
-        """The Entry of a name declared here or in an interface that this one inherits from, None when there is none."""
+        """The Entry of a name declared here or in an interface that this one inherits from, or None."""
         todo, seen = [self], set()
         while todo:
             scope = todo.pop(0)
@@ -40,11 +40,5 @@ class Scope:
         return None
 
     def seen(self, name):
-        """The Entry of a name in this scope or the nearest around it, None when there is none."""
-        scope = self
-        while scope is not None:
-            found = scope.own(name)
-            if found is not None:
-                return found
-            scope = scope.parent
-        return None
+        """The Entry of a name in this scope or the nearest one around it, or None."""
+        return self.own(name) or self.parent and self.parent.seen(name)

@@ -1,4 +1,4 @@
-"""IDL text as tokens: comments gone, preprocessor lines obeyed."""
+"""IDL text as tokens, preprocessed, without comments."""
 import collections
 import os
 import re
@@ -17,7 +17,7 @@ MOST_FILES = 1000
 DEEPEST = 40  # files within files, conditions within conditions
 MACRO = 1000  # tokens that a macro may grow to
 OWN = os.path.join(os.path.dirname(os.path.abspath(rtshell_lite.__file__)), "idl_stubs", "idl")
-OF_ORBS = ("orb.idl", "omg.idl", "corba.idl")  # what every ORB has built in
+OF_ORBS = ("orb.idl", "omg.idl", "corba.idl")  # built into every ORB
 
 _TOKEN = re.compile(r"""
     (?P<space>[ \t\r\f\v\n\x1a]+|\\\r?\n)
@@ -69,7 +69,7 @@ def _read(path):
 
 
 class _File:
-    """One file on its way to tokens."""
+    """Turns a file into tokens."""
 
     def __init__(self, source, path, text, depth):
         self.source, self.path, self.text, self.depth = source, path, text, depth
@@ -80,7 +80,7 @@ class _File:
         return errors.BadIdl(printable(self.path), self.line, self.at - self.line_start + 1, why)
 
     def scan(self):
-        found, fresh = self.source.found, True  # fresh: nothing but blanks on this line yet
+        found, fresh = self.source.found, True  # fresh: only blanks on this line so far
         while self.at < len(self.text):
             active = all(condition[0] for condition in self.conditions)
             match = (_TOKEN if active else _SKIPPED).match(self.text, self.at)
@@ -116,7 +116,7 @@ class _File:
         return "cannot be read: " + printable(self.text[self.at:self.at + 12].split("\n")[0])
 
     def _token(self, token):
-        """Take a token, or what the macro of its name stands for."""
+        """Add a token, or the expansion of the macro of its name."""
         if token.kind == "name" and token.word in self.source.macros:
             self.source.found.extend(self._expanded(token))
         else:
@@ -137,7 +137,7 @@ class _File:
                 raise self.fault(f"a macro that grows too large: {token.word}")
         return used
 
-    # ---- lines for the preprocessor ---------------------------------------------------------------------------
+    # ---- preprocessor lines ------- ---------------------------------------------------------------------------
 
     def _directive(self, line, active):
         name, rest = _DIRECTIVE.match(line).groups()
@@ -214,7 +214,7 @@ class _File:
         self.source.found.append(Token("file", "end", self.path, self.line, 1))
 
     def _included(self, name, beside):
-        """The path of a file to include: beside this one, in the directories given, among those that come along."""
+        """The path of a file to include: beside this one, in the directories given, among our own; or None."""
         own = [os.path.join(OWN, part) for part in sorted(os.listdir(OWN))] if os.path.isdir(OWN) else []
         places = [os.path.dirname(self.path)] * beside + self.source.include + [OWN]
         for path in [os.path.join(place, name) for place in places] + [os.path.join(o, os.path.basename(name)) for o in own]:
@@ -237,7 +237,7 @@ class _Condition:
         self.words.reverse()
 
     def _meant(self, _, bracketed, bare, name, number, mark):
-        """What a word of the condition stands for: itself for a mark, else a number."""
+        """The meaning of a word of the condition: a mark, or a number."""
         macros = self.file.source.macros
         if mark:
             return mark
@@ -249,10 +249,10 @@ class _Condition:
             raise self.file.fault(f"a condition that cannot be read: {e}")
 
     def value(self):
-        found = self._either(0)
+        value = self._either(0)
         if self.words:
             raise self.file.fault("a condition that cannot be read")
-        return found
+        return value
 
     def _next(self, *marks):
         if self.words and self.words[-1] in marks and isinstance(self.words[-1], str):
@@ -260,24 +260,24 @@ class _Condition:
         return None
 
     def _either(self, depth):
-        found = self._both(depth)
+        value = self._both(depth)
         while self._next("||"):
-            found = int(bool(self._both(depth)) or bool(found))
-        return found
+            value = int(bool(self._both(depth)) or bool(value))
+        return value
 
     def _both(self, depth):
-        found = self._comparison(depth)
+        value = self._comparison(depth)
         while self._next("&&"):
-            found = int(bool(self._comparison(depth)) and bool(found))
-        return found
+            value = int(bool(self._comparison(depth)) and bool(value))
+        return value
 
     def _comparison(self, depth):
-        found, mark = self._one(depth), self._next("==", "!=", "<=", ">=", "<", ">")
+        value, mark = self._one(depth), self._next("==", "!=", "<=", ">=", "<", ">")
         if mark is None:
-            return found
+            return value
         other = self._one(depth)
-        return int({"==": found == other, "!=": found != other, "<=": found <= other, ">=": found >= other,
-                    "<": found < other, ">": found > other}[mark])
+        return int({"==": value == other, "!=": value != other, "<=": value <= other, ">=": value >= other,
+                    "<": value < other, ">": value > other}[mark])
 
     def _one(self, depth):
         if depth > DEEPEST or not self.words:
@@ -298,13 +298,13 @@ class _Condition:
 
 
 def _of_macro(body):
-    """The number that a macro stands for in a condition; 0, as in C, when it is none or not defined. Raises ValueError."""
+    """The number that a macro means in a condition; 0, as in C, for anything else. Raises ValueError."""
     word = body[0][1] if isinstance(body, list) and len(body) == 1 and body[0][0] == "number" else "0"
     return whole(word) if is_whole(word) else 0
 
 
 def is_whole(word):
-    """True for the spelling of a whole number."""
+    """Whether a word spells a whole number."""
     return word[:2] in ("0x", "0X") or word.isdigit()
 
 

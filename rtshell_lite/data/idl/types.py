@@ -65,7 +65,7 @@ def type_spec(parser, depth):
         return _basic(parser)
     if parser.is_word("Object", "ValueBase"):
         parser.advance()
-        return (OBJECT, "", token.word)  # without an id, as stubs have it
+        return (OBJECT, "", token.word)  # without an id, as in stubs
     return _named(parser)
 
 
@@ -103,7 +103,7 @@ def _of_corba(parser):
 
 
 def _bound(parser):
-    """A bound with the bracket after it; `>>` is a shift there, as omniidl has it."""
+    """A bound with the bracket after it; `>>` is a shift there, as in omniidl."""
     parser.advance()
     value = _positive(parser)
     parser.take(">")
@@ -122,7 +122,7 @@ def _sequence(parser, depth):
 
 
 def _fixed(parser):
-    """fixed<digits, scale>; omniidl knows the same limits."""
+    """fixed<digits, scale>; omniidl has the same limits."""
     parser.advance()
     parser.take("<")
     digits = _within(parser, 1, MOST_DIGITS, "from 1 to %d" % MOST_DIGITS)
@@ -158,7 +158,7 @@ def constructed(parser, depth):
 
 
 def _announced(parser, name, token):
-    """The Entry of a struct or union, made when it is seen for the first time; its id is that of now."""
+    """The Entry of a struct or union, made when it is first seen, with the id that it has then."""
     entry = parser.scope.names.get(name.lower())
     if entry is None or entry.name != name or entry.sort not in ("struct", "type") or entry.hole is None:
         hole = [None]
@@ -169,7 +169,7 @@ def _announced(parser, name, token):
 
 
 def within(parser, entry, parse):
-    """What `parse` gives, inside a scope of this name."""
+    """The result of parse() inside a scope of this name."""
     outer = parser.scope
     parser.scope = Scope(entry.name, outer, "/".join(filter(None, [outer.prefix, entry.name])))
     try:
@@ -186,7 +186,7 @@ def _struct(parser, entry, name, depth):
 
 
 def members(parser, depth):
-    """Read the members of a struct up to its closing brace, which stays: [(name, descriptor)]. Raises BadIdl."""
+    """Read the members of a struct up to its closing brace: [(name, descriptor)]. Raises BadIdl."""
     found, names = [], set()
     while not parser.is_mark("}"):
         descriptor = type_spec(parser, depth + 1)
@@ -202,10 +202,7 @@ def members(parser, depth):
 
 
 def _one_more(parser, name, names, token):
-    """Add a member's name to the set `names`. Raises BadIdl for a second one of a name, in whatever case.
-
-    A member may be called like a type, which omniidl forbids.
-    """
+    """Add a member's name to the set `names`. Raises BadIdl if it is there, in whatever case."""
     if name.lower() in names:
         raise parser.fault(f"a second member of the name {name}", token)
     names.add(name.lower())
@@ -240,7 +237,7 @@ def _union(parser, entry, name, depth):
 
 
 def _labels(parser, switch, labels):
-    """The labels before one member of a union, None for default; they join the set `labels` of those that came before."""
+    """The labels before a member of a union, None for default; adds them to the set `labels`."""
     found = []
     while parser.is_word("case", "default"):
         token = parser.advance()
@@ -259,7 +256,7 @@ def _labels(parser, switch, labels):
 
 
 def _label(parser, switch):
-    """The value of a case label; items of the switch's own enum are seen wherever it was declared."""
+    """The value of a case label; items of the switch's enum need no scope."""
     inner = descriptors.target(switch)
     items = descriptors.items(inner) if descriptors.kind(inner) == descriptors.ENUM else ()
     if parser.token.kind == "name" and parser.scope.seen(parser.token.word) is None:
@@ -271,7 +268,7 @@ def _label(parser, switch):
 
 
 def _unused(parser, switch, labels, token):
-    """A label that no case has, for the default; the lowest, as omniidl takes it."""
+    """The lowest label that no case has, for the default, as in omniidl."""
     inner = descriptors.target(switch)
     kind = descriptors.kind(inner)
     if kind in descriptors.RANGES:

@@ -1,11 +1,11 @@
-"""A YAML document while it is read: its text and where one is in it, its nodes within limits, and the error."""
+"""A YAML document while it is read: its text, positions in it, limits, errors."""
 import re
 
 from rtshell_lite import errors
 from rtshell_lite.xmlprofile.yaml.scalars import BREAK, TAB
 
-MOST_NODES = 500000  # with aliases replaced; a system of 1,000 components and 2,000 connections has 200,000
-DEEPEST = 150  # levels; 64 of XML become twice as many at worst, and Python's stack holds 1,000 calls
+MOST_NODES = 500000  # with aliases expanded; a system of 1,000 components and 2,000 connections has 200,000
+DEEPEST = 150  # levels; 64 of XML become 128 at worst, and Python's stack holds 1,000 calls
 
 _SPACE = re.compile(f"[ {BREAK}]*(#)?")
 _COMMENT = re.compile(f"[^{BREAK}\x00]*")
@@ -13,7 +13,7 @@ _MARKER = re.compile(rf"(?:---|\.\.\.)(?=[ \0{BREAK}])")
 
 
 class Node:
-    """A value and its place: str, list of Node, or dict of str to Node. `tag`: how text was meant, None for plain."""
+    """A value and its position: str, list of Node, or dict of str to Node. `tag`: the type of text, None for plain text."""
 
     __slots__ = "value", "pos", "tag", "height"
 
@@ -21,11 +21,11 @@ class Node:
         self.value = value
         self.pos = pos
         self.tag = tag
-        self.height = 0  # levels of collections in it, once that is known
+        self.height = 0  # levels of nodes in it; 0: not known yet
 
 
 class Document:
-    """The text that is read, what was anchored in it so far, and the error."""
+    """The text, the anchors so far, and the number of nodes so far."""
 
     def __init__(self, text, name):
         self.name = name
@@ -39,12 +39,12 @@ class Document:
         raise errors.BadProfile(self.name, self.text.count("\n", 0, pos) + 1, pos - start + 1, reason)
 
     def node(self, value, pos, depth, tag=None):
-        """A new node, if there may be one more."""
+        """A new node, within the limits."""
         self.nodes += 1
         if self.nodes > MOST_NODES:
-            self.fail(pos, "more than %d values" % MOST_NODES)
+            self.fail(pos, f"more than {MOST_NODES} values")
         if depth > DEEPEST:
-            self.fail(pos, "more than %d levels" % DEEPEST)
+            self.fail(pos, f"more than {DEEPEST} levels")
         return Node(value, pos, tag)
 
     def column(self, pos):
@@ -54,7 +54,7 @@ class Document:
         return pos - start
 
     def skip(self, pos):
-        """The position of the next token, after blanks, comments and ends of lines."""
+        """The position of the next token, after blanks, comments and line ends."""
         while True:
             found = _SPACE.match(self.text, pos)
             if not found.group(1):

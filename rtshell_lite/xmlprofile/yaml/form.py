@@ -1,6 +1,6 @@
 """RtsProfile files in YAML: from the nodes of reader.py to the model, and from the model to plain data.
 
-A file is one mapping with the key rtsProfile. What only XML knows is under keys of its own:
+A file is a mapping with the key rtsProfile. Parts that the schema does not have are kept under keys of our own:
 
     xml::attributes: {'{namespace}name': text}
     xml::elements: [{element: '{namespace}name', attributes: {...}, content: [text or element]}]
@@ -11,7 +11,7 @@ from rtshell_lite.xmlprofile import fields, model, names, values
 from rtshell_lite.xmlprofile.yaml import document, reader, scalars, writer
 
 ROOT = "rtsProfile"
-DEEPEST_XML = 64  # elements below elements: a profile that is read here can be written as XML and read again
+DEEPEST_XML = 64  # elements below elements, as in xml.py: what is read here can be written as XML and read again
 
 _DATE = re.compile(r"(\d{4})-(\d\d)-(\d\d)T(\d\d):(\d\d):(\d\d)(\.\d+)?(Z|[-+]\d\d:\d\d)?\Z", re.ASCII)
 _DATE_KEYS = ("year", "month", "day", "hour", "minute", "second")
@@ -24,7 +24,7 @@ def read(text, name):
         doc.fail(root.pos, f"not an RtsProfile: the key {ROOT} is missing")
     profile = _element(doc, root.value[ROOT], model.RtsProfile, 1)
     if profile.version == "0.1":
-        profile.version = "0.2"  # its spellings are understood; what is elsewhere in 0.1, only XML ever had
+        profile.version = "0.2"  # its spellings are understood; its other structure was only ever used in XML
     return profile
 
 
@@ -59,7 +59,7 @@ def _element(doc, node, cls, depth):
         elif key == names.ELEMENTS:
             _foreign(found).elements += _elements(doc, value, table, depth + 1)
         elif field:
-            doc.fail(value.pos, f"{values.shown(key)} was given before, spelt otherwise")
+            doc.fail(value.pos, f"{values.shown(key)} was given before in another spelling")
         else:
             _foreign(found).keys[key] = _plain(doc, value)
     element = cls(**found)
@@ -70,14 +70,14 @@ def _element(doc, node, cls, depth):
 
 
 def _pairs(doc, node, table):
-    """Keys and values of a mapping, and of those in it that only wrap some of its fields."""
+    """Keys and values of a mapping, and of the mappings in it that only wrap some of its fields."""
     for key, value in node.value.items():
         if key not in table.wrappers:
             yield key, value
         elif isinstance(value.value, dict):
             for inner in value.value.items():
                 if inner[0] in node.value:
-                    doc.fail(inner[1].pos, f"{values.shown(inner[0])} stands here and one level above")
+                    doc.fail(inner[1].pos, f"{values.shown(inner[0])} is here and one level above")
                 yield inner
         elif not _is_null(value):
             doc.fail(value.pos, "a mapping is needed here")
@@ -88,7 +88,7 @@ def _is_null(node):
 
 
 def _set(doc, found, field, node, depth):
-    """Put what `node` says for a field into `found`; nothing if it is null."""
+    """Put the value of a field into `found`, unless it is null."""
     if field.many:
         if _is_null(node):
             return
@@ -106,7 +106,7 @@ def _set(doc, found, field, node, depth):
 
 
 def _value(doc, field, node):
-    """What a field that holds a single value has; text as it is spelt: `id: 010` and `name: no` are text here."""
+    """The value of a field that is not an element. Text stays as it is spelt: `id: 010` and `name: no` are text here."""
     text = _text(doc, node)
     try:
         if field.kind in (fields.BOOLEAN, fields.INTEGER, fields.NUMBER):
@@ -135,7 +135,7 @@ def _plain(doc, node):
 
 
 def _date(doc, node):
-    """The text of a date that is a mapping; rtsprofile knows six whole numbers, we also keep fraction and zone."""
+    """The text of a date that is a mapping of six whole numbers, as in rtsprofile, and perhaps fraction and zone."""
     parts = {key: _plain(doc, value) for key, value in node.value.items()}
     numbers = [parts.pop(key, 0) for key in _DATE_KEYS]
     rest = "".join(str(parts.pop(key, "")) for key in ("fraction", "zone"))
@@ -148,7 +148,7 @@ def _date(doc, node):
     return text
 
 
-# ---- reading what only XML knows --------------------------------------------------------------------------------
+# ---- reading foreign parts --------------------------------------------------------------------------------------
 
 def _foreign(found):
     if "foreign" not in found:
@@ -166,7 +166,7 @@ def _attributes(doc, node, table=None):
 
 
 def _elements(doc, node, table, depth):
-    """Elements that the schema does not know; `table`, that of the element around them, says what it knows."""
+    """Elements that the schema does not have; `table` is that of the element around them."""
     if not isinstance(node.value, list):
         doc.fail(node.pos, "a list is needed here")
     return fields.tidy([_foreign_element(doc, item, table, depth) for item in node.value])
@@ -175,14 +175,14 @@ def _elements(doc, node, table, depth):
 def _foreign_element(doc, node, table, depth):
     parts = dict(node.value) if isinstance(node.value, dict) else {}
     tag = parts.pop("element", None)
-    tag, at = (_text(doc, tag), tag) if tag else ("", node)
+    tag, place = (_text(doc, tag), tag) if tag else ("", node)
     attributes = _attributes(doc, parts.pop("attributes")) if "attributes" in parts else {}
     content = parts.pop("content", None)
     if not names.is_clark(tag) or parts or depth > DEEPEST_XML or content and not isinstance(content.value, list):
-        doc.fail(at.pos, "an element is needed here: its name, attributes and content")
+        doc.fail(place.pos, "an element is needed here: its name, attributes and content")
     known = table and table.children.get(names.raw(tag))
     if known and known.kind != fields.TEXT:
-        doc.fail(at.pos, f"{values.shown(tag)} is no foreign element")
+        doc.fail(place.pos, f"{values.shown(tag)} is not a foreign element")
     items = [_foreign_element(doc, item, None, depth + 1) if isinstance(item.value, dict) else _text(doc, item)
              for item in (content.value if content else [])]
     return fields.ForeignElement(tag, attributes, fields.tidy(items))
@@ -214,7 +214,7 @@ def _data(element):
 
 
 def _date_data(text):
-    """A date as rtsprofile has it; other text as it is."""
+    """A date as a mapping, as in rtsprofile; other text as it is."""
     found = _DATE.match(text)
     if not found:
         return text

@@ -1,11 +1,11 @@
-"""Reads a subset of YAML 1.1: all that PyYAML writes for plain data, and what people write by hand.
+"""Reads a subset of YAML 1.1: what PyYAML writes for a profile, and what people write by hand.
 
-Read: block and flow collections, plain, quoted, literal and folded text, comments, `? ` keys, anchors and aliases, tags of
-plain types, %YAML, one document. Refused with line and column: anything else, and what is legal but a trap: keys and
-anchors given twice, merge keys, several documents. Nothing is ever evaluated.
+Supported: block and flow collections; plain, quoted, literal and folded text; comments; anchors and aliases; tags of plain
+types; one document. Everything else is refused with line and column, also what is legal but a trap: duplicate keys and
+anchors, merge keys, several documents. Nothing is ever evaluated.
 
-Most functions take a document and a position and return where they ended and a node: (doc, pos) -> (pos, Node). Those of
-block style end at the next token, which distinguishes them from flow style.
+Most functions take a document and a position and return where they ended and a node: (doc, pos) -> (pos, Node). Functions for
+block style end at the next token, those for flow style at the end of the node.
 """
 import re
 
@@ -14,19 +14,17 @@ from rtshell_lite.xmlprofile.yaml.document import Document, Node
 from rtshell_lite.xmlprofile.yaml.scalars import BREAK
 
 MOST_CHARACTERS = 16 << 20
-MOST_LINES = 1000000  # two for each of the values that there may be
+MOST_LINES = 1000000  # two for each node
 
 _BLANKS = re.compile(" *")
 _END_OF_LINE = re.compile(f" *(?:#|[{BREAK}\x00])")
 _DASH = re.compile(f"-(?=[ \x00{BREAK}])")
-_QUESTION = re.compile(rf"\?(?=[ \0{BREAK}])")
 _COLON = re.compile(f" *:(?=[ \x00{BREAK}])")
 _ANCHOR = re.compile(r"([&*])([\w-]+)", re.ASCII)
 _TAG = re.compile(rf"!(?:<tag:yaml\.org,2002:(\w+)>|!(\w+)|(?=[ \0{BREAK}]))", re.ASCII)
 _FORBIDDEN = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
-# What most lines of a profile are, `key: value` or `key:` alone; reading such a line at once saves two thirds of the time.
+# Most lines of a profile: `key: value`, or `key:` alone. Reading them at once saves two thirds of the time.
 _SIMPLE = re.compile(r"([A-Za-z][\w:]*):( (?:([\w/.+][!\"$-~]*(?<!:))|'([^'%s\t]*)'))?\n( *)(?=[!-\"$-~])" % BREAK, re.ASCII)
-_DIRECTIVE = re.compile(rf"%YAML +1\.\d+ *(?:#[^{BREAK}]*)?[{BREAK}]")
 
 
 def parse(text, name):
@@ -44,7 +42,7 @@ def parse(text, name):
     if bad:
         doc.fail(bad.start(), f"a character that YAML does not allow (U+{ord(bad.group()):04X})")
     doc.other_breaks = [c for c in BREAK[1:] if c in doc.text]
-    doc.text += "\0"  # so that a token always has something behind it
+    doc.text += "\0"  # so that there is always a next character
     return doc, _document(doc)
 
 
@@ -59,20 +57,16 @@ def _decoded(doc, data):
 
 def _document(doc):
     pos, column = doc.next_token(0)
-    directive = doc.text[pos] == "%"
-    if directive:
-        found = _DIRECTIVE.match(doc.text, pos)
-        pos, column = doc.next_token(found.end() if found else pos)
+    if doc.text[pos] == "%":
+        doc.fail(pos, "directives are not supported here")
     begins = column < 0 and doc.text.startswith("---", pos)
-    if directive and not begins:
-        doc.fail(pos, "a directive other than one %YAML 1.1, or no --- behind it")
     if column < 0 and doc.text[pos] == ".":
         doc.fail(pos, "the end of a document that has not begun")
     pos, node = _value(doc, pos + 3, -1, 0, False) if begins else _value(doc, pos, -1, 0, True)
     while doc.text.startswith("...", pos) and doc.here(pos) < 0:
         pos = _line_end(doc, pos + 3)
     if doc.text[pos] != "\0":
-        doc.fail(pos, "a second document" if doc.here(pos) < 0 else "this does not belong to what stands above")
+        doc.fail(pos, "a second document" if doc.here(pos) < 0 else "this does not belong to what is above")
     return node
 
 
@@ -88,7 +82,7 @@ def _line_end(doc, pos):
 # ---- block style ------------------------------------------------------------------------------------------------
 
 def _value(doc, pos, indent, depth, compact, dashes=False):
-    """The value after `key:`, `- ` or `? ` at column `indent`, and the next token.
+    """The value after `key:` or `- ` at column `indent`, and the next token.
 
     compact: another collection may begin on the same line. dashes: a list may be at the column of its key.
     """
@@ -97,7 +91,7 @@ def _value(doc, pos, indent, depth, compact, dashes=False):
     if not _END_OF_LINE.match(doc.text, pos):
         if compact and not (anchor or tag):
             return _block(doc, _BLANKS.match(doc.text, pos).end(), indent, depth)
-        if compact and _is_key(doc, pos):  # the anchor is the key's
+        if compact and _is_key(doc, pos):  # the anchor belongs to the key
             return _block(doc, _BLANKS.match(doc.text, start).end(), indent, depth)
         return _anchored(doc, anchor, doc.nodes, _inline(doc, pos, indent, depth, tag))
     pos, column = doc.next_token(pos)
@@ -108,7 +102,7 @@ def _value(doc, pos, indent, depth, compact, dashes=False):
 
 
 def _check_below(doc, pos, column, indent, anchor, tag):
-    """Refuse a second anchor or tag of a node whose first ones end their line: the one that is missing may be below."""
+    """Refuse a second anchor or tag on lines below the first; an anchor may follow a tag there, and the other way round."""
     while (anchor or tag) and column > indent and not _is_key(doc, pos):
         end, second_anchor, second_tag = _properties(doc, pos)
         if anchor and second_anchor or tag and second_tag:
@@ -129,7 +123,7 @@ def _below(doc, pos, column, indent, depth, dashes=True):
 
 
 def _block(doc, pos, indent, depth):
-    """What begins with the token at `pos`: a collection, or a value."""
+    """The collection or value that begins with the token at `pos`."""
     if doc.text[pos] == "-" and _DASH.match(doc.text, pos):
         return _sequence(doc, pos, doc.column(pos), depth)
     if _is_key(doc, pos):
@@ -170,15 +164,11 @@ def _mapping(doc, pos, column, depth):
                 pos = simple.end()
                 here = len(blanks) or doc.here(pos)
                 continue
-        start, explicit = pos, _QUESTION.match(doc.text, pos)
-        pos, key = _key(doc, pos, column, depth)
+        start = pos
+        pos, key = _key(doc, pos, depth)
         if key in items:
             doc.fail(start, "this key was given before")
-        colon = _COLON.match(doc.text, pos)
-        if colon and (not explicit or doc.column(pos) == column):
-            pos, items[key] = _value(doc, colon.end(), column, depth + 1, bool(explicit), True)
-        else:
-            items[key] = doc.node("", pos, depth)
+        pos, items[key] = _value(doc, _COLON.match(doc.text, pos).end(), column, depth + 1, False, True)
         here = doc.here(pos)
     _check_column(doc, pos, column)
     return pos, node
@@ -190,20 +180,13 @@ def _check_column(doc, pos, column):
 
 
 def _is_key(doc, pos):
-    """Whether a key of a mapping begins here: text with a colon on the same line, or a question mark."""
-    if _QUESTION.match(doc.text, pos):
-        return True
+    """Whether a key of a mapping begins here: text with a colon on the same line."""
     end = scalars.key_end(doc, _BLANKS.match(doc.text, _properties(doc, pos)[0]).end())
     return bool(end and _COLON.match(doc.text, end))
 
 
-def _key(doc, pos, column, depth):
-    """A key, and where its colon is."""
-    if _QUESTION.match(doc.text, pos):
-        pos, node = _value(doc, pos + 1, column, depth + 1, True)
-        if isinstance(node.value, str):
-            return pos, node.value
-        doc.fail(pos, "a key that is a list or a mapping")
+def _key(doc, pos, depth):
+    """(where the colon of a key is, the key)"""
     if not _is_key(doc, pos):
         end = scalars.key_end(doc, pos) or pos
         tab = doc.text.startswith(":\t", end)
@@ -219,7 +202,7 @@ def _key(doc, pos, column, depth):
 
 
 def _inline(doc, pos, indent, depth, tag):
-    """A value that is, or begins, on this line; the next token."""
+    """A value that begins on this line, and the next token."""
     pos = _BLANKS.match(doc.text, pos).end()
     c = doc.text[pos]
     if c in "|>":
@@ -228,16 +211,16 @@ def _inline(doc, pos, indent, depth, tag):
     if c in "[{":
         end, node = _flow(doc, pos, depth, tag)
     else:
-        if _DASH.match(doc.text, pos) or _QUESTION.match(doc.text, pos):
-            doc.fail(pos, "a list or a mapping may not begin here")
+        if _DASH.match(doc.text, pos):
+            doc.fail(pos, "a list may not begin here")
         end, node = _scalar(doc, pos, depth, tag, indent=indent)
     return _line_end(doc, end), node
 
 
-# ---- what both styles have --------------------------------------------------------------------------------------
+# ---- both styles ------------------------------------------------------------------------------------------------
 
 def _properties(doc, pos):
-    """An anchor and a tag in front of a node: (pos, anchor, tag). The tag is a name such as str, or "!"."""
+    """The anchor and the tag in front of a node: (pos, anchor, tag). The tag is a name such as str, or "!"."""
     anchor = tag = None
     while True:
         start = _BLANKS.match(doc.text, pos).end()
@@ -258,7 +241,7 @@ def _properties(doc, pos):
 
 
 def _anchored(doc, anchor, count, result):
-    """Remember `result`, (pos, node), by its anchor; it was begun when there were `count` nodes."""
+    """Remember `result`, (pos, node), by its anchor; there were `count` nodes before it."""
     if anchor:
         if anchor in doc.anchors:
             doc.fail(result[1].pos, f"the anchor &{anchor} was given before")
@@ -268,7 +251,7 @@ def _anchored(doc, anchor, count, result):
 
 
 def _measure(node):
-    """Set the height of a node; each is visited once, however often it is used."""
+    """Set and return the height of a node; a node is visited once, however often it is used."""
     if not node.height:
         children = node.value.values() if isinstance(node.value, dict) else node.value
         node.height = 1 + (0 if isinstance(children, str) else max([_measure(child) for child in children] or [0]))
@@ -287,7 +270,7 @@ def _alias(doc, pos, depth):
 
 
 def _tagged(doc, pos, node, tag):
-    """`node` with the tag before it."""
+    """`node` with its tag."""
     wanted = "map" if isinstance(node.value, dict) else "seq" if isinstance(node.value, list) else None
     if not tag or tag in (wanted, "!"):
         return node
@@ -297,7 +280,7 @@ def _tagged(doc, pos, node, tag):
 
 
 def _scalar(doc, pos, depth, tag, indent=-1, key=False, flow=False):
-    """Text in quotes or without, or an alias; (pos after it, node)."""
+    """Text, quoted or plain, or an alias: (pos after it, node)."""
     pos = _BLANKS.match(doc.text, pos).end()
     c = doc.text[pos]
     if c == "*":
@@ -319,7 +302,7 @@ def _scalar(doc, pos, depth, tag, indent=-1, key=False, flow=False):
 # ---- flow style -------------------------------------------------------------------------------------------------
 
 def _flow(doc, pos, depth, tag):
-    """[...] or {...}; (pos after it, node)."""
+    """[...] or {...}: (pos after it, node)."""
     mapping = doc.text[pos] == "{"
     items = {} if mapping else []
     node = doc.node(items, pos, depth)
@@ -347,8 +330,6 @@ def _flow(doc, pos, depth, tag):
 
 def _flow_pair(doc, pos, depth, items):
     start = pos
-    if _QUESTION.match(doc.text, pos):
-        pos = doc.skip(pos + 1)
     pos, key = _flow_node(doc, pos, depth + 1)
     if not isinstance(key.value, str):
         doc.fail(start, "a key that is a list or a mapping")

@@ -1,4 +1,4 @@
-"""Single values of YAML: how text is quoted, folded and escaped, and what plain text means (YAML 1.1, as PyYAML has it).
+"""Scalars of YAML: how text is quoted, folded and escaped, and what plain text means (YAML 1.1, as in PyYAML).
 
 The functions take a Document and a position and return where the value ends and its text.
 """
@@ -23,7 +23,7 @@ _ALIAS = re.compile(r"\*[\w-]+", re.ASCII)
 # ---- text without quotes ----------------------------------------------------------------------------------------
 
 def key_end(doc, pos):
-    """Where text that may be a key ends, if it ends on its line; None if a key cannot begin here."""
+    """Where text that may be a key ends on this line; None if it cannot be a key."""
     c = doc.text[pos]
     if c in "'\"":
         end = _closing(doc, pos)
@@ -35,7 +35,7 @@ def key_end(doc, pos):
 
 
 def bare(doc, pos, indent, flow, key):
-    """Text without quotes, which goes on in lines that are indented by more than `indent`, unless it is a key."""
+    """Plain text. Unless it is a key, it continues on lines that are indented by more than `indent`."""
     text, stop = doc.text, _STOP_IN_FLOW if flow else _STOP
     if (_NOT_FIRST_IN_FLOW if flow else _NOT_FIRST).match(text, pos):
         doc.fail(pos, TAB if text[pos] == "\t" else
@@ -64,7 +64,7 @@ def _has_break(text):
 
 
 def folded(space):
-    """What blanks and ends of lines inside a text mean: one end of line is a blank, each further one an empty line."""
+    """The meaning of blanks and line ends inside a text: a single line end is a blank, each further one an empty line."""
     breaks = "".join(c for c in space if c in BREAK)
     return breaks if breaks[0] != "\n" else breaks[1:] or " "
 
@@ -84,7 +84,7 @@ _ESCAPED = {"0": "\0", "a": "\a", "b": "\b", "t": "\t", "\t": "\t", "n": "\n", "
 
 
 def quoted(doc, pos):
-    """Read text in single or double quotes: (where it ends, the text). Raises BadProfile."""
+    """Text in single or double quotes."""
     end = _closing(doc, pos)
     raw = doc.text[pos + 1:end - 1]
     if _has_break(raw) and _MARKER.search(doc.text, pos, end):
@@ -102,7 +102,7 @@ def quoted(doc, pos):
             return _ESCAPED[letter]
         if letter or number > 0x10FFFF:
             doc.fail(pos + 1 + found.start(), "an escape that does not exist")
-        if line:  # the end of the line was escaped: it is none
+        if line:  # an escaped line end is dropped
             return "".join(c for c in lines if c in BREAK)
         return chr(number) if byte or short or long else _meant_space(found)
     return end, _ESCAPE.sub(meant, raw)
@@ -114,7 +114,7 @@ def _meant_space(found):
 
 
 def _closing(doc, pos):
-    """Behind the quote that closes the one at `pos`."""
+    """The position after the quote that closes the one at `pos`."""
     quote, text, end = doc.text[pos], doc.text, pos
     while True:
         end = text.find(quote, end + 1)
@@ -138,10 +138,10 @@ _LINE = re.compile(f"[^{BREAK}\x00]*")
 
 
 def block(doc, pos, indent):
-    """Lines after | or >, in a collection at column `indent`. The steps are those of PyYAML."""
+    """Lines after | or >, in a collection at column `indent`; the algorithm is PyYAML's."""
     header = _HEADER.match(doc.text, pos)
     if not header:
-        doc.fail(pos, f"only digits, + and - may stand behind {doc.text[pos]}")
+        doc.fail(pos, f"only digits, + and - may follow {doc.text[pos]}")
     text, folds = doc.text, header.group(1) == ">"
     keep, digit = header.group(2) or header.group(5), header.group(3) or header.group(4)
     start, pos = pos, header.end()
@@ -179,7 +179,7 @@ def block(doc, pos, indent):
 
 
 def _empty_lines(text, pos, width):
-    """Skip lines without text: (where text begins, the ends of these lines, its column, at most `width`)."""
+    """Skip empty lines: (where text begins, the line ends, its column, at most `width`)."""
     breaks = []
     while True:
         blanks = 0
@@ -196,30 +196,26 @@ def _empty_lines(text, pos, width):
 
 _BOOLEAN = re.compile(r"(?:(yes|Yes|YES|true|True|TRUE|on|On|ON)|no|No|NO|false|False|FALSE|off|Off|OFF)\Z")
 NULLS = ("", "~", "null", "Null", "NULL")
-_INTEGER = re.compile(r"""[-+]?(?:(?P<two>0b[01_]+)|(?P<eight>0[0-7_]+)|(?P<ten>0|[1-9][0-9_]*)|(?P<sixteen>0x[0-9a-fA-F_]+)
-                      |(?P<sixty>[1-9][0-9_]*(?::[0-5]?[0-9])+))\Z""", re.VERBOSE)
+_INTEGER = re.compile(r"[-+]?(?:(?P<two>0b[01_]+)|(?P<eight>0[0-7_]+)|0|[1-9][0-9_]*|(?P<sixteen>0x[0-9a-fA-F_]+))\Z")
 _FLOAT = re.compile(r"""(?:[-+]?[0-9][0-9_]*\.[0-9_]*(?:[eE][-+][0-9]+)?
                     |\.[0-9][0-9_]*(?:[eE][-+][0-9]+)?
-                    |(?P<sixty>[-+]?[0-9][0-9_]*(?::[0-5]?[0-9])+\.[0-9_]*)
                     |(?P<sign>[-+]?)\.(?:inf|Inf|INF)
                     |(?P<nan>\.(?:nan|NaN|NAN)))\Z""", re.VERBOSE)
+_BASE_60 = re.compile(r"[-+]?[0-9][0-9_]*(?::[0-5]?[0-9])+(?:\.[0-9_]*)?\Z")  # 1:30, a number for PyYAML, but text here
 _DATE = re.compile(r"""[0-9]{4}-(?:[0-9]{2}-[0-9]{2}|[0-9]{1,2}-[0-9]{1,2}(?:[Tt]|[ \t]+)[0-9]{1,2}:[0-9]{2}:[0-9]{2}
                    (?:\.[0-9]*)?(?:[ \t]*(?:Z|[-+][0-9]{1,2}(?::[0-9]{2})?))?)\Z""", re.VERBOSE)
 
 
 def is_text(text):
-    """Whether plain text means itself: it is no number, date, boolean, null or anything else that YAML knows."""
+    """Whether plain text is text for every reader of YAML 1.1: not a number, date, boolean, null and the like."""
     if len(text) > LONGEST_NUMBER:
         return text[0] not in "-+.0123456789"
-    return not (text in NULLS or _BOOLEAN.match(text) or _INTEGER.match(text) or _FLOAT.match(text)
-                or _DATE.match(text) or text in ("=", "<<"))
+    return text not in NULLS + ("=", "<<") and not any(
+        pattern.match(text) for pattern in (_BOOLEAN, _INTEGER, _FLOAT, _BASE_60, _DATE))
 
 
 def plain(node):
-    """The data that a node stands for: None, bool, int, float, str, bytes, list, dict. Raises ValueError.
-
-    Keys are text, and dates are, too.
-    """
+    """The data of a node: None, bool, int, float, str (also for keys and dates), bytes, list, dict. Raises ValueError."""
     value = node.value
     if isinstance(value, dict):
         return {key: plain(item) for key, item in value.items()}
@@ -254,11 +250,8 @@ def _null(text):
 def _integer(text):
     found = _matched(_INTEGER, text, "whole number").groupdict()
     sign = -1 if text[0] == "-" else 1
-    digits = text.lstrip("-+").replace("_", "")
-    if found["sixty"]:
-        return sign * _sexagesimal(digits, int)
     base = 2 if found["two"] else 8 if found["eight"] else 16 if found["sixteen"] else 10
-    return sign * int(digits, base)  # int() takes 0b and 0x along
+    return sign * int(text.lstrip("-+").replace("_", ""), base)  # int() accepts 0b and 0x
 
 
 def _float(text):
@@ -267,20 +260,11 @@ def _float(text):
         return float("nan")
     if found.group("sign") is not None:
         return float(found.group("sign") + "inf")
-    sign = -1 if text[0] == "-" else 1
-    digits = text.lstrip("-+").replace("_", "")
-    return sign * (_sexagesimal(digits, float) if found.group("sixty") else float(digits))
-
-
-def _sexagesimal(digits, kind):
-    total = kind(0)
-    for part in digits.split(":"):
-        total = total * 60 + kind(part)
-    return total
+    return float(text.replace("_", ""))
 
 
 def as_float(number):
-    """A float for an int that may be beyond all floats. Raises ValueError."""
+    """The float for an int. Raises ValueError when there is none."""
     try:
         return float(number)
     except OverflowError:
@@ -294,7 +278,7 @@ def _number(text):
 def _bytes(text):
     try:
         return binascii.a2b_base64(text.encode("ascii"))
-    except ValueError:  # binascii.Error and UnicodeError are such
+    except ValueError:  # also binascii.Error and UnicodeError
         raise ValueError("not base64")
 
 

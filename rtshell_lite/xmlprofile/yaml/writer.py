@@ -1,4 +1,4 @@
-"""Writes plain data as YAML, as PyYAML writes it by default: block style, keys sorted, ASCII; lines are not folded."""
+"""Writes plain data as YAML in PyYAML's default style: block style, keys sorted, ASCII; but lines are not folded."""
 import binascii
 import re
 
@@ -9,7 +9,6 @@ _UNSAFE = re.compile(r": | #|:\Z| \Z|\A(?:---|\.\.\.)")
 _DOUBLE = re.compile(r'[^ !#-\[\]-~]')
 _ESCAPES = {"\0": "0", "\a": "a", "\b": "b", "\t": "t", "\n": "n", "\v": "v", "\f": "f", "\r": "r", "\x1b": "e",
             '"': '"', "\\": "\\", "\x85": "N", "\xa0": "_", "\u2028": "L", "\u2029": "P"}
-_LONGEST_KEY = 1000  # PyYAML reads longer ones only after a question mark
 
 
 def write(data):
@@ -20,16 +19,10 @@ def write(data):
 
 
 def _node(lines, head, indent, data):
-    """Append a value: `head` is what comes before it on its line, `indent` what comes before further lines of it."""
+    """Append a value: `head` is what comes before it on its first line, `indent` on the others."""
     if isinstance(data, dict) and data:
         for key in sorted(data):
-            name = scalar(key)
-            if len(name) > _LONGEST_KEY:
-                lines.append(f"{head}? {name}")
-                name = indent
-            else:
-                name = head + name
-            _pair(lines, name, indent, data[key])
+            _pair(lines, head + scalar(key), indent, data[key])
             head = indent
     elif isinstance(data, list) and data:
         for item in data:
@@ -51,7 +44,7 @@ def _pair(lines, name, indent, value):
 
 
 def scalar(value):
-    """A value on one line."""
+    """The text of a value on one line."""
     if value is None:
         return "null"
     if isinstance(value, bool):
@@ -64,7 +57,7 @@ def scalar(value):
         return f"!!binary \"{binascii.b2a_base64(value).decode('ascii').strip()}\""
     if isinstance(value, int):
         digits = str(value)
-        return digits if len(digits) <= scalars.LONGEST_NUMBER else hex(value)  # which is how it was read
+        return digits if len(digits) <= scalars.LONGEST_NUMBER else hex(value)  # it was read like that
     return "{}" if isinstance(value, dict) else "[]"
 
 
