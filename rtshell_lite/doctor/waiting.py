@@ -26,9 +26,10 @@ def culprits(snapshot, hung):
     for node in hung:
         if node.endpoint != snapshot.node.endpoint:
             others.setdefault(node.endpoint, str(node.path))
+    numeric = {endpoint: _numeric(endpoint) for endpoint in others}  # the rest takes long: there may be no time to ask afterwards
     own = _sockets(snapshot.node.endpoint) if others else set()
     called = _called_by(own)
-    return sorted(path for endpoint, path in others.items() if not own or _numeric(endpoint) & called), bool(own)
+    return sorted(path for endpoint, path in others.items() if not own or numeric[endpoint] & called), bool(own)
 
 
 def _numeric(endpoint):
