@@ -1,4 +1,4 @@
-"""Host names, addresses and TCP, looked at without CORBA: which step towards a peer fails."""
+"""Host names, addresses and TCP, checked without CORBA: which step towards a peer fails."""
 import errno
 import fcntl
 import functools
@@ -11,35 +11,16 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes
-from rtshell_lite.text import printable
+from rtshell_lite.robot.aliases import resolve
 
 LARGE = 2000  # octets: more than an Ethernet packet holds
 LEAST, PAUSE = 0.2, 0.005  # seconds
 
 
-def resolve(host):
-    """The IP addresses of a host name, as text. Raises Unreachable when it has none, or the look-up takes too long.
-
-    The system's resolver has no deadline, and omniORB's own limits do not cover it.
-    """
-    def look_up():
-        try:
-            return _unique(found[4][0] for found in socket.getaddrinfo(host, None, 0, socket.SOCK_STREAM))
-        except (OSError, UnicodeError) as e:
-            raise errors.Unreachable(printable(host), getattr(e, "strerror", None) or "not a host name")
-    return lanes.ask(("name of", host), printable(host), look_up)
-
-
-def _unique(addresses):
-    found = []
-    for address in addresses:
-        if address not in found:
-            found.append(address)
-    return found
-
-
 def connect(addresses, port):
-    """Open a TCP connection to the first of the IP addresses that takes one, and close it. Raises Unreachable, Silent."""
+    """Open a TCP connection to the first of the IP addresses that accepts one, and close it. Raises Unreachable, Silent."""
+    where = f"{addresses[0]}:{port}"
+
     def attempt():
         end, failure = time.monotonic() + lanes.session.timeout, None
         for address in addresses:
@@ -49,8 +30,8 @@ def connect(addresses, port):
             except OSError as e:
                 lanes.note_shortage(e, address)
                 failure = failure or e
-        raise _error("%s:%d" % (addresses[0], port), failure)
-    lanes.ask(("TCP", tuple(addresses), port), "%s:%d" % (addresses[0], port), attempt)
+        raise _error(where, failure)
+    lanes.ask(("TCP", tuple(addresses), port), where, attempt)
 
 
 def _error(where, e):
@@ -62,7 +43,7 @@ def _error(where, e):
 
 
 def probe(endpoint):
-    """None when TCP reaches (host, port) from here, else the errors.Error that says why not."""
+    """None when TCP reaches (host, port) from here, else the errors.Error."""
     host, port = endpoint
     try:
         connect(resolve(host), port)
@@ -73,10 +54,10 @@ def probe(endpoint):
 
 @functools.lru_cache(maxsize=None)
 def arrives(endpoint):
-    """True when what is sent to (host, port) is taken by the host there: its process may hang, the network does not lose it.
+    """Whether the host of (host, port) receives what is sent: its process may hang, but the network works.
 
-    A question of GIOP about an object that nobody has is sent, larger than a packet, and the kernel says whether all of it has
-    been acknowledged. Asked once for each endpoint; `arrives.cache_clear()` forgets the answers.
+    A GIOP question about an object that nobody has is sent, larger than a packet, and the kernel says whether all of it was
+    acknowledged. Asked once for each endpoint; `arrives.cache_clear()` forgets the answers.
     """
     key = b"\0" * LARGE
     question = b"GIOP\1\0\1\3" + struct.pack("<III", len(key) + 8, 1, len(key)) + key
@@ -96,7 +77,7 @@ def arrives(endpoint):
 
 
 def _unacknowledged(connection):
-    """How many octets sent have not been acknowledged; 0 where the kernel does not say."""
+    """How many octets sent have not been acknowledged; 0 if the kernel does not report it."""
     try:
         return struct.unpack("i", fcntl.ioctl(connection, termios.TIOCOUTQ, b"\0" * 4))[0]
     except OSError:
@@ -106,11 +87,11 @@ def _unacknowledged(connection):
 def is_loopback(address):
     """True for an IP address that means the host that uses it: 127.0.0.0/8, ::1."""
     try:
-        found = ipaddress.ip_address(address.partition("%")[0])
+        ip = ipaddress.ip_address(address.partition("%")[0])
     except ValueError:
         return False
-    mapped = getattr(found, "ipv4_mapped", None)  # of ::ffff:127.0.0.1
-    return found.is_loopback or bool(mapped and mapped.is_loopback)
+    mapped = getattr(ip, "ipv4_mapped", None)  # of ::ffff:127.0.0.1
+    return ip.is_loopback or bool(mapped and mapped.is_loopback)
 
 
 def why_not_bound(host, port):
@@ -127,7 +108,7 @@ def why_not_bound(host, port):
 
 
 def is_own(address):
-    """True for an IP address of this host, found out by taking a UDP socket there."""
+    """True for an IP address of this host: a UDP socket can be bound there."""
     family = socket.AF_INET6 if ":" in address else socket.AF_INET
     try:
         with socket.socket(family, socket.SOCK_DGRAM) as own:

@@ -1,12 +1,12 @@
-"""Each component that lives: its ports, execution contexts and states, and whether it knows the name it is bound by."""
+"""Each live component: its ports, execution contexts and states, and whether it knows the name that it is bound by."""
 import collections
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb
 from rtshell_lite.doctor import remedies, started, waiting
 from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, warn
-from rtshell_lite.robot import component, ports, snapshot
-from rtshell_lite.robot.snapshot import FULL
+from rtshell_lite.robot import component, ports
+from rtshell_lite.robot.snapshot import EACH, FULL, Snapshot, ask_all
 from rtshell_lite.text import printable, shell_word
 
 MOST = 3  # names of one component that are reported one by one
@@ -15,89 +15,89 @@ MOST = 3  # names of one component that are reported one by one
 def examined(nodes):
     """The Snapshot of each component among the Nodes, each object once, however often it is bound, sorted by path.
 
-    Where a component fell silent or refused, the rest is missing.
+    If a component fell silent or refused, the rest is missing.
     """
     by_object = collections.OrderedDict()
     for node in sorted(nodes, key=lambda node: str(node.path)):
         if node.kind == "component":
             by_object.setdefault(orb.identity(node.ref), []).append(node)
-    components = [snapshot.Snapshot(first, others) for first, *others in by_object.values()]
-    snapshot.ask_all(components, ports=snapshot.EACH, owned=FULL, participating=FULL, states=FULL, profile=FULL)
-    for each in components:
-        each.ports = ports.in_system(each.ports)
-    return components
+    snapshots = [Snapshot(first, others) for first, *others in by_object.values()]
+    ask_all(snapshots, ports=EACH, owned=FULL, participating=FULL, states=FULL, profile=FULL)
+    for snapshot in snapshots:
+        snapshot.ports = ports.in_system(snapshot.ports)
+    return snapshots
 
 
 # ---- findings -------------------------------------------------------------------------------------------------
 
-def findings(all_of_them, rates, hung, stated=False):
+def findings(snapshots, rates, hung, stated=False):
     """Findings on all components, sorted by path.
 
-    rates  what was measured, see rates.measured
-    hung   Nodes that do not answer at all: who is connected to one waits for it, and seems to hang, too
-    stated  whether a profile says in which states they are to be
+    rates   what was measured, see rates.measured
+    hung    Nodes that do not answer at all: components connected to one wait for it, and seem to hang, too
+    stated  whether a profile says which states they should have
     """
     found = []
-    for each in all_of_them:
-        troubles = _troubles(each, hung) + rates.get(each.where, [])
+    for snapshot in snapshots:
+        troubles = _troubles(snapshot, hung) + rates.get(snapshot.where, [])
         found += troubles
-        if not any(finding.level == "fail" for finding in troubles) and each.error is None:
-            found.append(ok("component", each.where, _summary(each)))
+        if not any(finding.level == "fail" for finding in troubles) and snapshot.error is None:
+            found.append(ok("component", snapshot.where, _summary(snapshot)))
     found.sort(key=lambda finding: finding.path)
-    if not stated and not any(finding.level == "fail" for finding in found):  # a robot does not work, either, when nobody has started it
-        found += started.findings(all_of_them)
+    if not stated and not any(finding.level == "fail" for finding in found):  # perhaps it was only not started
+        found += started.findings(snapshots)
     return found
 
 
-def _troubles(each, hung):
-    found = _names(each) + _ports(each)
-    if each.error is not None:
-        return found + [_stopped_answering(each, hung)]
-    return found + _contexts(each)
+def _troubles(snapshot, hung):
+    found = _names(snapshot) + _ports(snapshot)
+    if snapshot.error is not None:
+        return found + [_stopped_answering(snapshot, hung)]
+    return found + _contexts(snapshot)
 
 
-def _summary(each):
+def _summary(snapshot):
     """Active, claims 1000 Hz, 2 ports, 1 connection, at 127.0.0.1:4000."""
-    state = component.merged(each.states)
-    rate = next((f"claims {context.rate:g} Hz" for context in each.contexts if _is_periodic(context)), "not periodic")
-    number = len({connector.id for port in each.ports for connector in port.connectors})
-    return ", ".join([state, rate, counted(len(each.ports), "port"), counted(number, "connection"),
-                      "at " + published(each.node.ref)])
+    state = component.merged(snapshot.states)
+    rate = next((f"claims {context.rate:g} Hz" for context in snapshot.contexts if _is_periodic(context)), "not periodic")
+    number = len({connector.id for port in snapshot.ports for connector in port.connectors})
+    return ", ".join([state, rate, counted(len(snapshot.ports), "port"), counted(number, "connection"),
+                      "at " + published(snapshot.node.ref)])
 
 
-def _stopped_answering(each, hung):
-    e = each.error
+def _stopped_answering(snapshot, hung):
+    e = snapshot.error
     if e.why == lanes.NO_TIME:
-        return fail("component", each.where, "slow: " + lanes.NO_TIME, remedies.words("more time", path=shell_word(each.where)))
-    if isinstance(e, errors.Silent) and not each.asking:
+        return fail("component", snapshot.where, "slow: " + lanes.NO_TIME, remedies.words("more time", path=shell_word(snapshot.where)))
+    if isinstance(e, errors.Silent) and not snapshot.asking:
         message = "not looked at: others of its process hang"
-        return warn("component", each.where, message, remedies.words("others first", path=shell_word(each.where)))
+        return warn("component", snapshot.where, message, remedies.words("others first", path=shell_word(snapshot.where)))
     if isinstance(e, errors.Refused) and e.name in ("BAD_OPERATION", "NO_IMPLEMENT"):
-        message = "somebody else's: it is registered as a component, and is none"
-        return fail("reference", each.where, message, remedies.words("name of another", path=shell_word(each.where)))
+        message = "somebody else's: it is registered as a component, but is none"
+        return fail("reference", snapshot.where, message, remedies.words("name of another", path=shell_word(snapshot.where)))
     if isinstance(e, errors.Silent):
-        message = "hangs when asked for " + each.asking
-        paths, known = waiting.culprits(each, hung) if "port" in each.asking else ([], False)
+        message = "hangs when asked for " + snapshot.asking
+        paths, known = waiting.culprits(snapshot, hung) if "port" in snapshot.asking else ([], False)
         if paths:  # a port asks the far ends of its connections before it answers
-            return fail("component", each.where, "%s, %swaiting for a far end that does not answer" % (
-                message, "" if known else "maybe "), remedies.words("hung first", paths=" and ".join(paths)))
-        return fail("component", each.where, message, remedies.of_silence(e, each.node.endpoint, each.where))
-    return fail("component", each.where, f"does not say {each.asking} ({reason(e)})",
-                remedies.of_silence(e, each.node.endpoint, each.where))
+            message += f", {'' if known else 'maybe '}waiting for a far end that does not answer"
+            return fail("component", snapshot.where, message, remedies.words("hung first", paths=" and ".join(paths)))
+        return fail("component", snapshot.where, message, remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
+    return fail("component", snapshot.where, f"does not report {snapshot.asking} ({reason(e)})",
+                remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
 
 
-def _restart(each):
-    return remedies.words("restart", port=each.node.endpoint[1])
+def _restart(snapshot):
+    return remedies.words("restart", port=snapshot.node.endpoint[1])
 
 
 # ---- names ----------------------------------------------------------------------------------------------------
 
-def _names(each):
-    """Names that a component has been given by others; its own are in its property naming.names, if it says so."""
-    if each.profile is None:
+def _names(snapshot):
+    """Names that others have bound a component by; its own are in its property naming.names, if it has that."""
+    if snapshot.profile is None:
         return []
-    own = dict(each.profile.properties).get("naming.names", "") or _bound_as(each.node)
-    nodes = [each.node, *each.others]
+    own = dict(snapshot.profile.properties).get("naming.names", "") or _bound_as(snapshot.node)
+    nodes = [snapshot.node, *snapshot.others]
     known = [node for node in nodes if _bound_as(node) in own.split(",")]
     strange = [node for node in nodes if node not in known]
     if known:
@@ -122,45 +122,45 @@ def _bound_as(node):
 
 # ---- ports ----------------------------------------------------------------------------------------------------
 
-def _ports(each):
-    found = [_refusing(each, *port) for port in each.refusing]
+def _ports(snapshot):
+    found = [_refusing(snapshot, *port) for port in snapshot.refusing]
     message = "had a connection whose far end is dead, and dropped it when asked"
     return found + [warn("connection", ports.label(port), message, remedies.words("restart far end"))
-                    for port in each.dropped]
+                    for port in snapshot.dropped]
 
 
-def _refusing(each, number, e, endpoint):
+def _refusing(snapshot, number, e, endpoint):
     if isinstance(e, errors.Refused):
-        return fail("port", each.where, "its port %d refuses its profile (%s)" % (number, reason(e)), _restart(each))
+        return fail("port", snapshot.where, f"its port {number} refuses its profile ({reason(e)})", _restart(snapshot))
     if not isinstance(e, errors.LostMember):
-        message = "cannot tell from here about its port %d, at %s:%d (%s)" % (number, printable(endpoint[0]), endpoint[1], reason(e))
-        return fail("port", each.where, message, remedies.network(endpoint))
-    return fail("port", each.where, "its port %d is out of reach: a member of this composite is dead, perhaps" % number,
-                remedies.words("restart composite", port=each.node.endpoint[1]))
+        message = f"cannot tell from here about its port {number}, at {printable(endpoint[0])}:{endpoint[1]} ({reason(e)})"
+        return fail("port", snapshot.where, message, remedies.network(endpoint))
+    return fail("port", snapshot.where, f"its port {number} is out of reach: a member of this composite is dead, perhaps",
+                remedies.words("restart composite", port=snapshot.node.endpoint[1]))
 
 
 # ---- execution contexts ---------------------------------------------------------------------------------------
 
-def _contexts(each):
+def _contexts(snapshot):
     """Errors, and what keeps a component from being executed."""
-    if not each.contexts:
-        return [fail("context", each.where, "has no execution context: nothing executes it", _restart(each))]
+    if not snapshot.contexts:
+        return [fail("context", snapshot.where, "has no execution context: nothing executes it", _restart(snapshot))]
     found = []
-    for index, (context, state) in enumerate(zip(each.contexts, each.states)):
+    for index, (context, state) in enumerate(zip(snapshot.contexts, snapshot.states)):
         if context.handle is None:
-            message = "its execution context %d belongs to another component, which does not answer" % index
-            found.append(warn("context", each.where, message, remedies.words("look at contexts", path=shell_word(each.where))))
+            message = f"its execution context {index} belongs to another component, which does not answer"
+            found.append(warn("context", snapshot.where, message, remedies.words("look at contexts", path=shell_word(snapshot.where))))
         elif state == "Error":
-            found.append(fail("component", each.where, "in Error",
-                              remedies.command("reset", option=remedies.option(index), path=each.where)))
-    alive = [context for context in each.contexts if context.handle is not None]
+            found.append(fail("component", snapshot.where, "in Error",
+                              remedies.command("reset", option=remedies.option(index), path=snapshot.where)))
+    alive = [context for context in snapshot.contexts if context.handle is not None]
     if alive and not any(context.running for context in alive):
         message = "its execution context is stopped: nothing executes it"
-        found.append(fail("context", each.where, message, remedies.command("start context", path=each.where)))
-    for index, context in enumerate(each.contexts):
+        found.append(fail("context", snapshot.where, message, remedies.command("start context", path=snapshot.where)))
+    for index, context in enumerate(snapshot.contexts):
         if _is_periodic(context) and not context.rate > 0:
-            found.append(fail("context", each.where, f"its execution context has a rate of {context.rate:g} Hz",
-                              remedies.command("set rate", option=remedies.option(index), path=each.where, rate=100)))
+            found.append(fail("context", snapshot.where, f"its execution context has a rate of {context.rate:g} Hz",
+                              remedies.command("set rate", option=remedies.option(index), path=snapshot.where, rate=100)))
     return found
 
 

@@ -1,4 +1,4 @@
-"""Each connection, seen from all its ends: who is there, who knows it, whether they agree on what it is."""
+"""Each connection, seen from all its ends: whether they live, know it and agree on its properties."""
 import collections
 
 from rtshell_lite import errors
@@ -9,18 +9,18 @@ from rtshell_lite.robot import connectors, places, ports
 from rtshell_lite.system import capture
 from rtshell_lite.text import printable
 
-# One connection as its first end has it: the snapshot.Snapshot `each`, its ports.Port, the ports.Connector.
-Link = collections.namedtuple("Link", "each port connector")
+# One connection as its first end has it: the Snapshot of a component, its ports.Port, the ports.Connector.
+Link = collections.namedtuple("Link", "snapshot port connector")
 
-SETTLED = [key for key, _ in ports.DEFAULTS]  # what ports agree upon when they are connected
+SETTLED = [key for key, _ in ports.DEFAULTS]  # what ports agree on when they are connected
 
 
-def findings(all_of_them):
+def findings(snapshots):
     """Findings on all connections of the components, sorted by path. Ends elsewhere are asked, one call each.
 
-    A connection that some end does not know, or knows otherwise, is looked at twice: it may be changing just now.
+    A connection with trouble is looked at twice: it may just be changing.
     """
-    links, ends = _links(all_of_them), _ends(all_of_them)
+    links, ends = _links(snapshots), _ends(snapshots)
     found = []
     for link in links:
         troubles = _troubles(link, ends)
@@ -28,27 +28,27 @@ def findings(all_of_them):
             again = _again(link, ends)
             troubles = _troubles(again, ends) if again else []
         found += troubles
-    return sorted(found, key=lambda each: each.path)
+    return sorted(found, key=lambda finding: finding.path)
 
 
-def _links(all_of_them):
+def _links(snapshots):
     """A Link for each connection, once; composites show ports of their members as their own."""
-    found = collections.OrderedDict()
-    for each in all_of_them:
-        for port in each.ports:
+    links = collections.OrderedDict()
+    for snapshot in snapshots:
+        for port in snapshot.ports:
             for connector in port.connectors:
-                found.setdefault((connector.id, _identities(connector)), Link(each, port, connector))
-    return list(found.values())
+                links.setdefault((connector.id, _identities(connector)), Link(snapshot, port, connector))
+    return list(links.values())
 
 
 def _identities(connector):
     return frozenset(orb.identity(ref) for ref in connector.ports if ref is not None)
 
 
-def _ends(all_of_them):
-    """{identity of a port: places.End} of all ports of the components, and of all that they are connected with."""
-    own = [port for each in all_of_them for port in each.ports]
-    silent = {each.node.endpoint: each.error for each in all_of_them if isinstance(each.error, errors.Silent)}
+def _ends(snapshots):
+    """{identity of a port: places.End} of all ports of the components, and of those connected with them."""
+    own = [port for snapshot in snapshots for port in snapshot.ports]
+    silent = {snapshot.node.endpoint: snapshot.error for snapshot in snapshots if isinstance(snapshot.error, errors.Silent)}
     ends = places.far_ends(own, silent)
     for port in own:
         ends.setdefault(orb.identity(port.ref), places.End(port.ref, port, None))
@@ -64,7 +64,7 @@ def _name(end):
 
 
 def _again(link, ends):
-    """The same Link after its ports have been asked once more, None when it is gone; updates `ends`."""
+    """The same Link after its ports were asked again, None when it is gone; updates `ends`."""
     asked = [(orb.identity(ref), ref) for ref in link.connector.ports
              if ref is not None and ends[orb.identity(ref)].port is not None]
     own = link.port
@@ -75,8 +75,8 @@ def _again(link, ends):
             continue
         ends[identity] = before._replace(port=answer._replace(node=before.port.node))
         own = ends[identity].port if identity == orb.identity(link.port.ref) else own
-    now = next((one for one in own.connectors if one.id == link.connector.id), None)
-    return now and Link(link.each, own, now)
+    now = next((connector for connector in own.connectors if connector.id == link.connector.id), None)
+    return now and Link(link.snapshot, own, now)
 
 
 # ---- what can be wrong ----------------------------------------------------------------------------------------
@@ -93,8 +93,8 @@ def _troubles(link, ends):
         if end.port is None:
             found.append(_lost(link, where, end, undo))
         elif connector.id not in [connector.id for connector in end.port.connectors]:
-            found.append(fail("connection", where, "connection %s is one-sided: %s does not know it" % (
-                _called(connector), _name(end)), _redo(link, others)))
+            message = f"connection {_called(connector)} is one-sided: {_name(end)} does not know it"
+            found.append(fail("connection", where, message, _redo(link, others)))
         else:
             found += _differences(link, end, _redo(link, others))
     if all(end.port is not None for end in others):
@@ -107,7 +107,7 @@ def _called(connector):
 
 
 def _redo(link, others):
-    """The Remedy that connects all ends again as this one has it; words where an end has no path."""
+    """The Remedy that connects all ends again as this one knows it; words where an end has no path."""
     where, connector = ports.label(link.port), link.connector
     if any(end.port is None or end.port.node is None for end in others):
         return remedies.reconnect(connector.id, where, None)
@@ -118,7 +118,7 @@ def _redo(link, others):
 
 def _lost(link, where, end, undo):
     """The far end of a connection does not answer."""
-    name, endpoint, homes = _name(end), orb.endpoint(end.ref), networks.homes_of(link.each.node.ref)
+    name, endpoint, homes = _name(end), orb.endpoint(end.ref), networks.homes_of(link.snapshot.node.ref)
     misled = networks.misled("connection", where, end.ref, homes)
     if misled:
         return misled._replace(message="the far end of a connection " + misled.message)
@@ -133,17 +133,17 @@ def _lost(link, where, end, undo):
 
 
 def _differences(link, end, remedy):
-    """Properties that the two ends of a connection have stored otherwise."""
+    """Properties on which the two ends of a connection differ."""
     where, connector = ports.label(link.port), link.connector
-    far = dict(next(one for one in end.port.connectors if one.id == connector.id).properties)
+    far = dict(next(here for here in end.port.connectors if here.id == connector.id).properties)
     near = dict(connector.properties)
     found = []
     for key in sorted(set(near) & set(far) | set(SETTLED) & (set(near) | set(far))):
-        one, other = near.get(key), far.get(key)
-        if _is_reference(key, one) or _is_reference(key, other) or _plain(key, one) == _plain(key, other):
+        here, there = near.get(key), far.get(key)
+        if _is_reference(key, here) or _is_reference(key, there) or _plain(key, here) == _plain(key, there):
             continue
-        found.append(warn("connection", where, "%s is %s here, %s at %s" % (
-            printable(key), _shown(one), _shown(other), _name(end)), remedy))
+        message = f"{printable(key)} is {_shown(here)} here, {_shown(there)} at {_name(end)}"
+        found.append(warn("connection", where, message, remedy))
     return found
 
 
@@ -160,17 +160,17 @@ def _shown(value):
     return "missing" if value is None else printable(value) or "empty"
 
 
-def _mismatches(link, where, found, undo):
+def _mismatches(link, where, joined, undo):
     """Why these ports should not be connected in this way (components themselves connect nearly everything)."""
-    if any(port.node is None for port in found):
+    if any(port.node is None for port in joined):
         return []
     properties = {key: _plain(key, value) for key, value in link.connector.properties if key in SETTLED}
     if properties.get("dataport.dataflow_type") == "pull":
-        properties.pop("dataport.subscription_type", None)  # it says nothing then
+        properties.pop("dataport.subscription_type", None)  # it has no effect then
     reasons = []
-    if any(port.type in ports.DATA for port in found):
-        reasons = ports.mismatches(found, properties)
+    if any(port.type in ports.DATA for port in joined):
+        reasons = ports.mismatches(joined, properties)
     elif link.port.type == "CorbaPort":
-        reasons = services.mismatches(found, dict(link.connector.properties))
-    far = ", ".join(ports.label(port) for port in found[1:])
+        reasons = services.mismatches(joined, dict(link.connector.properties))
+    far = ", ".join(ports.label(port) for port in joined[1:])
     return [fail("connection", where, f"connected to {far}: {why}", undo) for why in reasons]

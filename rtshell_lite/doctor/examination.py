@@ -17,8 +17,8 @@ STEPS = 3  # times the timeout: what takes longer is reported as not looked at; 
 def examine(tops=(), compare=None, seconds=0):
     """Yield lists of Findings, step by step. Without Paths `tops`, or with the root, all name servers are examined.
 
-    compare  (RtsProfile, its file as it is given to commands, the state of the components): what the system is to agree with
-    seconds  how long rates are measured, which connects to an out port of each active component and leaves it again; 0: not
+    compare  (RtsProfile, its file as it is given to commands, the state of the components): what the system should be like
+    seconds  how long to measure rates, by connecting to an out port of each active component; 0: do not
     """
     lanes.session.end = time.monotonic() + STEPS * lanes.session.timeout
     try:
@@ -39,7 +39,7 @@ def examine(tops=(), compare=None, seconds=0):
 def _steps(tops, compare, seconds):
     found = here.findings()
     yield found
-    if any(each.check in ("omniORBpy", "ORB", "limit") and each.level == "fail" for each in found):
+    if any(finding.check in ("omniORBpy", "ORB", "limit") and finding.level == "fail" for finding in found):
         return
     everything = not tops or path.ROOT in tops
     yield from _robot(_name_servers() if everything else tops, seconds, bool(compare))
@@ -50,28 +50,28 @@ def _steps(tops, compare, seconds):
 
 
 def _name_servers():
-    """The Paths of those name servers whose addresses are addresses; the others have been reported."""
+    """The Paths of the name servers with valid addresses; the others have been reported."""
     return [path.parse("/" + address) for address in tree.servers() if not here.fault(address)]
 
 
 def _robot(tops, seconds, stated):
     from rtshell_lite.doctor import components, composites, connections, managers, references, servers
     visits = servers.visits(tops)
-    yield [each for visit in visits for each in visit.findings] + _same_server(visits)
-    yield [each for visit in visits for each in references.findings(visit)]
+    yield [finding for visit in visits for finding in visit.findings] + _same_server(visits)
+    yield [finding for visit in visits for finding in references.findings(visit)]
     nodes = [node for visit in visits for node in visit.nodes]
     examined = components.examined(nodes)
-    links, managed, lost = connections.findings(examined), managers.findings(nodes), composites.findings(examined)
+    links, managed, members = connections.findings(examined), managers.findings(nodes), composites.findings(examined)
     hung = sorted((node for node in nodes if node.kind == "silent"), key=lambda node: str(node.path))
     yield components.findings(examined, _rates(examined, seconds) if seconds else {}, hung, stated)
-    yield lost
+    yield members
     yield links
     yield managed
 
 
 def _rates(examined, seconds):
     from rtshell_lite.doctor import rates
-    end, lanes.session.end = lanes.session.end, None  # what is connected must be disconnected again, whatever the time
+    end, lanes.session.end = lanes.session.end, None  # what is connected must be disconnected, however late it is
     try:
         return rates.measured(examined, seconds)
     finally:

@@ -1,4 +1,4 @@
-"""What is checked of this host and this shell before anybody is asked."""
+"""This host and this shell: what is checked before any peer is asked."""
 import collections
 import os
 import re
@@ -38,7 +38,7 @@ def _programs():
     try:
         version = orb.version()
     except errors.MissingOmniORB:
-        return [fail("omniORBpy", HERE, f"{python} has no omniORBpy: nobody can be asked",
+        return [fail("omniORBpy", HERE, f"{python} has no omniORBpy: nothing can be asked",
                      remedies.words("install omniORBpy"))]
     found = [ok("omniORBpy", HERE, f"{python}, omniORBpy {version}")]
     if _number(version.partition(".")[0]) < 4:
@@ -60,7 +60,7 @@ def _number(word):
 # ---- settings of the ORB --------------------------------------------------------------------------------------
 
 def _settings(started):
-    """Settings of omniORB that break things, wherever they come from. The last source wins, but each is reported."""
+    """Settings of omniORB that break things, whatever their source. The last source wins, but each is reported."""
     found, sources = [], _sources()
     named = os.environ.get("OMNIORB_CONFIG")
     if named and not os.path.exists(named):
@@ -77,13 +77,13 @@ def _settings(started):
 
 
 def _sources():
-    """(what it is called, [(option, value)]) of each place that has settings: file, variables ORB…, RTCTREE_ORB_ARGS."""
+    """(name, [(option, value)]) of each source of settings: file, variables ORB…, RTCTREE_ORB_ARGS."""
     name = os.path.abspath(os.environ.get("OMNIORB_CONFIG") or CONFIGURATION)
     found = [(printable(name), _configured(name))]
     found += [(key, [(key[3:], value)]) for key, value in sorted(os.environ.items()) if re.match("ORB[a-z]+[A-Za-z]*$", key)]
     words = [word for word in os.environ.get(ARGUMENTS, "").split(";") if word]
     arguments = [(word[4:], value) for word, value in zip(words, words[1:] + [""]) if word.startswith("-ORB")]
-    return [each for each in found if each[1]] + ([(ARGUMENTS, arguments)] if words else [])
+    return [source for source in found if source[1]] + ([(ARGUMENTS, arguments)] if words else [])
 
 
 def _configured(name):
@@ -98,19 +98,19 @@ def _configured(name):
 
 
 def _without(source):
-    """The Remedy for a setting that comes from there."""
+    """The Remedy for a setting from this source."""
     return remedies.words("correct file", file=source) if source.startswith("/") else remedies.command("unset", variable=source)
 
 
 def _harm(option, value, whom):
-    """What a setting breaks, and for `whom`, '' where it breaks nothing that we know of.
+    """What a setting breaks, and for `whom`, '' if nothing that we know of.
 
     Our commands have limits of their own, which only RTCTREE_ORB_ARGS overrides.
     """
     if option == "giopMaxMsgSize" and _number(value) < SMALLEST_MESSAGE:
-        return f"{whom} cannot send or take larger messages (MARSHAL)"
+        return f"{whom} cannot send or receive larger messages (MARSHAL)"
     if option in ("clientCallTimeOutPeriod", "clientConnectTimeOutPeriod") and 0 < _number(value) < LEAST_PATIENCE:
-        return f"{whom} take slower answers for none"
+        return f"{whom} give up before slower answers come"
     if option == "throwTransientOnTimeOut" and value != "0":
         return "hung peers look like peers out of reach to these commands"
     if option == "maxGIOPVersion" and value in ("1.0", "1.1"):
@@ -121,7 +121,7 @@ def _harm(option, value, whom):
 
 
 def _harm_of_end_point(value, whom):
-    """An end point is giop:TRANSPORT:HOST:PORT, HOST and PORT may be empty."""
+    """`_harm` of giop:TRANSPORT:HOST:PORT, where HOST and PORT may be empty."""
     transport, _, place = value.partition("giop:")[2].partition(":")
     host, _, port = place.rpartition(":")
     host = host.strip("[]")
@@ -136,7 +136,7 @@ def _harm_of_end_point(value, whom):
 
 
 def transport_rule():
-    """The Rule that forbids connections, if there is one: named only where one fails."""
+    """The Rule that may forbid connections, or None; only reported where one fails."""
     for source, settings in _sources():
         for option, value in settings:
             if option == "clientTransportRule":
@@ -147,30 +147,30 @@ def transport_rule():
 # ---- names of this host ---------------------------------------------------------------------------------------
 
 def _host_name():
-    """The name of this host must lead to an address of it that others can use: components may publish what it leads to."""
+    """The name of this host must mean an address that others can use: components may publish what it means."""
     name = socket.gethostname()
     shown = f"this host's name, {printable(name)}, "
     cure = remedies.words("name of host")
     try:
-        found = addresses.resolve(name)
+        known = addresses.resolve(name)
     except errors.Error as e:
         return [warn("host name", HERE, shown + f"is not known here ({reason(e)})", cure)]
-    told = ", ".join(found)
-    if all(addresses.is_loopback(each) for each in found):
-        return [warn("host name", HERE, shown + f"means {told}: who publishes it cannot be reached from elsewhere", cure)]
-    if not any(addresses.is_own(each) for each in found):
-        return [warn("host name", HERE, shown + f"means {told}, which is not this host", cure)]
-    return [ok("host name", HERE, shown + "means " + told)]
+    means = ", ".join(known)
+    if all(addresses.is_loopback(address) for address in known):
+        return [warn("host name", HERE, shown + f"means {means}: components that publish it cannot be reached from elsewhere", cure)]
+    if not any(addresses.is_own(address) for address in known):
+        return [warn("host name", HERE, shown + f"means {means}, which is not this host", cure)]
+    return [ok("host name", HERE, shown + "means " + means)]
 
 
 def _localhost():
     cure = remedies.words("localhost")
     try:
-        found = addresses.resolve("localhost")
+        known = addresses.resolve("localhost")
     except errors.Error as e:
         return [fail("host name", HERE, f"localhost is not known here ({reason(e)})", cure)]
-    if not all(addresses.is_loopback(each) for each in found):
-        return [fail("host name", HERE, f"localhost means {', '.join(found)}", cure)]
+    if not all(addresses.is_loopback(address) for address in known):
+        return [fail("host name", HERE, f"localhost means {', '.join(known)}", cure)]
     return []
 
 
@@ -181,31 +181,30 @@ def _name_servers():
     value = os.environ.get("RTCTREE_NAMESERVERS", "")
     if not value.strip("; "):
         return [ok("RTCTREE_NAMESERVERS", HERE, "RTCTREE_NAMESERVERS is not set: localhost is the name server")]
-    bad = [(address, why) for address, why in ((each, fault(each)) for each in tree.servers()) if why]
-    return [fail("RTCTREE_NAMESERVERS", HERE, f"RTCTREE_NAMESERVERS: {printable(address)}: {why}",
-                 remedies.words("correct addresses")) for address, why in bad] or [
+    return [fail("RTCTREE_NAMESERVERS", HERE, f"RTCTREE_NAMESERVERS: {printable(address)}: {fault(address)}",
+                 remedies.words("correct addresses")) for address in tree.servers() if fault(address)] or [
         ok("RTCTREE_NAMESERVERS", HERE, f"RTCTREE_NAMESERVERS: {printable('; '.join(tree.servers()))}")]
 
 
 def fault(address):
-    """What is wrong with the address of a name server, '' where nothing is."""
+    """What is wrong with the address of a name server, '' if nothing."""
     if re.search(r"[,\s]", address):
         return "several are separated by semicolons"
     if address.startswith(("corbaloc:", "corbaname:", "rtcname:", "rtcloc:", "IOR:")):
         return f"only HOST[:PORT], without {address.partition(':')[0]}:"
     try:
-        found = path.parse("/" + address)
+        parsed = path.parse("/" + address)
         if _is_started():
-            tree.resolve(found._replace(names=()))  # contacts nobody
+            tree.resolve(parsed._replace(names=()))  # contacts nobody
     except errors.Error:
         return "not HOST[:PORT]"
-    return "only HOST[:PORT], nothing behind it" if found.names or found.server is None else ""
+    return "only HOST[:PORT], nothing after it" if parsed.names or parsed.server is None else ""
 
 
 def _is_started():
     try:
         orb.start()
-    except errors.Error:  # found before
+    except errors.Error:  # reported before
         return False
     return True
 

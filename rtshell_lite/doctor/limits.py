@@ -1,4 +1,4 @@
-"""What this process may use: where there are too few descriptors, threads or ports here, peers seem to be at fault."""
+"""What this process may use: without enough descriptors, threads or ports here, peers seem to be at fault."""
 import os
 import resource
 import threading
@@ -10,7 +10,7 @@ from rtshell_lite.doctor.finding import HERE, fail
 
 FILES, THREADS = 64, 8  # what an examination of a small system needs at a time
 
-# What is scarce, by the word for it: how to see or raise it.
+# How to see or raise what is scarce.
 COMMANDS = {"files": "ulimit -n 1024", "threads": "ulimit -u, ulimit -v", "ports": "sysctl net.ipv4.ip_local_port_range",
             "memory": "ulimit -v"}
 
@@ -25,9 +25,9 @@ def findings():
 
 
 def lack(shortage):
-    """The Finding for an errors.Shortage. Nobody else is examined then: none of what would be found is certain."""
+    """The Finding for an errors.Shortage, which ends an examination: nothing that it would find is certain."""
     what, why = shortage.args
-    return fail("limit", HERE, f"out of {what} here ({why}): nobody can be judged",
+    return fail("limit", HERE, f"out of {what} here ({why}): nothing can be judged",
                 remedies.words("raise limit", what=what, command=COMMANDS[what]))
 
 
@@ -37,10 +37,10 @@ def _files():
         for _ in range(FILES):
             taken.append(os.dup(2))
     except OSError as e:
-        return "%s, at %d" % (os.strerror(e.errno), resource.getrlimit(resource.RLIMIT_NOFILE)[0])
+        return f"{os.strerror(e.errno)}, at {resource.getrlimit(resource.RLIMIT_NOFILE)[0]}"
     finally:
-        for each in taken:
-            os.close(each)
+        for descriptor in taken:
+            os.close(descriptor)
     return ""
 
 

@@ -1,4 +1,4 @@
-"""Each manager: whether it answers, and whether what it lists is there."""
+"""Each manager: whether it answers, and whether what it lists lives."""
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes
 from rtshell_lite.doctor import networks, remedies
@@ -17,7 +17,7 @@ def findings(nodes):
 
 
 def _ask(node):
-    """(slaves, components, whether it had to be asked twice): a master whose slave has died fails once."""
+    """(slaves, components, whether it was asked twice): a master whose slave has died fails once."""
     failed_once = []
     slaves = component.once_more(lambda: tree.slaves(node), failed_once)
     managed = component.once_more(lambda: tree.managed(node), failed_once)
@@ -35,7 +35,7 @@ def _troubles(node, answer):
     if isinstance(answer, errors.Error):
         both = isinstance(answer, errors.Silent)
         restart = remedies.words("restart manager or slave" if both else "restart", port=node.endpoint[1])
-        return [fail("manager", where, f"does not say what it has ({reason(answer)})",
+        return [fail("manager", where, f"does not report what it has ({reason(answer)})",
                      remedies.of_silence(answer, node.endpoint, where, restart))]
     slaves, components, twice = answer
     found = []
@@ -43,18 +43,18 @@ def _troubles(node, answer):
         found = [fail("manager", where, "one of its slaves has died, and its components with it",
                       remedies.words("restart slave"))]
     homes = networks.homes_of(node.ref)
-    for each in slaves + components:
-        what = "lists a slave that " if each in slaves else "lists a component that "
-        misled = networks.misled("manager", where, each.ref, homes)
+    for child in slaves + components:
+        what = "lists a slave that " if child in slaves else "lists a component that "
+        misled = networks.misled("manager", where, child.ref, homes)
         if misled:
             found.append(misled._replace(message=what + misled.message))
-        elif each.kind in ("zombie", "silent") and _is_of_network(each, homes):
-            message = what + f"cannot be reached from here ({reason(each.error)})"
-            found.append(fail("manager", where, message, remedies.network(each.endpoint)))
-        elif each.kind == "zombie":
+        elif child.kind in ("zombie", "silent") and _is_of_network(child, homes):
+            message = what + f"cannot be reached from here ({reason(child.error)})"
+            found.append(fail("manager", where, message, remedies.network(child.endpoint)))
+        elif child.kind == "zombie":
             found.append(fail("manager", where, what + "is gone", remedies.words("restart manager", path=word)))
-        elif each.kind == "silent":
-            found.append(fail("manager", where, what + f"does not answer ({reason(each.error)})",
+        elif child.kind == "silent":
+            found.append(fail("manager", where, what + f"does not answer ({reason(child.error)})",
                               remedies.words("hung below", path=word)))
-    return found or [ok("manager", where, "manager of %s, %s" % (
-        counted(len(components), "component"), counted(len(slaves), "slave") + ", at " + published(node.ref)))]
+    has = f"{counted(len(components), 'component')}, {counted(len(slaves), 'slave')}"
+    return found or [ok("manager", where, f"manager of {has}, at {published(node.ref)}")]

@@ -1,4 +1,4 @@
-"""What the addresses that references publish mean: to the host that looks, and to the one at which they were found."""
+"""What the addresses that references publish mean: to this host, and to the one where the references are bound."""
 import fcntl
 import ipaddress
 import socket
@@ -14,42 +14,38 @@ SIOCGIFADDR, SIOCGIFNETMASK = 0x8915, 0x891b  # of Linux
 
 
 def misled(check, where, ref, homes, elsewhere=""):
-    """The Finding on an object that publishes addresses at which others do not find it, None where nothing is known against them.
+    """The Finding on an object that publishes addresses at which others do not find it, or None.
 
-    homes      IP addresses of who knows the object: the name server that it is bound in, its manager, the near end of a connection
-    elsewhere  an address of another host that takes part in the system, '' where all of it is on one
+    homes      IP addresses of what knows the object: the name server that it is bound in, its manager, the near end of a connection
+    elsewhere  an address of another host that takes part in the system, '' if all of it is on one
     """
-    offered, here = orb.addresses(ref), any(addresses.is_own(each) for each in homes)
+    offered, here = orb.addresses(ref), any(addresses.is_own(home) for home in homes)
     if not offered or not homes:
         return None
-    told = published(ref)
+    shown = published(ref)
     if all(_is_loopback(host) for host, _ in offered):
-        if all(addresses.is_loopback(each) for each in homes):
-            return elsewhere and warn(check, where, "publishes %s: only this host can reach it, and %s takes part in the system" % (
-                told, printable(elsewhere)), _another_address("")) or None
+        if all(addresses.is_loopback(home) for home in homes):
+            message = f"publishes {shown}: only this host can reach it, and {printable(elsewhere)} takes part in the system"
+            return warn(check, where, message, _another_address("")) if elsewhere else None
         if here:
-            return warn(check, where, f"publishes {told}: only this host can reach it", _another_address(homes[0]))
-        return fail(check, where, f"publishes {told}, which means this host, not its own", _another_address(homes[0]))
-    if all(addresses.is_loopback(each) for each in homes):
-        return None  # it was found by somebody here, and who else knows it cannot be seen
-    found = _numeric(offered)
-    apart = found and not any(together(home, each) is not False for each in found for home in homes)
-    if not apart or here and not all(addresses.is_own(each) for each in found):
+            return warn(check, where, f"publishes {shown}: only this host can reach it", _another_address(homes[0]))
+        return fail(check, where, f"publishes {shown}, which means this host, not its own", _another_address(homes[0]))
+    if all(addresses.is_loopback(home) for home in homes):
+        return None  # it is known on this host; whether others know it cannot be seen
+    numeric = _numeric(offered)
+    if not is_apart(ref, homes) or here and not all(addresses.is_own(address) for address in numeric):
         return None
     if here:
-        return warn(check, where, "publishes %s, of another network than %s: who knows it from there may not reach it" % (
-            told, homes[0]), _another_address(homes[0]))
-    if any(addresses.is_own(each) for each in found):
-        return fail(check, where, "publishes %s, which means this host, too: it is of another network than %s" % (
-            told, homes[0]), _another_address(homes[0]))
+        message = f"publishes {shown}, of another network than {homes[0]}: what finds it there may not reach it"
+        return warn(check, where, message, _another_address(homes[0]))
+    if any(addresses.is_own(address) for address in numeric):
+        message = f"publishes {shown}, which means this host, too: it is of another network than {homes[0]}"
+        return fail(check, where, message, _another_address(homes[0]))
     return None
 
 
 def is_certain(ref, homes):
-    """True where who refuses a connection at the addresses of `ref` is the host that published them, not another one of that name.
-
-    Addresses of private networks mean other hosts elsewhere.
-    """
+    """True if the addresses of `ref` mean the same host here as to what published them: those of private networks may not."""
     for address in _numeric(orb.addresses(ref)):
         number = ipaddress.ip_address(address.partition("%")[0])
         if number.is_private and not any(together(home, address) or addresses.is_own(home) for home in homes):
@@ -58,9 +54,9 @@ def is_certain(ref, homes):
 
 
 def is_apart(ref, homes):
-    """True where all addresses that `ref` publishes are known to be of other networks than `homes`."""
-    found = _numeric(orb.addresses(ref))
-    return bool(found) and all(together(home, each) is False for each in found for home in homes)
+    """True if all addresses that `ref` publishes are known to be of other networks than `homes`."""
+    own = _numeric(orb.addresses(ref))
+    return bool(own) and all(together(home, address) is False for address in own for home in homes)
 
 
 def homes_of(ref):
@@ -69,7 +65,7 @@ def homes_of(ref):
 
 
 def outside(refs):
-    """An address of another host among those that references publish, or of this host as others know it; '' where there is none."""
+    """The first address that references publish which is not only for this host; '' if there is none."""
     for ref in refs:
         for host, _ in orb.addresses(ref):
             if host and not _is_loopback(host):
@@ -78,12 +74,12 @@ def outside(refs):
 
 
 def together(one, other):
-    """Whether two IP addresses are in the same network, as far as the networks of this host show; None where they do not."""
+    """Whether two IP addresses are in the same network; None if the networks of this host do not show it."""
     if one == other or addresses.is_loopback(one) and addresses.is_loopback(other):
         return True
     known = False
     for network in _networks():
-        inside = [ipaddress.ip_address(each.partition("%")[0]) in network for each in (one, other)]
+        inside = [ipaddress.ip_address(address.partition("%")[0]) in network for address in (one, other)]
         if all(inside):
             return True
         known = known or any(inside)
@@ -92,7 +88,7 @@ def together(one, other):
 
 def _networks():
     """The IPv4 networks of this host's interfaces."""
-    found = []
+    networks = []
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
         for _, name in socket.if_nameindex():
             request = struct.pack("256s", name.encode()[:15])
@@ -101,19 +97,19 @@ def _networks():
                                  for number in (SIOCGIFADDR, SIOCGIFNETMASK)]
             except OSError:  # it has no such address, or this is no Linux
                 continue
-            found.append(ipaddress.ip_interface(f"{address}/{mask}").network)
-    return found
+            networks.append(ipaddress.ip_interface(f"{address}/{mask}").network)
+    return networks
 
 
 def _numeric(offered):
-    """The IP addresses of (host, port)s, where they can be looked up."""
-    found = []
+    """The IP addresses of (host, port)s that can be looked up."""
+    numeric = []
     for host in sorted({host for host, _ in offered if host}):
         try:
-            found += addresses.resolve(host)
+            numeric += addresses.resolve(host)
         except errors.Error:
             pass
-    return found
+    return numeric
 
 
 def _is_loopback(host):

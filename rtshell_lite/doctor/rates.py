@@ -1,4 +1,4 @@
-"""The rates that execution contexts keep, and those that they claim: a connection to an out port shows them."""
+"""The rates that execution contexts keep, against those that they claim: measured at an out port."""
 import collections
 import struct
 import time
@@ -19,8 +19,8 @@ DAY = 86400.0  # seconds
 class Watched:
     """A component that is Active in a running, periodic context."""
 
-    def __init__(self, each, rate, port):
-        self.each, self.rate, self.port = each, rate, port  # its snapshot.Snapshot, the Hz claimed, the port watched
+    def __init__(self, snapshot, rate, port):
+        self.snapshot, self.where, self.rate, self.port = snapshot, snapshot.where, rate, port  # Hz claimed, port watched
         self.reader = self.failure = None  # reading.Reader; the errors.Error why it could not be measured
         self.count, self.stamp = 0, None  # values seen; (when one came, in s, the timestamp in it) where they have any
         self.stamped = (datatypes.members(port.properties.get("dataport.data_type", "")) or [None])[0] == ("tm", "Time")
@@ -32,100 +32,101 @@ class Watched:
             self.stamp = (message.received / 1e9, seconds) if seconds else None
 
 
-def measured(all_of_them, seconds):
-    """Measure for `seconds` each component that can be: {path: [Finding]}.
+def measured(snapshots, seconds):
+    """Measure each component that can be, for `seconds`, several at a time: {path: [Finding]}.
 
-    As data/rates.py does, several at a time; no new batch begins when the timeout is over.
+    No new batch begins when the timeout is over.
     """
     found, waiting = {}, []
-    for each in all_of_them:
-        watched, why_not = _watchable(each)
+    for snapshot in snapshots:
+        watched, why_not = _watchable(snapshot)
         if watched:
             waiting.append(watched)
         elif why_not:
-            found[each.where] = [ok("rate", each.where, "rate not measured: " + why_not)]
+            found[snapshot.where] = [ok("rate", snapshot.where, "rate not measured: " + why_not)]
     begun = time.monotonic()
     while waiting:
         batch, waiting = _batch(waiting)
         if found and time.monotonic() - begun > lanes.session.timeout:
-            found.update((one.each.where, [_unmeasured(one.each, errors.Silent(one.each.where, lanes.NO_TIME))]) for one in batch)
+            found.update((watched.where, [_unmeasured(watched.where, errors.Silent(watched.where, lanes.NO_TIME))])
+                         for watched in batch)
             continue
-        found.update((one.each.where, [finding] + _clock(one)) for one, finding in zip(batch, _watch(batch, seconds)))
+        found.update((watched.where, [finding] + _clock(watched)) for watched, finding in zip(batch, _watch(batch, seconds)))
     return found
 
 
 def _batch(waiting):
     """The next components to be measured at once, and the rest."""
     taken, batch, rest = collections.Counter(), [], []
-    for one in waiting:
-        (batch if taken[one.each.node.endpoint] < TOGETHER else rest).append(one)
-        taken[one.each.node.endpoint] += 1
+    for watched in waiting:
+        (batch if taken[watched.snapshot.node.endpoint] < TOGETHER else rest).append(watched)
+        taken[watched.snapshot.node.endpoint] += 1
     return batch, rest
 
 
-def _watchable(each):
-    """(Watched, '') for a component whose rate can be seen from outside, else (None, why not, '' where that is reported)."""
-    running = [(context, state) for context, state in zip(each.contexts, each.states)
+def _watchable(snapshot):
+    """(Watched, '') for a component whose rate can be measured, else (None, why not; '' if that is reported elsewhere)."""
+    running = [(context, state) for context, state in zip(snapshot.contexts, snapshot.states)
                if context.running and context.kind == "Periodic" and context.rate > 0]
-    if each.error is not None or not running:
+    if snapshot.error is not None or not running:
         return None, ""
     active = [context for context, state in running if state == "Active"]
     if not active:
-        return None, f"it is {component.merged(each.states)}"
-    found = [port for port in each.ports if port.type == "DataOutPort"]
-    if not found:
+        return None, f"it is {component.merged(snapshot.states)}"
+    out_ports = [port for port in snapshot.ports if port.type == "DataOutPort"]
+    if not out_ports:
         return None, "it has no out port"
-    return Watched(each, active[0].rate, _smallest(found)), ""
+    return Watched(snapshot, active[0].rate, _smallest(out_ports)), ""
 
 
-def _smallest(found):
-    """Of out ports, the one whose values cost least to fetch, as far as the types show."""
-    return next((port for port in found if datatypes.has_fixed_size(port)), found[0])
+def _smallest(out_ports):
+    """The out port whose values cost least to fetch, as far as the types show."""
+    return next((port for port in out_ports if datatypes.has_fixed_size(port)), out_ports[0])
 
 
-def _unmeasured(each, e):
+def _unmeasured(where, e):
     if isinstance(e, errors.Silent) and e.why != lanes.NO_TIME:
-        return warn("rate", each.where, "rate not measured: " + reason(e), remedies.words("measure again", path=shell_word(each.where)))
-    return ok("rate", each.where, "rate not measured: " + reason(e))
+        return warn("rate", where, "rate not measured: " + reason(e), remedies.words("measure again", path=shell_word(where)))
+    return ok("rate", where, "rate not measured: " + reason(e))
 
 
 # ---- one batch ------------------------------------------------------------------------------------------------
 
 def _watch(batch, seconds):
     """A Finding for each Watched of a batch."""
-    for one in batch:
+    for watched in batch:
         try:
-            one.reader = reading.Reader(one.port, one.deliver, "pull", properties={
+            watched.reader = reading.Reader(watched.port, watched.deliver, "pull", properties={
                 "dataport.buffer.length": str(reading.QUEUE)})
         except errors.Error as e:
-            one.failure = e
-    with connection.Opened([one.reader for one in batch if one.reader]) as opened:
-        time.sleep(2 * reading.POLL)  # values from before may be there
+            watched.failure = e
+    with connection.Opened([watched.reader for watched in batch if watched.reader]) as opened:
+        time.sleep(2 * reading.POLL)  # older values may be there
         before = {reader: reader.count for reader in opened.connections}
         begun = time.monotonic()
         time.sleep(seconds)
         spent = time.monotonic() - begun
-        for one in batch:
-            if one.reader:
-                one.count, one.failure = one.reader.count - before[one.reader], one.reader.failure
-    return [_unmeasured(one.each, one.failure) if one.failure else _finding(one, spent) for one in batch]
+        for watched in batch:
+            if watched.reader:
+                watched.count, watched.failure = watched.reader.count - before[watched.reader], watched.reader.failure
+    return [_unmeasured(watched.where, watched.failure) if watched.failure else _finding(watched, spent) for watched in batch]
 
 
-def _clock(one):
-    """A Finding where the values of a Watched carry times of other days: nobody who compares times takes them for new."""
-    away = one.stamp and (one.stamp[1] - one.stamp[0]) / DAY
+def _clock(watched):
+    """A Finding if the values of a Watched carry times of other days: whatever compares times takes them for old."""
+    away = watched.stamp and (watched.stamp[1] - watched.stamp[0]) / DAY
     if not away or abs(away) < 1:
         return []
-    return [warn("clock", one.each.where, "the times in its values are %.1f days %s this host's clock" % (
-        abs(away), "behind" if away < 0 else "ahead of"), remedies.words("clock"))]
+    message = f"the times in its values are {abs(away):.1f} days {'behind' if away < 0 else 'ahead of'} this host's clock"
+    return [warn("clock", watched.where, message, remedies.words("clock"))]
 
 
-def _finding(one, spent):
-    where, name = one.each.where, printable(ports.short_name(one.port.name, one.each.node.path.names[-1].id))
-    if one.count < 2:
+def _finding(watched, spent):
+    where, name = watched.where, printable(ports.short_name(watched.port.name, watched.snapshot.node.path.names[-1].id))
+    if watched.count < 2:
         return ok("rate", where, "rate not measured: nothing is written to " + name)
-    kept = one.count / spent
-    if one.count + 1 >= ENOUGH * one.rate * spent:  # one more may have been on its way
-        return ok("rate", where, f"keeps {kept:.1f} of {one.rate:g} Hz (writes to {name})")
-    return warn("rate", where, f"keeps {kept:.1f} of {one.rate:g} Hz, or does not write to {name} in each cycle",
+    kept = watched.count / spent
+    if watched.count + 1 >= ENOUGH * watched.rate * spent:  # one more may have been on its way
+        return ok("rate", where, f"keeps {kept:.1f} of {watched.rate:g} Hz (writes to {name})")
+    return warn("rate", where, f"keeps {kept:.1f} of {watched.rate:g} Hz, or does not write to {name} in each cycle",
                 remedies.words("load"))

@@ -1,4 +1,4 @@
-"""Each name in a name server and the reference behind it: where it leads, whether it can be reached, whether it lives."""
+"""Each name in a name server and its reference: where it leads, whether it can be reached, whether its object lives."""
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.doctor import here, networks, remedies
@@ -14,13 +14,13 @@ def findings(visit):
             found += _unreachable(visit, node) or _not_what_it_says(node)
         elif node.alias is not None or node.foreign:
             found.append(alias(node))
-    return sorted(found + _stale_contexts(visit), key=lambda each: each.path)
+    return sorted(found + _stale_contexts(visit), key=lambda finding: finding.path)
 
 
 # ---- where it leads -------------------------------------------------------------------------------------------
 
 def _unreachable(visit, node):
-    """Why an object cannot be used from here, from the outside in: its address, TCP, its process, itself."""
+    """Why an object cannot be used from here, step by step: its address, TCP, its process, itself."""
     where = str(node.path)
     if isinstance(node.error, errors.Garbled):
         return [fail("reference", where, f"the name is bound to what must not be used: {reason(node.error)}",
@@ -30,65 +30,66 @@ def _unreachable(visit, node):
                      remedies.command("delete name", path=where))]
     offered = orb.addresses(node.ref)
     if not offered:
-        return []  # other transports: whether the object lives says all
-    told = published(node.ref)
+        return []  # of another transport
+    shown = published(node.ref)
     misled = networks.misled("reference", where, node.ref, visit.addresses, visit.outside)
     if misled:
         return [misled]
     if node.kind == "zombie":
-        return [_dead(visit, node, told)]
+        return [_dead(visit, node, shown)]
     if node.kind == "silent" or node.kind == "unknown" and _out_of_reach(visit, offered):
-        return [_silent(visit, node, offered, told)]
+        return [_silent(visit, node, offered, shown)]
     return _half_reachable(visit, where, offered)
 
 
-def _dead(visit, node, told):
+def _dead(visit, node, shown):
     where = str(node.path)
     if not networks.is_certain(node.ref, visit.addresses):
-        return fail("reference", where, "cannot tell from here whether it lives: %s is of another network than its name server, and "
-                    "who has that address here refuses" % told, remedies.network(node.endpoint))
+        message = f"cannot tell from here whether it lives: {shown} is of another network than its name server, and the host that " \
+                  "has that address here refuses"
+        return fail("reference", where, message, remedies.network(node.endpoint))
     if isinstance(node.error, errors.Gone):
-        message = f"dead (zombie): who listens at {told} now does not have it"
+        message = f"dead (zombie): what listens at {shown} now does not have it"
     else:
-        message = f"dead (zombie): nothing listens at {told}"
+        message = f"dead (zombie): nothing listens at {shown}"
     return fail("reference", where, message, remedies.command("delete zombie", path=where))
 
 
-def _silent(visit, node, offered, told):
+def _silent(visit, node, offered, shown):
     """An object that does not answer: because of its host, the network, its process, or itself."""
     where, rule = str(node.path), here.transport_rule()
     if _out_of_reach(visit, offered):
         failure = visit.probes[offered[0]]
         if isinstance(failure, errors.ConnectionRefused) and networks.is_certain(node.ref, visit.addresses):
-            return fail("reference", where, "dead: nothing listens at " + told, remedies.command("delete zombie", path=where))
+            return fail("reference", where, "dead: nothing listens at " + shown, remedies.command("delete zombie", path=where))
         apart = ", of another network than its name server" if networks.is_apart(node.ref, visit.addresses) else ""
-        return fail("reference", where, "cannot tell from here whether it lives: publishes %s%s, out of reach (%s)" % (
-            told, apart, reason(failure)), remedies.network(offered[0]))
+        message = f"cannot tell from here whether it lives: publishes {shown}{apart}, out of reach ({reason(failure)})"
+        return fail("reference", where, message, remedies.network(offered[0]))
     if rule and reason(node.error) == orb.NO_USABLE_ADDRESS:
-        return fail("reference", where, f"at {told}: TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
+        return fail("reference", where, f"at {shown}: TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
     if remedies.is_of_network(node.error, offered[0]):
         what = "TCP connects, but what is sent is not received" if isinstance(node.error, errors.Silent) else reason(node.error)
-        return fail("reference", where, f"cannot tell from here whether it lives: at {told}, {what}",
+        return fail("reference", where, f"cannot tell from here whether it lives: at {shown}, {what}",
                     remedies.network(offered[0]))
-    return fail("reference", where, f"hung: {told} accepts TCP, but {reason(node.error)}",
+    return fail("reference", where, f"hung: {shown} accepts TCP, but {reason(node.error)}",
                 remedies.of_silence(node.error, offered[0], where))
 
 
 def _out_of_reach(visit, offered):
-    return all(isinstance(visit.probes.get(each), errors.Error) for each in offered)
+    return all(isinstance(visit.probes.get(endpoint), errors.Error) for endpoint in offered)
 
 
 def _half_reachable(visit, where, offered):
-    """Of several addresses some may be out of reach; each caller tries them in turn and waits for the bad ones."""
-    bad = [each for each in offered if isinstance(visit.probes.get(each), errors.Error)]
-    return [warn("reference", where, "also publishes %s:%d, out of reach (%s)" % (
-        printable(each[0]), each[1], reason(visit.probes[each])), remedies.words("only good addresses")) for each in bad]
+    """Some of several addresses may be out of reach; each caller tries them in turn and waits for the bad ones."""
+    probes = [(host, port, visit.probes.get((host, port))) for host, port in offered]
+    return [warn("reference", where, f"also publishes {printable(host)}:{port}, out of reach ({reason(probe)})",
+                 remedies.words("only good addresses")) for host, port, probe in probes if isinstance(probe, errors.Error)]
 
 
 # ---- what it is -----------------------------------------------------------------------------------------------
 
 def _not_what_it_says(node):
-    """A name of kind rtc or mgr that belongs to an object of another kind: somebody else's; and other objects."""
+    """A name of kind rtc or mgr for an object of another kind: somebody else's; and objects of unknown kinds."""
     kind, expected = node.path.names[-1].kind, {"rtc": "component", "mgr": "manager"}
     what = printable(orb.address(node.ref).type_id) or node.what
     if kind not in expected and node.kind == "unknown":
@@ -102,39 +103,39 @@ def _not_what_it_says(node):
 # ---- contexts -------------------------------------------------------------------------------------------------
 
 def alias(node):
-    """The Finding on a naming context that has another name, or belongs to another name server: nothing of it is to be deleted."""
+    """The Finding on a naming context that has another name, or belongs to another name server: nothing in it is deleted."""
     if node.alias is not None:
         return ok("context", str(node.path), "an alias: the same directory as " + str(node.alias))
     place = "%s:%d" % node.endpoint
-    return ok("context", str(node.path), "an alias: a directory of the name server at %s, which is examined by: rtdoctor %s" % (
-        printable(place), shell_word(place)))
+    return ok("context", str(node.path), f"an alias: a directory of the name server at {printable(place)}, which is examined by: "
+              f"rtdoctor {shell_word(place)}")
 
 
 def _stale_contexts(visit):
-    """Naming contexts in which nothing is left, or only dead names; of those inside each other the outermost.
+    """Naming contexts that hold nothing, or only dead names; of those inside each other the outermost.
 
-    One that has several names, or in which one with another name is bound, is somebody's.
+    One that has several names, or holds one with another name, is in use.
     """
-    found, told, content = [], set(), _content(visit.nodes)
+    found, stale, content = [], set(), _content(visit.nodes)
     for node in visit.nodes:
         names = node.path.names
-        inside_told = any(names[:i] in told for i in range(len(names)))
-        if node.kind != "directory" or inside_told or not _is_forsaken(node, visit.shared):
+        is_inside = any(names[:i] in stale for i in range(len(names)))
+        if node.kind != "directory" or is_inside or not _is_forsaken(node, visit.shared):
             continue
         below = content.get(names, [])
-        if all(each.kind == "zombie" or each.kind == "directory" and _is_forsaken(each, visit.shared) for each in below):
-            told.add(names)
-            what = "only dead names are in it" if any(each.kind == "zombie" for each in below) else "empty"
+        if all(inner.kind == "zombie" or inner.kind == "directory" and _is_forsaken(inner, visit.shared) for inner in below):
+            stale.add(names)
+            what = "only dead names are in it" if any(inner.kind == "zombie" for inner in below) else "empty"
             found.append(warn("context", str(node.path), "stale: " + what, _emptied(node, below)))
     return found
 
 
 def _emptied(node, below):
-    """The Remedy for a stale naming context; each name goes by itself, the deepest first, so that nothing else can."""
-    if any(each.kind == "zombie" for each in below):
+    """The Remedy for a stale naming context: each name by itself, the deepest first, so that nothing else is deleted."""
+    if any(inner.kind == "zombie" for inner in below):
         return remedies.words("stale names", path=shell_word(str(node.path)))
-    return remedies.command("delete name", path=[str(each.path) for each in sorted(
-        below + [node], key=lambda each: -len(each.path.names))])
+    return remedies.command("delete name", path=[str(inner.path) for inner in sorted(
+        below + [node], key=lambda inner: -len(inner.path.names))])
 
 
 def _is_forsaken(node, shared):
@@ -143,7 +144,7 @@ def _is_forsaken(node, shared):
 
 
 def _content(nodes):
-    """All Nodes that are somewhere below each naming context, by the names of its path."""
+    """All Nodes below each naming context, by the names of its path."""
     content = {}
     for node in nodes:
         for size in range(1, len(node.path.names)):

@@ -1,8 +1,8 @@
-"""What rtdoctor says would mend something: all remedies, in one table, as each is tried by tests/commands/test_remedies.py.
+"""All remedies that rtdoctor names; tests/commands/test_remedies.py tries each.
 
 A remedy is a command, which can be pasted into a shell and followed blindly, or words, for a person to think about. Its first
-word says which: only commands begin with a program of ours, or with unset. A command mends what was found, and changes nothing
-but that; a name is deleted only where its object is dead for certain.
+word shows which: only commands begin with a program of ours, or with unset. A command mends what was found, and changes nothing
+else; a name is deleted only if its object is certainly dead.
 """
 import collections
 import re
@@ -12,7 +12,7 @@ from rtshell_lite.corba import lanes
 from rtshell_lite.doctor import addresses
 from rtshell_lite.text import printable, shell_word
 
-# {name} stands for a word of the shell, or several; one that is empty leaves no gap
+# {name} becomes a word of the shell, or several; an empty one leaves no gap
 COMMANDS = {
     "activate": "rtact {option} {path}",
     "deactivate": "rtdeact {option} {path}",
@@ -28,7 +28,7 @@ COMMANDS = {
     "unset": "unset {variable}",
 }
 
-# {name} stands for text
+# {name} becomes text
 WORDS = {
     # here
     "install omniORBpy": "apt install python3-omniorb, or: pip install 'rtshell_lite[omniorb]'",
@@ -45,7 +45,7 @@ WORDS = {
     "host name": "correct the name, or write its address into /etc/hosts",
     "host file": "write its address into /etc/hosts",
     "slow": "ping {host}",
-    "who listens": "netstat -ltnp | grep :{port} there names who listens; correct the address",
+    "who listens": "netstat -ltnp | grep :{port} there names what listens; correct the address",
     "another address": "give its process an address that others reach: corba.endpoints: {host}: in rtc.conf",
     "only good addresses": "have its process publish only addresses that others reach: corba.endpoints in rtc.conf",
     # name servers
@@ -56,9 +56,9 @@ WORDS = {
     "correct or restart": "correct the port, or restart it",
     "no such path": "see what is there: rtls {path}",
     "stale names": "when the dead names in it are deleted it is empty; then: rtdel {path}",
-    "bad reference": "find out who has bound it; its component, when it is restarted, binds a good one",
+    "bad reference": "find out what has bound it; its component binds a good one when it is restarted",
     "name of another": "see who uses this name; if nobody does: rtdel {path}",
-    "name taken": "restart who should have this name; if nobody should: rtdel {path}",
+    "name taken": "restart the component that should have this name; if none should: rtdel {path}",
     # components
     "more time": "ask it with more time: rtdoctor --timeout 30 {path}",
     "others first": "mend those first, then: rtdoctor {path}",
@@ -77,7 +77,7 @@ WORDS = {
     "restart manager": "restart it; rtls {path} marks what is gone",
     "restart slave": "restart that slave",
     "restart manager or slave": "restart it, or a slave that it waits for; netstat -ltnp | grep :{port} there names its process",
-    "hung below": "look which: rtls -l {path}",
+    "hung below": "see which: rtls -l {path}",
     # profiles
     "start component": "start it, or have its manager make it: rtresurrect --create {file}",
     "look at component": "look at it: rtcat {path}",
@@ -97,8 +97,8 @@ def command(name, **values):
         value = values[match.group(2)]
         if not isinstance(value, list):
             value = [value]
-        found = " ".join(each if isinstance(each, Line) else shell_word(str(each)) for each in value)
-        return match.group(1) + found if found else ""
+        text = " ".join(part if isinstance(part, Line) else shell_word(str(part)) for part in value)
+        return match.group(1) + text if text else ""
     return Remedy(name, re.sub(r"( ?)\{(\w+)\}", word, COMMANDS[name]))
 
 
@@ -120,15 +120,14 @@ def reconnect(connector_id, port, rtcon):
 
 
 def network(endpoint):
-    """The Remedy where it cannot be known from here whether a peer lives: nothing of it is to be restarted or deleted."""
+    """The Remedy if it cannot be known from here whether a peer lives: it must not be restarted or deleted."""
     return words("network", host=printable(endpoint[0]), port=endpoint[1])
 
 
 def of_silence(e, endpoint, path, restart=None):
     """The Remedy for an errors.Error of a process at `endpoint` that has not answered, or badly.
 
-    Only what is known to have reached the process and was left unanswered, or refused, is its own fault. `restart` is the
-    Remedy for that, by default to restart it.
+    Only if a call is known to have reached it is it to be restarted; `restart` is the Remedy then.
     """
     if e.why == lanes.NO_TIME:
         return words("more time", path=shell_word(path))
@@ -138,7 +137,7 @@ def of_silence(e, endpoint, path, restart=None):
 
 
 def is_of_network(e, endpoint):
-    """True where an errors.Error may have been made by what is between here and the process at `endpoint`."""
+    """True if the network between here and the process at `endpoint` may have caused an errors.Error."""
     if isinstance(e, (errors.Refused, errors.Gone, errors.ConnectionRefused)):
         return False
     return not isinstance(e, errors.Silent) or e.why != lanes.NO_TIME and not addresses.arrives(endpoint)

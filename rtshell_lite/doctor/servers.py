@@ -1,4 +1,4 @@
-"""Each name server, step by step: name, TCP, CORBA, naming context; then the names in it and who of them lives."""
+"""Each name server, step by step: name, TCP, CORBA, naming context; then the names in it and whether their objects live."""
 import collections
 import time
 
@@ -13,10 +13,9 @@ SLOW = 1.0  # seconds: a step that takes longer makes every command slow
 
 _NAMING_CONTEXT = "IDL:omg.org/CosNaming/NamingContext:1.0"
 
-# What became of one name server: `path` its Path, `addresses` where it is ([] where that is not known), `findings`, `nodes`
-# what is bound in it (looked at), `probes` a dict: endpoint to None, or to the errors.Error why TCP does not reach it; `shared`
-# an aliases.Known of the naming contexts that have several names in it, `outside` an address that is bound in it and means not
-# only this host, or ''.
+# What was found of one name server: `path` its Path, `addresses` where it is ([] if not known), `findings`, `nodes` what is
+# bound in it (looked at), `probes` a dict: endpoint to None, or to the errors.Error why TCP does not reach it; `shared` an
+# aliases.Known of the naming contexts that have several names in it, `outside` see `networks.outside`.
 Visit = collections.namedtuple("Visit", "path addresses findings nodes probes shared outside")
 
 
@@ -26,12 +25,12 @@ def visits(tops):
     for top in sorted(tops, key=str):
         by_server.setdefault(top.server, []).append(top)
     places = [path.Path(server, (), None, False) for server in by_server]
-    found = tree.at_each(places, lambda place: _visit(place, by_server[place.server]))
-    return [_too_late(place, visit) if isinstance(visit, errors.Error) else visit for place, visit in zip(places, found)]
+    answers = tree.at_each(places, lambda place: _visit(place, by_server[place.server]))
+    return [_too_late(place, visit) if isinstance(visit, errors.Error) else visit for place, visit in zip(places, answers)]
 
 
 def _too_late(place, e, findings=()):
-    """The Visit to a name server that there was no time for, or not for all that is bound in it."""
+    """The Visit to a name server for which, or for whose names, there was not enough time."""
     where = str(place)
     late = fail("name server", where, reason(e), remedies.words("more time", path=shell_word(where)))
     return Visit(place, [], list(findings) + [late], [], {}, aliases.Known(), "")
@@ -59,7 +58,7 @@ def _visit(place, tops):
 # ---- the name server itself -----------------------------------------------------------------------------------
 
 def _reach(visit, server):
-    """Go towards a name server step by step; False when one fails. Adds what it finds."""
+    """Reach a name server step by step; False when a step fails. Adds its findings."""
     where, times = str(server.path), []
     try:
         _transport(visit, server.endpoint, times)
@@ -68,13 +67,13 @@ def _reach(visit, server):
     except _Stop as stop:
         visit.findings.append(stop.finding)
         return False
-    told = ", ".join(f"{name} {1000 * seconds:.1f} ms" for name, seconds in times)
+    shown = ", ".join(f"{name} {1000 * seconds:.1f} ms" for name, seconds in times)
     slow = [name for name, seconds in times if seconds > SLOW]
     if slow:
         cure = remedies.words("host file" if slow == ["name"] else "slow", host=printable(server.endpoint[0]))
-        visit.findings.append(warn("name server", where, f"slow ({told})", cure))
+        visit.findings.append(warn("name server", where, f"slow ({shown})", cure))
     else:
-        visit.findings.append(ok("name server", where, f"answers ({told})"))
+        visit.findings.append(ok("name server", where, f"answers ({shown})"))
     return True
 
 
@@ -108,10 +107,10 @@ def _transport(visit, endpoint, times):
     try:
         _timed(times, "TCP", lambda: addresses.connect(visit.addresses, port))
     except errors.ConnectionRefused:
-        raise _Stop(where, "connection refused: %s runs, but nothing listens on port %d" % (shown, port),
+        raise _Stop(where, f"connection refused: {shown} runs, but nothing listens on port {port}",
                     remedies.words("start name server", port=port))
     except errors.Error as e:
-        raise _Stop(where, "no TCP connection to %s port %d (%s)" % (visit.addresses[0], port, reason(e)),
+        raise _Stop(where, f"no TCP connection to {visit.addresses[0]} port {port} ({reason(e)})",
                     remedies.network(endpoint))
 
 
@@ -131,8 +130,8 @@ def _is_there(where, ref):
             raise _Stop(where, f"TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
         if reason(e).startswith("garbled"):
             raise _Stop(where, f"what listens there does not speak CORBA ({reason(e)})", remedies.words("who listens", port=port))
-        raise _Stop(where, "cannot tell from here: TCP connects, then %s; who listens there does not speak CORBA, or the network "
-                    "is broken" % reason(e), remedies.network(endpoint))
+        raise _Stop(where, f"cannot tell from here: TCP connects, then {reason(e)}; what listens there does not speak CORBA, or the "
+                    "network is broken", remedies.network(endpoint))
     except errors.Refused as e:
         raise _Stop(where, f"answers with {reason(e)}", remedies.words("restart", port=port))
     if gone:
@@ -142,11 +141,11 @@ def _is_there(where, ref):
 
 def _is_context(where, ref):
     try:
-        found = orb.call(where, ref, "_is_a", _NAMING_CONTEXT)
+        is_context = orb.call(where, ref, "_is_a", _NAMING_CONTEXT)
     except errors.Error as e:
-        raise _Stop(where, f"is there, but does not say what it is ({reason(e)})",
+        raise _Stop(where, f"is there, but does not report what it is ({reason(e)})",
                     remedies.of_silence(e, orb.endpoint(ref), where))
-    if not found:
+    if not is_context:
         raise _Stop(where, "its object NameService is no naming context", remedies.words("correct or restart"))
 
 
@@ -175,7 +174,7 @@ def _list_again(node):
 
 
 def _share(visit, tops):
-    """Note the naming contexts with several names; of a part of a name server, the other names may be anywhere in it."""
+    """Note the naming contexts with several names, which may be outside the part of the name server that is examined."""
     nodes = visit.nodes
     if any(top.names for top in tops) and any(node.kind == "directory" for node in nodes):
         nodes = tree.walk(tree.resolve(visit.path), managers=False)
@@ -198,8 +197,8 @@ def _leads_away(top):
 
 
 def _probes(nodes):
-    """Which of the addresses that references publish are reached by TCP from here: a connection to each, closed again."""
-    wanted = sorted({each for node in nodes if node.ref is not None and node.kind not in ("server", "directory")
-                     for each in orb.addresses(node.ref) if each[0] and each[1]})
+    """{(host, port): None, or the errors.Error} of a TCP connection to each address that references publish."""
+    wanted = sorted({endpoint for node in nodes if node.ref is not None and node.kind not in ("server", "directory")
+                     for endpoint in orb.addresses(node.ref) if endpoint[0] and endpoint[1]})
     answers = lanes.each(wanted, addresses.probe, lambda address: (("probe",) + address, "%s:%d" % address))
     return dict(zip(wanted, answers))

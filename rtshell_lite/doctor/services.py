@@ -1,24 +1,25 @@
-"""Service connections: whether each consumer in them finds a provider. Components connect anything, and say RTC_OK."""
+"""Service connections: whether each consumer in them finds a provider. Components connect anything, and return RTC_OK."""
 from rtshell_lite.robot import ports
 from rtshell_lite.text import printable
 
-NOBODY = ("null", "nil")  # what a mapping says that leaves a consumer without a provider on purpose
+NOBODY = ("null", "nil")  # maps a consumer to no provider, on purpose
 
 
-def mismatches(found, properties):
-    """Why a connection of the service Ports `found` is of no use: a list of reasons, empty when each consumer is served.
+def mismatches(ends, properties):
+    """Why a connection of the service Ports `ends` is of no use: a list of reasons, empty when each consumer is served.
 
     `properties` are those of the connection, a dict: in them the consumers look for what providers have published
-    (protocol.md 10). A consumer that another connection of its port serves is well. Ports that list no interfaces say nothing.
+    (protocol.md 10). Another connection of its port may serve a consumer. Nothing is known of ports that list no interfaces.
     """
-    if not all(each.interfaces for each in found):
+    if not all(port.interfaces for port in ends):
         return []
-    wanting = [(each, one) for each in found for one in each.interfaces if one.polarity == "Required"]
+    wanting = [(port, interface) for port in ends for interface in port.interfaces if interface.polarity == "Required"]
     if not wanting:
         return ["each end provides something, and none requires anything"]
-    return ["nobody in it provides interface %s (%s), which %s requires" % (
-        printable(one.instance_name), printable(one.type_name), ports.label(each)) for each, one in wanting
-        if not _served(one, properties) and not any(_served(one, dict(other.properties)) for other in each.connectors)]
+    return [f"nobody in it provides interface {printable(interface.instance_name)} ({printable(interface.type_name)}), which "
+            f"{ports.label(port)} requires" for port, interface in wanting
+            if not _served(interface, properties)
+            and not any(_served(interface, dict(connector.properties)) for connector in port.connectors)]
 
 
 def _served(interface, properties):

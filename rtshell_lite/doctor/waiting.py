@@ -1,6 +1,6 @@
 """What a component that hangs waits for: the far end of one of its connections, found through the connections of its process.
 
-Its ports cannot be asked, as it is they that wait. On this host the kernel knows to whom its process has a TCP connection.
+Its ports cannot be asked, as they wait. On this host the kernel knows the TCP connections of its process.
 """
 import glob
 import ipaddress
@@ -16,19 +16,20 @@ TABLES = ("/proc/net/tcp", "/proc/net/tcp6")
 READINGS = 3  # the kernel gives a table in pieces, and a row can slip through while sockets come and go
 
 
-def culprits(each, hung):
-    """(paths of those Nodes `hung` that the snapshot.Snapshot `each` waits for, whether that is known, and not only possible).
+def culprits(snapshot, hung):
+    """(paths of those Nodes `hung` that the component of a Snapshot waits for, whether that is certain).
 
-    It waits for one that its process calls. Where its connections are hidden, it may be any; of several Nodes of one process the
+    It waits for one that its process calls. If its connections are hidden, it may be any; of several Nodes of one process the
     first is named.
     """
     others = {}
     for node in hung:
-        if node.endpoint != each.node.endpoint:
+        if node.endpoint != snapshot.node.endpoint:
             others.setdefault(node.endpoint, str(node.path))
-    own = _sockets(each.node.endpoint) if others else set()
+    numeric = {endpoint: _numeric(endpoint) for endpoint in others}  # the rest takes long: there may be no time to ask afterwards
+    own = _sockets(snapshot.node.endpoint) if others else set()
     called = _called_by(own)
-    return sorted(path for endpoint, path in others.items() if not own or _numeric(endpoint) & called), bool(own)
+    return sorted(path for endpoint, path in others.items() if not own or numeric[endpoint] & called), bool(own)
 
 
 def _numeric(endpoint):
@@ -45,27 +46,27 @@ def _called_by(own):
 
 
 def _sockets(endpoint):
-    """Inodes of all sockets of the process that listens at an endpoint of this host; none where that is hidden from us."""
+    """Inodes of all sockets of the process that listens at an endpoint of this host; none if that is hidden from us."""
     if not any(addresses.is_own(str(address)) for address, _ in _numeric(endpoint)):
         return set()
     listening = {inode for local, _, state, inode in _table() if state == LISTENING and local[1] == endpoint[1]}
     for process in glob.glob("/proc/[0-9]*"):
-        found = _inodes(process)
-        if found & listening:
-            return found
+        inodes = _inodes(process)
+        if inodes & listening:
+            return inodes
     return set()
 
 
 def _inodes(process):
-    found = set()
+    inodes = set()
     for path in glob.glob(process + "/fd/*"):
         try:
             match = re.match(r"socket:\[(\d+)\]", os.readlink(path))
         except OSError:
             continue
         if match:
-            found.add(match.group(1))
-    return found
+            inodes.add(match.group(1))
+    return inodes
 
 
 def _table():

@@ -1,1 +1,1 @@
-"""Following components: observers that they call, and asking them again where they call nobody."""
+"""Following components: observers that they call, or polling."""

@@ -1,4 +1,4 @@
-"""Being informed of what happens to a component: observers of both kinds and loggers, SDO services that we attach to it.
+"""Observers of both kinds and loggers: SDO services that we attach to a component, which reports to them.
 
 Sources: OpenRTM-aist's ComponentObserver.idl, Logger.idl, and that of FSM4RTC; the hints are those that C++ and Python send.
 """
@@ -17,21 +17,21 @@ FSM_OBSERVER = "IDL:omg.org/RTC/ComponentObserver:1.0"
 LOGGER = "IDL:OpenRTM/Logger:1.0"
 BEAT = 1.0  # seconds between the heartbeats that we ask for
 
-# What has happened, and when (seconds since 1970) we heard of it. `kind` is one of KINDS; `subject` is a context handle, a
-# port, a configuration set or parameter, or what an event of a state machine is about; `event` says what befell it.
+# What has happened, and when (seconds since 1970) it was reported. `kind` is one of KINDS; `subject` is a context handle, a port,
+# a configuration set or parameter, or what an event of a state machine is about; `event` what happened to it.
 Event = collections.namedtuple("Event", "time kind subject event")
 # A record of a component's log: `time` is the component's own, `level` one of LEVELS.
 Record = collections.namedtuple("Record", "time logger level message")
 
 LEVELS = ("SILENT", "ERROR", "WARN", "INFO", "NORMAL", "DEBUG", "TRACE", "VERBOSE", "PARANOID")  # by number
-# Kinds of events by the names that rtwatch has for them, and the kinds of status that components know them by.
+# Kinds of events: their names in rtwatch, and the kinds of status in components.
 KINDS = collections.OrderedDict([
     ("RTC_STATUS", ("RTC_STATUS",)), ("COMPONENT_PROFILE", ("COMPONENT_PROFILE",)), ("EC_EVENT", ("EC_STATUS",)),
     ("PORT_EVENT", ("PORT_PROFILE",)), ("CONFIG_EVENT", ("CONFIGURATION",)),
     ("FSM_EVENT", ("FSM_PROFILE", "FSM_STATUS", "FSM_STRUCTURE", "USER_DEFINED")),
     ("HEARTBEAT", ("HEARTBEAT", "RTC_HEARTBEAT", "EC_HEARTBEAT"))])
 _KIND_OF = {status: kind for kind, all_of_it in KINDS.items() for status in all_of_it}
-# What an event is called where that is not the word in the hint with the prefix of its kind before it.
+# Names of events that are not the prefix of their kind and the word in the hint.
 _WORDS = {"UPDATE_CONFIG_SET": "CFG_UPDATE_SET", "UPDATE_CONFIG_PARAM": "CFG_UPDATE_PARAM", "SET_CONFIG_SET": "CFG_SET_SET",
           "ADD_CONFIG_SET": "CFG_ADD_SET", "REMOVE_CONFIG_SET": "CFG_REMOVE_SET", "ACTIVATE_CONFIG_SET": "CFG_ACTIVATE_SET"}
 _PREFIXES = {"EC_EVENT": "EC_", "PORT_EVENT": "PORT_"}
@@ -45,13 +45,12 @@ def properties(node):
 
 
 def taken(properties):
-    """The interface types of the SDO services that a component with these properties takes, a list.
+    """The interface types of the SDO services that a component with these properties takes, a list; [] before OpenRTM 1.1.
 
-    It is never offered another: the wrong kind of observer has ended components of C++ 2.1. Components from before 1.1 say
-    nothing.
+    It is never offered others: the wrong kind of observer has ended components of C++ 2.1.
     """
-    told = properties.get("sdo.service.consumer.available_services", "")
-    return [each.strip() for each in told.split(",") if each.strip()]
+    listed = properties.get("sdo.service.consumer.available_services", "")
+    return [interface.strip() for interface in listed.split(",") if interface.strip()]
 
 
 class Subscription:
@@ -65,14 +64,14 @@ class Subscription:
         self.id = str(uuid.uuid4())
         self._served = None
         self._servant = _servant(interface, heard)
-        self._lock = threading.Lock()  # a component must not get what detaches it before what attaches it
-        self._over = False
+        self._lock = threading.Lock()  # it must not be detached before it is attached
+        self._detached = False
         self._configuration = None
 
     def attach(self):
-        """Give it to the component, once more with the same id if it may have lost it. Raises Refused, Unreachable."""
+        """Give it to the component, again with the same id if that may have lost it. Raises Refused, Unreachable."""
         with self._lock:
-            if self._over:
+            if self._detached:
                 return
             if self._configuration is None:
                 self._configuration = self.node.call("get_configuration")
@@ -87,26 +86,26 @@ class Subscription:
         return stubs.named("component.SDOPackage.ServiceProfile")(self.id, self.interface, orb.nvlist(self.properties), ref)
 
     def detach(self):
-        """Let the component forget it, whatever became of `attach`. Raises Unreachable."""
-        self._over = True
+        """Make the component forget it, even if `attach` failed. Raises Unreachable."""
+        self._detached = True
         with self._lock:
             if self._configuration is not None:
                 orb.call(self.where, self._configuration, "remove_service_profile", self.id)
 
     def forget(self):
-        """The component is gone: there is nothing to take back."""
-        self._over, self._configuration = True, None
+        """The component is gone: nothing is to be detached."""
+        self._detached, self._configuration = True, None
 
     @property
     def address(self):
-        """Where the component calls us, HOST:PORT; '' before it was attached."""
+        """Where the component calls us, HOST:PORT; '' before `attach`."""
         if self._served is None:
             return ""
         return "%s:%d" % orb.endpoint(orb.from_text(self.where, self._served.ior(self.node.endpoint)))
 
 
 def observer(node, interface, kinds, heard):
-    """A Subscription of an observer of the kind `interface` that is told of `kinds` (of KINDS), and of the component's end."""
+    """A Subscription of an observer of the kind `interface` to events of these `kinds` (of KINDS), and to the component's end."""
     if len(kinds) == len(KINDS):
         wanted = "ALL"
     else:
@@ -120,7 +119,7 @@ def observer(node, interface, kinds, heard):
 
 
 def logger(node, level, names, heard):
-    """A Subscription of a logger that is told records up to `level`, from the sources `names` (none: from all)."""
+    """A Subscription of a logger to records up to `level`, from the sources `names` (none: from all)."""
     return Subscription(node, LOGGER, [("logger.log_level", level), ("logger.filter", ",".join(names) or "ALL")], heard)
 
 
@@ -139,7 +138,7 @@ def _servant(interface, heard):
                          from_wire(record.message)))
 
         def close(self):
-            pass  # whether it ends is found out otherwise
+            pass  # its end is noticed otherwise
 
     return Listener()
 
@@ -147,7 +146,7 @@ def _servant(interface, heard):
 # ---- hints ----------------------------------------------------------------------------------------------------
 
 def event(now, status, hint):
-    """The Event behind the arguments of update_status: the name of a StatusKind and its hint."""
+    """The Event for the arguments of update_status: the name of a StatusKind and its hint."""
     kind = _KIND_OF.get(status, status)
     if kind == "HEARTBEAT":
         return Event(now, kind, "", status)

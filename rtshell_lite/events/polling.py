@@ -1,7 +1,7 @@
-"""What happens to a component that reports to nobody, as far as asking again and again shows it: states, contexts, configuration.
+"""Events of a component that takes no observer, as far as polling shows them: states, contexts, configuration.
 
-Only questions are asked that change nothing and that a component answers at once: no profiles, for these make it check all
-its connections, and so connections are not watched.
+Only questions are asked that change nothing and that a component answers at once: no profiles, as these make it check all its
+connections; so connections are not watched.
 """
 import time
 
@@ -12,7 +12,7 @@ from rtshell_lite.robot import snapshot
 from rtshell_lite.text import from_wire
 
 THOROUGH = 1.0  # seconds between looks at what changes less often than states
-SEEN = {"RTC_STATUS", "EC_EVENT", "CONFIG_EVENT"}  # the kinds of events that can be seen
+SEEN = {"RTC_STATUS", "EC_EVENT", "CONFIG_EVENT"}  # the kinds of events that polling shows
 
 
 class _Seen:
@@ -24,7 +24,7 @@ class _Seen:
 
 
 class Poll:
-    """What was last seen of a component; made with a first look, on a lane. Raises what remote calls raise."""
+    """What was last seen of a component; created on a lane, with a first look. Raises what remote calls raise."""
 
     def __init__(self, node, kinds):
         self.node, self.where, self.kinds = node, str(node.path), set(kinds)
@@ -36,17 +36,17 @@ class Poll:
     def look(self):
         """The Events since the last look: one call a context, and once a second a few more."""
         first, now = self._thorough is None, time.monotonic()
-        found = []
+        news = []
         if first or now - self._thorough >= THOROUGH:
             self._thorough = now
             orb.is_alive(self.where, self.node.ref)
             if self.kinds & {"RTC_STATUS", "EC_EVENT"}:
-                found += self._contexts()
+                news += self._contexts()
             if "CONFIG_EVENT" in self.kinds:
-                found += self._configuration()
+                news += self._configuration()
         if "RTC_STATUS" in self.kinds:
-            found += self._states()
-        return [] if first else [Event(time.time(), *each) for each in found if each[0] in self.kinds]
+            news += self._states()
+        return [] if first else [Event(time.time(), *item) for item in news if item[0] in self.kinds]
 
     def _contexts(self):
         detail = snapshot.RUNNING if "EC_EVENT" in self.kinds else snapshot.REFERENCES
@@ -65,7 +65,7 @@ class Poll:
     def _states(self):
         self.snapshot.ask(states=snapshot.FULL)
         for seen, state in zip(self.seen, self.snapshot.states):
-            if seen.state not in (None, state) and state != "Created":  # so says a context that it has just left
+            if seen.state not in (None, state) and state != "Created":  # a context that it has just left answers that
                 yield "RTC_STATUS", seen.handle, state.upper()
             seen.state = state
 
@@ -88,8 +88,8 @@ class Poll:
 
 
 def _run_events(seen, context):
-    """What has changed of a _Seen, which is brought up to date; nothing is known of a context that does not answer."""
-    if context.running is None:
+    """What has changed since a _Seen, which is updated."""
+    if context.running is None:  # it does not answer
         return
     before, (seen.running, seen.rate) = (seen.running, seen.rate), (context.running, context.rate)
     if None in before:

@@ -1,4 +1,4 @@
-"""Following components for as long as one likes: what they report, whether they live, when they come back."""
+"""Watching components: what they report, whether they live, when they come back."""
 import collections
 import threading
 import time
@@ -10,14 +10,14 @@ from rtshell_lite.events.observer import BEAT, Event
 from rtshell_lite.robot import component, tree
 
 LATE = 1.5 * BEAT  # after so many seconds without a heartbeat a component is asked whether it lives
-LOST = 3 * BEAT  # and after these its heart has stopped
-LOOK = 1.0  # seconds between questions whether a component lives, or is there again
+LOST = 3 * BEAT  # after these a missing heartbeat is reported
+LOOK = 1.0  # seconds between questions whether a component lives, or is back
 RATE = 1 / component.POLL  # Hz
 TICK = 0.1
-MOST = 100000  # what may wait to be printed
-HURRY = 0.1  # seconds that answers get after Ctrl-C: C++ 2.1 removes an observer at once, but answers after a heartbeat, 1 s
+MOST = 100000  # items that may wait to be printed
+HURRY = 0.1  # seconds to wait for answers after Ctrl-C: C++ 2.1 removes an observer at once, but answers after a heartbeat, 1 s
 
-LIFE = "LIFE_EVENT"  # the kind of Events that we find out ourselves: DIED EXITED BACK NO_HEARTBEAT NO_ANSWER ANSWERS
+LIFE = "LIFE_EVENT"  # the kind of our own Events: DIED EXITED BACK NO_HEARTBEAT NO_ANSWER ANSWERS
 KINDS = list(observer.KINDS) + [LIFE]
 
 
@@ -28,7 +28,7 @@ class Events:
         self.kinds = set(kinds)
 
     def subscription(self, node, heard):
-        """The observer to attach to a component, of the first kind that it takes; None for one that takes none."""
+        """The observer to attach to a component, of the first kind that it takes, or None."""
         kinds = [observer.OBSERVER, observer.FSM_OBSERVER]
         if self.kinds - {LIFE, "HEARTBEAT"} == {"FSM_EVENT"}:  # else OpenRTM's own, which more components were built for
             kinds.reverse()
@@ -39,7 +39,7 @@ class Events:
         return None
 
     def poll(self, node):
-        """Begin to poll a component. Raises Refused when that would show nothing of what is wanted."""
+        """Begin to poll a component. Raises Refused if that shows none of the wanted events."""
         if not self.kinds & (polling.SEEN | {LIFE}):
             wanted = ", ".join(sorted(self.kinds))
             raise errors.Refused(str(node.path), f"offers no observer, and polling does not show {wanted}")
@@ -60,7 +60,7 @@ class Records:
         if observer.LOGGER not in observer.taken(properties):
             raise errors.Refused(str(node.path), "takes no loggers")
         subscription = observer.logger(node, self.level, self.names, heard)
-        if properties.get("language") == "C++":  # LoggerConsumer of 2.1 has no code that would
+        if properties.get("language") == "C++":  # LoggerConsumer of 2.1 lacks the code
             subscription.remark = "takes a logger, but components of C++ (up to 2.1) write nothing to it"
         return subscription
 
@@ -70,17 +70,17 @@ class Watched:
 
     def __init__(self, watch, path):
         self.watch, self.path, self.where = watch, path, str(path)
-        self.name = str(path.names[-1])  # how a line calls it; its path where two have the same
+        self.name = str(path.names[-1])  # in lines; its path if two have the same
         self.node = self.subscription = self.poll = self.heard = None
         self.since = self.looked = time.monotonic()
         self.ending = False  # it has announced that it will exit
         self.attached_again = False
-        self.reported_silence = None  # what was reported of its silence
+        self.reported_silence = None  # NO_ANSWER or NO_HEARTBEAT
         self.doubtful = False  # its last answer was lost
         self.given_up = False
 
     def begin(self, node):
-        """Start to watch, on a lane. Raises Refused, Unreachable; what was attached is detached when the watch ends."""
+        """Start to watch, on a lane. Raises Refused, Unreachable; the watch detaches it when it ends."""
         self.heard, self.ending, self.attached_again, self.reported_silence, self.poll = None, False, False, None, None
         self.subscription = self.watch.what.subscription(node, self.hear)
         if self.subscription is not None and self.watch.remember(self.subscription):
@@ -94,7 +94,7 @@ class Watched:
         self.node = node
 
     def hear(self, item):
-        """What it reports, on a thread of the ORB."""
+        """Take what it reports, on a thread of the ORB."""
         self.heard = time.monotonic()
         if isinstance(item, Event) and item.event == "FINALIZE":
             self.ending = True
@@ -103,7 +103,7 @@ class Watched:
     # ---- a look at it, five times a second, on the thread of its process ----
 
     def look(self):
-        """See what it does not report itself."""
+        """Look for what it does not report itself."""
         now = time.monotonic()
         try:
             if self.node is None:
@@ -112,8 +112,8 @@ class Watched:
                     self._return()
                 return
             if self.poll is not None:
-                for each in self.poll.look():
-                    self.watch.put(self, each)
+                for item in self.poll.look():
+                    self.watch.put(self, item)
             elif self._in_doubt(now):
                 self.looked = now
                 orb.is_alive(self.where, self.node.ref)
@@ -121,28 +121,28 @@ class Watched:
         except (errors.Gone, errors.ConnectionRefused) as e:
             self._gone(e)
         except errors.Unreachable as e:
-            if isinstance(e, errors.Silent) or self.doubtful:  # a process that ends loses its connections first
+            if isinstance(e, errors.Silent) or self.doubtful:  # a process that ends drops its connections first
                 self._silent("NO_ANSWER", e.why)
             self.doubtful = True
         except errors.Refused:
             pass  # it lives; there will be another look
 
     def _in_doubt(self, now):
-        """Is it time to ask whether it lives? While its heart beats it is left alone; a logger's component has none."""
+        """Whether it is time to ask if it lives: not while it sends heartbeats, which only observers get."""
         if self.ending:
             return True
         beats = self.subscription.interface != observer.LOGGER and now - max(self.heard or 0, self.since) < LATE
         return not beats and now - self.looked >= LOOK
 
     def is_heard(self):
-        """True when it has called us a moment ago, or was given an observer."""
+        """Whether it has called us recently, or recently got an observer."""
         return self.reported_silence is None and time.monotonic() - max(self.heard or 0, self.since) < LATE
 
     def _answers(self, now):
-        """It lives: so much is known. Is it heard, too?"""
+        """Note that it lives, and see whether it calls us, too."""
         self.doubtful = False
         if self.reported_silence == "NO_ANSWER" or self.reported_silence and now - (self.heard or 0) < LATE:
-            self._tell("ANSWERS")
+            self._report("ANSWERS")
             self.since, self.reported_silence = now, None
         beats = self.subscription is not None and self.subscription.interface != observer.LOGGER
         if beats and now - max(self.heard or 0, self.since) >= LOST:
@@ -150,7 +150,7 @@ class Watched:
             self._unheard()
 
     def _unheard(self):
-        """It lives, but does not call us, any more or at all. It may have lost the observer after a call that failed."""
+        """Attach the observer again, as a live component may have lost it after a failed call; poll where that does not help."""
         if self.heard is not None and not self.attached_again:
             self.attached_again, self.since = True, time.monotonic()
             self.subscription.attach()
@@ -163,7 +163,7 @@ class Watched:
     def _silent(self, word, why):
         if self.reported_silence != word:
             self.reported_silence = word
-            self._tell(word)
+            self._report(word)
             self.watch.note(self, why)
 
     def _gone(self, error):
@@ -178,22 +178,22 @@ class Watched:
         if self.subscription is not None:
             self.subscription.forget()
         self.node = self.subscription = self.poll = None
-        self._tell("EXITED" if exited else "DIED")
+        self._report("EXITED" if exited else "DIED")
 
     def _return(self):
-        """Look whether it is there again."""
+        """Check whether it is back."""
         try:
             node, = tree.look([tree.component(self.path)])
             if node.kind == "component":
                 self.begin(node)
-                self._tell("BACK")
+                self._report("BACK")
         except errors.Refused as e:
             self.given_up = True
             self.watch.note(self, f"is back, but {e.why}")
         except errors.Error:
             pass  # not yet
 
-    def _tell(self, word):
+    def _report(self, word):
         self.watch.put(self, Event(time.time(), LIFE, "", word))
 
 
@@ -201,7 +201,7 @@ class Watch:
     """Several components that are being watched; to be closed, whatever happens."""
 
     def __init__(self, what, note):
-        """`what`: Events or Records. `note` is called with lines about what is no event, on any thread."""
+        """`what`: Events or Records. `note` is called with lines about anything but events, on any thread."""
         self.what, self._note = what, note
         self.watched, self._subscriptions = [], []
         self._items = interrupts.Mailbox(MOST)
@@ -215,36 +215,36 @@ class Watch:
             watched = Watched(self, node.path)
             watched.begin(node)
             return watched
-        found = tree.on_components(paths, begin)
-        self.watched = [each for each in found if isinstance(each, Watched)]
-        names = [each.name for each in self.watched]
-        for each in self.watched:
-            if names.count(each.name) > 1:
-                each.name = each.where
+        results = tree.on_components(paths, begin)
+        self.watched = [watched for watched in results if isinstance(watched, Watched)]
+        names = [watched.name for watched in self.watched]
+        for watched in self.watched:
+            if names.count(watched.name) > 1:
+                watched.name = watched.where
         processes = collections.OrderedDict()
-        for each in self.watched:
-            processes.setdefault(each.node.endpoint, []).append(each)
+        for watched in self.watched:
+            processes.setdefault(watched.node.endpoint, []).append(watched)
         for endpoint, group in processes.items():
             lanes.start(self._look_after, endpoint, group)
-        return found
+        return results
 
     def _look_after(self, endpoint, group):
-        """Look at the components of one process, one call at a time, for as long as the watch lasts."""
+        """Look at the components of one process, one call at a time, until the watch ends."""
         lanes.become_lane(endpoint)
         while not self._ended.wait(component.POLL):
-            for each in group:
-                if not each.given_up:
-                    each.look()
+            for watched in group:
+                if not watched.given_up:
+                    watched.look()
 
     def remember(self, subscription):
-        """Remember what has to be taken back; False when it is too late to attach anything."""
+        """Remember what has to be detached; False when it is too late to attach anything."""
         with self._guard:
             if not self._ended.is_set():
                 self._subscriptions.append(subscription)
             return not self._ended.is_set()
 
     def put(self, watched, item):
-        """Something has happened, known on any thread. Never waits: what nobody reads is dropped and counted."""
+        """Add an Event or a Record, from any thread. Never waits: what nobody reads is dropped and counted."""
         if isinstance(item, Event) and item.kind not in self.what.kinds and not self._unknown(item):
             if item.kind == LIFE and item.event in ("DIED", "EXITED", "BACK", "ANSWERS"):
                 self.note(watched, {"DIED": "its process is gone", "BACK": "is back", "EXITED": "has exited",
@@ -262,7 +262,7 @@ class Watch:
     def follow(self, number, seconds, idle):
         """Yield (Watched, Event or Record) as they come: `number` of them (below 0: without end), for so many seconds.
 
-        `idle` is called a few times a second. Raises Failed when there were not `number` of them in time.
+        `idle` is called a few times a second. Raises Failed when fewer came in time.
         """
         end, wanted = time.monotonic() + seconds, number
         while number and self.watched:
@@ -270,15 +270,15 @@ class Watch:
             if left <= 0:
                 break
             idle()
-            found = self._items.get(left)
-            if found is not None:
-                yield found
+            item = self._items.get(left)
+            if item is not None:
+                yield item
                 number -= 1
         if self.dropped:
-            self._note("%d lines dropped: they came faster than they could be printed" % self.dropped)
+            self._note(f"{self.dropped} lines dropped: they came faster than they could be printed")
         if number > 0 and self.watched:
-            raise errors.Failed(", ".join(each.where for each in self.watched),
-                                "%d of %d within %gs" % (wanted - number, wanted, seconds))
+            raise errors.Failed(", ".join(watched.where for watched in self.watched),
+                                f"{wanted - number} of {wanted} within {seconds:g}s")
 
     def __enter__(self):
         return self
@@ -287,9 +287,9 @@ class Watch:
         self.close(hurried=kind is not None and not issubclass(kind, Exception))  # a signal
 
     def close(self, hurried=False):
-        """Detach all that was attached; bounded by the timeout. Reports who did not answer.
+        """Detach all that was attached, within the timeout, and report components that do not answer.
 
-        `hurried`: all are asked, and their answers not waited for; who was heard a moment ago will do it.
+        `hurried`: all are asked, but their answers are not waited for; those that were heard recently will do it.
         """
         with interrupts.held():
             with self._guard:
@@ -300,7 +300,7 @@ class Watch:
                                     lambda subscription: (subscription.node.endpoint, subscription.where))
             finally:
                 lanes.session.end = None
-        unheard = [each.subscription for each in self.watched if not each.is_heard()]
+        unheard = [watched.subscription for watched in self.watched if not watched.is_heard()]
         for subscription, value in zip(self._subscriptions, values):
             if isinstance(value, errors.Silent) and (subscription in unheard or not hurried):
-                self._note(f"{subscription.where}: does not answer; it still has our observer, and drops it when it calls us in vain")
+                self._note(f"{subscription.where}: does not answer; it still has our observer, and drops it when a call to it fails")

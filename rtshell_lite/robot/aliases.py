@@ -1,10 +1,12 @@
-"""Directories that are bound by several names: naming contexts and managers that are one object, recognised by their references."""
+"""Directories bound by several names: naming contexts and managers, recognised by their references."""
+import collections
 import socket
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb
+from rtshell_lite.text import printable
 
-ROOT_KEY = b"NameService"  # of the root of every name server
+ROOT_KEY = b"NameService"  # object key of the root of every name server
 
 
 class Known:
@@ -16,9 +18,9 @@ class Known:
             self.enter(node)
 
     def path(self, node):
-        """The Path by which the object of a Node was entered, None when it was not."""
+        """The Path by which the object of a Node was entered, or None."""
         host, port, key = orb.identity(node.ref)
-        return next((path for other, path in self._entered.get((port, key), ()) if same_host(host, other)), None)
+        return next((path for known_host, path in self._entered.get((port, key), ()) if same_host(host, known_host)), None)
 
     def enter(self, node):
         """Remember a Node; a reference without an IIOP address has no identity, and is not remembered."""
@@ -28,7 +30,7 @@ class Known:
 
 
 def within(nodes):
-    """Those of the Nodes of a walk that are not below a naming context of another name server; such a context is `foreign`."""
+    """The Nodes of a walk except those below a naming context of another name server; such a context is marked `foreign`."""
     directories, away = {}, None
     for node in nodes:
         if away is not None and node.path.server == away.server and node.path.names[:len(away.names)] == away.names:
@@ -45,14 +47,14 @@ def within(nodes):
 def is_foreign(above, node):
     """True when the naming context `node` belongs to another name server than the one `above` in which it is bound.
 
-    One call to a name server where a server is addressed otherwise than it publishes itself. A root counts as foreign always.
+    Costs a call where a server is addressed otherwise than it publishes itself. A root is always foreign.
     """
     (host, port, _), (own_host, own_port, key) = orb.identity(above.ref), orb.identity(node.ref)
     if key == ROOT_KEY or port != own_port:
         return True
     if same_host(host, own_host):
         return False
-    try:  # keys of contexts are made of times and random numbers: who knows one is who made it
+    try:  # keys of contexts are made of times and random numbers: only the server that made one knows it
         return not orb.call(node.path, orb.at(node.ref, host, port), "_is_a", "IDL:omg.org/CosNaming/NamingContext:1.0")
     except errors.Error:
         return True
@@ -65,13 +67,20 @@ def same_host(one, other):
 
 def _addresses(host):
     try:
-        return lanes.ask(("name of", host), host, lambda: _looked_up(host))
+        return set(resolve(host))
     except errors.Error:
-        return frozenset()
+        return set()
 
 
-def _looked_up(host):
-    try:
-        return frozenset(found[4][0] for found in socket.getaddrinfo(host, None, 0, socket.SOCK_STREAM))
-    except (OSError, UnicodeError):
-        return frozenset()
+def resolve(host):
+    """The IP addresses of a host name, as text. Raises Unreachable when it has none, or the look-up takes too long.
+
+    The system's resolver has no deadline, and omniORB's own limits do not cover it.
+    """
+    def look_up():
+        try:
+            known = socket.getaddrinfo(host, None, 0, socket.SOCK_STREAM)
+        except (OSError, UnicodeError) as e:
+            raise errors.Unreachable(printable(host), getattr(e, "strerror", None) or "not a host name")
+        return list(collections.OrderedDict.fromkeys(info[4][0] for info in known))
+    return lanes.ask(("name of", host), printable(host), look_up)

@@ -10,8 +10,8 @@ from rtshell_lite.text import from_wire, shell_word
 STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by number
 KINDS = ("Periodic", "Event-driven", "Other")  # RTC::ExecutionKind by number
 ENDING = 1.0  # seconds that a process may take to end
-LEAVING = 2.0  # seconds that an execution context may take, at least, to let go of a component: it does so in its next cycle
-LEAVING_MOST = 60.0  # and at most, whatever rate it claims
+LEAVING = 2.0  # seconds that an execution context gets, at least, to release a component: it does so in its next cycle
+LEAVING_MOST = 60.0  # at most, whatever rate it claims
 POLL = 0.2  # seconds between looks at a state: monitors that ask more often have disturbed real-time threads
 JITTER = 0.03  # seconds that a cycle of an execution context may come late
 
@@ -24,12 +24,12 @@ RESET = Transition("reset", "rtreset", "reset_component", "Inactive", "Error")
 # RTC::ComponentProfile as text; `properties` is a list of (name, value) in the component's order.
 Profile = collections.namedtuple("Profile", "instance_name type_name description version vendor category parent properties")
 
-# RTC::ExecutionContextProfile and what else its interface says. `rate` in Hz, `owner` and `participants` are references.
+# RTC::ExecutionContextProfile and more of its interface. `rate` in Hz, `owner` and `participants` are references.
 Context = collections.namedtuple("Context", "handle ref kind rate running owner participants properties")
 
 
 def until(reached, seconds):
-    """Ask reached() again and again until it says True, for at most so many seconds; returns whether it has."""
+    """Call reached() until it returns True, for at most so many seconds; returns whether it did."""
     limit = time.monotonic() + seconds
     while not reached():
         if time.monotonic() > limit:
@@ -43,17 +43,17 @@ def until(reached, seconds):
 def profile(node, brief=False):
     """The Profile of a component. Ask its ports first (`ports.ports`): protocol rule, see `once_more`.
 
-    `brief`: with the first of its properties, which shows that there are any.
+    `brief`: with one of its properties, which shows that there are any.
     """
-    found = once_more(lambda: node.call("get_component_profile"))
-    parent = once_more(lambda: orb.call(node.path, found.parent, "get_sdo_id")) if found.parent else ""
-    texts = [from_wire(s) for s in (found.instance_name, found.type_name, found.description, found.version, found.vendor,
-                                    found.category, parent)]
-    return Profile._make(texts + [orb.properties(found.properties[:1] if brief else found.properties)])
+    raw = once_more(lambda: node.call("get_component_profile"))
+    parent = once_more(lambda: orb.call(node.path, raw.parent, "get_sdo_id")) if raw.parent else ""
+    texts = [from_wire(s) for s in (raw.instance_name, raw.type_name, raw.description, raw.version, raw.vendor,
+                                    raw.category, parent)]
+    return Profile._make(texts + [orb.properties(raw.properties[:1] if brief else raw.properties)])
 
 
 def instance_name(node, ref):
-    """The instance name of the component `ref` that has to do with another, `node`: Unknown if it does not answer, '' for None."""
+    """The instance name of the component `ref`, which `node` knows: Unknown if it does not answer, '' for None."""
     if ref is None:
         return ""
     try:
@@ -63,7 +63,7 @@ def instance_name(node, ref):
 
 
 def once_more(call, failures=None):
-    """Call again after a failure that is not silence; it is added to the list `failures`, if there is one.
+    """call(), a second time after a failure other than silence; that is added to the list `failures`, if given.
 
     A profile query makes a component check its connections, and the first one after a peer has died passes that peer's
     TRANSIENT on to the caller (C++ and Python 2.1).
@@ -103,33 +103,33 @@ def _refs(node, operation):
 def context_ref(node, index):
     """The reference of the execution context number `index`: the owned ones from 0, then the participating ones.
 
-    One call where it is an owned one, which it mostly is.
+    One call for an owned one, the usual case.
     """
     owned = owned_context_refs(node)
     if -len(owned) <= index < len(owned):
         return owned[index]
-    every = owned + participating_context_refs(node)
-    if not 0 <= index < len(every):
-        raise errors.NoSuch(str(node.path), "execution context", "%d (it has %d)" % (index, len(every)))
-    return every[index]
+    refs = owned + participating_context_refs(node)
+    if not 0 <= index < len(refs):
+        raise errors.NoSuch(str(node.path), "execution context", f"{index} (it has {len(refs)})")
+    return refs[index]
 
 
 def context(node, ref):
-    """All that one execution context says of itself, a Context."""
-    found = orb.call(node.path, ref, "get_profile")
-    return Context(handle=node.call("get_context_handle", ref), ref=ref, kind=_by_number(KINDS, found.kind), rate=found.rate,
-                   running=orb.call(node.path, ref, "is_running"), owner=found.owner, participants=found.participants,
-                   properties=orb.properties(found.properties))
+    """The Context of an execution context, complete."""
+    raw = orb.call(node.path, ref, "get_profile")
+    return Context(handle=node.call("get_context_handle", ref), ref=ref, kind=_by_number(KINDS, raw.kind), rate=raw.rate,
+                   running=orb.call(node.path, ref, "is_running"), owner=raw.owner, participants=raw.participants,
+                   properties=orb.properties(raw.properties))
 
 
 def running(node, ref):
-    """The Context behind a reference with nothing but its rate and whether it runs."""
+    """The Context of an execution context with only its rate and whether it runs."""
     rate, runs = orb.call(node.path, ref, "get_rate"), orb.call(node.path, ref, "is_running")
     return Context(None, ref, None, rate, bool(runs), None, (), ())
 
 
 def elsewhere(node, ref, ask, otherwise):
-    """ask(), or `otherwise` where `ref`, a context of another process, does not answer: a hung composite hides no member."""
+    """ask(), or `otherwise` if `ref`, a context of another process, does not answer: a hung composite must not hide its members."""
     try:
         return ask()
     except errors.Unreachable:
@@ -162,20 +162,20 @@ def merged(states):
 
 def state_in(node, ref):
     """The state of a component in the execution context `ref` (ExecutionContext::get_component_state)."""
-    found = _by_number(STATES, orb.call(node.path, ref, "get_component_state", node.typed))
-    if found == "Created":
+    now = _by_number(STATES, orb.call(node.path, ref, "get_component_state", node.typed))
+    if now == "Created":
         known = canonical(node)
         if known is not None:
             return _by_number(STATES, orb.call(node.path, ref, "get_component_state", known))
-    return found
+    return now
 
 
 def canonical(node):
-    """The reference by which its contexts know a component, None where it is the one that we have.
+    """The reference by which its contexts know a component, None if it is the one that we have.
 
-    A component bound under a rewritten address, or reached by its key, is a stranger to its own contexts.
+    Contexts do not recognise a component that is bound under a rewritten address, or reached by its key.
     """
-    owned, _ = context_refs(node)
+    owned = owned_context_refs(node)
     owner = orb.call(node.path, owned[0], "get_profile").owner if owned else None
     return None if owner is None or orb.same(owner, node.ref) else owner
 
@@ -187,23 +187,23 @@ def change_all(paths, transition, index=0, wait=None, dry_run=False):
 
     With `dry_run` nothing changes, and the line is the command that would change the component, '' where none is needed.
     """
-    def one(node):
+    def change_one(node):
         if dry_run:
             now = state_in(node, context_ref(node, index))
-            return "" if now == transition.target else "%s%s %s" % (
-                transition.command, " -e %d" % index if index else "", shell_word(str(node.path)))
+            words = [transition.command] + ["-e", str(index)] * bool(index) + [shell_word(str(node.path))]
+            return "" if now == transition.target else " ".join(words)
         return f"{node.path}: {change(node, transition, index, wait)}"
-    return tree.on_components(paths, one)
+    return tree.on_components(paths, change_one)
 
 
 def _members_first(node, ref, wait):
-    """Deactivate the members of a composite of C++ 1.1 before it: the thread that is to do it would wait for them, in vain."""
+    """Deactivate the members of a composite of C++ 1.1 before it: the thread that deactivates it would wait for them in vain."""
     if not orb.address(ref).type_id.endswith("/ExtTrigExecutionContextService:1.0"):
         return
-    found = orb.call(node.path, ref, "get_profile")
-    if not orb.same(found.owner, node.ref) or not found.participants or not node.call("get_owned_organizations"):
+    raw = orb.call(node.path, ref, "get_profile")
+    if not orb.same(raw.owner, node.ref) or not raw.participants or not node.call("get_owned_organizations"):
         return
-    for member in found.participants:
+    for member in raw.participants:
         if _by_number(STATES, orb.call(node.path, ref, "get_component_state", member)) == "Active":
             orb.call(node.path, ref, "deactivate_component", member, seconds=wait)
 
@@ -211,12 +211,11 @@ def _members_first(node, ref, wait):
 def change(node, transition, index=0, wait=None):
     """Take a component through a Transition in its execution context number `index`; returns the state reached or asked for.
 
-    `wait` (seconds) polls until the state is there, and Active still a period later. Contexts of 1.1 answer before the state has
-    changed, later ones answer RTC_ERROR when it takes longer than their own limit of 0.5 s and change it all the same: so after
-    RTC_ERROR the state is watched for the timeout. Raises Refused with the reason, Unreachable when the state was not reached in
-    time.
+    `wait` (seconds) polls until the state is reached, and Active still there a period later. Contexts of 1.1 answer before the
+    state has changed, later ones answer RTC_ERROR when it takes longer than their own limit of 0.5 s but change it nevertheless:
+    so after RTC_ERROR the state is polled for the timeout. Raises Refused with the reason, Unreachable when it was not reached.
     """
-    change_in(node, context_ref(node, index), transition, wait, "its execution context %d" % index)
+    change_in(node, context_ref(node, index), transition, wait, f"its execution context {index}")
     return transition.target
 
 
@@ -255,7 +254,7 @@ def change_in(node, ref, transition, wait=None, called="this execution context",
 
 
 def seen(ask):
-    """What ask() says after a change: who refuses to answer has perhaps done what was asked for. Raises Uncertain."""
+    """ask() after a change, which may have been made although the answer is refused. Raises Uncertain then."""
     try:
         return ask()
     except errors.Refused as e:
@@ -263,7 +262,7 @@ def seen(ask):
 
 
 def _request(node, ref, transition, target, wait):
-    # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz: who waits for the state waits for that, too
+    # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz: `wait` is for the answer, too
     return str(orb.call(node.path, ref, transition.operation, target, seconds=wait))
 
 
@@ -277,10 +276,10 @@ def _reason(code, before, now, transition):
 
 
 def stay(node, ref, transition, seconds):
-    """See that a component that is Active is still Active a period of its execution context `ref` later, in so many seconds at most.
+    """Check that a component is still Active a period of its execution context `ref` later, within so many seconds.
 
-    Where onActivated fails, a component is Active for one period before it is in Error (all of OpenRTM-aist). Other states are
-    there to stay. Raises Refused, and Unreachable where a period takes longer.
+    Where onActivated fails, a component is Active for one period before it is in Error (all of OpenRTM-aist). Other states
+    last. Raises Refused, and Unreachable where a period takes longer.
     """
     if transition is not ACTIVATE:
         return
@@ -297,14 +296,14 @@ def stay(node, ref, transition, seconds):
 
 
 def _until(node, ref, transition, now, seconds):
-    """Poll until the state is reached, at first more often: most components are there in a few periods."""
+    """Poll until the state is reached, at first more often: most components need a few periods only."""
     limit, pause = time.monotonic() + seconds, POLL / 10
     while now != transition.target:
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to Error")
         if not orb.call(node.path, ref, "is_running"):
-            raise errors.Refused(str(node.path), "cannot %s: its execution context is stopped%s" % (
-                transition.name, "; it takes part in others, named with -e (see rtec)" if context_refs(node)[1] else ""))
+            others = "; it takes part in others, named with -e (see rtec)" if context_refs(node)[1] else ""
+            raise errors.Refused(str(node.path), f"cannot {transition.name}: its execution context is stopped{others}")
         if time.monotonic() > limit:
             raise errors.Unreachable(str(node.path), f"not {transition.target} within {seconds:g}s, still {now}")
         time.sleep(pause)
@@ -319,22 +318,22 @@ def exit_all(paths, wait=None, dry_run=False):
 
     With `wait` (seconds) also wait until the name is unbound, which a component's manager does up to a second later.
     """
-    def one(node):
+    def exit_one(node):
         if dry_run:
             return "rtexit " + shell_word(str(node.path))
         leave(node)
         _exit(node)
         if wait is not None:
             _until_unbound(node, wait)
-        return str(node.path) + ": exited"
-    return tree.on_components(paths, one)
+        return f"{node.path}: exited"
+    return tree.on_components(paths, exit_one)
 
 
 def leave(node):
-    """Let a component that is to exit leave the execution contexts of others, composites say, and wait until it has.
+    """Take a component that is to exit out of the execution contexts of others, such as composites, and wait until it has left.
 
-    A context informs a component in its next cycle that it has left. Where that one has exited by then, the context's process ends
-    with it (C++ 2.1). Raises Refused where a context does not let go of it.
+    A context informs a component in its next cycle that it has left. If that has exited by then, the context's process ends, too
+    (C++ 2.1). Raises Refused if a context keeps it.
     """
     asked, seconds = [], LEAVING
     for ref in participating_context_refs(node):
@@ -347,14 +346,14 @@ def leave(node):
         seconds = max(seconds, min(3 / rate, LEAVING_MOST) if rate > 0 else 0)
 
     def has_left():
-        return not asked or not any(orb.same(one, ref) for one in participating_context_refs(node) for ref in asked)
+        return not asked or not any(orb.same(present, ref) for present in participating_context_refs(node) for ref in asked)
     if not until(has_left, seconds):
         raise errors.Refused(str(node.path), "an execution context that it takes part in does not let go of it (see rtec); its "
                              "process could end if this one did")
 
 
 def _exit(node):
-    orb.is_alive(node.path, node.ref)  # to know afterwards that it was this call that ended it
+    orb.is_alive(node.path, node.ref)  # if it is dead afterwards, this call has ended it
     try:
         code = str(node.call("exit"))
     except (errors.Silent, errors.Refused):
@@ -368,9 +367,9 @@ def _exit(node):
 
 
 def _has_ended(node):
-    """Look whether a component is gone whose answer was lost: the last one of a process takes the process with it.
+    """Whether a component whose answer was lost is gone: the last one of a process ends the process.
 
-    A process that ends may still accept a connection, and lose it, before it refuses the next.
+    A process that ends may still accept a connection, and drop it, before it refuses the next.
     """
     limit = time.monotonic() + ENDING
     while True:

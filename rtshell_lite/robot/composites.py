@@ -1,6 +1,6 @@
 """Composite components: the organisations that they own and that their members belong to (SDOPackage::Organization).
 
-Organization::get_owner is never asked: a C++ component answers once in its life, and has no owner ever after.
+Organization::get_owner is never called: a C++ component answers it once, and has no owner from then on.
 """
 import collections
 
@@ -21,10 +21,7 @@ EXPORTED = "exported_ports"  # parameter of a composite's set `default`: a comma
 # ---- asking ---------------------------------------------------------------------------------------------------
 
 def owned(node, with_members=True):
-    """The Organisations that a composite component owns, with their members, each of which is asked for its name.
-
-    A component is a composite if there are any.
-    """
+    """The Organisations that a component owns, a composite if there are any; each of their members is asked for its name."""
     return [_organisation(node, ref) if with_members else Organisation("", ref, []) for ref in _refs(node, "get_owned_organizations")]
 
 
@@ -41,24 +38,24 @@ def belonging(node, contexts):
 
 def _composites(node, contexts):
     """{id of its organisation: (instance name, path as text)} of the owners of these contexts."""
-    places, found = Places(), {}
+    places, by_id = Places(), {}
     for owner in [context.owner for context in contexts if context.owner is not None]:
         above = tree.Node(node.path, "component", owner)
         try:
             name = from_wire(above.call("get_sdo_id"))
             for ref in _refs(above, "get_owned_organizations"):
                 organisation_id = from_wire(orb.call(node.path, ref, "get_organization_id"))
-                found[organisation_id] = (name, _path_text(places, name, owner, node))
+                by_id[organisation_id] = (name, _path_text(places, name, owner, node))
         except errors.Unreachable:
-            continue  # dead or silent: unknown
-    return found
+            continue
+    return by_id
 
 
 def _refs(node, operation):
     try:
         return [ref for ref in node.call(operation) if ref is not None]
     except errors.Refused as e:
-        if e.name in ("NO_IMPLEMENT", "BAD_OPERATION"):  # small implementations know no compositions
+        if e.name in ("NO_IMPLEMENT", "BAD_OPERATION"):  # small implementations lack compositions
             return []
         raise
 
@@ -69,10 +66,10 @@ def _organisation(node, ref):
     return Organisation(from_wire(orb.call(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
 
 
-def member_paths(node, found):
-    """Where the members of an Organisation are bound, as text; `Unknown (…)` for those that are nowhere or dead."""
+def member_paths(node, organisation):
+    """Paths of the members of an Organisation, as text; `Unknown (…)` for those that are dead or bound nowhere."""
     places = Places()
-    return [_path_text(places, name, ref, node) for name, ref in found.members]
+    return [_path_text(places, name, ref, node) for name, ref in organisation.members]
 
 
 def _path_text(places, name, ref, node):
@@ -86,7 +83,7 @@ def _path_text(places, name, ref, node):
 
 # ---- changing -------------------------------------------------------------------------------------------------
 
-# A member to add or to remove, with the ports of it to export or to hide: `node` is None for one that is gone.
+# A member to add or to remove, and its ports to export or to hide; `node` is None for one that is gone.
 Member = collections.namedtuple("Member", "instance node ports")
 
 
@@ -104,104 +101,105 @@ def member(path, must_live=True):
             raise
         return Member(path.names[-1].id, None, wanted)
     if must_live and wanted:
-        there = [ports.short_name(each.name, instance) for each in ports.ports(node)]
+        names = [ports.short_name(port.name, instance) for port in ports.ports(node)]
         for name in wanted:
-            if name not in there:
+            if name not in names:
                 raise errors.NoSuch(str(path.object()), "port", printable(name))
     return Member(instance, node, wanted)
 
 
 def together(members):
-    """Live Members, each once with all the ports wanted of it. Raises Failed for two that a composite could not tell apart."""
-    found = collections.OrderedDict()
+    """Live Members, each once with all the ports wanted of it. Raises Failed for two that a composite could not distinguish."""
+    merged = collections.OrderedDict()
     for m in members:
-        known = found.setdefault(m.instance, m)
+        known = merged.setdefault(m.instance, m)
         if not _is(m, known.node.ref):
             raise errors.Failed(str(m.node.path), f"has the same name as {known.node.path!s}; a composite cannot have both")
-        found[m.instance] = known._replace(ports=list(collections.OrderedDict.fromkeys(known.ports + m.ports)))
-    return list(found.values())
+        merged[m.instance] = known._replace(ports=list(collections.OrderedDict.fromkeys(known.ports + m.ports)))
+    return list(merged.values())
 
 
 def the_one(node):
-    """The first Organisation of a composite. Raises WrongKind for a component that is none."""
-    found = owned(node)
-    if not found:
+    """The first Organisation of a composite. Raises WrongKind for other components."""
+    organisations = owned(node)
+    if not organisations:
         raise errors.WrongKind(str(node.path), "composite component", "component")
-    return found[0]
+    return organisations[0]
 
 
-def check(node, one, joining, leaving):
-    """Raise Failed or NoSuch for Members that cannot join the Organisation `one` of a composite, or leave it.
+def check(node, organisation, joining, leaving):
+    """Raise Failed or NoSuch for Members that cannot join an Organisation of a composite, or leave it.
 
     A dead member cannot leave: the composite calls it, and does not survive that (C++ 2.1: its process ends, at once or when it
-    is activated; Python: its execution context stands still for ever). Its ports can be hidden.
+    is activated; Python: its execution context stops for good). Its ports can be hidden.
     """
-    known = {name: ref for name, ref in one.members if not isinstance(name, errors.Error)}
+    known = {name: ref for name, ref in organisation.members if not isinstance(name, errors.Error)}
     for m in joining:
         if orb.same(m.node.ref, node.ref):
             raise errors.Failed(str(node.path), "cannot be a member of itself")
         if m.instance in known and not _is(m, known[m.instance]):
             raise errors.Failed(str(node.path), f"has another member called {printable(m.instance)}")
     for m in leaving:
-        there = m.instance in known if m.node is None else _is(m, known.get(m.instance))
-        lost = None if m.ports else _lost(one, m.instance)
+        is_member = m.instance in known if m.node is None else _is(m, known.get(m.instance))
+        lost = None if m.ports else _lost(organisation, m.instance)
         if lost:
             raise _stays(node, m, lost)
-        if not (m.ports or there):
+        if not (m.ports or is_member):
             raise errors.NoSuch(str(node.path), "member", printable(m.instance))
 
 
-def _lost(one, instance):
-    """The error of a member of an Organisation that may be the one that is meant by a name, or None.
+def _lost(organisation, instance):
+    """The error of a member of an Organisation that may be the one called `instance`, or None.
 
-    A composite takes the first one of the name; one that is dead cannot say its own.
+    A composite takes the first one of the name; a dead one cannot give its own.
     """
-    for name, _ in one.members:
+    for name, _ in organisation.members:
         if isinstance(name, errors.Error) or name == instance:
             return name if isinstance(name, errors.Error) else None
     return None
 
 
 def _stays(node, m, error):
-    """The error for a Member that cannot be removed, because it, or one that may have its name, has failed with `error`."""
+    """The error for a Member that cannot be removed, as it, or one that may have its name, has failed with `error`."""
     why = "a member that does not answer" if isinstance(error, errors.Silent) else "a dead member"
-    return errors.Failed(str(node.path), "cannot remove %s: letting go of %s would end this composite's process or stop its "
-                         "execution context; restart that process" % (printable(m.instance), why))
+    return errors.Failed(str(node.path), f"cannot remove {printable(m.instance)}: letting go of {why} would end this composite's "
+                         "process or stop its execution context; restart that process")
 
 
 def _is(m, ref):
     return orb.same(ref, m.node.ref) or orb.same(ref, component.canonical(m.node))
 
 
-def add(node, one, members):
+def add(node, organisation, members):
     """Make Members part of a composite and export their ports; lines that say what was done. Raises Refused."""
     lines = _export(node, add_ports=[f"{m.instance}.{port}" for m in members for port in m.ports])
-    there = [name for name, _ in one.members]
-    new = [m for m in members if m.instance not in there]
+    present = [name for name, _ in organisation.members]
+    new = [m for m in members if m.instance not in present]
     if new:  # an empty list is refused
-        if not orb.call(node.path, one.ref, "add_members", [m.node.typed for m in new]):
+        if not orb.call(node.path, organisation.ref, "add_members", [m.node.typed for m in new]):
             raise errors.Refused(str(node.path), "does not take members")
         lines += [f"added component {m.node.path!s}" for m in new]
     return lines + [f"component {m.node.path!s} is a member already" for m in members if m not in new]
 
 
-def remove(node, one, members):
-    """Remove Members, or hide their ports where they name some; lines that say what was done. Raises Refused, and Failed for one
-    that has died since `check`.
+def remove(node, organisation, members):
+    """Remove Members, or hide their ports where they name some; lines that say what was done.
+
+    Raises Refused, and Failed for one that has died since `check`.
     """
     going = [m for m in members if not m.ports]
     hidden = [f"{m.instance}.{port}" for m in members for port in m.ports]
     lines = _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
     for m in going:
-        _must_live(node, one, m)
-        if not orb.call(node.path, one.ref, "remove_member", to_wire(m.instance)):
+        _must_live(node, organisation, m)
+        if not orb.call(node.path, organisation.ref, "remove_member", to_wire(m.instance)):
             raise errors.Refused(str(node.path), f"does not remove member {printable(m.instance)}")
         lines.append(f"removed component {printable(m.instance)}")
     return lines
 
 
-def _must_live(node, one, m):
-    for name, ref in one.members:
+def _must_live(node, organisation, m):
+    for name, ref in organisation.members:
         if name == m.instance:
             try:
                 orb.is_alive(node.path, ref)
@@ -210,15 +208,15 @@ def _must_live(node, one, m):
 
 
 def _export(node, add_ports=(), hide=(), hide_all_of=()):
-    """Change the list of exported ports and make the composite take it up."""
-    found = configuration.Configuration(node)
-    within = found.set("default")
+    """Change the list of exported ports and activate it; lines that say what was done."""
+    sets = configuration.Configuration(node)
+    within = sets.set("default")
     now = [name.strip() for name in within.values.get(EXPORTED, "").split(",") if name.strip()]
     kept = [name for name in now if name not in hide and name.rpartition(".")[0] not in hide_all_of]
     wanted = kept + [name for name in add_ports if name not in kept]
     if wanted != now:
-        found.store({EXPORTED: ",".join(wanted)}, within)
-        found.activate("default")
+        sets.store({EXPORTED: ",".join(wanted)}, within)
+        sets.activate("default")
     return (["exported port " + printable(name) for name in wanted if name not in now]
             + [f"port {printable(name)} is exported already" for name in add_ports if name in kept]
             + ["hid port " + printable(name) for name in now if name not in wanted]
@@ -254,19 +252,19 @@ def compose(target, adding, removing, type_name=COMPOSITE, options="", dry_run=F
     if composite is None:
         lines.append("created composite " + manager.create(holder, argument, wait=manager.SETTLE_TIME))
         composite = _new(holder, name)
-    one = the_one(composite)
-    return lines + add(composite, one, members) + remove(composite, one, leaving)
+    organisation = the_one(composite)
+    return lines + add(composite, organisation, members) + remove(composite, organisation, leaving)
 
 
 def _new(holder, name):
-    """The composite that has been made; deleted again if its type makes it a component of another kind."""
-    made = _of_manager(holder, name)
+    """The composite just created; deleted again if its type makes it a component of another kind."""
+    composite = _of_manager(holder, name)
     try:
-        the_one(made)
+        the_one(composite)
     except errors.WrongKind:
         manager.delete(holder, name)
         raise
-    return made
+    return composite
 
 
 def _of_manager(holder, name):

@@ -22,14 +22,14 @@ class Configuration:
     def __init__(self, node):
         self.node, self.where = node, str(node.path)
         self.ref = node.call("get_configuration")
-        self.raw = {from_wire(each.id): each for each in self._call("get_configuration_sets")}
+        self.raw = {from_wire(raw.id): raw for raw in self._call("get_configuration_sets")}
         self.active = self._active()
 
     def _call(self, operation, *args):
         return orb.call(self.where, self.ref, operation, *args)
 
     def _active(self):
-        """The id of the active set, '' when there is none: so it is after somebody has set values without activating."""
+        """The id of the active set, '' when there is none, as after values were set without activating."""
         try:
             return from_wire(self._call("get_active_configuration_set").id)
         except errors.Refused as e:
@@ -93,7 +93,7 @@ class Configuration:
             raise errors.Refused(self.where, f"does not activate configuration set {printable(set_id)} ({why})")
 
     def apply(self, wanted, active=""):
-        """Bring sets to the values in `wanted` ({set: {name: value}}), then activate `active`; all is checked first.
+        """Set the values in `wanted` ({set: {name: value}}), then activate `active`; all is checked first.
 
         Returns the changes as commands; `steps` gives the same list and changes nothing.
         """
@@ -107,14 +107,14 @@ class Configuration:
         return steps
 
     def steps(self, wanted, active=""):
-        """The rtconf commands that `apply` stands for. Raises NoSuch for an unknown set or parameter."""
+        """The rtconf commands that do what `apply` does. Raises NoSuch for an unknown set or parameter."""
         steps = []
         for set_id in sorted(wanted):
             within = self.set(set_id, with_hidden=True)
             self.check(wanted[set_id], within)
             changed = _changed(within, wanted[set_id])
             if changed:
-                steps.append(self.command(set_id, "set", *["%s=%s" % item for item in changed.items()]))
+                steps.append(self.command(set_id, "set", *[f"{name}={value}" for name, value in changed.items()]))
         if active:
             self.check_active(active)
         if active and active != self.active:
@@ -141,14 +141,14 @@ def _changed(within, values):
 def dumped(configuration, with_hidden=False):
     """The sets of a Configuration as lines: `[set]`, `[set] active`, `name=value`, control characters escaped."""
     lines = [f"# configuration of {configuration.where}"]
-    for each in configuration.sets(with_hidden):
-        lines.append(f"[{_spelt(each.id, ']')}]{' active' if each.active else ''}")
-        lines += [f"{_spelt(name, '=#[')}={_end_seen(printable(value))}" for name, value in each.values.items()]
+    for section in configuration.sets(with_hidden):
+        lines.append(f"[{_spelt(section.id, ']')}]{' active' if section.active else ''}")
+        lines += [f"{_spelt(name, '=#[')}={_end_seen(printable(value))}" for name, value in section.values.items()]
     return lines
 
 
 def _end_seen(s):
-    """`s` so that an editor that strips blanks from the ends of lines does no harm."""
+    """`s` with a blank at its end escaped, as editors strip those."""
     return s[:-1] + "\\x20" if s.endswith(" ") else s
 
 
@@ -176,27 +176,27 @@ def parsed(lines, file_name):
             else:
                 _take_value(line, current)
         except ValueError as e:
-            raise errors.Failed("%s:%d" % (printable(file_name), number), e)
+            raise errors.Failed(f"{printable(file_name)}:{number}", e)
     return wanted, active
 
 
 def _set_line(line):
-    found = _SET.match(line)
-    if not found:
+    match = _SET.match(line)
+    if not match:
         raise ValueError("not [set] or [set] active")
-    return unescaped(found.group(1)), bool(found.group(2))
+    return unescaped(match.group(1)), bool(match.group(2))
 
 
 def _take_value(line, values):
-    found = _VALUE.match(line)
-    if not found:
+    match = _VALUE.match(line)
+    if not match:
         raise ValueError("neither [set] nor name=value")
     if values is None:
         raise ValueError("name=value before any [set]")
-    name = unescaped(found.group(1))
+    name = unescaped(match.group(1))
     if name in values:
         raise ValueError(f"{printable(name)} has a value already")
-    values[name] = unescaped(found.group(2))
+    values[name] = unescaped(match.group(2))
 
 
 def differences(left, right, with_hidden=False):
@@ -205,7 +205,7 @@ def differences(left, right, with_hidden=False):
     The row of the active sets has None for the first two.
     """
     rows = []
-    sets = [{each.id: each.values for each in side.sets(with_hidden)} for side in (left, right)]
+    sets = [{present.id: present.values for present in side.sets(with_hidden)} for side in (left, right)]
     for set_id in sorted(set(sets[0]) | set(sets[1])):
         values = [side.get(set_id, {}) for side in sets]
         for name in sorted(set(values[0]) | set(values[1])):

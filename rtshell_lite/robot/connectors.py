@@ -7,58 +7,55 @@ from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 PROFILE = "component.RTC.ConnectorProfile"
 
 
-def refuse_duplicate(found, name, connector_id):
-    """Raise Refused when the first port is joined with any of the others already, or any has a connection so named."""
-    for each, connector in [(each, connector) for each in found for connector in each.connectors]:
+def refuse_duplicate(ends, name, connector_id):
+    """Raise Refused if the first port is connected with any of the others, or any has a connection of this name or id."""
+    for port, connector in [(port, connector) for port in ends for connector in port.connectors]:
         for what, wanted, value in (("id", connector_id, connector.id), ("name", name, connector.name)):
             if wanted and wanted == value:
-                raise errors.Refused(ports.label(each), f"has a connection with {what} {printable(value)} already")
-    for connector in ports.joining(found):
-        raise errors.Refused(ports.between(found), f"already connected (id {printable(connector.id)})")
+                raise errors.Refused(ports.label(port), f"has a connection with {what} {printable(value)} already")
+    for connector in ports.joining(ends):
+        raise errors.Refused(ports.between(ends), f"already connected (id {printable(connector.id)})")
 
 
 def command(labels, name, connector_id, given):
-    """The rtcon command for a connection of the ports at these paths (texts, see `label`), ready for a shell."""
+    """The rtcon command for a connection of the ports at these paths (texts, see `ports.label`), ready for a shell."""
     words = ["rtcon"] + ["-n", name] * bool(name) + ["-i", connector_id] * bool(connector_id)
     for item in sorted(given.items()):
-        words += ["-p", "%s=%s" % item]
+        words += ["-p", "=".join(item)]
     return " ".join(shell_word(word) for word in words + labels)
 
 
-def connect(found, name="", connector_id="", given=None):
-    """Connect the Ports `found` (one or more, in this order) and return the Connector made.
+def connect(ends, name="", connector_id="", given=None):
+    """Connect the Ports `ends` (one or more, in this order) and return the Connector made.
 
     Raises Refused with the reasons when they do not match or the components refuse, and Unreachable.
     """
     given = given or {}
-    ports.check(found, given)
-    name = name or ports.short_name(found[0].name, found[0].node.path.names[-1].id) + "_".join(
-        ports.short_name(each.name, each.node.path.names[-1].id) for each in found[1:])
-    asked = stubs.named(PROFILE)(to_wire(name), to_wire(connector_id), [each.ref for each in found],
-                                 orb.nvlist(sorted(ports.connection_properties(found, given).items())))
-    code, made = orb.call(ports.between(found), found[0].ref, "connect", asked)
+    ports.check(ends, given)
+    name = name or ports.short_name(ends[0].name, ends[0].node.path.names[-1].id) + "_".join(
+        ports.short_name(port.name, port.node.path.names[-1].id) for port in ends[1:])
+    asked = stubs.named(PROFILE)(to_wire(name), to_wire(connector_id), [port.ref for port in ends],
+                                 orb.nvlist(sorted(ports.connection_properties(ends, given).items())))
+    code, raw = orb.call(ports.between(ends), ends[0].ref, "connect", asked)
     if str(code) != "RTC_OK":
-        _tidy(found)
-        raise errors.Refused(ports.between(found), _why_refused(str(code), found, connector_id), name=str(code))
-    return ports.connector(made, ports.between(found))
+        _tidy(ends)
+        raise errors.Refused(ports.between(ends), _why_refused(str(code), ends, connector_id), name=str(code))
+    return ports.connector(raw, ports.between(ends))
 
 
 def connect_alone(port, name, properties):
-    """A connector of one data port only, as tools use it; nobody else takes part, and the port's side of it is complete.
-
-    Raises Refused, Unreachable.
-    """
+    """Connect one data port with no other, as tools do, and return the Connector. Raises Refused, Unreachable."""
     for reason in ports.without_rate([port], properties):
         raise errors.Refused(ports.label(port), reason)
     asked = stubs.named(PROFILE)(to_wire(name), "", [port.ref], orb.nvlist(sorted(properties.items())))
-    code, made = orb.call(ports.label(port), port.ref, "connect", asked)
+    code, raw = orb.call(ports.label(port), port.ref, "connect", asked)
     if str(code) != "RTC_OK":
         raise errors.Refused(ports.label(port), f"refused by the component ({code})", name=str(code))
-    return ports.connector(made, ports.label(port))
+    return ports.connector(raw, ports.label(port))
 
 
-def _why_refused(code, found, connector_id):
-    already = ports.joining(found)
+def _why_refused(code, ends, connector_id):
+    already = ports.joining(ends)
     if code == "PRECONDITION_NOT_MET" and already:
         return f"already connected (id {printable(already[0].id)})"
     if code == "PRECONDITION_NOT_MET" and connector_id:
@@ -67,21 +64,21 @@ def _why_refused(code, found, connector_id):
     return f"refused by the component ({code}){also}"
 
 
-def _tidy(found):
-    """Remove what a failed connect left behind: components of Python keep half a connection on the in port."""
-    for each in found:
+def _tidy(ends):
+    """Remove what a failed connect left: components of Python keep half a connection on the in port."""
+    for port in ends:
         try:
-            now = ports.port(each.node, each.ref)
+            now = ports.port(port.node, port.ref)
             for connector in now.connectors:
-                if connector.id not in [c.id for c in each.connectors] and ports.joining([now._replace(connectors=[connector])] + [
-                        other for other in found if other is not each]):
-                    orb.call(ports.label(each), each.ref, "notify_disconnect", to_wire(connector.id))
+                if connector.id not in [c.id for c in port.connectors] and ports.joining([now._replace(connectors=[connector])] + [
+                        end for end in ends if end is not port]):
+                    orb.call(ports.label(port), port.ref, "notify_disconnect", to_wire(connector.id))
         except errors.Error:
             pass  # the refusal itself is what the user has to know
 
 
 def disconnect(port, connector):
-    """Remove a Connector of a Port. Done when the port no longer has it, whatever the far end says. Raises Refused."""
+    """Remove a Connector of a Port. Done when the port no longer has it, whatever the far end answers. Raises Refused."""
     connector_id = to_wire(connector.id)
     for operation in ("disconnect", "notify_disconnect"):  # the second reaches this end alone, for a dead far end
         failure = _forgetting_failed(port, operation, connector_id)
@@ -95,7 +92,7 @@ def disconnect(port, connector):
 
 
 def _forget_elsewhere(port, connector):
-    """Let the other ends forget a Connector that a Port has removed without reaching all of them; dead ends do not matter.
+    """Make the other ends forget a Connector that a Port has removed without reaching all of them; dead ends do not matter.
 
     Raises Uncertain where one does not answer: it may live, and have half a connection.
     """
@@ -107,8 +104,8 @@ def _forget_elsewhere(port, connector):
         except (errors.Gone, errors.ConnectionRefused, errors.Refused):
             pass
         except errors.Unreachable as e:
-            why = "connection %s is removed here, its end at %s:%d says nothing (%s)" % (
-                (printable(connector.id),) + orb.endpoint(ref) + (e.why,))
+            host, tcp_port = orb.endpoint(ref)
+            why = f"connection {printable(connector.id)} is removed here, its end at {host}:{tcp_port} does not answer ({e.why})"
             raise errors.Uncertain(ports.label(port), why)
 
 
@@ -122,23 +119,23 @@ def _forgetting_failed(port, operation, connector_id):
         return e
     if code == "RTC_OK":
         return None
-    # BAD_PARAMETER: it does not know the connector; or another end does not, which it has asked to inform all the others
+    # BAD_PARAMETER: it does not know the connector; or another end, which it has asked to inform the others, does not
     return errors.Refused(ports.label(port), f"cannot remove connection {printable(from_wire(connector_id))} ({code})")
 
 
 def disconnect_all(pairs, dry_run=False):
-    """`disconnect` for each (Port, Connector): a line or an errors.Error for each; a connector of two own ports goes once."""
+    """`disconnect` each (Port, Connector): a line or an errors.Error for each; a connector of two of the ports is removed once."""
     results, seen = [], set()  # type: list, set
-    for each, connector in pairs:
+    for port, connector in pairs:
         if connector.id in seen:
             continue
         seen.add(connector.id)
         if dry_run:
-            results.append(f"rtdis -i {shell_word(connector.id)} {shell_word(ports.label(each))}")
+            results.append(f"rtdis -i {shell_word(connector.id)} {shell_word(ports.label(port))}")
             continue
         try:
-            disconnect(each, connector)
-            results.append(f"{ports.label(each)}: removed connection {printable(connector.id)}")
+            disconnect(port, connector)
+            results.append(f"{ports.label(port)}: removed connection {printable(connector.id)}")
         except errors.Error as e:
             results.append(e)
     return results

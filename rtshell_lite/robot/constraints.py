@@ -18,45 +18,45 @@ _SETS = ("__constraints__", "__constraint__")  # some files have the second
 
 
 def doubts(present, values, sets):
-    """Why some of the new `values` (a dict) may not be what the component takes: a list of (name, reason).
+    """Why the component may not accept some of the new `values` (a dict): a list of (name, reason).
 
     present  the values of the same parameters now
     sets     all configuration sets of the component, {id: {name: value}}
     """
-    found = []
+    reasons = []
     for name, value in values.items():
-        constraint = next((sets[each][name] for each in _SETS if sets.get(each, {}).get(name)), "")
+        constraint = next((sets[set_id][name] for set_id in _SETS if sets.get(set_id, {}).get(name)), "")
         if _are_numbers(present.get(name, "")) and not _are_numbers(value):
-            found.append((name, "%s is no number, as the present value is (%s)" % (value or "''", present[name])))
+            reasons.append((name, f"{value or repr('')} is no number, as the present value is ({present[name]})"))
         elif not fits(constraint, value):
-            found.append((name, "%s does not fit the component's constraint %s" % (value or "''", constraint)))
-    return found
+            reasons.append((name, f"{value or repr('')} does not fit the component's constraint {constraint}"))
+    return reasons
 
 
 def _are_numbers(value):
     """True for a number, and for several with commas between them."""
-    return all(_NUMBER.match(each.strip()) for each in value.split(","))
+    return all(_NUMBER.match(number.strip()) for number in value.split(","))
 
 
 def fits(constraint, value):
-    """True unless a value does not fit a constraint; a constraint that is of no known form says nothing."""
+    """True unless a value violates a constraint; a constraint of unknown form allows any."""
     constraint, value = constraint.strip(), value.strip()
     if not constraint:
         return True
     if constraint.startswith("(") and constraint.endswith(")"):
-        choices = [each.strip() for each in constraint[1:-1].split(",")]
-        return value in choices or all(each.strip() in choices for each in value.split(","))
+        choices = [element.strip() for element in constraint[1:-1].split(",")]
+        return value in choices or all(element.strip() in choices for element in value.split(","))
     if constraint.startswith("{") and constraint.endswith("}"):
         return _map_fits(constraint[1:-1], value)
     parts, elements = constraint.split(","), value.split(",")
     if len(parts) == 1:
         parts *= len(elements)
-    return all(_fits_one(part.strip(), each.strip()) for part, each in zip(parts, elements))
+    return all(_fits_one(part.strip(), element.strip()) for part, element in zip(parts, elements))
 
 
 def _map_fits(constraints, value):
-    wanted = dict(_pair(each) for each in constraints.split(","))
-    return all(_fits_one(wanted.get(key, ""), each) for key, each in map(_pair, value.strip("{}").split(",")))
+    wanted = dict(_pair(pair) for pair in constraints.split(","))
+    return all(_fits_one(wanted.get(key, ""), pair) for key, pair in map(_pair, value.strip("{}").split(",")))
 
 
 def _pair(text):
@@ -68,12 +68,12 @@ def _fits_one(constraint, value):
     """`fits` for one value and a range, or the only value allowed."""
     if "x" not in constraint or "<" not in constraint and ">" not in constraint:
         return not _NUMBER.match(constraint) or bool(_NUMBER.match(value)) and float(value) == float(constraint)
-    found = _RANGE.match(constraint)
-    bounds = [each for each in found.group(1, 4) if each is not None] if found else []
-    if not bounds or not all(_NUMBER.match(each) for each in bounds):
+    match = _RANGE.match(constraint)
+    bounds = [bound for bound in match.group(1, 4) if bound is not None] if match else []
+    if not bounds or not all(_NUMBER.match(bound) for bound in bounds):
         return True
     if not _NUMBER.match(value):
         return False
-    low, below, above, high = found.groups()
+    low, below, above, high = match.groups()
     return (low is None or _COMPARE[below](float(low), float(value))) and (
         high is None or _COMPARE[above](float(value), float(high)))

@@ -1,4 +1,4 @@
-"""Execution contexts from outside: rate, start and stop, who takes part (OMG RTC 1.1, 5.2.2.5)."""
+"""Execution contexts: rate, start and stop, participants (OMG RTC 1.1, 5.2.2.5)."""
 import collections
 
 from rtshell_lite import errors
@@ -15,7 +15,7 @@ Entry = collections.namedtuple("Entry", "index context state owner participants"
 def entries(node, only=None):
     """An Entry for each execution context of a component, the owned ones first; `only`: for the context number `only`.
 
-    The Context of an Entry is None where it belongs to another component, which does not answer.
+    The Context of an Entry is None if it belongs to another component that does not answer.
     """
     if only is not None:
         return [_entry(node, only, component.context_ref(node, only))]
@@ -34,7 +34,7 @@ def _entry(node, index, ref):
 # ---- changing -------------------------------------------------------------------------------------------------
 
 def set_rate(node, index, rate):
-    """Set the rate (Hz) of a context and check that it took it. Raises Refused."""
+    """Set the rate (Hz) of a context and check it. Raises Refused."""
     ref, where = component.context_ref(node, index), str(node.path)
     code = str(orb.call(where, ref, "set_rate", rate))
     now = component.seen(lambda: orb.call(where, ref, "get_rate"))
@@ -44,7 +44,7 @@ def set_rate(node, index, rate):
 
 
 def same_rate(now, wanted):
-    """True where a context keeps the rate that was asked of it: implementations round its period."""
+    """Whether a context has the rate that was asked of it: implementations round its period."""
     return abs(now - wanted) <= 0.01 * wanted
 
 
@@ -60,52 +60,52 @@ def stop(node, index):
 
 def _run(node, index, operation, wanted):
     ref, where = component.context_ref(node, index), str(node.path)
-    code = str(orb.call(where, ref, operation))  # PRECONDITION_NOT_MET where it is so already
+    code = str(orb.call(where, ref, operation))  # PRECONDITION_NOT_MET if it already is
     if bool(component.seen(lambda: orb.call(where, ref, "is_running"))) != wanted:
         raise errors.Refused(where, f"its execution context does not {operation} ({code})")
     return f"{node.path}: {'running' if wanted else 'stopped'}"
 
 
-def one_by_one(change, node, index, others):
-    """`attach` or `detach` for each component, in their order; an errors.Error in the place of what failed."""
+def one_by_one(change, node, index, participants):
+    """`attach` or `detach` the components, in their order; an errors.Error in the place of what failed."""
     results = []
-    for other in others:
+    for participant in participants:
         try:
-            results.append(other if isinstance(other, errors.Error) else change(node, index, other))
+            results.append(participant if isinstance(participant, errors.Error) else change(node, index, participant))
         except errors.Error as e:
             results.append(e)
     return results
 
 
-def attach(node, index, other):
-    """Let the component `other` take part in a context. Raises Failed, Refused, and what says that `other` is gone."""
+def attach(node, index, participant):
+    """Let the component `participant` take part in a context. Raises Failed, Refused, and Unreachable if that is dead."""
     ref, where = component.context_ref(node, index), str(node.path)
-    orb.is_alive(str(other.path), other.ref)
-    found = orb.call(where, ref, "get_profile")
-    if orb.same(found.owner, other.ref):
-        raise errors.Failed(where, f"{other.path!s} owns this execution context")
-    if not _takes_part(found, other):
-        code = str(orb.call(where, ref, "add_component", other.typed))
-        if code != "RTC_OK" or not _takes_part(component.seen(lambda: orb.call(where, ref, "get_profile")), other):
-            raise errors.Refused(where, f"its execution context does not take {other.path!s} ({code})")
-    return f"{node.path}: {other.path} takes part"
+    orb.is_alive(str(participant.path), participant.ref)
+    profile = orb.call(where, ref, "get_profile")
+    if orb.same(profile.owner, participant.ref):
+        raise errors.Failed(where, f"{participant.path!s} owns this execution context")
+    if not _takes_part(profile, participant):
+        code = str(orb.call(where, ref, "add_component", participant.typed))
+        if code != "RTC_OK" or not _takes_part(component.seen(lambda: orb.call(where, ref, "get_profile")), participant):
+            raise errors.Refused(where, f"its execution context does not take {participant.path!s} ({code})")
+    return f"{node.path}: {participant.path} takes part"
 
 
-def detach(node, index, other):
-    """Let the component `other` leave a context, which happens at its next cycle. Raises NoSuch, Refused."""
+def detach(node, index, participant):
+    """Let the component `participant` leave a context, which happens at its next cycle. Raises NoSuch, Refused."""
     ref, where = component.context_ref(node, index), str(node.path)
-    found = orb.call(where, ref, "get_profile")
-    if not _takes_part(found, other):
-        raise errors.NoSuch(where, "participant", str(other.path))
-    code = str(orb.call(where, ref, "remove_component", other.typed))
-    seconds = max(SETTLE_TIME, 3 / found.rate if found.rate > 0 else 0)
-    if not component.until(lambda: not _takes_part(component.seen(lambda: orb.call(where, ref, "get_profile")), other), seconds):
-        raise errors.Refused(where, f"its execution context does not let go of {other.path!s} ({code})")
-    return f"{node.path}: {other.path} left"
+    profile = orb.call(where, ref, "get_profile")
+    if not _takes_part(profile, participant):
+        raise errors.NoSuch(where, "participant", str(participant.path))
+    code = str(orb.call(where, ref, "remove_component", participant.typed))
+    seconds = max(SETTLE_TIME, 3 / profile.rate if profile.rate > 0 else 0)
+    if not component.until(lambda: not _takes_part(component.seen(lambda: orb.call(where, ref, "get_profile")), participant), seconds):
+        raise errors.Refused(where, f"its execution context does not let go of {participant.path!s} ({code})")
+    return f"{node.path}: {participant.path} left"
 
 
-def _takes_part(found, other):
-    return any(orb.same(each, other.ref) for each in found.participants)
+def _takes_part(profile, participant):
+    return any(orb.same(ref, participant.ref) for ref in profile.participants)
 
 
 def command(node, index, *words):

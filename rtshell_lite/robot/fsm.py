@@ -9,16 +9,16 @@ SERVICE = "IDL:omg.org/RTC/ExtendedFsmService:1.0"
 class Machine:
     """The state machine of the component `node`. Raises NoSuch where it has none.
 
-    The service is taken from the list of all: get_sdo_service, which gives it by its id, ends components of C++ 2.1.
+    The service is taken from the list of all, as get_sdo_service ends components of C++ 2.1.
     """
 
     def __init__(self, node):
         self.where = str(node.path)
-        found = [profile.service for profile in node.call("get_service_profiles")
-                 if SERVICE in (profile.interface_type, profile.id) and profile.service is not None]
-        if not found:
+        services = [profile.service for profile in node.call("get_service_profiles")
+                    if SERVICE in (profile.interface_type, profile.id) and profile.service is not None]
+        if not services:
             raise errors.NoSuch(self.where, "SDO service", "ExtendedFsmService (it is no state machine of FSM4RTC)")
-        self.ref = orb.narrow(found[0], stubs.named("fsm.RTC.ExtendedFsmService"))
+        self.ref = orb.narrow(services[0], stubs.named("fsm.RTC.ExtendedFsmService"))
 
     def state(self):
         """The name of the current state."""
@@ -27,27 +27,27 @@ class Machine:
     def _raw(self):
         code, structure = orb.call(self.where, self.ref, "get_fsm_structure")
         if str(code) != "RTC_OK":
-            raise errors.Refused(self.where, f"does not say its structure ({code})")
+            raise errors.Refused(self.where, f"does not report its structure ({code})")
         return structure
 
     def structure(self):
-        """Its structure as a dict: name, structure (SCXML), event_profiles (pairs name, data type), properties (pairs)."""
-        found = self._raw()
-        return {"name": from_wire(found.name), "structure": from_wire(found.structure),
-                "event_profiles": _pairs(found), "properties": orb.properties(found.properties)}
+        """A dict: name, structure (SCXML), event_profiles (pairs name, data type), properties (pairs)."""
+        raw = self._raw()
+        return {"name": from_wire(raw.name), "structure": from_wire(raw.structure),
+                "event_profiles": _pairs(raw), "properties": orb.properties(raw.properties)}
 
     def set_structure(self, content, dry_run=False):
-        """Replace the text of its structure; True when that changes, or with `dry_run` would change, anything."""
+        """Replace the text of its structure; returns whether that changes, or with `dry_run` would change, anything."""
         def change(structure):
             structure.structure = to_wire(content)
         return self._set(change, lambda structure: from_wire(structure.structure), content, dry_run)
 
     def set_event_profiles(self, pairs, dry_run=False):
-        """Replace its event profiles by `pairs` of name and data type; True as `set_structure` returns it."""
-        made = stubs.named("fsm.RTC.FsmEventProfile")
+        """Replace its event profiles by `pairs` of name and data type; returns what `set_structure` does."""
+        event_profile = stubs.named("fsm.RTC.FsmEventProfile")
 
         def change(structure):
-            structure.event_profiles = [made(to_wire(name), to_wire(kind)) for name, kind in pairs]
+            structure.event_profiles = [event_profile(to_wire(name), to_wire(kind)) for name, kind in pairs]
         return self._set(change, _pairs, pairs, dry_run)
 
     def _set(self, change, read, wanted, dry_run):
@@ -66,7 +66,7 @@ class Machine:
 
 
 def _pairs(structure):
-    return [(from_wire(each.name), from_wire(each.data_type)) for each in structure.event_profiles]
+    return [(from_wire(profile.name), from_wire(profile.data_type)) for profile in structure.event_profiles]
 
 
 def event_profiles(word):

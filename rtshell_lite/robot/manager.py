@@ -1,7 +1,7 @@
 """Managers (RTM::Manager): modules, components made and deleted, configuration, shut-down.
 
-A manager's word is not enough: load_module answers RTC_OK for files that do not exist, set_configuration for everything. So
-each change is followed by a look at what has really happened.
+A manager's answer proves nothing: load_module returns RTC_OK for files that do not exist, set_configuration for everything. So
+each change is checked.
 """
 import posixpath
 import re
@@ -27,7 +27,7 @@ class Address(str):
     names = ()
 
     def child(self, name):
-        """What a manager's component or slave is called."""
+        """The Path of a component or slave of this manager."""
         return Path(str(self), (name,), None, False)
 
 
@@ -66,7 +66,7 @@ def check(word):
 def check_argument(argument):
     """Raise Usage for a wrong argument of `create`; contacts nobody.
 
-    Managers know no escaping: they refuse a second ? and leave out what is not KEY=VALUE, both without a word.
+    Managers know no escaping: they refuse a second ? and skip what is not KEY=VALUE, both silently.
     """
     module, mark, pairs = argument.partition("?")
     if not module or "?" in pairs or any(pair and pair.count("=") != 1 for pair in pairs.split("&")):
@@ -74,7 +74,7 @@ def check_argument(argument):
 
 
 def reference(word):
-    """The reference that a corbaloc of a manager stands for; contacts nobody. Raises BadPath."""
+    """The reference that a corbaloc of a manager means; contacts nobody. Raises BadPath."""
     check(word)
     return orb.corbaloc(word, _CORBALOC.match(word).group("address"), _key(word), DEFAULT_PORT)
 
@@ -86,21 +86,21 @@ def _key(word):
 # ---- what it has ----------------------------------------------------------------------------------------------
 
 def components(node):
-    """(instance name, Node) of each component that lives; a master lists those of its slaves, too."""
-    return [(each.path.names[-1].id, each) for each in tree.managed(node) if each.kind == "component"]
+    """(instance name, Node) of each live component; a master lists those of its slaves, too."""
+    return [(child.path.names[-1].id, child) for child in tree.managed(node) if child.kind == "component"]
 
 
-def profiles(node, wanted=lambda each: True):
-    """(Node, component.Profile) of its components, each asked in the order that harms none; an errors.Error for what failed.
+def profiles(node, wanted=lambda child: True):
+    """(Node, component.Profile) of those of its components for which wanted(Node) is true; an errors.Error for what failed.
 
-    Those that are gone are left out, although managers may go on listing them, and those that are not `wanted`.
+    Those that are gone are left out, although managers may still list them.
     """
-    def one(each):
-        ports.ports(each)
-        return each, component.profile(each)
-    found = sorted((each for each in tree.managed(node) if each.kind != "zombie" and wanted(each)),
-                   key=lambda each: str(each.path))
-    return tree.on_nodes([each.error or each for each in found], one)
+    def profiled(child):
+        ports.ports(child)  # first, see `component.profile`
+        return child, component.profile(child)
+    children = sorted((child for child in tree.managed(node) if child.kind != "zombie" and wanted(child)),
+                      key=lambda child: str(child.path))
+    return tree.on_nodes([child.error or child for child in children], profiled)
 
 
 def configuration(node):
@@ -114,25 +114,25 @@ def profile(node):
 
 
 def modules(node, operation="get_loadable_modules"):
-    """Profiles of modules as dicts: get_loadable_modules, get_loaded_modules or get_factory_profiles.
+    """Profiles of modules as dicts, sorted, each once: get_loadable_modules, get_loaded_modules or get_factory_profiles.
 
-    Sorted, and each once. What slaves have loaded, a master can create: some masters report that, those of C++ 2.1 do not.
+    A master can create what its slaves have loaded: some masters report that, those of C++ 2.1 do not.
     """
-    found = _modules(node, operation)
+    listed = _modules(node, operation)
     if operation != "get_loadable_modules":
         for answer in tree.on_nodes(_slaves(node), lambda slave: _modules(slave, operation)):
-            found += [] if isinstance(answer, errors.Error) else answer
-    distinct = {tuple(sorted(each.items())): each for each in found}
-    return sorted(distinct.values(), key=lambda each: (component_id(each), each.get("file_path", "")))
+            listed += [] if isinstance(answer, errors.Error) else answer
+    distinct = {tuple(sorted(module.items())): module for module in listed}
+    return sorted(distinct.values(), key=lambda module: (component_id(module), module.get("file_path", "")))
 
 
 def _modules(node, operation):
     seconds = MODULES_TIME if operation == "get_loadable_modules" else None
-    return [dict(orb.properties(each.properties)) for each in node.call(operation, seconds=seconds)]
+    return [dict(orb.properties(module.properties)) for module in node.call(operation, seconds=seconds)]
 
 
 def _loaded(node):
-    return [each.get("file_path", "") for each in _modules(node, "get_loaded_modules")]
+    return [module.get("file_path", "") for module in _modules(node, "get_loaded_modules")]
 
 
 def component_id(properties):
@@ -146,40 +146,40 @@ def component_id(properties):
 def create(node, argument, wait=None):
     """Create a component and return its instance name. `argument` is MODULE[?key=value[&key=value…]].
 
-    `wait` (seconds): until it is initialised and the manager lists it. Raises Refused with what is known of the reason.
+    `wait`: so many seconds until it is initialised and the manager lists it. Raises Refused with what is known of the reason.
     """
     before = components(node)
     wanted = dict(pair.split("=", 1) for pair in argument.partition("?")[2].split("&") if "=" in pair).get("instance_name")
     if wanted in [name for name, _ in before]:
-        # not refused by managers: two components of one name crash their process later (C++ 1.x)
+        # managers do not refuse it: two components of one name crash their process later (C++ 1.x)
         raise errors.Refused(str(node.path), f"has a component {printable(wanted)} already")
     refs = (node.call("create_component", to_wire(spelt), seconds=CREATE_TIME) for spelt in _spellings(argument))
     ref = next((ref for ref in refs if ref is not None), None)
     if ref is None:
         raise errors.Refused(str(node.path), f"does not create {printable(argument)} ({_why_not(node, argument)})")
-    made = tree.Node(node.path, "component", ref)
-    name = from_wire(component.seen(lambda: made.call("get_sdo_id")))
-    if any(orb.same(ref, other.ref) for _, other in before):
-        raise errors.Refused(str(node.path), f"made nothing new: it gave back {printable(name)}, which was there")
-    if name in [other for other, _ in before]:
-        raise errors.Refused(str(node.path), _same_name(node, made, printable(name)))
+    created = tree.Node(node.path, "component", ref)
+    name = from_wire(component.seen(lambda: created.call("get_sdo_id")))
+    if any(orb.same(ref, known.ref) for _, known in before):
+        raise errors.Refused(str(node.path), f"created nothing new: it returned {printable(name)}, which was there")
+    if name in [known for known, _ in before]:
+        raise errors.Refused(str(node.path), _same_name(node, created, printable(name)))
     if wait is not None:
-        _until(wait, lambda: _is_ready(node, name, made), str(node.path), f"{printable(name)} is not ready")
+        _until(wait, lambda: _is_ready(node, name, created), str(node.path), f"{printable(name)} is not ready")
     return name
 
 
-def _same_name(node, made, name):
-    """What has become of a creation that gave back a new component under a name that one had before.
+def _same_name(node, created, name):
+    """What a creation has come to that returned a new component under a name that was there before.
 
-    A factory of Python keeps the last name that it was given, makes another component of that name, and lists it nowhere.
+    A Python factory keeps the last name that it was given, makes another component of that name, and lists it nowhere.
     """
-    if component.seen(lambda: _lists(node, made.ref)):
+    if component.seen(lambda: _lists(node, created.ref)):
         return f"made a second component called {name}: only one of them is found by that name; delete one"
-    return f"made nothing of use: it gave back the name {name}, which was there; give another one: ?instance_name=…"
+    return f"created nothing of use: it returned the name {name}, which is taken; give another one: ?instance_name=…"
 
 
 def _spellings(argument):
-    """The argument, and its other form: an identity has no language in it with C++ 1.1, one with all later versions."""
+    """The argument, and its other form: an identity has no language for C++ 1.1, and one for all later versions."""
     ident, mark, rest = argument.partition("?")
     fields = ident.split(":")
     yield argument
@@ -190,23 +190,23 @@ def _spellings(argument):
 
 
 def _why_not(node, argument):
-    """What is known of the reason: managers give none."""
+    """What can be found out of the reason: managers give none."""
     ident = argument.partition("?")[0]
     wanted = ident.split(":")[3] if ident.count(":") > 3 else ident
-    there = modules(node, "get_factory_profiles")
-    alike = [each for each in there if each.get("implementation_id") == wanted]
+    factories = modules(node, "get_factory_profiles")
+    alike = [factory for factory in factories if factory.get("implementation_id") == wanted]
     if not alike:
-        known = sorted({each.get("implementation_id", "") for each in there})
+        known = sorted({factory.get("implementation_id", "") for factory in factories})
         return f"no factory {printable(wanted)}; there are: {printable(', '.join(known)) or 'none'}"
     if ident != wanted and ident not in map(component_id, alike):
         return "there is " + printable(", ".join(map(component_id, alike)))
     most = alike[0].get("max_instance", "0")
-    return "a wrong argument, %sor its own initialisation failed" % (
-        "its max_instance of %s is reached, " % printable(most) if most != "0" else "")
+    limit = f"its max_instance of {printable(most)} is reached, " if most != "0" else ""
+    return f"a wrong argument, {limit}or its own initialisation failed"
 
 
-def _is_ready(node, name, made):
-    return name in [each for each, _ in components(node)] and component.state(made) not in ("Created", "Unknown")
+def _is_ready(node, name, created):
+    return name in [listed for listed, _ in components(node)] and component.state(created) not in ("Created", "Unknown")
 
 
 def delete(node, instance):
@@ -214,17 +214,17 @@ def delete(node, instance):
 
     Raises NoSuch, Refused, Unreachable.
     """
-    found = [each for name, each in components(node) if name == instance]
-    if len(found) != 1:
-        raise errors.NoSuch(str(node.path), "component" if not found else "single component (its slaves have several)",
+    matching = [child for name, child in components(node) if name == instance]
+    if len(matching) != 1:
+        raise errors.NoSuch(str(node.path), "component" if not matching else "single component (its slaves have several)",
                             printable(instance))
-    # a master says BAD_PARAMETER to the name of a slave's component, or RTC_OK and does nothing (C++ 1.1)
-    holder = next((slave for slave in _slaves(node) if _lists(slave, found[0].ref)), node)
-    component.leave(found[0])
+    # a master returns BAD_PARAMETER for the name of a slave's component, or RTC_OK and does nothing (C++ 1.1)
+    holder = next((slave for slave in _slaves(node) if _lists(slave, matching[0].ref)), node)
+    component.leave(matching[0])
     code = str(holder.call("delete_component", to_wire(instance), seconds=CREATE_TIME))
     if code != "RTC_OK":
         raise errors.Refused(str(node.path), f"does not delete {printable(instance)} ({code})")
-    _until(SETTLE_TIME, lambda: not _lists(node, found[0].ref), str(node.path), f"still lists {printable(instance)}")
+    _until(SETTLE_TIME, lambda: not _lists(node, matching[0].ref), str(node.path), f"still lists {printable(instance)}")
 
 
 def _slaves(node):
@@ -232,7 +232,7 @@ def _slaves(node):
 
 
 def _lists(node, ref):
-    return any(orb.same(each, ref) for each in node.call("get_components"))
+    return any(orb.same(listed, ref) for listed in node.call("get_components"))
 
 
 def load(node, file_path, function):
@@ -244,15 +244,15 @@ def load(node, file_path, function):
     code = str(node.call("load_module", to_wire(file_path), to_wire(function), seconds=CREATE_TIME))
     after = _loaded(node)
     if code != "RTC_OK" or not meant(file_path, after) and len(after) <= len(before):
-        raise errors.Refused(str(node.path), f"did not load {printable(file_path)} (it says {code})")
+        raise errors.Refused(str(node.path), f"did not load {printable(file_path)} (it returned {code})")
     return len(_modules(node, "get_factory_profiles")) - known
 
 
 def meant(word, paths):
     """Those of the loaded modules' paths that a word means: a path as it is listed, or what such a module is loaded by.
 
-    That is a path below a directory of the manager's load path, with ./ or // in it, a variable of the manager's environment
-    ($DIR/Camera.so), and for Python without its .py.
+    That may be relative to the manager's load path, have ./ or // or a variable of its environment ($DIR/Camera.so) in it, and
+    for Python lack .py.
     """
     exact = sorted({path for path in paths if path == word})
     tail = re.sub(r"^(\.\./)*", "", _plain(re.sub(r"^.*\$[^/]*/", "", word)))
@@ -265,76 +265,76 @@ def meant(word, paths):
 
 
 def _plain(path):
-    """A path without ./, // and detours, with / even where it is one of Windows."""
+    """A path without ./, // and .., with / even where it is one of Windows."""
     return re.sub("^//", "/", posixpath.normpath(path.replace("\\", "/")))
 
 
 def unload(node, word):
     """Unload the module that `word` means, see `meant`. Raises NoSuch, Failed while a component of it lives, Refused.
 
-    A master is asked to unload its own, else the slave that has it. Returns the name under which the manager still offers to
-    create what its code is gone for, '' if none: that would end its process (C++ 2.1).
+    A master is asked to unload its own, else the slave that has it. Returns the name of a component that the manager still offers
+    to create although its code is gone, '' if none: to create it would end its process (C++ 2.1).
     """
     slaves = _slaves(node)
-    loaded = [(each, _loaded(each)) for each in [node] + slaves]
-    paths = meant(word, [path for _, found in loaded for path in found])
+    loaded = [(holder, _loaded(holder)) for holder in [node] + slaves]
+    paths = meant(word, [path for _, listed in loaded for path in listed])
     if len(paths) != 1:
         raise errors.NoSuch(str(node.path), "loaded module" if not paths else "single loaded module", printable(word))
     path, code = paths[0], ""
-    for each, found in loaded:
-        if path not in found:
+    for holder, listed in loaded:
+        if path not in listed:
             continue
-        _must_be_unused(each, path)
+        _must_be_unused(holder, path)
         try:  # a master may list its slaves' modules, but refuses to unload them
-            code = str(each.call("unload_module", to_wire(path)))
+            code = str(holder.call("unload_module", to_wire(path)))
         except errors.Refused as e:
             code = e.why
             continue
-        if code == "RTC_OK" and _loaded(each).count(path) < found.count(path):
-            return _still_offered(each, path)
-    raise errors.Refused(str(node.path), f"did not unload {printable(path)} (it says {code})")
+        if code == "RTC_OK" and _loaded(holder).count(path) < listed.count(path):
+            return _still_offered(holder, path)
+    raise errors.Refused(str(node.path), f"did not unload {printable(path)} (it returned {code})")
 
 
 def _must_be_unused(node, path):
-    """Raise Failed where a component of a compiled module lives: its code would vanish under it, and end its process (C++ 2.1)."""
-    for answer in profiles(node, lambda each: each.endpoint == node.endpoint):
+    """Raise Failed if a component of a compiled module lives: to lose its code would end its process (C++ 2.1)."""
+    for answer in profiles(node, lambda child: child.endpoint == node.endpoint):
         if not isinstance(answer, errors.Error) and _is_of(path, dict(answer[1].properties)):
-            raise errors.Failed(str(node.path), "%s is in use by %s, whose process would end; delete it first" % (
-                printable(path), printable(answer[1].instance_name)))
+            user = printable(answer[1].instance_name)
+            raise errors.Failed(str(node.path), f"{printable(path)} is in use by {user}, whose process would end; delete it first")
 
 
 def _still_offered(node, path):
-    return next((each["implementation_id"] for each in _modules(node, "get_factory_profiles") if _is_of(path, each)), "")
+    return next((factory["implementation_id"] for factory in _modules(node, "get_factory_profiles") if _is_of(path, factory)), "")
 
 
 def _is_of(path, properties):
-    """Whether a component or factory is of a compiled module, which is called as its implementation, as a rule."""
+    """Whether a component or factory is of a compiled module, which usually has the name of its implementation."""
     name = posixpath.splitext(posixpath.basename(path.replace("\\", "/")))[0]
     return properties.get("implementation_id") == name and properties.get("language") != "Python"
 
 
 def set_configuration(node, key, value):
-    """Set a configuration value; many are read only when a manager starts. Raises Refused when it did not take."""
+    """Set a configuration value; many are read only when a manager starts. Raises Refused if it was not set."""
     code = str(node.call("set_configuration", to_wire(key), to_wire(value)))
     now = dict(configuration(node)).get(key)
     if code != "RTC_OK" or now != value:
-        raise errors.Refused(str(node.path), "did not set %s (it says %s; the value is %s)" % (
-            printable(key), code, "missing" if now is None else printable(now) or "empty"))
+        shown = "missing" if now is None else printable(now) or "empty"
+        raise errors.Refused(str(node.path), f"did not set {printable(key)} (it returned {code}; the value is {shown})")
 
 
 def shut_down(node, wait=None, above=()):
     """End the processes of a manager's slaves, then its own; lines and errors.Errors, see `cli.report`.
 
-    A master that ends leaves its slaves alone: nobody leads to them any more. So it is left, too, where one of them stays. Each
-    process may take `wait` seconds, or END_TIME; only that nobody listens there any more shows that it has ended.
+    Slaves can only be found through their master, so it is left running if one of them is. A process may take `wait` seconds, or
+    END_TIME; it has ended when nobody listens there any more.
     """
     known = [node.ref] + list(above)
-    slaves = [each for each in tree.slaves(node) if each.kind != "zombie" and not any(orb.same(each.ref, ref) for ref in known)]
-    parts = tree.on_nodes([each.error or each for each in slaves], lambda each: shut_down(each, wait, known))
+    slaves = [slave for slave in tree.slaves(node) if slave.kind != "zombie" and not any(orb.same(slave.ref, ref) for ref in known)]
+    parts = tree.on_nodes([slave.error or slave for slave in slaves], lambda slave: shut_down(slave, wait, known))
     results = [result for part in parts for result in ([part] if isinstance(part, errors.Error) else part)]
-    left = [each for each, part in zip(slaves, parts) if isinstance(part, errors.Error) or not all(_done(one) for one in part)]
+    left = [slave for slave, part in zip(slaves, parts) if isinstance(part, errors.Error) or not all(_done(line) for line in part)]
     if left:
-        return results + [errors.NotTried(str(node.path), f"its slave {left[0].path!s} still runs, and nobody else leads to it")]
+        return results + [errors.NotTried(str(node.path), f"its slave {left[0].path!s} still runs, and cannot be found without it")]
     return results + [_ended(node, END_TIME if wait is None else wait)]
 
 

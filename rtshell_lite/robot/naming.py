@@ -1,4 +1,4 @@
-"""Taking names out of name servers (CosNaming::NamingContext): unbind and destroy, and what must never go by mistake."""
+"""Deleting names from name servers (CosNaming::NamingContext): unbind and destroy, and what must never be deleted by mistake."""
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.path import Path
@@ -11,7 +11,7 @@ def delete(path, note, zombie_only=False, recursive=False, dry_run=False):
 
     note         called with a line on each naming context that has another name, and loses only this one
     zombie_only  refuse all but zombies, each verified twice
-    recursive    a naming context with all that is below; without it only an empty one goes
+    recursive    delete a naming context with all that is below it; otherwise only an empty one
     Raises what `tree.resolve` raises, WrongKind, Refused.
     """
     if path.port is not None or not path.names:
@@ -35,10 +35,10 @@ def zombies(top):
     return [node for node in tree.look(nodes) if node.kind == "zombie"], [node for node in nodes if node.error is not None]
 
 
-def delete_zombies(found, dry_run=False):
-    """`_delete_zombie` for each: lines, an errors.Error in the place of what failed. What lives after all just stays."""
+def delete_zombies(nodes, dry_run=False):
+    """Delete each of these zombies: a line, '' for one that lives after all, or an errors.Error."""
     results = []
-    for node in found:
+    for node in nodes:
         try:
             results.append(_delete_zombie(node, dry_run))
         except errors.WrongKind:
@@ -49,7 +49,7 @@ def delete_zombies(found, dry_run=False):
 
 
 def _delete_zombie(node, dry_run):
-    """Look a second time: the component may have been started again under its name since."""
+    """Delete a zombie after a second look: the component may have been started again under its name."""
     try:
         again = tree.resolve(node.path)
     except errors.NotFound:
@@ -58,7 +58,7 @@ def _delete_zombie(node, dry_run):
 
 
 def _dead(node):
-    """Look at a node and return the zombie that it is. Raises WrongKind, or Silent for one that does not say."""
+    """Look at a node that should be a zombie and return it. Raises WrongKind, or Silent if it does not answer."""
     node, = tree.look([node])
     if node.kind == "silent":
         raise node.error
@@ -83,13 +83,13 @@ def _unbind(path, dry_run, zombie=False):
 # ---- naming contexts ------------------------------------------------------------------------------------------
 
 class _Bindings:
-    """By which names the naming contexts of all name servers can be reached, and what is left of that without one name."""
+    """The names by which the naming contexts of all name servers can be reached, and which can without one of the names."""
 
     def __init__(self, path):
-        """`path` names the naming context that is to go; its name server and those of RTCTREE_NAMESERVERS are walked."""
+        """`path` names the naming context to delete; its name server and those of RTCTREE_NAMESERVERS are walked."""
         self.known, self._names, self._roots = aliases.Known(), {}, set()
         places = {}  # Path of a directory: the Path by which it is known
-        for node in tree.walk_servers(_servers(path), managers=False):
+        for node in tree.walk_servers(tree.known_servers(path.server), managers=False):
             if node.kind not in ("server", "directory"):
                 continue
             place = self.known.path(node) or places.get(node.alias)
@@ -108,7 +108,7 @@ class _Bindings:
         self._names[above, node.path.names[-1]] = place, node.path
 
     def _without(self, gone):
-        """Find all that is reached without one name, a pair (Path of the directory, Name)."""
+        """Find what can be reached without the name `gone`, a pair (Path of the directory, Name)."""
         self._left, todo = {}, [(root, root) for root in self._roots]  # {Path of a directory: a path that leads there}
         below = {}
         for (above, name), (place, _) in self._names.items():
@@ -118,46 +118,34 @@ class _Bindings:
             place, leads = todo.pop(0)
             if place not in self._left:
                 self._left[place] = leads
-                todo += [(each, leads.child(name)) for each, name in below.get(place, ())]
+                todo += [(inner, leads.child(name)) for inner, name in below.get(place, ())]
 
     def elsewhere(self, node):
         """A Path by which a naming context can still be reached, or None."""
         return self._left.get(self.known.path(node))
 
 
-def _servers(path):
-    """The name servers to look at: the one that `path` begins with, and all that are known."""
-    found = []
-    for address in [path.server] + [each for each in tree.servers() if each != path.server]:
-        try:
-            found.append(tree.resolve(Path(address, (), None, False)))
-        except errors.BadPath:
-            pass  # one of RTCTREE_NAMESERVERS that is no address
-    return found
-
-
 class _Deletion:
-    """The deletion of a naming context; `note` is called with a line on each name that is only another name of what stays."""
+    """The deletion of a naming context; for `note` see `delete`."""
 
     def __init__(self, path, recursive, dry_run, note):
         self.recursive, self.dry_run, self.note = recursive, dry_run, note
         self.bindings, self._entered = _Bindings(path), aliases.Known()
 
     def lines(self, above, node):
-        """Delete the naming context `node`, bound in `above`, what is below it first; yields a line for each name.
+        """Delete the naming context `node`, bound in `above`, after what is below it; yields a line for each name.
 
-        One that is bound elsewhere, too, or belongs to another name server, loses only this name, as does one that is met a
-        second time: it is bound inside itself.
+        One that has another name, belongs to another name server or is bound inside itself loses only this name.
         """
         if len(node.path.names) > tree.DEPTH:
-            raise errors.Refused(str(node.path), "more than %d directories deep" % tree.DEPTH)
+            raise errors.Refused(str(node.path), f"more than {tree.DEPTH} directories deep")
         if self._is_alias(above, node) or self._entered.path(node):
             yield _unbind(node.path, self.dry_run)
             return
         below = tree.children(node)
         if below and not self.recursive:
-            raise errors.Refused(str(node.path), "not empty (%d name%s); delete it with --recursive"
-                                 % (len(below), "s" if len(below) > 1 else ""))
+            names = f"{len(below)} name{'s' if len(below) > 1 else ''}"
+            raise errors.Refused(str(node.path), f"not empty ({names}); delete it with --recursive")
         self._entered.enter(node)
         for child in below:
             if child.kind == "directory":
@@ -169,16 +157,16 @@ class _Deletion:
         yield _unbind(node.path, self.dry_run)
 
     def _is_alias(self, above, node):
-        other = self.bindings.elsewhere(node)
-        if other is None and not aliases.is_foreign(above, node):
+        another = self.bindings.elsewhere(node)
+        if another is None and not aliases.is_foreign(above, node):
             return False
-        what = "another name of " + str(other) if other else "a directory of the name server at %s:%d" % node.endpoint
+        what = "another name of " + str(another) if another else "a directory of the name server at %s:%d" % node.endpoint
         self.note(f"{node.path}: {printable(what)}; only this name is deleted")
         return True
 
 
 def _destroy(node):
-    """Let the server forget an empty context. It refuses when a name has come into it since, which stops the deletion."""
+    """Destroy an empty context. The server refuses when a name has been bound in it since, which stops the deletion."""
     try:
         node.call("destroy")
     except errors.Refused as e:

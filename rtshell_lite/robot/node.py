@@ -1,4 +1,4 @@
-"""The objects of the RTC Tree: what each is, which its reference says, and whether it lives, which it says itself."""
+"""The objects of the RTC Tree: what each is, by its reference, and whether it lives, by asking it."""
 import functools
 import time
 
@@ -7,7 +7,7 @@ from rtshell_lite.corba import lanes, orb, stubs
 from rtshell_lite.path import Name
 from rtshell_lite.text import LONGEST, from_wire
 
-MOST = 50000  # names in one context: an iterator may say for ever that there is more
+MOST = 50000  # names in one context: an iterator may have no end
 PATIENCE = 3  # times the timeout, in which all names of a context have to come
 DIRECTORIES = ("root", "server", "directory", "manager")
 
@@ -23,7 +23,7 @@ class Node:
 
     path   its Path
     kind   root, server, directory, component, manager; zombie, whose object is gone; silent, a component or manager whose
-           process does not answer; unknown, any other object; unsure, one that has to be asked (`look`) because its reference does not say
+           process does not answer; unknown, any other object; unsure, one that must be asked (`look`), as its reference does not say
     ref    its object reference; None at the root and for a nil reference
     error  for kind `silent` and `zombie`: the errors.Error that says why; for others: why what is below could not be listed
     alias  the Path of the same directory where a walk entered it before; such a Node is not entered again; else None
@@ -40,7 +40,7 @@ class Node:
 
     @property
     def name(self):
-        """How a listing shows it: the last name of its path, spelt for the terminal."""
+        """The last name of its path, spelt for the terminal."""
         return str(self.path.names[-1]) if self.path.names else str(self.path)[1:] or "/"
 
     @property
@@ -52,7 +52,7 @@ class Node:
 
     @property
     def what(self):
-        """Its kind in the words of an error: it is a …"""
+        """Its kind in words, for errors."""
         if self.kind in ("unknown", "unsure"):
             return "nil reference" if self.ref is None else "CORBA object of unknown kind"
         words = {"root": "root directory", "server": "name server", "silent": "component that does not answer"}
@@ -62,7 +62,7 @@ class Node:
     def typed(self):
         """`ref` as a reference of the interface that its kind implies; the stubs are imported only here."""
         if not self._is_typed:
-            self.ref, self._is_typed = self._narrowed(), True  # in place of the other: each takes 800 bytes
+            self.ref, self._is_typed = self._narrowed(), True  # only this one is kept: a reference takes 800 bytes
         return self.ref
 
     def _narrowed(self):
@@ -85,7 +85,7 @@ class Node:
 
 
 def no_name_server(node):
-    """The error for an object that answers at the address of a name server, and is none."""
+    """The error for an object that answers at the address of a name server, but is none."""
     return errors.WrongKind(str(node.path), "name server", "CORBA process of another kind")
 
 
@@ -109,7 +109,7 @@ def unusable(path, error):
 
 
 def _kind(type_id, name):
-    """What an object is, by the type and the Name that it was bound with."""
+    """What an object is, by the type in its reference and the Name that it is bound with."""
     if type_id in _CONTEXTS:
         return "directory"
     if type_id in _COMPONENTS:
@@ -124,10 +124,10 @@ def _kind(type_id, name):
 def look(nodes):
     """Find out which of `nodes` live, in parallel, one call each; returns new nodes in the same order.
 
-    A component or manager that is gone becomes `zombie`, one that does not answer `silent`. `_non_existent` is the
-    question: a profile can end a component whose connection has died (protocol of OpenRTM-aist 2.1).
+    A component or manager that is gone becomes `zombie`, one that does not answer `silent`. They are asked `_non_existent`: a
+    profile query can end a component whose connection has died (protocol of OpenRTM-aist 2.1).
     """
-    # a manager with an error has answered: to another question than that which it did not answer
+    # a manager with an error has answered, though not to every question
     objects = [node for node in nodes if node.kind in ("component", "manager", "unsure") and node.error is None]
     answers = dict(zip(objects, on_nodes(objects, _looked_at)))
     return [judged(node, answers[node]) if node in answers else node for node in nodes]
@@ -147,7 +147,7 @@ def _looked_at(node):
 
 
 def _sure(node):
-    """Ask an object that does not say what it is; a refusal to answer makes it unknown."""
+    """Ask an object whose reference does not say what it is; a refusal makes it unknown."""
     try:
         for kind, type_id in (("component", _RTOBJECT), ("manager", _MANAGER), ("directory", _CONTEXTS[0])):
             if orb.call(node.path, node.ref, "_is_a", type_id):
@@ -177,10 +177,10 @@ def name_server_error(node, e):
 
 
 def bound(node):
-    """The bindings of a naming context, however many there are, each its Name and whether it is a naming context.
+    """The bindings of a naming context, however many there are: (Name, whether it is a naming context).
 
-    One call for all but the largest contexts; [] for other directories. Names above MOST, those that have not come in PATIENCE,
-    and those that no command line can hold are left out, which is reported.
+    One call for all but the largest contexts; [] for other directories. Names above MOST, those not received in PATIENCE, and
+    those too long for a command line are left out, which is reported.
     """
     if node.kind not in ("server", "directory"):
         return []
@@ -191,17 +191,17 @@ def bound(node):
         raise name_server_error(node, e)
     if iterator is not None:
         bindings = _iterated(node, iterator, bindings, size)
-    names = [(each.binding_name[0], each.binding_type._v == 1) for each in bindings if each.binding_name]  # 1: ncontext
-    found = [(Name(from_wire(name.id), from_wire(name.kind)), is_context) for name, is_context in names
-             if len(name.id) + len(name.kind) < LONGEST]
-    if len(found) < len(names):
-        cli.left_out("%s: %d of %d names are left out: they are longer than %d characters" % (
-            node.path, len(names) - len(found), len(names), LONGEST))
-    return found
+    names = [(binding.binding_name[0], binding.binding_type._v == 1) for binding in bindings if binding.binding_name]  # 1: ncontext
+    entries = [(Name(from_wire(name.id), from_wire(name.kind)), is_context) for name, is_context in names
+               if len(name.id) + len(name.kind) < LONGEST]
+    if len(entries) < len(names):
+        cli.left_out(f"{node.path}: {len(names) - len(entries)} of {len(names)} names are left out: they are longer than {LONGEST} "
+                     "characters")
+    return entries
 
 
 def _iterated(node, iterator, bindings, size):
-    """The bindings that came, and those of an iterator, as far as it has an end."""
+    """The bindings that came, and those of an iterator, MOST of them at most."""
     end, more = time.monotonic() + PATIENCE * lanes.session.timeout, True
     try:
         while more and len(bindings) < MOST and time.monotonic() < end:

@@ -1,24 +1,21 @@
-"""Where in the RTC Tree a reference is bound, found by comparing references, and so whose the far ends of connections are."""
+"""Where in the RTC Tree a reference is bound, and so whose the far ends of connections are: found by comparing references."""
 import collections
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
-from rtshell_lite.path import Name, Path
+from rtshell_lite.path import Name
 from rtshell_lite.robot import ports, tree
 from rtshell_lite.text import printable
 
 
 class Places:
-    """Finds the paths of components: beside a known one first, in its name server and all others when need be."""
+    """Finds the paths of components: beside a known one, else in its name server, else in all others."""
 
     def __init__(self):
         self.everywhere = None
 
     def path(self, instance, ref, known):
-        """The Path where the component `ref` with this instance name is bound, None where it is bound nowhere.
-
-        `known` is the Node of a component that has to do with it.
-        """
+        """The Path where the component `ref` with this instance name is bound, or None; `known` is the Node of one that knows it."""
         directory = known.path.parent()
         return self._beside(directory.child(Name(instance, "rtc")), ref) or self._anywhere(ref, directory.server)
 
@@ -30,20 +27,9 @@ class Places:
 
     def _anywhere(self, ref, server):
         if self.everywhere is None:
-            self.everywhere = [node for node in tree.walk_servers(_servers(server), managers=False)
+            self.everywhere = [node for node in tree.walk_servers(tree.known_servers(server), managers=False)
                                if node.kind == "component" and node.ref is not None]
         return next((node.path for node in self.everywhere if orb.same(node.ref, ref)), None)
-
-
-def _servers(first):
-    """The name servers to look into, this address first; what is no address is left out."""
-    found = []
-    for address in [first] + [address for address in tree.servers() if address != first]:
-        try:
-            found.append(tree.resolve(Path(address, (), None, False)))
-        except errors.BadPath:
-            pass
-    return found
 
 
 # ---- the far ends of connections ------------------------------------------------------------------------------
@@ -53,15 +39,15 @@ def _servers(first):
 End = collections.namedtuple("End", "ref port error")
 
 
-def far_ends(found, silent=None):
-    """{identity of a port: End} of all ports that the Ports `found` are connected with, these themselves left out.
+def far_ends(near, silent=None):
+    """{identity of a port: End} of all ports that the Ports `near` are connected with, except these themselves.
 
-    Only those ports are asked, one call each, but for ports in processes that are `silent` ({endpoint: errors.Error}). Whose
-    they are is found by comparing their owners with what is bound in the name servers, without asking anyone else.
+    They are asked, one call each, unless their processes are `silent` ({endpoint: errors.Error}). Whose they are is found by
+    comparing their owners with what is bound in the name servers.
     """
-    own, silent = {orb.identity(port.ref) for port in found}, silent or {}
+    own, silent = {orb.identity(port.ref) for port in near}, silent or {}
     wanted = collections.OrderedDict()  # by identity: its reference, and the Node of a component that is connected with it
-    for port in found:
+    for port in near:
         for ref in [ref for connector in port.connectors for ref in connector.ports if ref is not None]:
             if orb.identity(ref) not in own:
                 wanted.setdefault(orb.identity(ref), (ref, port.node))
@@ -75,7 +61,7 @@ def far_ends(found, silent=None):
 
 
 def ask(refs):
-    """An iterator of the Port behind each reference, or of an errors.Error; the Node of a Port has an address as its path."""
+    """An iterator of the Port of each reference, or an errors.Error; the Node of a Port has an address as its path."""
     return iter(orb.each(refs, lambda ref: ports.port(tree.Node(orb.at_address(ref), "component", ref), ref)))
 
 
@@ -84,9 +70,9 @@ def _placed(port, places, known):
     return port._replace(node=path and tree.Node(path, "component", port.owner))
 
 
-def far_names(found):
-    """A function reference → what to call that end of a connection of the Ports `found`: see `name`; None for one of these."""
-    ends = far_ends(found)
+def far_names(near):
+    """A function reference → `name` of that end of a connection of the Ports `near`; None for one of these."""
+    ends = far_ends(near)
 
     def name_of(ref):
         if ref is None:

@@ -1,4 +1,4 @@
-"""Ports of components and their connectors: what they are, and why two ports do not match. connectors.py changes them."""
+"""Ports of components and their connectors, and why ports do not match. connectors.py changes them."""
 import collections
 
 from rtshell_lite import cli, errors
@@ -13,13 +13,13 @@ Interface = collections.namedtuple("Interface", "instance_name type_name polarit
 Connector = collections.namedtuple("Connector", "id name ports properties")  # ports: references; properties: pairs
 
 DATA = ("DataInPort", "DataOutPort")
-# What rtcon asks for where the user says nothing; the data type is the first port's.
+# Properties of connections unless the user gives others; the data type is the first port's.
 DEFAULTS = (("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
             ("dataport.subscription_type", "new"))
 
 RATES = ("dataport.publisher.push_rate", "dataport.push_rate", "dataport.outport.publisher.push_rate",
          "dataport.outport.push_rate")  # where components look for the rate of a periodic connection
-MOST_PORTS, MOST_PARTS, MOST_ENDS = 1000, 1000, 16  # of a component, of a port, of a connector; nobody means well with more
+MOST_PORTS, MOST_PARTS, MOST_ENDS = 1000, 1000, 16  # of a component, of a port, of a connector; more are not taken
 
 ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push
 
@@ -31,48 +31,48 @@ def ports(node, brief=False):
     return [port(node, ref, brief=brief) for ref in refs(node)]
 
 
-def in_system(found):
-    """The Ports `found` without their connectors of one port only: these are of tools, ours or others, not of the system."""
-    return [each._replace(connectors=[one for one in each.connectors if len(one.ports) > 1]) for each in found]
+def in_system(listed):
+    """The Ports without their connectors of one port only: tools, ours or others, make those; they are no part of the system."""
+    return [port._replace(connectors=[connector for connector in port.connectors if len(connector.ports) > 1]) for port in listed]
 
 
 def refs(node):
     """References of the ports of a component."""
-    found, port_service = cli.first(MOST_PORTS, node.call("get_ports"), node.path, "ports"), stubs.named("component.RTC.PortService")
-    return [orb.narrow(ref, port_service) for ref in found if ref is not None]
+    listed, port_service = cli.first(MOST_PORTS, node.call("get_ports"), node.path, "ports"), stubs.named("component.RTC.PortService")
+    return [orb.narrow(ref, port_service) for ref in listed if ref is not None]
 
 
 def port(node, ref, failures=None, brief=False):
-    """The Port behind a reference (PortService::get_port_profile); for `failures` see `component.once_more`.
+    """The Port of a reference (PortService::get_port_profile); for `failures` see `component.once_more`.
 
-    `brief`: without interfaces, and with no property but its type. Most of a port are these, and 1,000 ports are many.
+    `brief`: without interfaces, and with no property but its type: they take most of the memory.
     """
     try:
-        found = component.once_more(lambda: orb.call(node.path, ref, "get_port_profile"), failures)
+        profile = component.once_more(lambda: orb.call(node.path, ref, "get_port_profile"), failures)
     except (errors.Gone, errors.ConnectionRefused):
         if orb.endpoint(ref) == node.endpoint:
             raise
         why = "the process of one of its ports is gone; if that is a member's, restart this composite's process " \
               "(until then, rtcomp -r MEMBER:PORT hides the port)"
         raise errors.LostMember(str(node.path), why)
-    properties = dict(orb.properties(nv for nv in found.properties if not brief or nv.name == "port.port_type"))
+    properties = dict(orb.properties(nv for nv in profile.properties if not brief or nv.name == "port.port_type"))
     kind = properties.get("port.port_type")
-    interfaces = [] if brief else cli.first(MOST_PARTS, found.interfaces, node.path, "interfaces of a port")
-    connectors = cli.first(MOST_PARTS, found.connector_profiles, node.path, "connectors of a port")
-    return Port(node, cut(from_wire(found.name)), kind if kind in DATA + ("CorbaPort",) else "Port", properties,
+    interfaces = [] if brief else cli.first(MOST_PARTS, profile.interfaces, node.path, "interfaces of a port")
+    connectors = cli.first(MOST_PARTS, profile.connector_profiles, node.path, "connectors of a port")
+    return Port(node, cut(from_wire(profile.name)), kind if kind in DATA + ("CorbaPort",) else "Port", properties,
                 [_interface(i) for i in interfaces], [connector(c, node.path) for c in connectors], ref,
-                orb.one_of(found.owner, node.ref))
+                orb.one_of(profile.owner, node.ref))
 
 
-def _interface(found):
-    polarity = ("Provided", "Required")[found.polarity._v]
-    return Interface(cut(from_wire(found.instance_name)), cut(from_wire(found.type_name)), polarity)
+def _interface(profile):
+    polarity = ("Provided", "Required")[profile.polarity._v]
+    return Interface(cut(from_wire(profile.instance_name)), cut(from_wire(profile.type_name)), polarity)
 
 
-def connector(found, where):
+def connector(profile, where):
     """The Connector that a ConnectorProfile describes."""
-    ends = cli.first(MOST_ENDS, found.ports, where, "ends of a connector")
-    return Connector(from_wire(found.connector_id), cut(from_wire(found.name)), ends, orb.properties(found.properties))
+    ends = cli.first(MOST_ENDS, profile.ports, where, "ends of a connector")
+    return Connector(from_wire(profile.connector_id), cut(from_wire(profile.name)), ends, orb.properties(profile.properties))
 
 
 def short_name(name, instance):
@@ -91,74 +91,73 @@ def find(paths):
     An errors.Error takes the place of what failed: NoSuch with what there is, and what `tree.component` raises.
     """
     listed = tree.on_components([path.object() for path in paths], ports)
-    return [found if isinstance(found, errors.Error) else named(path, found) for path, found in zip(paths, listed)]
+    return [answer if isinstance(answer, errors.Error) else named(path, answer) for path, answer in zip(paths, listed)]
 
 
-def named(path, found):
-    """That one of the Ports `found` which `path` names, or the error NoSuch."""
+def named(path, listed):
+    """The one of these Ports that `path` names, or the error NoSuch."""
     instance = path.names[-1].id
-    exact = [each for each in found if each.name in (path.port, instance + "." + path.port)]
+    exact = [port for port in listed if port.name in (path.port, instance + "." + path.port)]
     # the instance name may differ from the bound one
-    same_end = [each for each in found if each.name.endswith("." + path.port)]
+    same_end = [port for port in listed if port.name.endswith("." + path.port)]
     if exact or len(same_end) == 1:  # several: of members of a composite
         return (exact or same_end)[0]
-    there = ", ".join(printable(short_name(each.name, instance)) for each in found) or "none"
+    there = ", ".join(printable(short_name(port.name, instance)) for port in listed) or "none"
     return errors.NoSuch(str(path.object()), "port", f"{printable(path.port)} (its ports: {there})")
 
 
 # ---- matching -------------------------------------------------------------------------------------------------
 
-def between(found):
+def between(ends):
     """What an error about several ports names: `a.rtc:out to b.rtc:in`."""
-    return " to ".join(label(each) for each in found)
+    return " to ".join(label(port) for port in ends)
 
 
-def mismatches(found, properties):
-    """Why the Ports `found` cannot be connected with these properties (a dict): a list of reasons, empty when they can.
+def mismatches(ends, properties):
+    """Why the Ports `ends` cannot be connected with these properties (a dict): a list of reasons, empty when they can.
 
-    Components check next to nothing of this themselves (they connect a TimedLong with a TimedDouble and say RTC_OK).
+    Components check next to nothing of this themselves (they connect a TimedLong with a TimedDouble and return RTC_OK).
     """
-    if len({orb.identity(each.ref) for each in found}) < len(found):
+    if len({orb.identity(port.ref) for port in ends}) < len(ends):
         return ["a port is named twice"]  # C++ 2.1 deadlocks for good on it
-    types = [each.type for each in found]
+    types = [port.type for port in ends]
     if all(t == "CorbaPort" for t in types):
-        return _service_mismatches(found, properties)
+        return _service_mismatches(ends, properties)
     if all(t in DATA for t in types):
-        return _data_mismatches(found, types, properties)
+        return _data_mismatches(ends, types, properties)
     if any(t in DATA for t in types) and "CorbaPort" in types:
         return ["a data port and a service port do not go together"]
     return []
 
 
-def _data_mismatches(found, types, properties):
+def _data_mismatches(ends, types, properties):
     if len(set(types)) == 1:
-        return ["%s a %s; a connection needs an in port and an out port"
-                % ("it is" if len(found) == 1 else "each is", types[0])]
+        return [f"{'it is' if len(ends) == 1 else 'each is'} a {types[0]}; a connection needs an in port and an out port"]
     reasons = []
-    data_types = [each.properties.get("dataport.data_type", "") for each in found]
-    if not all(same_type(data_types[0], other) for other in data_types[1:]):
+    data_types = [port.properties.get("dataport.data_type", "") for port in ends]
+    if not all(same_type(data_types[0], data_type) for data_type in data_types[1:]):
         reasons.append(f"data types differ ({', '.join((printable(_short_type(t)) for t in data_types))})")
     for key, value in sorted(properties.items()):
-        reasons += _not_offered(found, key, value)
+        reasons += _not_offered(ends, key, value)
     for key, _ in DEFAULTS:
-        if key not in properties and _chosen(found, key, None) == "":
-            reasons.append("no %s in common (%s)" % (_short_key(key), "; ".join(
-                printable(",".join(_choices(each, key) or ["any"])) for each in found)))
+        if key not in properties and _chosen(ends, key, None) == "":
+            offers = "; ".join(printable(",".join(_choices(port, key) or ["any"])) for port in ends)
+            reasons.append(f"no {_short_key(key)} in common ({offers})")
     return reasons
 
 
-def _not_offered(found, key, value):
+def _not_offered(ends, key, value):
     """Why some of the ports do not take this value of a property."""
-    lacking = [(each, offer_without(each, key, value)) for each in found]
-    lacking = [(each, offer) for each, offer in lacking if offer is not None]
+    lacking = [(port, offer_without(port, key, value)) for port in ends]
+    lacking = [(port, offer) for port, offer in lacking if offer is not None]
     what = f"{_short_key(key)} {printable(value)}"
-    if len(lacking) == len(found) > 1 and len({offer for _, offer in lacking}) == 1:
+    if len(lacking) == len(ends) > 1 and len({offer for _, offer in lacking}) == 1:
         return [f"no port has {what} (all have: {lacking[0][1]})"]
-    return [f"{label(each)} has no {what} (it has: {offer})" for each, offer in lacking]
+    return [f"{label(port)} has no {what} (it has: {offer})" for port, offer in lacking]
 
 
 def offer_without(port, key, value):
-    """What a port offers for a property, spelt for the terminal, when `value` is not among it; else None."""
+    """The values that a port offers for a property, spelt for the terminal, when `value` is none of them; else None."""
     offer = _choices(port, key)
     return None if offer is None or value in offer else printable(", ".join(offer))
 
@@ -182,7 +181,7 @@ def same_type(one, other):
 
 
 def _choices(port, key):
-    """The values that a port allows for a property, None where it allows any or does not say."""
+    """The values that a port allows for a property, None if it allows any or lists none."""
     listed = port.properties.get(key)
     if listed is None or key == "dataport.data_type":
         return None
@@ -192,62 +191,62 @@ def _choices(port, key):
     return None if any(value.lower() == "any" for value in values) else values
 
 
-def _chosen(found, key, preferred):
+def _chosen(ends, key, preferred):
     """The preferred value when all ports allow it, else the first that they have in common, else ''."""
-    lists = [choices for choices in (_choices(each, key) for each in found) if choices is not None]
+    lists = [choices for choices in (_choices(port, key) for port in ends) if choices is not None]
     if not lists or all(preferred in choices for choices in lists):
         return preferred
     return next((value for value in lists[0] if all(value in choices for choices in lists)), "")
 
 
-def _service_mismatches(found, properties):
-    reasons, (first, *others) = [], found
+def _service_mismatches(ends, properties):
+    reasons, (first, *others) = [], ends
     for interface in first.interfaces:
-        for other in others:
+        for port in others:
             if any(word.endswith("." + interface.instance_name) for item in properties.items() for word in item):
                 continue  # mapped by hand to an interface of another name
-            named = [i for i in other.interfaces if i.instance_name == interface.instance_name]
+            named = [i for i in port.interfaces if i.instance_name == interface.instance_name]
             if not named:
-                reasons.append(f"{label(other)} has no interface {printable(interface.instance_name)}")
+                reasons.append(f"{label(port)} has no interface {printable(interface.instance_name)}")
             elif all(i.polarity == interface.polarity for i in named):
                 reasons.append(f"both have interface {printable(interface.instance_name)} {interface.polarity.lower()}")
     return reasons
 
 
-def connection_properties(found, given):
+def connection_properties(ends, given):
     """The properties to connect with: those given (a dict), and defaults that all of the ports allow."""
     properties = dict(given)
-    if found[0].type == "CorbaPort":
+    if ends[0].type == "CorbaPort":
         properties.setdefault("port.port_type", "CorbaPort")
-    elif found[0].type in DATA:
+    elif ends[0].type in DATA:
         for key, preferred in DEFAULTS:
-            properties.setdefault(key, _chosen(found, key, preferred))
-        properties.setdefault("dataport.data_type", found[0].properties.get("dataport.data_type", ""))
+            properties.setdefault(key, _chosen(ends, key, preferred))
+        properties.setdefault("dataport.data_type", ends[0].properties.get("dataport.data_type", ""))
     return properties
 
 
-def joining(found):
+def joining(ends):
     """The connectors of the first port that join it with any of the others."""
-    others = [orb.identity(each.ref) for each in found[1:]]
-    return [c for c in found[0].connectors if any(orb.identity(ref) in others for ref in c.ports if ref is not None)]
+    others = [orb.identity(port.ref) for port in ends[1:]]
+    return [c for c in ends[0].connectors if any(orb.identity(ref) in others for ref in c.ports if ref is not None)]
 
 
-def check(found, given):
-    """Raise Refused with the reasons when the Ports `found` do not match, with these properties (a dict)."""
-    reasons = mismatches(found, given) or without_rate(found, connection_properties(found, given))
+def check(ends, given):
+    """Raise Refused with the reasons when the Ports `ends` do not match, with these properties (a dict)."""
+    reasons = mismatches(ends, given) or without_rate(ends, connection_properties(ends, given))
     if reasons:
-        raise errors.Refused(between(found), "; ".join(reasons))
+        raise errors.Refused(between(ends), "; ".join(reasons))
 
 
-def without_rate(found, properties):
+def without_rate(ends, properties):
     """Why a connection with these properties lacks a rate that it needs: a list of one reason, or [].
 
-    C++ answers a bare RTC_ERROR then. The rate may be a property of the port, too.
+    C++ only returns RTC_ERROR then. The rate may be a property of the port, too.
     """
     subscription, flow = [properties.get("dataport." + key, "").lower() for key in ("subscription_type", "dataflow_type")]
-    if subscription != "periodic" or flow == "pull" or not any(each.type == "DataOutPort" for each in found):
+    if subscription != "periodic" or flow == "pull" or not any(port.type == "DataOutPort" for port in ends):
         return []
-    rates = [each[key] for each in [properties] + [port.properties for port in found] for key in RATES if key in each]
+    rates = [given[key] for given in [properties] + [port.properties for port in ends] for key in RATES if key in given]
     if not rates:
         return [f"a periodic connection needs a rate: {RATES[0]}=HZ"]
     try:

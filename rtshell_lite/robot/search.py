@@ -7,11 +7,11 @@ from rtshell_lite.robot import component, tree
 
 POLL = 0.5  # seconds between two searches of --wait
 
-# What is looked for: `names` a list of functions name → bool (any of them; empty: all names), `kinds` a set (empty: all),
+# What to find: `names` a list of functions name → bool (any of them; empty: all names), `kinds` a set (empty: all),
 # `state` in lower case or None, `depth` levels or None.
 Wanted = collections.namedtuple("Wanted", "names kinds state depth")
 
-# What those may turn out to be whose name is bound to them.
+# What a node of a kind may turn out to be.
 CAN_BE = {"component": {"component", "silent", "zombie"}, "manager": {"manager", "silent", "zombie"}}
 
 
@@ -34,7 +34,7 @@ def find(paths, wanted):
     nodes = [node for node in nodes if not wanted.names or any(match(node.name) for match in wanted.names)]
     if wanted.kinds:
         nodes = [node for node in nodes if node.kind == "unsure" or wanted.kinds & CAN_BE.get(node.kind, {node.kind})]
-    if wanted.kinds or wanted.state:  # only then does it matter who lives
+    if wanted.kinds or wanted.state:  # only then it matters what lives
         nodes = tree.look(nodes)
     if wanted.kinds:
         nodes = [node for node in nodes if node.kind in wanted.kinds]
@@ -50,15 +50,15 @@ def _below(path, wanted):
     top = tree.resolve(path)
     if path.directory and top.kind not in tree.DIRECTORIES:
         raise errors.WrongKind(str(path), "directory", top.what)
-    found = list(tree.walk(top, wanted.depth))
+    nodes = list(tree.walk(top, wanted.depth))
     if top.error is not None:
         raise top.error
-    return found
+    return nodes
 
 
 def _in_state(nodes, state):
     silent = [node.error for node in nodes if node.kind == "silent"]
     components = [node for node in nodes if node.kind == "component"]
     states = tree.on_nodes(components, component.state)
-    return ([node for node, found in zip(components, states) if found == state],
-            silent + [found for found in states if isinstance(found, errors.Error)])
+    return ([node for node, answer in zip(components, states) if answer == state],
+            silent + [answer for answer in states if isinstance(answer, errors.Error)])

@@ -1,4 +1,4 @@
-"""A component at one time: the parts of it that a command wants, with what failed among them.
+"""A component at one time: the parts of it that a command wants, and what failed.
 
 A new part is an attribute of Snapshot, and a line in PARTS with the function that asks for it.
 """
@@ -12,24 +12,24 @@ from rtshell_lite.robot import component, ports
 # BRIEF, without their members, and FULL; execution contexts have REFERENCES (no call each), BRIEF, with handles (one call),
 # RUNNING, with rates and whether they run (two), and FULL (three). All others have FULL.
 REFERENCES, BRIEF, RUNNING, FULL = "references", "brief", "running", "full"
-EACH = "each"  # of ports: FULL, and one that fails is noted in `refusing` and costs no other; else the first ends the questions
+EACH = "each"  # of ports: FULL, and those that fail are noted in `refusing`; otherwise the first failure ends the questions
 
 
 class Snapshot:
     """A component, and what has been asked of it so far.
 
     node           its Node; `others` further Nodes by which it is bound
-    rest           seconds for which a context of another process that does not answer is left alone, if asked again and again
-    asking         what it was asked for last, in words, '' as long as it has not been asked
-    answered       whether it has answered anything itself; what fails later may be something behind it
+    rest           seconds for which a context of another process that does not answer is not asked again
+    asking         what it was asked for last, in words; '' before
+    answered       whether it has answered anything itself; what fails later may be something that it calls
     error          the errors.Error that ended the questions of `ask_all`, or None
 
     The parts:
 
     ports          its ports.Ports; `refusing` (number from 1, errors.Error, endpoint) of those that failed, see EACH;
                    `dropped` those Ports that have just dropped a connection whose far end is dead
-    owned          component.Contexts of its own; `participating` those of others that execute it, too. Of one of another process
-                   that does not answer only the reference is there
+    owned          component.Contexts of its own; `participating` those of others that execute it, too. Those of another process
+                   that does not answer have only their reference
     states         its states in `contexts`
     configuration  its configuration.Configuration, None where it has none
     organisations  composites.Organisations that it owns
@@ -55,10 +55,10 @@ class Snapshot:
         return [*self.owned, *self.participating]
 
     def ask(self, **parts):
-        """Ask for the parts {name: how much}, in this order, the profile last; again for those that are there.
+        """Ask for the parts {name: how much}, in this order, the profile last. Raises the first errors.Error.
 
-        Raises the first errors.Error, which ends the questions. (A profile query can end a component that has a connection with a
-        dead far end, its ports notice that before: protocol rule, see `component.once_more`.)
+        A profile query can end a component that has a connection with a dead far end; its ports notice that before: protocol
+        rule, see `component.once_more`.
         """
         for name in sorted(parts, key="profile".__eq__):
             self.asking, function = PARTS[name]
@@ -67,7 +67,7 @@ class Snapshot:
         return self
 
     def elsewhere(self, ref, ask, otherwise):
-        """ask(), or `otherwise` where `ref`, a context of another process, does not answer or is left alone."""
+        """`component.elsewhere`, but a context that did not answer is not asked for `rest` seconds."""
         if self._left_alone and time.monotonic() < self._left_alone.get(orb.identity(ref), 0):
             return otherwise
         answer = component.elsewhere(self.node, ref, ask, None)
@@ -93,9 +93,9 @@ def ask_all(snapshots, **parts):
 def _ports(snapshot, how):
     refs = ports.refs(snapshot.node)
     snapshot.answered = True
-    snapshot.ports, snapshot.refusing, snapshot.dropped = [], [], []  # what is there before it falls silent is of use
+    snapshot.ports, snapshot.refusing, snapshot.dropped = [], [], []  # those from before a failure are of use
     for number, ref in enumerate(refs, 1):
-        snapshot.asking = "the profile of its port %d" % number
+        snapshot.asking = f"the profile of its port {number}"
         failed_once = []  # shows that the port had a connection with a dead far end
         try:
             port = ports.port(snapshot.node, ref, failed_once, brief=how == BRIEF)

@@ -21,7 +21,7 @@ from rtshell_lite.robot.node import (DIRECTORIES, Node, bound, classified, judge
                                      on_nodes_in_turn, unusable)
 from rtshell_lite.text import from_wire, printable
 
-AT_ONCE = 1000  # names whose objects are asked for at a time: what has to be noted for each takes memory
+AT_ONCE = 1000  # names whose objects are asked for at a time: a pending call takes memory
 DEPTH = 64  # contexts can be bound inside themselves by another name
 
 
@@ -33,9 +33,21 @@ def servers():
     return list(collections.OrderedDict.fromkeys(address.strip() for address in listed or ["localhost"]))
 
 
+def known_servers(first):
+    """Nodes of the name server at the address `first`, and of those of `servers` whose addresses are valid; contacts nobody."""
+    nodes = []
+    for address in [first] + [address for address in servers() if address != first]:
+        try:
+            nodes.append(resolve(Path(address, (), None, False)))
+        except errors.BadPath:
+            pass
+    return nodes
+
+
 def tops(words):
-    """Paths of what a command looks at as a whole; a bare host:2809, 192.0.2.1 or [::1] is a name server, and so is a bare
-    word without a dot, as names of components have one. Raises BadPath, Usage.
+    """Paths of what a command looks at as a whole. Raises BadPath, Usage.
+
+    A bare host:2809, 192.0.2.1 or [::1] is a name server, and so is a bare word without a dot: names of components have one.
     """
     return [_top(word) for word in words]
 
@@ -76,7 +88,7 @@ def lane(path):
 def resolve(path):
     """The Node at `path` (a Path or text; its port is left out). One call to the name server, none to a component.
 
-    A component or manager comes back unasked: `look` says whether it lives. Raises NotFound, Misspelt, WrongKind, and
+    A component or manager comes back unasked: `look` finds out whether it lives. Raises NotFound, Misspelt, WrongKind, and
     Unreachable or Silent when the name server does not answer.
     """
     path = (parse(path) if isinstance(path, str) else path).object()
@@ -89,7 +101,7 @@ def _resolved(server, path):
     if not path.names:
         return server
     for size, name in enumerate(path.names[:-1], 1):
-        if name.kind in ("rtc", "mgr"):  # or the name server asks this object whether it is a naming context
+        if name.kind in ("rtc", "mgr"):  # otherwise the name server asks this object whether it is a naming context
             above = _directory(_resolved(server, path._replace(names=path.names[:size])))
             if above.kind == "manager":
                 return _descend(above, path.names[size:])
@@ -104,13 +116,13 @@ def _resolved(server, path):
     except errors.Unreachable as e:
         raise e if isinstance(e, errors.Silent) else _broken_off(server, path, e)
     node = classified(path, ref)
-    if ref is not None and not orb.address(ref).type_id:  # how it is bound says more
+    if ref is not None and not orb.address(ref).type_id:  # how it is bound shows more
         node = classified(path, ref, (path.names[-1], True) in bound(_resolved(server, path.parent())))
     return node
 
 
 def _broken_off(server, path, failure):
-    """The error for a path that leads through several name servers, of which one cannot be reached: which one."""
+    """The error for a path through several name servers, of which one cannot be reached; it names that one."""
     node = server
     try:
         for size, name in enumerate(path.names[:-1], 1):
@@ -128,10 +140,10 @@ def _descend(node, names):
     """The Node below a manager that `names` lead to."""
     for name in names:
         below = children(_directory(node))
-        found = [child for child in below if child.path.names[-1] == name]
-        if not found:
+        matching = [child for child in below if child.path.names[-1] == name]
+        if not matching:
             raise _near_miss(node.path.child(name), _by_id(child.path.names[-1] for child in below))
-        node = found[0]
+        node = matching[0]
     return node
 
 
@@ -144,7 +156,7 @@ def _directory(node):
 
 
 def _why_not_found(path):
-    """The error for a path that does not resolve, with a near miss where a listing of its directory offers one."""
+    """The error for a path that does not resolve, with a similar name if its directory has one."""
     try:
         above = _directory(resolve(path.parent()))
         names = _by_id(name for name, _ in bound(above))
@@ -221,23 +233,23 @@ def children(node):
     if node.kind not in ("server", "directory"):
         raise errors.WrongKind(str(node.path), "directory", node.what)
     context, server = node.typed, node.endpoint
-    names, found = bound(node), []
+    names, nodes = bound(node), []
     while names:
-        some, names = [(node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]], names[:-AT_ONCE]
-        lanes.alive()  # where this is itself a call to the name server: that has answered all that it was asked so far
-        for child in lanes.each(some, lambda item: _child(context, *item), lambda item: (server, item[0])):
+        batch, names = [(node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]], names[:-AT_ONCE]
+        lanes.alive()  # this may be part of a longer call to the name server, which has answered so far
+        for child in lanes.each(batch, lambda item: _child(context, *item), lambda item: (server, item[0])):
             if isinstance(child, Node):
-                found.append(child)
+                nodes.append(child)
             elif not isinstance(child, errors.Refused):  # unbound since the list was made
                 raise child
-    return _sorted(found)
+    return _sorted(nodes)
 
 
 def _child(context, path, is_context):
     """The Node that the last name of `path` is bound to in a naming context."""
     try:
         return classified(path, orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])), is_context)
-    except errors.Garbled as e:  # it costs its own line only
+    except errors.Garbled as e:  # the others are listed all the same
         return unusable(path, e)
 
 
@@ -248,37 +260,37 @@ def _sorted(nodes):
 # ---- below a manager ------------------------------------------------------------------------------------------
 
 def slaves(node):
-    """Nodes of a manager's slaves. Those of one name are told apart by their instance names, or process ids: manager_4711."""
+    """Nodes of a manager's slaves. Those of one name get their instance names, or process ids: manager_4711."""
     try:
         refs = [ref for ref in node.call("get_slave_managers") if ref is not None]
     except errors.Refused as e:
         if e.name == "BAD_OPERATION":  # managers of RtORB have no slaves
             return []
         raise
-    asked = [Node(node.path.child(Name("slave%d" % i, "")), "manager", ref) for i, ref in enumerate(refs)]
+    asked = [Node(node.path.child(Name(f"slave{i}", "")), "manager", ref) for i, ref in enumerate(refs)]
     answers = on_nodes(asked, lambda slave: dict(orb.properties(slave.call("get_profile").properties)))
-    return [judged(each, answer) if isinstance(answer, errors.Error)
-            else Node(node.path.child(Name(name, "")), "manager", each.ref)
-            for each, answer, name in zip(asked, answers, _told_apart(answers))]
+    return [judged(slave, answer) if isinstance(answer, errors.Error)
+            else Node(node.path.child(Name(name, "")), "manager", slave.ref)
+            for slave, answer, name in zip(asked, answers, _distinct_names(answers))]
 
 
-def _told_apart(profiles):
+def _distinct_names(profiles):
     """A name for each slave. A dead one has none of its own."""
-    profiles = [{"name": "slave%d" % i} if isinstance(found, errors.Error) else found for i, found in enumerate(profiles)]
-    names = [found.get("name") or "slave%d" % i for i, found in enumerate(profiles)]
+    profiles = [{} if isinstance(profile, errors.Error) else profile for profile in profiles]
+    names = [profile.get("name") or f"slave{i}" for i, profile in enumerate(profiles)]
     for key, form in (("instance_name", "{1}"), ("pid", "{0}_{1}")):
-        names = [form.format(name, found[key]) if names.count(name) > 1 and found.get(key) else name
-                 for name, found in zip(names, profiles)]
-    return [name if name not in names[:i] else "%s_%d" % (name, i) for i, name in enumerate(names)]
+        names = [form.format(name, profile[key]) if names.count(name) > 1 and profile.get(key) else name
+                 for name, profile in zip(names, profiles)]
+    return [name if name not in names[:i] else f"{name}_{i}" for i, name in enumerate(names)]
 
 
 def managed(node):
     """Nodes of a manager's components; a master lists those of its slaves, too."""
     refs = [ref for ref in node.call("get_components") if ref is not None]
-    asked = [Node(node.path.child(Name("unknown%d" % i, "rtc")), "component", ref) for i, ref in enumerate(refs)]
-    names = on_nodes(asked, lambda each: from_wire(each.call("get_sdo_id")))
-    return [judged(each, name) if isinstance(name, errors.Error)  # dead or silent: it cannot say its name
-            else Node(node.path.child(Name(name, "rtc")), "component", each.ref) for each, name in zip(asked, names)]
+    asked = [Node(node.path.child(Name(f"unknown{i}", "rtc")), "component", ref) for i, ref in enumerate(refs)]
+    names = on_nodes(asked, lambda child: from_wire(child.call("get_sdo_id")))
+    return [judged(child, name) if isinstance(name, errors.Error)  # dead or silent: it cannot give its name
+            else Node(node.path.child(Name(name, "rtc")), "component", child.ref) for child, name in zip(asked, names)]
 
 
 # ---- walking --------------------------------------------------------------------------------------------------
@@ -298,7 +310,7 @@ def walk(node, depth=None, managers=True):
 
 
 def walk_servers(servers, depth=DEPTH, managers=True):
-    """`walk` several name servers, Nodes, in parallel, as some may be silent; what two of them have is an alias in the second."""
+    """`walk` several name servers, Nodes, in parallel, as some may be silent; what two of them share is an alias in the second."""
     parts = lanes.each(servers, lambda server: list(_walk(server, depth, managers, aliases.Known(servers))),
                        lambda server: (server.endpoint, str(server.path)))
     known = aliases.Known(servers)
@@ -333,7 +345,7 @@ def _walk(node, depth, managers, known):
 
 
 def _below(node):
-    """The children of a directory; [] for one that cannot be listed, which has its `error` set then."""
+    """The children of a directory; if it cannot be listed, [], and its `error` is set."""
     if node.kind == "manager":
         return _below_manager(node)
     try:
@@ -344,13 +356,13 @@ def _below(node):
 
 
 def _below_manager(node):
-    """The children of a manager; a master whose slave does not answer may not answer then, and is no less alive for it."""
-    found = None
+    """The children of a manager; a live master whose slave does not answer may not answer this."""
+    below = None
     try:
-        found = slaves(node)
-        return _sorted(found + managed(node))
+        below = slaves(node)
+        return _sorted(below + managed(node))
     except errors.Error as e:
         node.error = e
-        if found is None and not isinstance(e, errors.Refused):
+        if below is None and not isinstance(e, errors.Refused):
             node.kind = judged(node, e).kind
-    return _sorted(found or [])
+    return _sorted(below or [])

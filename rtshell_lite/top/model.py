@@ -1,7 +1,7 @@
-"""A whole system, looked at again and again: what rttop shows, as plain values that are there without waiting.
+"""A whole system, polled: what rttop shows, as plain values that can be read without waiting.
 
-At most IN_FLIGHT remote calls are made at one time, to all processes together. Each look asks a component for its state; its
-contexts, rates and connections, which change less often and cost more, are asked for now and then.
+At most IN_FLIGHT remote calls are made at a time, to all processes together. Each look asks a component for its state; its
+contexts, rates and connections, which change less often and cost more, are asked for less often.
 """
 import collections
 import threading
@@ -14,35 +14,35 @@ from rtshell_lite.top.rows import Row
 from rtshell_lite.views import describe
 
 IN_FLIGHT = 4  # monitors that ask more at a time have disturbed real-time threads
-DOUBTFUL = 2  # of these, how many may go to processes that have not answered, or not yet: they must not take all
+DOUBTFUL = 2  # of these, at most so many to processes that have not answered (yet): they must not take all
 WALK = 5.0  # seconds between looks at what is bound
 CONTEXTS = 5.0  # seconds between looks at execution contexts and their rates
-PORTS = 10.0  # seconds between looks at connections: each makes a component see whether the far ends are there
-PORTS_SILENT = 60.0  # the same, for one that does not answer that question
-REST = 5.0  # seconds for which what is dead or silent is left alone
+PORTS = 10.0  # seconds between looks at connections: each makes a component check the far ends
+PORTS_SILENT = 60.0  # the same, for one that does not answer that
+REST = 5.0  # seconds before what is dead or silent is asked again
 
 
 # ---- one component --------------------------------------------------------------------------------------------
 
 class _Entry:
-    """A component that is looked at, by the thread of its group."""
+    """A component that the thread of its group looks at."""
 
     def __init__(self, node):
         self.node = node
         self.group = node.endpoint
         self.kind, self.state, self.failure = "component", None, None
         self.ports = self.connections = None
-        self.snapshot = snapshot.Snapshot(node, rest=REST)  # of its contexts; to keep its ports, too, would take much memory
-        self.looked = False  # whether it, or its failure, is known
+        self.snapshot = snapshot.Snapshot(node, rest=REST)  # of its contexts; its ports would take much memory
+        self.looked = False  # whether its state, or its failure, is known
         self.silenced = 0.0  # when it was silent last
         self._again = self._contexts_due = self._ports_due = 0.0
 
     def hurry(self):
-        """Something has been done to it: look at everything anew."""
+        """Look at everything again, as something has been done to it."""
         self._again = self._contexts_due = self._ports_due = 0.0
 
     def look(self):
-        """See how it is; False when it was not asked. Raises Silent."""
+        """Ask it; False when it was not its time. Raises Silent."""
         now = time.monotonic()
         if now < self._again:
             return False
@@ -50,7 +50,7 @@ class _Entry:
             self._look(now)
         except errors.Silent:
             raise
-        except errors.Error as e:  # of the component, or of something behind it?
+        except errors.Error as e:  # of the component, or passed on by it?
             self._again = now + REST
             node, = tree.look([self.node])
             if node.kind == "silent" and isinstance(node.error, errors.Silent):
@@ -71,16 +71,16 @@ class _Entry:
     def _look_at_ports(self):
         pause = PORTS
         try:
-            found = snapshot.of(self.node, ports=snapshot.BRIEF).ports
-            self.ports = len(found)
-            self.connections = len({connector.id for port in found for connector in port.connectors})
+            listed = snapshot.of(self.node, ports=snapshot.BRIEF).ports
+            self.ports = len(listed)
+            self.connections = len({connector.id for port in listed for connector in port.connectors})
         except errors.Error as e:  # it has just given its state: the ports are what is wrong
             self.ports = self.connections = None
             pause = PORTS_SILENT if isinstance(e, errors.Silent) else PORTS
         self._ports_due = time.monotonic() + pause
 
     def fail(self, kind, failure):
-        """It is dead, or does not answer; what was known of it does not count any more."""
+        """Note that it is dead, or does not answer, and forget what was known of it."""
         self.kind, self.state, self.failure = kind, "-" if kind == "zombie" else "?", failure
         self.ports = self.connections = None
         self.snapshot = snapshot.Snapshot(self.node, rest=REST)
@@ -90,8 +90,8 @@ class _Entry:
     def row(self, path, name):
         """Its Row."""
         contexts = self.snapshot.contexts
-        first = next((each for each in contexts if each.running), contexts[0] if contexts else None)
-        running = any(each.running for each in contexts) if contexts else None
+        first = next((context for context in contexts if context.running), contexts[0] if contexts else None)
+        running = any(context.running for context in contexts) if contexts else None
         return Row(path, name, self.kind, self.state, first and first.rate, running, self.ports, self.connections,
                    self.failure)
 
@@ -118,26 +118,26 @@ class Top:
             self._calls.start(("walk", top), ("walk", top), lambda top=top: self._follow(top))
 
     def close(self):
-        """Look no more. What is in flight ends by its own deadline."""
+        """Stop looking. Calls in flight end by their own deadlines."""
         self._ended.set()
         self._calls.close()
-        lanes.session.slots = lanes.Slots()  # what is still to be done, disconnecting say, does not wait for the hung
+        lanes.session.slots = lanes.Slots()  # later calls, such as disconnecting, need not wait for hung ones
 
     # ---- what is bound ----
 
     def _follow(self, top):
-        """Walk through a part of the tree again and again."""
+        """Walk through a part of the tree until the end."""
         while True:
             nodes, failed = _walk(top)
             with self._lock:
-                lost = any(isinstance(each, errors.Unreachable) for each in failed.values())
-                found = dict(self._found.get(top, {})) if lost else {}  # they may well live: their name server does not
+                lost = any(isinstance(error, errors.Unreachable) for error in failed.values())
+                identities = dict(self._found.get(top, {})) if lost else {}  # without their name server, they may still live
                 for node in nodes:
-                    found[str(node.path)] = orb.identity(node.ref)
+                    identities[str(node.path)] = orb.identity(node.ref)
                     self._entries.setdefault(orb.identity(node.ref), _Entry(node))
-                self._found[top], self._failed[top] = found, failed
+                self._found[top], self._failed[top] = identities, failed
                 wanted = {identity for places in self._found.values() for identity in places.values()}
-                self._entries = {identity: each for identity, each in self._entries.items() if identity in wanted}
+                self._entries = {identity: entry for identity, entry in self._entries.items() if identity in wanted}
                 self._look_after_all()
             if self._ended.wait(WALK):
                 return
@@ -145,68 +145,68 @@ class Top:
     # ---- looking ----
 
     def _look_after_all(self):
-        """Have a thread for each group of components: those of one process, and any that hangs while its process does not."""
-        for each in self._entries.values():
-            if each.group not in self._groups:
-                self._groups.add(each.group)
-                self._calls.start(("look", each.group), ("look", each.group),
-                                  lambda group=each.group, endpoint=each.node.endpoint: self._look_after(group, endpoint))
+        """Start a thread for each new group of components: those of one process, and any that hangs while its process does not."""
+        for entry in self._entries.values():
+            if entry.group not in self._groups:
+                self._groups.add(entry.group)
+                self._calls.start(("look", entry.group), ("look", entry.group),
+                                  lambda group=entry.group, endpoint=entry.node.endpoint: self._look_after(group, endpoint))
 
     def _look_after(self, group, endpoint):
         lanes.become_lane(endpoint)
         trusted = False
         while True:
             with self._lock:
-                mine = [each for each in self._entries.values() if each.group == group]
-                if not mine:
+                entries = [entry for entry in self._entries.values() if entry.group == group]
+                if not entries:
                     self._groups.discard(group)
                     return
             if trusted:
-                trusted = self._look(mine)
+                trusted = self._look(entries)
             else:
                 with self._gate:
-                    trusted = self._look(mine)
+                    trusted = self._look(entries)
             if self._ended.wait(self.delay if trusted else REST):
                 return
 
-    def _look(self, mine):
+    def _look(self, entries):
         """Look at components of one process, one call at a time; False when it did not answer.
 
-        Two silent ones, or the only one, mean that the process hangs: the rest is not asked.
+        If two are silent, or the only one, the process hangs: the rest is not asked.
         """
         heard, silent = False, []
-        for each in sorted(mine, key=lambda each: each.silenced):
+        for entry in sorted(entries, key=lambda entry: entry.silenced):
             if self._ended.is_set():
                 return True
             try:
-                heard = each.look() or heard
+                heard = entry.look() or heard
             except errors.Silent as e:
-                each.silenced = time.monotonic()
-                each.fail("silent", e)
-                silent.append(each)
+                entry.silenced = time.monotonic()
+                entry.fail("silent", e)
+                silent.append(entry)
                 if heard or len(silent) == 2:
                     break
         if heard and silent:
             with self._lock:
-                for each in silent:
-                    each.group = orb.identity(each.node.ref)
+                for entry in silent:
+                    entry.group = orb.identity(entry.node.ref)
                 self._look_after_all()
         elif silent:
-            for each in mine:
-                each.fail("silent", errors.Silent(str(each.node.path), silent[-1].failure.why))
+            for entry in entries:
+                entry.fail("silent", errors.Silent(str(entry.node.path), silent[-1].failure.why))
         return heard or not silent
 
     # ---- what it looks like ----
 
     def wait(self, seconds):
-        """Wait until everything has been looked at, at most for so long."""
+        """Wait until everything has been looked at, at most so many seconds."""
         end = time.monotonic() + seconds
         while not self._complete() and time.monotonic() < end:
             time.sleep(0.02)  # waits for events are not for the main thread, see interrupts.py
 
     def _complete(self):
         with self._lock:
-            return len(self._found) == len(self._tops) and all(each.looked for each in self._entries.values())
+            return len(self._found) == len(self._tops) and all(entry.looked for entry in self._entries.values())
 
     def rows(self):
         """A Row for each component, and for each part of the tree that cannot be listed, sorted by name."""
@@ -217,19 +217,19 @@ class Top:
                     paths_of.setdefault(identity, path)  # the first, if it is bound twice
                 failed.update(self._failed[top])
             entries = [(path, self._entries[identity]) for identity, path in paths_of.items()]
-        counts = collections.Counter(each.node.name for _, each in entries)
-        rows = [each.row(path, each.node.name if counts[each.node.name] == 1 else path) for path, each in entries]
+        counts = collections.Counter(entry.node.name for _, entry in entries)
+        rows = [entry.row(path, entry.node.name if counts[entry.node.name] == 1 else path) for path, entry in entries]
         rows += [Row(path, path, "unknown", "?", None, None, None, None, failure) for path, failure in failed.items()]
         return sorted(rows, key=lambda row: (row.name, row.path))
 
     # ---- acting ----
 
     def change(self, path, transition):
-        """Take the component at a path (text) through a component.Transition; `news` has the state that it is then in."""
+        """Take the component at a path (text) through a component.Transition; `news` returns its state then."""
         self._on(path, transition.command, lambda node: component.change(node, transition))
 
     def show(self, path):
-        """Ask the component at a path (text) for all that rtcat -l shows; `news` has the lines."""
+        """Ask the component at a path (text) for all that rtcat -l shows; `news` returns the lines."""
         self._on(path, "rtcat", _description)
 
     def _on(self, path, command, function):
@@ -247,7 +247,7 @@ class Top:
         self._calls.start((command, path), (command, path), act)
 
     def news(self):
-        """What has come of `change` and `show` since the last time: ((command, path), value or errors.Error)."""
+        """Results of `change` and `show` since the last call: ((command, path), value or errors.Error)."""
         news = []
         while True:
             ended = self._calls.ended(0)
@@ -273,7 +273,7 @@ def _walk(top):
 
 
 def _each_server(tops):
-    """Paths, with the name servers themselves in the place of the root."""
+    """The Paths, with all name servers in the place of the root."""
     for top in tops or [paths.ROOT]:
         if top.server is None:
             for address in tree.servers():
@@ -283,5 +283,5 @@ def _each_server(tops):
 
 
 def _description(node):
-    found = describe.collect(node, 1)
-    return list(describe.lines(found, 1, places.far_names(found.ports), lambda word, role=None: word))
+    described = describe.collect(node, 1)
+    return list(describe.lines(described, 1, places.far_names(described.ports), lambda word, role=None: word))

@@ -11,7 +11,7 @@ from rtshell_lite.data.watcher import Watcher
 from rtshell_lite.robot import component
 from rtshell_lite.top import rows
 
-TICK = 0.1  # seconds without a key after which the page sees what else has happened
+TICK = 0.1  # seconds to wait for a key
 ESCAPE = "\x1b"
 ENTER = ("\n", "\r", curses.KEY_ENTER)
 BACKSPACE = ("\x08", "\x7f", curses.KEY_BACKSPACE)
@@ -50,7 +50,7 @@ def impossible():
 
 @contextlib.contextmanager
 def screen():
-    """The terminal as a curses window, and afterwards as it was before."""
+    """The terminal as a curses window; restored afterwards."""
     locale.setlocale(locale.LC_CTYPE, "")
     os.environ.setdefault("ESCDELAY", "200")  # ms that Esc waits for the rest of a key; the default is a second
     for name in "LINES", "COLUMNS":  # readline sets them in rtsh; the terminal knows better
@@ -61,11 +61,11 @@ def screen():
         curses.cbreak()
         window.keypad(True)
         window.timeout(int(TICK * 1000))
-        with contextlib.suppress(curses.error):  # terminals without
+        with contextlib.suppress(curses.error):  # some terminals cannot
             curses.curs_set(0)
         yield window
     finally:
-        with contextlib.suppress(curses.error):  # nobody is there any more
+        with contextlib.suppress(curses.error):  # the terminal is gone
             curses.endwin()
 
 
@@ -89,7 +89,7 @@ def _has_colours():
 
 def _clipped(line, columns):
     """As much of a line as fits."""
-    if len(line) > columns:  # no character is narrower than nothing, and lines may be long
+    if len(line) > columns:  # a long line would take long
         line = line[:4 * columns]
     while text.cells(line) > columns:
         line = line[:-1]
@@ -97,7 +97,7 @@ def _clipped(line, columns):
 
 
 def _wrapped(line, columns):
-    """A line as lines that fit, broken at blanks where that leaves none too short."""
+    """A line as lines that fit, broken at blanks unless that makes one too short."""
     lines = []
     while line or not lines:
         part = _clipped(line, columns) or line[:1]
@@ -119,17 +119,17 @@ class Page:
         self.window, self.looking, self.meters = window, looking, meters
         self.sort, self.wanted = sort, wanted
         self.attributes = _attributes()
-        self.rows = []  # those that match
+        self.rows = []  # that match the filter
         self.selected = None  # the path of a Row
-        self.number = self.first = self.room = 0  # of the selected one, of the first one shown, how many can be shown
+        self.number = self.first = self.room = 0  # index of the selected Row, of the first one shown; how many can be shown
         self.message = ""
-        self.typing = False  # the filter
-        self.over = None  # lines that are shown instead of the rows: what rtcat says, the keys
-        self.over_first = 0
+        self.typing = False  # whether the user types the filter
+        self.overlay = None  # lines shown instead of the rows: of rtcat, the keys
+        self.overlay_first = 0
         self.ended = False
 
     def follow(self):
-        """Show the page and obey keys until q. Raises BrokenPipeError when the terminal is gone."""
+        """Show the page and handle keys until q. Raises BrokenPipeError when the terminal is gone."""
         watcher, due = Watcher([]), 0.0
         while not self.ended:
             fresh = self._fit() | self._hear()
@@ -147,11 +147,11 @@ class Page:
         try:
             return self.window.get_wch()
         except curses.error:
-            time.sleep(0)  # lets a signal be heard
+            time.sleep(0)  # lets signals be handled
             return None
 
     def _fit(self):
-        """Take on the size of the terminal; True if it has changed. In rtsh, its signal goes to readline, not to curses."""
+        """Adopt the size of the terminal; True if it has changed. In rtsh, its signal goes to readline, not to curses."""
         with contextlib.suppress(OSError):
             width, height = os.get_terminal_size(sys.stdout.fileno())
             if min(width, height) > 0 and curses.is_term_resized(height, width):
@@ -160,13 +160,13 @@ class Page:
         return False
 
     def _hear(self):
-        """Take what has come of actions; True if there was something."""
+        """Take the results of actions; True if there were any."""
         news = self.looking.news()
         for (command, path), value in news:
             if isinstance(value, Exception):
                 self.message = f"{command}: {value}"
             elif command == "rtcat":
-                self.message, self.over, self.over_first = "", value, 0
+                self.message, self.overlay, self.overlay_first = "", value, 0
             else:
                 self.message = f"{command}: {path}: {value}"
         return bool(news)
@@ -180,8 +180,8 @@ class Page:
             self.window.redrawwin()
         elif self.typing:
             self._type(key)
-        elif self.over is not None:
-            self._obey_over(key)
+        elif self.overlay is not None:
+            self._obey_overlay(key)
         else:
             self.message = ""
             self._obey_rows(key)
@@ -196,12 +196,12 @@ class Page:
         elif isinstance(key, str) and key.isprintable():
             self.wanted += key
 
-    def _obey_over(self, key):
+    def _obey_overlay(self, key):
         step = self._step(key)
         if step is not None:
-            self.over_first += step
+            self.overlay_first += step
         elif key in ("q", "c", "h", "?", ESCAPE) + ENTER:
-            self.over = None
+            self.overlay = None
 
     def _obey_rows(self, key):
         step = self._step(key)
@@ -210,7 +210,7 @@ class Page:
         elif key == "q":
             self.ended = True
         elif key in ("h", "?"):
-            self.over, self.over_first = HELP.split("\n"), 0
+            self.overlay, self.overlay_first = HELP.split("\n"), 0
         elif key == "s":
             self.sort = rows.SORTS[(rows.SORTS.index(self.sort) + 1) % len(rows.SORTS)]
             self.message = "sorted by " + self.sort
@@ -246,32 +246,32 @@ class Page:
 
     def _draw(self):
         height, width = self.window.getmaxyx()
-        every = self.looking.rows()
-        self.rows = rows.arranged(every, self.sort, self.wanted)
+        components = self.looking.rows()
+        self.rows = rows.arranged(components, self.sort, self.wanted)
         paths = [row.path for row in self.rows]
         self._select(paths.index(self.selected) if self.selected in paths else self.number)
         self.window.erase()
-        top = self._draw_head(every, height, width)
+        top = self._draw_head(components, height, width)
         foot = self._foot(width)[:max(height - top - 1, 1)]
         self.room = max(height - top - len(foot), 0)
-        if self.over is None:
+        if self.overlay is None:
             self._draw_rows(top)
         else:
-            self._draw_over(top, width)
+            self._draw_overlay(top, width)
         for i, line in enumerate(foot):
             self._put(height - len(foot) + i, line)
         self.window.refresh()
 
-    def _draw_head(self, every, height, width):
+    def _draw_head(self, components, height, width):
         """The summary, the flow of ports, the head of the columns; returns the number of lines."""
-        self._put(0, f"{rows.summary(every)}{'; those with: ' + self.wanted if self.wanted else ''}", curses.A_BOLD)
+        self._put(0, f"{rows.summary(components)}{'; those with: ' + self.wanted if self.wanted else ''}", curses.A_BOLD)
         rates = [rows.rate_line(meter.rate()) for meter in self.meters]
         most = max(height // 3, 1)
         if len(rates) > most:
-            rates[most - 1:] = ["%d more ports" % (len(rates) - most + 1)]
+            rates[most - 1:] = [f"{len(rates) - most + 1} more ports"]
         for i, line in enumerate(rates, 1):
             self._put(i, line)
-        head = rows.HEAD if self.over is None else ""
+        head = rows.HEAD if self.overlay is None else ""
         self._put(1 + len(rates), text.padded(head, max(width, len(head))), curses.A_REVERSE)
         return 2 + len(rates)
 
@@ -283,20 +283,20 @@ class Page:
             self._put(y, rows.line(row), chosen)
             self._put(y, row.state or "", chosen or self.attributes.get(row.state, 0))
 
-    def _draw_over(self, top, width):
-        lines = [part for line in self.over for part in _wrapped(self._spelt(line), max(width, 1))]
-        self.over_first = max(0, min(self.over_first, len(lines) - self.room))
-        for y, line in enumerate(lines[self.over_first:self.over_first + self.room], top):
+    def _draw_overlay(self, top, width):
+        lines = [part for line in self.overlay for part in _wrapped(self._spelt(line), max(width, 1))]
+        self.overlay_first = max(0, min(self.overlay_first, len(lines) - self.room))
+        for y, line in enumerate(lines[self.overlay_first:self.overlay_first + self.room], top):
             self._put(y, line)
 
     def _foot(self, width):
-        """The last lines: what is typed, what has been done, what is wrong with the selected one, or what can be done."""
+        """The last lines: what is typed, what was done, what is wrong with the selected component, or the keys."""
         row = self.rows[self.number] if self.rows else None
         if self.typing:
             line = "/" + self.wanted + "_"
         elif self.message:
             line = text.safe(self.message)
-        elif self.over is not None:
+        elif self.overlay is not None:
             line = "q back  up down PgUp PgDn"
         elif row and row.failure:
             line = f"{row.path}: {rows.reason(row.path, row.failure)}"
@@ -312,12 +312,12 @@ class Page:
             self.window.addstr(y, 0, _clipped(self._spelt(line), width), attributes)
 
     def _spelt(self, line):
-        """What the terminal's character set has no sign for is escaped."""
+        """A line with characters escaped that the terminal's character set lacks."""
         coding = self.window.encoding
         return text.safe(line).encode(coding, "backslashreplace").decode(coding)
 
 
 def show(looking, meters, sort, wanted):
-    """Show the page on the terminal until the user ends it; the terminal is as it was before, whatever ends it."""
+    """Show the page until the user ends it; the terminal is always restored."""
     with screen() as window:
         Page(window, looking, meters, sort, wanted).follow()

@@ -1,14 +1,15 @@
-"""What rttop shows of a system, as lines and as JSON; rows of components in the order and the choice that are wanted."""
+"""What rttop shows of a system, as lines and as JSON; sorting and filtering its rows."""
 import collections
 
 from rtshell_lite import text
+from rtshell_lite.views.listing import MARKS
 
 SORTS = ("name", "state", "rate", "connections")
 STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)  # the order by state: trouble first
 
 # One component. `name` distinguishes it from the others; `kind` is component, zombie or silent, or unknown: a part of the tree that
 # cannot be listed. `state` is ? for what does not answer and - for a zombie; `rate` in Hz, of the first context that runs, else
-# of the first one; `running` whether any does; `ports` and `connections` are counts. What is not known (yet) is None. `failure`
+# of the first one; `running` whether any does; `ports` and `connections` are counts. None is unknown (yet). `failure`
 # is an errors.Error or None.
 Row = collections.namedtuple("Row", "path name kind state rate running ports connections failure")
 
@@ -18,7 +19,7 @@ HEAD = "STATE         RATE  CONN  COMPONENT"
 def arranged(rows, sort="name", wanted=""):
     """The Rows that match all words of `wanted`, in the order of one of SORTS.
 
-    A word matches a path that it is a part of, or a state that it is, in capitals or not.
+    A word, in any case, matches part of a path, or a whole state.
     """
     words = wanted.lower().split()
     rows = [row for row in rows if all(word in row.path.lower() or word == (row.state or "").lower() for word in words)]
@@ -28,21 +29,20 @@ def arranged(rows, sort="name", wanted=""):
 
 
 def summary(rows):
-    """How many there are, and in which states: 3 components: 1 Error, 2 Active."""
+    """How many components there are in which states: 3 components: 1 Error, 2 Active."""
     counts = collections.Counter(row.state for row in rows if row.kind != "unknown")
     total = sum(counts.values())
     words = {"-": "zombie", "?": "silent", None: "not asked yet"}
-    states = ", ".join("%d %s" % (counts[state], words.get(state, state)) for state in STATES if counts[state])
-    return "%d component%s%s" % (total, "" if total == 1 else "s", ": " + states if states else "")
+    states = ", ".join(f"{counts[state]} {words.get(state, state)}" for state in STATES if counts[state])
+    return f"{total} component{'' if total == 1 else 's'}{': ' + states if states else ''}"
 
 
 def line(row):
     """A Row as a line below HEAD; it begins with the state."""
     rate = "-" if row.rate is None else "stopped" if row.running is False else f"{row.rate:g}"
     connections = "-" if row.connections is None else str(row.connections)
-    mark = {"zombie": "*", "silent": "?"}.get(row.kind, "")
     why = ": " + reason(row.path, row.failure) if row.failure else ""
-    return "%-8s  %8s  %4s  %s" % (row.state or "", rate, connections, mark + row.name + why)
+    return "%-8s  %8s  %4s  %s" % (row.state or "", rate, connections, MARKS.get(row.kind, "") + row.name + why)
 
 
 def rate_line(rate):

@@ -1,33 +1,33 @@
 """What rtcat shows of a component or a port, as lines or as JSON."""
 from rtshell_lite import text
 from rtshell_lite.corba import orb
-from rtshell_lite.robot import component, composites, ports, snapshot
-from rtshell_lite.robot.snapshot import BRIEF, FULL
+from rtshell_lite.robot import component, composites, ports
+from rtshell_lite.robot.snapshot import BRIEF, FULL, Snapshot
 from rtshell_lite.text import printable
 
 
 def collect(node, level=0):
     """The Snapshot of a component with everything that rtcat shows.
 
-    `level` is how often -l was given: from 1 on, all is asked for in full, and members for their names.
+    `level` is how often -l was given: from 1 on, all parts are full.
     """
     detail = FULL if level else BRIEF
-    return snapshot.of(node, ports=detail, owned=detail, participating=FULL, states=FULL, organisations=detail, composites=FULL,
-                       profile=detail)
+    return Snapshot(node).ask(ports=detail, owned=detail, participating=FULL, states=FULL, organisations=detail, composites=FULL,
+                              profile=detail)
 
 
 # ---- lines ----------------------------------------------------------------------------------------------------
 
-def lines(found, level, ends, paint):
-    """The lines of rtcat for a component.
+def lines(snapshot, level, ends, paint):
+    """The lines of rtcat for a component, given its Snapshot.
 
     level  how often -l was given
     ends   names the far ends of connections (see `places.far_names`)
     paint  colours words (see `text.painter`)
     """
-    profile = found.profile
-    yield f"{found.node.name}  {paint(component.merged(found.states))}"
-    kind = ("Composite" if found.organisations else "Monolithic") + (" composite member" if found.composites else "")
+    profile = snapshot.profile
+    yield f"{snapshot.node.name}  {paint(component.merged(snapshot.states))}"
+    kind = ("Composite" if snapshot.organisations else "Monolithic") + (" composite member" if snapshot.composites else "")
     yield from _pairs([("Category", profile.category), ("Description", profile.description),
                        ("Instance name", profile.instance_name), ("Type name", profile.type_name),
                        ("Vendor", profile.vendor), ("Version", profile.version), ("Parent", profile.parent),
@@ -37,13 +37,13 @@ def lines(found, level, ends, paint):
     elif profile.properties:
         yield "  Extra properties:"
         yield from _pairs(sorted(profile.properties), "    ")
-    # with -ll rtshell indents what follows by a blank or two more, and there are scripts that cut by column
+    # with -ll rtshell indents the following by a blank or two more, and there are scripts that cut by column
     tag, more = (" ", "  ") if level > 1 else ("", "")
-    yield from composition_lines(found, level, tag, more, paint)
-    for context in found.owned:
+    yield from composition_lines(snapshot, level, tag, more, paint)
+    for context in snapshot.owned:
         if context.handle is not None:
-            yield from context_lines(context, found, level, tag, more, paint)
-    for port in found.ports:
+            yield from context_lines(context, snapshot, level, tag, more, paint)
+    for port in snapshot.ports:
         yield from port_lines(port, profile.instance_name, level, ends, paint, tag, more)
 
 
@@ -51,44 +51,44 @@ def _pairs(items, indent):
     return text.pairs([(printable(text.cut(name)), printable(text.cut(value))) for name, value in items], indent)
 
 
-def composition_lines(found, level, tag, more, paint):
+def composition_lines(snapshot, level, tag, more, paint):
     """The lines of the compositions that a component owns and of those that it belongs to.
 
-    Here and below, `tag` comes before headings, `more` is the further indentation of what is below them.
+    Here and below, `tag` comes before headings, `more` before what is below them.
     """
     sign = "-" if level else "+"
-    for organisation in found.organisations:
-        yield f"{tag}{sign}Composition {paint(printable(found.profile.instance_name), 'bold')}"
+    for organisation in snapshot.organisations:
+        yield f"{tag}{sign}Composition {paint(printable(snapshot.profile.instance_name), 'bold')}"
         if level:
-            members = [("Member", path) for path in composites.member_paths(found.node, organisation)]
+            members = [("Member", path) for path in composites.member_paths(snapshot.node, organisation)]
             yield from text.pairs([("ID", printable(organisation.id))] + members, more + "  ")
-    for organisation_id, name, path in found.composites:
+    for organisation_id, name, path in snapshot.composites:
         yield f"{tag}{sign}Parent composition {paint(printable(name), 'bold')}"
         if level:
             yield from text.pairs([("ID", printable(organisation_id)), ("Path", path)], more + "  ")
 
 
-def context_lines(context, found, level, tag, more, paint):
+def context_lines(context, snapshot, level, tag, more, paint):
     """The lines of one execution context."""
     sign = "-" if level else "+"
     yield f"{tag}{sign}Execution Context {paint(str(context.handle), 'bold')}"
     if not level:
         return
     items = [("State", "Running" if context.running else "Stopped"), ("Kind", context.kind), ("Rate", str(float(context.rate)))]
-    owner = _instance(context.owner, found)
+    owner = _instance(context.owner, snapshot)
     yield from _pairs(items + ([("Owner", owner)] if owner else []), more + "  ")
     if context.participants:
         yield more + (" +" if level < 2 else " -") + "Participants"
         for participant in context.participants if level > 1 else ():
-            yield more + "    " + printable(_instance(participant, found))
+            yield more + "    " + printable(_instance(participant, snapshot))
     if context.properties:
         yield more + (" +" if level < 2 else " -") + "Extra properties"
         yield from _pairs(sorted(context.properties), more + "    ") if level > 1 else ()
 
 
-def _instance(ref, found):
+def _instance(ref, snapshot):
     """The instance name of a component that takes part in a context."""
-    return found.profile.instance_name if orb.same(ref, found.node.ref) else component.instance_name(found.node, ref)
+    return snapshot.profile.instance_name if orb.same(ref, snapshot.node.ref) else component.instance_name(snapshot.node, ref)
 
 
 def port_lines(port, instance, level, ends, paint, tag="", more=""):
@@ -113,29 +113,30 @@ def port_lines(port, instance, level, ends, paint, tag="", more=""):
             yield from _pairs([("Name", connector.name), ("ID", connector.id)] + _shown(connector), more + "    ")
     others = len(port.connectors) - listed
     if others > 0:
-        yield "%s  (%d other connection%s)" % (more, others, "s" if others > 1 else "")
+        yield f"{more}  ({others} other connection{'s' if others > 1 else ''})"
 
 
 def _shown(connector):
-    """Properties without the data ports' references, which mean nothing to a person."""
+    """Properties except references of data ports, which mean nothing to a person."""
     return [(name, value) for name, value in connector.properties if not name.endswith(("inport_ref", "inport_ior"))]
 
 
 # ---- JSON -----------------------------------------------------------------------------------------------------
 
-def as_dict(found, ends):
+def as_dict(snapshot, ends):
     """The JSON object of a component."""
-    fields = dict(found.profile._asdict(), properties=dict(found.profile.properties), path=str(found.node.path),
-                  state=component.merged(found.states), composite=bool(found.organisations), composite_member=bool(found.composites))
-    fields["compositions"] = [{"id": organisation.id, "members": composites.member_paths(found.node, organisation)}
-                              for organisation in found.organisations]
+    fields = dict(snapshot.profile._asdict(), properties=dict(snapshot.profile.properties), path=str(snapshot.node.path),
+                  state=component.merged(snapshot.states), composite=bool(snapshot.organisations),
+                  composite_member=bool(snapshot.composites))
+    fields["compositions"] = [{"id": organisation.id, "members": composites.member_paths(snapshot.node, organisation)}
+                              for organisation in snapshot.organisations]
     fields["parent_compositions"] = [{"id": organisation_id, "name": name, "path": path}
-                                     for organisation_id, name, path in found.composites]
+                                     for organisation_id, name, path in snapshot.composites]
     fields["execution_contexts"] = [
-        {"handle": c.handle, "kind": c.kind, "rate": c.rate, "running": c.running, "owner": _instance(c.owner, found),
-         "participants": [_instance(p, found) for p in c.participants], "properties": dict(c.properties),
-         "state": state} for c, state in zip(found.contexts, found.states) if c.handle is not None]
-    fields["ports"] = [port_dict(port, ends) for port in found.ports]
+        {"handle": c.handle, "kind": c.kind, "rate": c.rate, "running": c.running, "owner": _instance(c.owner, snapshot),
+         "participants": [_instance(p, snapshot) for p in c.participants], "properties": dict(c.properties),
+         "state": state} for c, state in zip(snapshot.contexts, snapshot.states) if c.handle is not None]
+    fields["ports"] = [port_dict(port, ends) for port in snapshot.ports]
     return fields
 
 

@@ -5,11 +5,11 @@ from rtshell_lite import errors
 from rtshell_lite.robot import manager, tree
 from rtshell_lite.text import printable
 
-# All that rtcat knows of one manager: `profile` a dict, `loaded` and `loadable` lists of file paths; the latter is None if the
-# manager does not say it, for the reason in `error`.
-Found = collections.namedtuple("Found", "node profile loaded loadable error")
+# What rtcat shows of a manager: `profile` a dict, `loaded` and `loadable` lists of file paths; the latter is None if the manager
+# refuses it, with the errors.Error `error`.
+About = collections.namedtuple("About", "node profile loaded loadable error")
 
-# Heading or None, then the lines below it: key of the profile, label.
+# (heading or None, the lines below it: (key of the profile, label)).
 _SECTIONS = (
     (None, (("name", "Name"), ("instance_name", "Instance name"), ("pid", "Process ID"), ("naming_formats", "Naming format"),
             ("refstring_path", "Refstring path"), ("components.precreate", "Components precreate"))),
@@ -22,33 +22,33 @@ _SECTIONS = (
 
 
 def collect(node):
-    """Ask a manager for everything that rtcat shows, a Found. Looking for loadable modules may take it a while."""
+    """Ask a manager for all that rtcat shows, an About. It may take a while to look for loadable modules."""
     profile = dict(manager.profile(node))
-    loaded = [each.get("file_path", "") for each in manager.modules(node, "get_loaded_modules")]
+    loaded = [module.get("file_path", "") for module in manager.modules(node, "get_loaded_modules")]
     try:
-        return Found(node, profile, loaded, sorted(each.get("module_file_path", "") for each in manager.modules(node)), None)
+        return About(node, profile, loaded, sorted(module.get("module_file_path", "") for module in manager.modules(node)), None)
     except errors.Refused as e:
-        return Found(node, profile, loaded, None, e)
+        return About(node, profile, loaded, None, e)
 
 
-def lines(found):
-    """The lines of rtcat for a manager; what a version does not say is left out."""
+def lines(about):
+    """The lines of rtcat for a manager, without what its version does not have."""
     for heading, entries in _SECTIONS:
-        if heading and any(key in found.profile for key, _ in entries):
+        if heading and any(key in about.profile for key, _ in entries):
             yield heading + ":"
         for key, label in entries:
-            if key in found.profile:
-                yield f"{'  ' if heading else ''}{label}: {printable(found.profile[key])}"
+            if key in about.profile:
+                yield f"{'  ' if heading else ''}{label}: {printable(about.profile[key])}"
     yield "Loaded modules:"
-    for path in found.loaded:
+    for path in about.loaded:
         yield "  Filepath: " + printable(path)
     yield "Loadable modules:"
-    for path in found.loadable or ():
+    for path in about.loadable or ():
         yield "  " + printable(path)
 
 
-def as_dict(found):
+def as_dict(about):
     """The JSON object of a manager."""
-    return {"path": str(found.node.path), "kind": "manager", "profile": found.profile, "loaded_modules": found.loaded,
-            "loadable_modules": found.loadable, "components": [name for name, _ in manager.components(found.node)],
-            "slaves": [str(slave.path) for slave in tree.slaves(found.node)]}
+    return {"path": str(about.node.path), "kind": "manager", "profile": about.profile, "loaded_modules": about.loaded,
+            "loadable_modules": about.loadable, "components": [name for name, _ in manager.components(about.node)],
+            "slaves": [str(slave.path) for slave in tree.slaves(about.node)]}

@@ -7,7 +7,7 @@ from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model
 
 # A picture. `edges` are (from box, from port, to box, to port, True for a service) with indexes of boxes, and port names;
-# `tops` are indexes of the boxes that are no members of a composite.
+# `tops` are indexes of the boxes that are not members of a composite.
 Graph = collections.namedtuple("Graph", "boxes edges tops")
 
 COLOURS = {"Inactive": "lightblue", "Active": "palegreen", "Error": "salmon", "Created": "white", "Unknown": "lightgrey"}
@@ -17,9 +17,9 @@ _COMPASS = {"n", "ne", "e", "se", "s", "sw", "w", "nw", "c", "_"}
 
 
 class Box:
-    """A component: what is written on it, its ports in use on either side, indexes of its members.
+    """A component: its name, ports in use on either side, indexes of its members.
 
-    `state` is None where nobody asked. `missing` marks one that connections name and the profile does not have.
+    `state` is None if unknown. `missing` marks one that connections name, but that the profile does not have.
     """
 
     def __init__(self, name, state=None, missing=False):
@@ -27,7 +27,7 @@ class Box:
         self.left, self.right, self.members = [], [], []
 
     def use(self, port, side):
-        """Note a port in use; it stays on the side where it was seen first."""
+        """Note a port in use, on the first side where it is."""
         if port not in self.left + self.right:
             side.append(port)
 
@@ -37,14 +37,14 @@ class Box:
 def of(profile, states=None):
     """The Graph of an RtsProfile. `states` gives those of its components, by path_uri."""
     states = states or {}
-    boxes = [Box(each.instance_name, states.get(each.path_uri)) for each in profile.components]
-    numbers = {id(each): number for number, each in enumerate(profile.components)}
+    boxes = [Box(component.instance_name, states.get(component.path_uri)) for component in profile.components]
+    numbers = {id(component): number for number, component in enumerate(profile.components)}
     locate, strangers = capture.locator(profile), {}
 
     def box_of(end):
-        each = locate(end)
-        if each is not None:
-            return numbers[id(each)]
+        component = locate(end)
+        if component is not None:
+            return numbers[id(component)]
         key = (end.component_id, end.instance_name)
         if key not in strangers:
             strangers[key] = len(boxes)
@@ -59,7 +59,7 @@ def of(profile, states=None):
 
 
 def _edges(connector, service, boxes, box_of):
-    """Lines from the first end to each other one."""
+    """Edges from the first end to each other one."""
     ends = [(box_of(end), capture.port_of(end)) for end in connector.ends]
     for number, (box, port) in enumerate(ends):
         boxes[box].use(port, boxes[box].left if number else boxes[box].right)
@@ -67,19 +67,19 @@ def _edges(connector, service, boxes, box_of):
 
 
 def _compose(profile, boxes, numbers, locate):
-    """Put members into their composites, each into one and none into itself; returns the boxes that are left outside."""
+    """Put members into their composites, each into one and none into itself; returns the boxes outside."""
     parents = {}
-    for each in profile.components:
-        for participant in each.participants:
+    for component in profile.components:
+        for participant in component.participants:
             member = locate(participant.component)
             if member is None or id(member) in parents:
                 continue
-            above = id(each)
+            above = id(component)
             while above in parents and above != id(member):
                 above = parents[above]
             if above != id(member):
-                parents[id(member)] = id(each)
-                boxes[numbers[id(each)]].members.append(numbers[id(member)])
+                parents[id(member)] = id(component)
+                boxes[numbers[id(component)]].members.append(numbers[id(member)])
     inside = {numbers[member] for member in parents}
     return [number for number in range(len(boxes)) if number not in inside]
 
@@ -87,26 +87,26 @@ def _compose(profile, boxes, numbers, locate):
 # ---- what drawings share --------------------------------------------------------------------------------------
 
 def heads(graph, number):
-    """What is written at the top of a box, a text for each line: name, state, composites around it; its members."""
+    """The lines at the top of a box: name, state and composites around it; its members."""
     box = graph.boxes[number]
     words = [printable(box.name)]
     if box.missing:
         words.append("(not in the profile)")
     if box.state is not None:
         words.append(box.state)
-    words += [f"(in {printable(each.name)})" for each in graph.boxes if number in each.members]
-    made = ["made of " + ", ".join(printable(graph.boxes[member].name) for member in box.members)] if box.members else []
-    return ["  ".join(words)] + made
+    words += [f"(in {printable(composite.name)})" for composite in graph.boxes if number in composite.members]
+    members = ["made of " + ", ".join(printable(graph.boxes[member].name) for member in box.members)] if box.members else []
+    return ["  ".join(words)] + members
 
 
 def in_order(graph):
-    """Numbers of the boxes so that data flows downwards where it can; as they come where it goes round in a circle."""
+    """Numbers of the boxes, so that data flows downwards where it can; circles in the order of the profile."""
     waiting, order = collections.OrderedDict.fromkeys(range(len(graph.boxes))), []
     above = {number: set() for number in waiting}
-    for one, _, other, _, service in graph.edges:
-        if one != other and not service:
-            above[other].add(one)
-    below = {number: [other for other in above if number in above[other]] for number in waiting}
+    for source, _, target, _, service in graph.edges:
+        if source != target and not service:
+            above[target].add(source)
+    below = {number: [target for target in above if number in above[target]] for number in waiting}
     left = {number: len(above[number]) for number in waiting}
     ready = collections.deque(number for number in waiting if not left[number])
     while waiting:
@@ -115,10 +115,10 @@ def in_order(graph):
             continue
         del waiting[number]
         order.append(number)
-        for other in reversed(below[number]):
-            left[other] -= 1
-            if not left[other]:
-                ready.appendleft(other)
+        for target in reversed(below[number]):
+            left[target] -= 1
+            if not left[target]:
+                ready.appendleft(target)
     return order
 
 
@@ -126,7 +126,7 @@ def in_order(graph):
 
 def dot(graph):
     """Lines of DOT."""
-    names = _told_apart([_word(box.name) for box in graph.boxes])
+    names = _distinct([_word(box.name) for box in graph.boxes])
     yield "digraph rtsprofile {"
     yield "  rankdir=LR;"
     yield "  node [shape=Mrecord];"
@@ -138,10 +138,11 @@ def dot(graph):
             yield f"  {_node_id(name)} [{', '.join(_attributes(box, ids))}];"
     yield from _clusters(graph, names)
     for service in (False, True):
-        for one, out, other, into, is_service in graph.edges:
+        style = ' [arrowhead="odot"]' if service else ""
+        for source, out, target, into, is_service in graph.edges:
             if is_service == service:
-                yield "  %s:%s -> %s:%s%s;" % (_node_id(names[one]), ports[one][out], _node_id(names[other]),
-                                               ports[other][into], ' [arrowhead="odot"]' if service else "")
+                ends = f"{_node_id(names[source])}:{ports[source][out]} -> {_node_id(names[target])}:{ports[target][into]}"
+                yield f"  {ends}{style};"
     yield "}"
 
 
@@ -157,7 +158,7 @@ def _attributes(box, ids):
 
 def _clusters(graph, names):
     """Composites around their members, however deep; one with ports of its own is inside, too."""
-    levels = [(None, iter(graph.tops))]  # composites around this place, and what is still to come in each
+    levels = [(None, iter(graph.tops))]  # composites around this place, and the rest of each
     while levels:
         composite, rest = levels[-1]
         number = next(rest, None)
@@ -188,16 +189,21 @@ def _word(name):
     return printable(name) or "_"
 
 
-def _told_apart(names):
-    """The names, numbers after those that were there before."""
-    seen, told = set(), []
+def _distinct(names):
+    """The names, with numbers added to those that were used before."""
+    seen, distinct = set(), []
     for name in names:
         number, wanted = 1, name
         while wanted in seen:
-            number, wanted = number + 1, "%s_%d" % (name, number + 1)
+            number, wanted = number + 1, f"{name}_{number + 1}"
         seen.add(wanted)
-        told.append(wanted)
-    return told
+        distinct.append(wanted)
+    return distinct
+
+
+def node_id(name):
+    """A component's name as an identifier in DOT, as rtshell spells it."""
+    return _node_id(_word(name))
 
 
 def _node_id(name):
@@ -207,16 +213,16 @@ def _node_id(name):
 
 
 def _port_ids(box):
-    """An identifier for each port of a box: the part of its name after the last dot, a number where that will not do."""
+    """An identifier for each port of a box: the part of its name after the last dot, or a number."""
     ids = {}
     for number, port in enumerate(box.left + box.right, 1):
         short = port.rpartition(".")[2]
         plain = re.match(r"[A-Za-z_][A-Za-z_0-9]*\Z", short) and short.lower() not in _KEYWORDS and short not in _COMPASS
-        ids[port] = short if plain and short not in ids.values() else "port%d" % number
+        ids[port] = short if plain and short not in ids.values() else f"port{number}"
     return ids
 
 
 def _label(name):
-    """`name` inside a record label: brackets, bars and blanks mean something there, and so does an entity."""
+    """`name` for a record label, where brackets, bars, blanks and entities have a meaning."""
     spelt = printable(name).replace("\\", "\\\\").replace("&", "&amp;").replace('"', '\\"')
     return re.sub(r"([{}|<> ])", r"\\\1", spelt)

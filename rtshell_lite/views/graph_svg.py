@@ -1,7 +1,7 @@
-"""A system as SVG: boxes in columns as the data goes, from left to right, and lines between their ports.
+"""A system as SVG: boxes in columns as the data flows, from left to right, and lines between their ports.
 
 The layout is the usual one for such graphs, in its simplest form (Sugiyama, Tagawa, Toda 1981): a column for each box by the
-longest way to it, places within a column by those of its neighbours, and lines around below for what goes back or far.
+longest way to it, places within a column by those of its neighbours, and lines below all boxes for what goes back or far.
 """
 import collections
 
@@ -11,9 +11,9 @@ from rtshell_lite.views import graph
 _CELL, _ROW = 9, 20  # pixels: width of a character, height of a line of text
 _BESIDE, _BELOW = 90, 24  # pixels between columns, and between boxes in one
 _MARGIN = 40
-_LANE = 10  # pixels between lines around below
-_FAR = 8  # columns; lines that cross more of them go around
-_SWEEPS = 4  # times that the places are improved, there and back
+_LANE = 10  # pixels between lines below the boxes
+_FAR = 8  # columns; lines that cross more of them go below
+_SWEEPS = 4  # times that the places are improved, forwards and backwards
 
 _HEAD = ('<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" font-family="monospace" font-size="14">\n'
          '<defs><marker id="arrow" markerWidth="8" markerHeight="8" refX="7" refY="4" orient="auto">'
@@ -23,12 +23,12 @@ _HEAD = ('<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" font-fa
 
 
 class _Item:
-    """What has a place in a column: a box, or a line that passes there (`box` is None). x, y: its upper left corner."""
+    """A box, or a line that passes (`box` is None), in a column. x, y: its upper left corner."""
 
     def __init__(self, box=None, heads=()):
         self.box, self.heads = box, heads
         self.x = self.y = self.place = 0
-        self.before, self.behind = [], []  # Items in the columns to the left and right that lines lead to
+        self.before, self.after = [], []  # Items in the columns to the left and right that lines lead to
         self.width = self.height = 0
         if box is not None:
             sides = [max([cells(printable(port)) for port in side] or [0]) for side in (box.left, box.right)]
@@ -68,35 +68,35 @@ def lines(picture):
 # ---- where things are -----------------------------------------------------------------------------------------
 
 def _columns(picture, boxes):
-    """(columns, lists of Items; for each edge the Items that it passes, None for one that goes around)."""
+    """(columns, lists of Items; for each edge the Items that it passes, None for one that goes below)."""
     order = graph.in_order(picture)
     rank = {number: place for place, number in enumerate(order)}
     sources = collections.defaultdict(list)
-    for one, _, other, _, _ in picture.edges:
-        if rank[one] < rank[other]:
-            sources[other].append(one)
+    for source, _, target, _, _ in picture.edges:
+        if rank[source] < rank[target]:
+            sources[target].append(source)
     column = {}
     for number in order:
-        column[number] = max([column[one] + 1 for one in sources[number]] or [0])
+        column[number] = max([column[source] + 1 for source in sources[number]] or [0])
     columns = [[] for _ in range(max(list(column.values()) or [0]) + 1)]
     used = {number for edge in picture.edges for number in (edge[0], edge[2])}
     for number in order:
         if number in used:
             columns[column[number]].append(boxes[number])
     for number in order:
-        if number not in used:  # it may be anywhere
+        if number not in used:  # anywhere will do
             min(columns, key=lambda items: sum(item.height + _BELOW for item in items)).append(boxes[number])
     ways = []
-    for one, _, other, _, _ in picture.edges:
-        if rank[one] >= rank[other] or column[other] - column[one] > _FAR:
+    for source, _, target, _, _ in picture.edges:
+        if rank[source] >= rank[target] or column[target] - column[source] > _FAR:
             ways.append(None)
             continue
-        ways.append([_Item() for _ in range(column[one] + 1, column[other])])
-        stops = [boxes[one]] + ways[-1] + [boxes[other]]
-        for place, passing in enumerate(ways[-1], column[one] + 1):
+        ways.append([_Item() for _ in range(column[source] + 1, column[target])])
+        stops = [boxes[source]] + ways[-1] + [boxes[target]]
+        for place, passing in enumerate(ways[-1], column[source] + 1):
             columns[place].append(passing)
         for left, right in zip(stops, stops[1:]):
-            left.behind.append(right)
+            left.after.append(right)
             right.before.append(left)
     return columns, ways
 
@@ -110,7 +110,7 @@ def _sort(columns):
             items.sort(key=lambda item: _mean([other.place for other in item.before], item.place))
             _number(items)
         for items in reversed(columns[:-1]):
-            items.sort(key=lambda item: _mean([other.place for other in item.behind], item.place))
+            items.sort(key=lambda item: _mean([other.place for other in item.after], item.place))
             _number(items)
 
 
@@ -124,7 +124,7 @@ def _mean(values, otherwise):
 
 
 def _place(columns):
-    """Set x and y of all Items: each where its neighbours are, as far as there is room."""
+    """Set x and y of all Items: each beside its neighbours, as far as there is room."""
     x = _MARGIN
     for items in columns:
         width = max([item.width for item in items] or [0])
@@ -136,7 +136,7 @@ def _place(columns):
         for items in columns[1:]:
             _stack(items, [_wanted(item, item.before) for item in items])
         for items in reversed(columns[:-1]):
-            _stack(items, [_wanted(item, item.behind) for item in items])
+            _stack(items, [_wanted(item, item.after) for item in items])
     top = min([item.y for items in columns for item in items] or [0])
     for item in (item for items in columns for item in items):
         item.y += _MARGIN - top
@@ -147,7 +147,7 @@ def _wanted(item, others):
 
 
 def _stack(items, wanted):
-    """Put Items below each other, so that together they are as near to the wanted y as can be."""
+    """Put Items below each other, together as near to their wanted y as possible."""
     free = -float("inf")
     for item, y in zip(items, wanted):
         item.y = max(y, free)
@@ -181,9 +181,9 @@ def _escaped(text):
 
 
 def _line(edge, boxes, way, lane):
-    """The line for an edge; a browser shows what it connects where the mouse points at it. `lane`: y of one that goes around."""
-    one, out, other, into, service = edge
-    (x, y, side), (to_x, to_y, to_side) = boxes[one].port(out), boxes[other].port(into)
+    """The line for an edge; a browser shows what it connects when the mouse points at it. `lane`: y of one that goes below."""
+    source, out, target, into, service = edge
+    (x, y, side), (to_x, to_y, to_side) = boxes[source].port(out), boxes[target].port(into)
     if way is None:
         beside = _LANE + lane % (4 * _LANE)
         path = "M%d,%d H%d V%d H%d V%d H%d" % (x, y, x + side * beside, lane, to_x + to_side * beside, to_y, to_x)
@@ -194,11 +194,11 @@ def _line(edge, boxes, way, lane):
             x, y, side = item.x + item.width, item.middle, 1
         path += _curve(x, y, side, to_x, to_y, to_side)
     looks = 'stroke-dasharray="5,3" marker-end="url(#dot)"' if service else 'marker-end="url(#arrow)"'
-    name = "%s:%s to %s:%s" % tuple(map(printable, (boxes[one].box.name, out, boxes[other].box.name, into)))
+    name = "%s:%s to %s:%s" % tuple(map(printable, (boxes[source].box.name, out, boxes[target].box.name, into)))
     return f'<path d="{path}" fill="none" stroke="black" {looks}><title>{_escaped(name)}</title></path>'
 
 
 def _curve(x, y, side, to_x, to_y, to_side):
-    """From where one is to a port, leaving and arriving straight."""
+    """A curve to a port that leaves and arrives horizontally."""
     bend = max(_BESIDE // 2, abs(to_x - x) // 2)
     return " C%d,%d %d,%d %d,%d" % (x + side * bend, y, to_x + to_side * bend, to_y, to_x, to_y)

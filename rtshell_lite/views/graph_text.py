@@ -1,4 +1,4 @@
-"""A system drawn in the terminal: boxes below each other, as the data goes, and a lane for each out port beside.
+"""A system drawn in the terminal: boxes below each other, as the data flows, and beside them a lane for each out port.
 
     ┌────────────┐
     │ ConsoleIn0 │
@@ -18,10 +18,10 @@ from rtshell_lite.views.graph import heads, in_order
 # A row of the stack of boxes: text between its borders, and the borders.
 Row = collections.namedtuple("Row", "left text right")
 
-# What lies between the ports of one connection: the rows it joins, the row where it starts, whether it is a service.
+# The lines from one port: the rows they join, the row where they start, whether they are of a service.
 Net = collections.namedtuple("Net", "rows start service")
 
-# Joints by (goes up, goes down, goes on to the right); they all come from the left.
+# Joints by (goes up, goes down, goes right); all come from the left.
 _JOINTS = {(0, 1, 0): "┐╗", (1, 0, 0): "┘╝", (1, 1, 0): "┤╣",
            (0, 1, 1): "┬╦", (1, 0, 1): "┴╩", (1, 1, 1): "┼╬"}
 _ASCII = {ord(c): "+" for c in "┌┐└┘├┤┬┴┼╗╝╣╦╩╬╞"}
@@ -30,8 +30,8 @@ _ASCII.update({ord("─"): "-", ord("│"): "|", ord("═"): "=", ord("║"): ":
 
 def lines(picture, ascii_only=False):
     """The lines of the drawing of a graph.Graph; with `ascii_only` nothing but ASCII."""
-    rows, at = _stack(picture)
-    nets = _nets(picture, at)
+    rows, row_of = _stack(picture)
+    nets = _nets(picture, row_of)
     lanes = _lanes(nets)
     wide = max([cells(row.text) for row in rows] or [0])
     for number, row in enumerate(rows):
@@ -45,29 +45,29 @@ def lines(picture, ascii_only=False):
 
 
 def _stack(picture):
-    """(Rows of all boxes, {(box, port): number of its row}). The right border `>` marks text that goes to the right."""
-    rows, at = [], {}
+    """(Rows of all boxes, {(box, port): number of its row}). `>` as the right border marks text that is aligned right."""
+    rows, row_of = [], {}
     for place, number in enumerate(in_order(picture)):
         box = picture.boxes[number]
         rows.append(Row("├", "", "┤") if place else Row("┌", "", "┐"))
         rows += [Row("│", f" {head} ", "│") for head in heads(picture, number)]
         for side, mark in ((box.left, "│"), (box.right, ">")):
             for port in side:
-                at[number, port] = len(rows)
+                row_of[number, port] = len(rows)
                 rows.append(Row("│", f" {printable(port)} ", mark))
-    return rows + [Row("└", "", "┘")] * bool(rows), at
+    return rows + [Row("└", "", "┘")] * bool(rows), row_of
 
 
-def _nets(picture, at):
-    """The Nets: one for each port that connections start at, and kind."""
+def _nets(picture, row_of):
+    """The Nets: one for each port where connections start, and kind."""
     rows = collections.OrderedDict()
-    for one, out, other, into, service in picture.edges:
-        rows.setdefault((at[one, out], service), set()).update([at[one, out], at[other, into]])
+    for source, out, target, into, service in picture.edges:
+        rows.setdefault((row_of[source, out], service), set()).update([row_of[source, out], row_of[target, into]])
     return [Net(joined, start, service) for (start, service), joined in rows.items() if len(joined) > 1]
 
 
 def _lanes(nets):
-    """The lane of each Net, counted from the boxes: short ones first, no two in one lane beside the same row."""
+    """The lane of each Net, counted from the boxes: short ones first, no two that overlap in one lane."""
     taken, lanes = [], [0] * len(nets)
     for number in sorted(range(len(nets)), key=lambda n: (max(nets[n].rows) - min(nets[n].rows), nets[n].start)):
         span = (min(nets[number].rows), max(nets[number].rows))

@@ -7,7 +7,7 @@ from rtshell_lite.robot import tree
 
 MARKS = {"zombie": "*", "silent": "?"}
 
-# The figures of a component: its state, and how many ports of each kind it has and how many of them are connected.
+# The figures of a component: its state, and (number of ports, number of connected ones) of each kind.
 Figures = collections.namedtuple("Figures", "state counts")
 COUNTED = (("ports", None), ("in_ports", "DataInPort"), ("out_ports", "DataOutPort"), ("service_ports", "CorbaPort"))
 
@@ -19,10 +19,10 @@ def all_blocks(paths, recurse, typed):
 
 
 def blocks(path, recurse=False, shown="."):
-    """What there is to list at `path`, as a list of (header, [Node, …]); the header is None for a single object.
+    """What to list at `path`: [(header, [Node, …])]; the header is None for a single object.
 
-    With `recurse`, a block for every directory below, its header relative to `shown` as in ls -R; of a directory bound by
-    several names, for the first. One that cannot be listed is in its parent's block with its `error` set. Raises what
+    With `recurse`, a block for every directory below, its header relative to `shown` as in ls -R; a directory bound by several
+    names has one for the first. One that cannot be listed is in its parent's block with its `error` set. Raises what
     `tree.resolve` raises, and WrongKind.
     """
     if path.port is not None:
@@ -34,16 +34,16 @@ def blocks(path, recurse=False, shown="."):
         return [(None, [top])]
     if not recurse:
         return [(shown + ":", tree.children(top))]
-    found = collections.OrderedDict()
+    listed = collections.OrderedDict()
     for node in tree.walk(top):
         if node.kind in tree.DIRECTORIES and node.alias is None:
             below = str(node.path)[len(str(top.path)):].strip("/")
-            found[node.path] = (shown.rstrip("/") + ("/" + below if below else "") + ":", [])
+            listed[node.path] = (shown.rstrip("/") + ("/" + below if below else "") + ":", [])
         if node is not top:
-            found[node.path.parent()][1].append(node)
+            listed[node.path.parent()][1].append(node)
     if top.error is not None:
         raise top.error
-    return list(found.values())
+    return list(listed.values())
 
 
 def look(nodes, long=False):
@@ -67,7 +67,7 @@ def look(nodes, long=False):
 
 
 def _figures(node):
-    """The Figures of a component whose reference is needed no more."""
+    """The Figures of a component, whose reference is dropped."""
     from rtshell_lite.robot import component, snapshot  # not needed, and not loaded, for names alone
     shown = snapshot.Snapshot(node)
     try:
@@ -75,9 +75,9 @@ def _figures(node):
     except (errors.Gone, errors.ConnectionRefused) as e:
         if not shown.answered:
             raise
-        # a port or context passed on that something behind it is gone
+        # a port or context passed on that another component is gone
         why = "one of them is gone" if isinstance(e, errors.Gone) else "connection refused"
-        raise errors.Unreachable(str(node.path), f"does not say its ports or states ({why})")
+        raise errors.Unreachable(str(node.path), f"does not report its ports or states ({why})")
     finally:
         node.ref = None  # 20,000 of them take 16 MB
     counts = []
@@ -88,7 +88,7 @@ def _figures(node):
 
 
 def short(node, paint, name=None):
-    """(what is printed for a node without -l, its width): directories end in a slash, zombies and silent ones are marked."""
+    """(a node's name without -l, the same without colour): directories end in a slash, zombies and silent ones are marked."""
     name = name or node.name
     if node.kind in tree.DIRECTORIES:
         return paint(name, "directory") + "/" + first_name(node), name + "/" + first_name(node)
@@ -101,38 +101,38 @@ def first_name(node):
     return " -> " + str(node.alias) if node.alias else ""
 
 
-def row(node, found, paint, name=None):
-    """The columns of a node with -l: state, connected ports of four kinds, name; `-` for what is no component."""
+def row(node, figures, paint, name=None):
+    """The columns of a node with -l: state, connected ports of four kinds, name; `-` for other objects."""
     name = name or node.name
-    if found is None:
+    if figures is None:
         cells = [paint("?") if node.kind == "silent" else "-"] + ["-"] * len(COUNTED)
         role = "directory" if node.kind in tree.DIRECTORIES else "zombie" if node.kind in ("zombie", "unknown") else None
         return cells + [MARKS.get(node.kind, "") + paint(name, role) + first_name(node)]
-    return [paint(found.state)] + [paint(str(count), "bold") + "/%d" % linked for count, linked in found.counts] + [name]
+    return [paint(figures.state)] + [f"{paint(str(count), 'bold')}/{linked}" for count, linked in figures.counts] + [name]
 
 
 def place(node):
-    """The JSON object that says where a node is; `alias` is the first path of a directory bound by several names."""
+    """The path and kind of a node for its JSON object; `alias` is the first path of a directory bound by several names."""
     fields = {"path": str(node.path), "kind": node.kind}
     if node.alias is not None:
         fields["alias"] = str(node.alias)
     return fields
 
 
-def as_dict(node, found):
+def as_dict(node, figures):
     """The JSON object for a node."""
     fields = dict(place(node), name=node.name)
     if node.error is not None:
         fields["error"] = str(node.error)
-    if found is not None:
-        fields["state"] = found.state
-        for (label, _), (count, connected) in zip(COUNTED, found.counts):
+    if figures is not None:
+        fields["state"] = figures.state
+        for (label, _), (count, connected) in zip(COUNTED, figures.counts):
             fields[label], fields[label + "_connected"] = count, connected
     return fields
 
 
 def silent_ones(nodes):
-    """The line that says how many of `nodes` did not answer, '' when all did."""
+    """A line on how many of `nodes` did not answer, '' when all did."""
     silent = [node.name for node in nodes if node.kind == "silent"]
     names = ", ".join(silent[:5] + ["…"] * (len(silent) > 5))
     objects = [node for node in nodes if node.kind in ("component", "manager", "silent", "zombie")]

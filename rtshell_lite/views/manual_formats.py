@@ -1,10 +1,10 @@
-"""A Manual in reStructuredText, HTML and LaTeX, as lines. Text of the component is safe in each of them."""
+"""A Manual in reStructuredText, HTML and LaTeX, as lines. The component's text is escaped in each of them."""
 from rtshell_lite.text import cells, safe
 from rtshell_lite.views.manual import Graph, Table
 
 
 def _lines_of(text):
-    """The author's text, which may have line breaks of its own, with nothing that harms a terminal."""
+    """The lines of the author's text, safe for a terminal."""
     return [safe(line) for line in text.expandtabs().replace("\r\n", "\n").split("\n")]
 
 
@@ -74,7 +74,7 @@ def _html_part(part):
     if isinstance(part, Table):
         lines = ["<table>", f"<caption>{_html(part.title)}</caption>"]
         for tag, row in [("th", part.header)] + [("td", row) for row in part.rows]:
-            lines.append("<tr>%s</tr>" % "".join("<%s>%s</%s>" % (tag, _html(cell), tag) for cell in row))
+            lines.append("<tr>%s</tr>" % "".join(f"<{tag}>{_html(cell)}</{tag}>" for cell in row))
         return lines + ["</table>"]
     if isinstance(part, Graph):
         return ["<pre>digraph comp {"] + ["  " + _html(line) for line in part.lines] + ["}</pre>"]

@@ -9,10 +9,10 @@ import time
 from rtshell_lite import errors, text
 from rtshell_lite.data import datatypes, statistics, values
 
-TICK = 0.2  # seconds between two looks at what is not a value: dead ports, the end of the time
+TICK = 0.2  # seconds between two looks at anything but values: dead ports, the end of the time
 PORTION = 1 << 16  # characters that are written at once
 LONG = 8  # elements of a sequence that are shown on a terminal
-USER_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)  # what a formatter may well raise
+USER_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)  # what a formatter may raise
 
 
 # ---- channels -------------------------------------------------------------------------------------------------
@@ -20,17 +20,17 @@ USER_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueErr
 class Channel:
     """One port that is read, and how its values are shown; `type` is None when they are shown as bytes."""
 
-    def __init__(self, found, type, formatter=None, field=None):
-        self.label, self.type, self.formatter, self.field = found.label, type, formatter, field
-        self.path = str(found.port.node.path.with_port(found.port.name.rpartition(".")[2]))
-        self.type_id = found.port.properties.get("dataport.data_type", "")
+    def __init__(self, target, type, formatter=None, field=None):
+        self.label, self.type, self.formatter, self.field = target.label, type, formatter, field
+        self.path = str(target.port.node.path.with_port(target.port.name.rpartition(".")[2]))
+        self.type_id = target.port.properties.get("dataport.data_type", "")
         members = datatypes.members(self.type_id) if type else None
         self.stamped = bool(members) and members[0] == ("tm", "Time")
         self.flow = statistics.Flow()
         self.shown = self.failed = False  # whether any of its values could be shown, and whether any could not
 
     def value(self, message):
-        """The Python value of a Message, or the member of it that is asked for. Raises errors.Error."""
+        """The Python value of a Message, or its member `field`. Raises errors.Error."""
         try:
             value = self.type.decode(message.data, message.little)
         except errors.BadData as e:
@@ -68,29 +68,29 @@ class Channel:
                 return None
             sec, nsec = struct.unpack_from("<LL" if message.little else ">LL", message.data)
             return sec * 10**9 + nsec
-        found = values.timestamp(self.type.decode(message.data, message.little)) if self.type else None
-        return found and found[0] * 10**9 + found[1]
+        stamp = values.timestamp(self.type.decode(message.data, message.little)) if self.type else None
+        return stamp and stamp[0] * 10**9 + stamp[1]
 
 
 def formatter(name, directories=()):
-    """The function `module.function` that turns a value into what is printed; directories to look in first. Raises NoSuch.
+    """The function called `module.function`, which formats a value; `directories` are searched first. Raises NoSuch, Failed.
 
-    `rtshell.rawpy`, as with rtshell, is Python's own spelling.
+    `rtshell.rawpy`, as with rtshell, is repr.
     """
     if name == "rtshell.rawpy":
         return repr
-    module, _, function = name.rpartition(".")
+    module, _, attribute = name.rpartition(".")
     before = list(sys.path)
     sys.path[:0] = [os.path.abspath(directory) for directory in directories]
     try:
-        found = getattr(importlib.import_module(module), function, None) if module else None
+        function = getattr(importlib.import_module(module), attribute, None) if module else None
     except (ImportError, SyntaxError) as e:
         raise errors.Failed("#" + name, f"cannot import {module} ({e})")
     finally:
         sys.path[:] = before
-    if not callable(found):
+    if not callable(function):
         raise errors.NoSuch("#" + name, "formatter", "module.function is wanted, with one argument")
-    return found
+    return function
 
 
 # ---- as they come ---------------------------------------------------------------------------------------------
@@ -98,8 +98,8 @@ def formatter(name, directories=()):
 def batches(box, opened, look, seconds=math.inf, rate=None):
     """Yield lists of (key, Message) from an Inbox, as they come; until `seconds` are over or no connection of `opened` is left.
 
-    With a rate, so many times a second, and of each key only the newest. Every TICK there is a list, maybe empty, and look()
-    is called.
+    With a rate, so many times a second, and only the newest of each key. At least every TICK a list, maybe empty, is yielded and
+    look() is called.
     """
     end, looked = time.monotonic() + seconds, 0.0
     while True:
@@ -118,21 +118,21 @@ def batches(box, opened, look, seconds=math.inf, rate=None):
 
 
 def portions(lines):
-    """Lines put together to strings of some length: many small writes cost time, a large one memory."""
-    some, size = [], 0
+    """Lines joined to strings of about PORTION: many small writes cost time, a large one memory."""
+    pending, size = [], 0
     for line in lines:
-        some.append(line)
+        pending.append(line)
         size += len(line)
         if size >= PORTION:
-            yield "".join(some)
-            some, size = [], 0
-    yield "".join(some)
+            yield "".join(pending)
+            pending, size = [], 0
+    yield "".join(pending)
 
 
 # ---- figures --------------------------------------------------------------------------------------------------
 
 class Board:
-    """Figures for each Channel: in place on a terminal, else a line each time, or JSON; and all in all at the end."""
+    """Figures for each Channel: in place on a terminal, else a line each time, or JSON; and totals at the end."""
 
     def __init__(self, channels, box, json):
         self.channels, self.box, self.json = channels, box, json
@@ -142,24 +142,24 @@ class Board:
 
     def show(self, seconds):
         """The figures since the last time, which was `seconds` ago."""
-        found = []
+        figures = []
         for key, channel in enumerate(self.channels):
             dropped, self.dropped[key] = self.box.dropped[key] - self.dropped[key], self.box.dropped[key]
-            found.append(channel.flow.look().summary(seconds, dropped))
-        self._write(found, "")
+            figures.append(channel.flow.look().summary(seconds, dropped))
+        self._write(figures, "")
 
     def end(self, seconds):
         """The figures since the beginning."""
         self._write([channel.flow.total.summary(seconds, self.box.dropped[key]) for key, channel in enumerate(self.channels)],
                     "all in all: ")
 
-    def _write(self, found, prefix):
+    def _write(self, figures, prefix):
         if self.json:
-            lines = [text.json_line(dict(each, path=channel.path, total=bool(prefix)))
-                     for channel, each in zip(self.channels, found)]
+            lines = [text.json_line(dict(of_port, path=channel.path, total=bool(prefix)))
+                     for channel, of_port in zip(self.channels, figures)]
         else:
-            lines = [prefix + (channel.label + ": " if len(found) > 1 else "") + text.safe(figure_line(each))
-                     for channel, each in zip(self.channels, found)]
+            lines = [prefix + (channel.label + ": " if len(figures) > 1 else "") + text.safe(figure_line(of_port))
+                     for channel, of_port in zip(self.channels, figures)]
         if self.in_place:
             width = text.width() - 1
             sys.stdout.write("\x1b[%dA" % self.lines if self.lines else "")
@@ -169,23 +169,23 @@ class Board:
         sys.stdout.flush()
 
 
-def figure_line(each):
+def figure_line(figures):
     """One port's figures in words; what is not known is left out."""
-    if not each["values"]:
+    if not figures["values"]:
         return "no values"
-    words = ["%d values" % each["values"]]
-    if each["rate"] is not None:
-        words += [f"{each['rate']:.1f} Hz", "gap %s/%s/%s ms" % tuple(_ms(each[k]) for k in ("gap_min", "gap_mean", "gap_max")),
-                  f"jitter {_ms(each['jitter'])} ms"]
-    if each["bytes_per_second"] is not None:
-        words.append(_bytes(each["bytes_per_second"]) + "/s")
-    if each["age_mean"] is not None:
-        words.append(f"age {_ms(each['age_mean'])} ms")
-    if each["absent"]:
-        words.append("%d cycle%s did not come" % (each["absent"], "" if each["absent"] == 1 else "s"))
+    words = [f"{figures['values']} values"]
+    if figures["rate"] is not None:
+        words += [f"{figures['rate']:.1f} Hz", "gap %s/%s/%s ms" % tuple(_ms(figures[k]) for k in ("gap_min", "gap_mean", "gap_max")),
+                  f"jitter {_ms(figures['jitter'])} ms"]
+    if figures["bytes_per_second"] is not None:
+        words.append(_bytes(figures["bytes_per_second"]) + "/s")
+    if figures["age_mean"] is not None:
+        words.append(f"age {_ms(figures['age_mean'])} ms")
+    if figures["absent"]:
+        words.append(f"{figures['absent']} cycle{'' if figures['absent'] == 1 else 's'} did not come")
     for what in ("disordered", "repeated", "dropped"):
-        if each[what]:
-            words.append("%s %d" % (what, each[what]))
+        if figures[what]:
+            words.append(f"{what} {figures[what]}")
     return ", ".join(words)
 
 

@@ -10,7 +10,7 @@ world: zombie 1 --nameserver localhost:$PORT2
   ok    /localhost:$PORT/test.host_cxt/far0.cxt: an alias: a directory of the name server at localhost:$PORT2, which is examined by: rtdoctor localhost:$PORT2
   ok    /localhost:$PORT/test.host_cxt/real.cxt: an alias: the same directory as /localhost:$PORT/test.host_cxt/again.cxt
   ok    /localhost:$PORT/test.host_cxt/top.cxt: an alias: the same directory as /localhost:$PORT
-  warn  /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc: somebody else's name: this component calls itself test.host_cxt/Inner0.rtc; try: restart who should have this name; if nobody should: rtdel /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc
+  warn  /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc: somebody else's name: this component calls itself test.host_cxt/Inner0.rtc; try: restart the component that should have this name; if none should: rtdel /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc
   0 failed, 3 to be looked at, 8 ok
   $ doctor --json | grep alias | head -1
   {"check": "context", "level": "ok", "message": "an alias: the same directory as /localhost:$PORT/test.host_cxt/again.cxt", "path": "/localhost:$PORT/test.host_cxt/again.cxt/loop.cxt", "remedy": ""}

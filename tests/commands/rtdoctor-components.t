@@ -50,9 +50,9 @@ A port that refuses its profile; the component's own profile is not asked for th
 Other questions refused; what has none of a component's operations; a context of another component, which is gone:
 
   $ ctl @these fail get_ports 1 NO_PERMISSION; doctor -q ../many.host_cxt/A0.rtc | grep A0
-  fail  /localhost:$PORT/many.host_cxt/A0.rtc: does not say its ports (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
+  fail  /localhost:$PORT/many.host_cxt/A0.rtc: does not report its ports (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
   $ ctl @these fail get_ports 1 BAD_OPERATION; doctor -q ../many.host_cxt/A0.rtc | grep A0
-  fail  /localhost:$PORT/many.host_cxt/A0.rtc: somebody else's: it is registered as a component, and is none; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/many.host_cxt/A0.rtc
+  fail  /localhost:$PORT/many.host_cxt/A0.rtc: somebody else's: it is registered as a component, but is none; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/many.host_cxt/A0.rtc
   $ mock these Mock:Guest0 --context guest.host_cxt/%n.rtc; mock these Mock:Host0 --context host.host_cxt/%n.rtc
   $ rtec ../host.host_cxt/Host0.rtc attach ../guest.host_cxt/Guest0.rtc; kill-mock these5; doctor -q ../guest.host_cxt | grep context
   warn  /localhost:$PORT/guest.host_cxt/Guest0.rtc: its execution context 1 belongs to another component, which does not answer; try: look at its contexts: rtec /localhost:$PORT/guest.host_cxt/Guest0.rtc
@@ -135,11 +135,11 @@ Managers: what they list must be there:
   fail  /localhost:$PORT/forgotten.host_cxt/manager.mgr: lists a component that is gone; try: restart it; rtls /localhost:$PORT/forgotten.host_cxt/manager.mgr marks what is gone
   [1]
   $ ctl @managers fail get_slave_managers 1 NO_PERMISSION; doctor -q ../mgr.host_cxt | grep mgr:
-  fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: does not say what it has (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
+  fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: does not report what it has (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
   $ ctl @managers fail get_components 1 TRANSIENT; doctor -q ../mgr.host_cxt | grep mgr:
   fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: one of its slaves has died, and its components with it; try: restart that slave
   $ ctl @managers slave 1 hang manager 30; doctor -q --timeout 1 ../mgr.host_cxt | grep mgr:
-  fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: does not say what it has (no answer within 1s); try: restart it, or a slave that it waits for; netstat -ltnp | grep :* there names its process (glob)
+  fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: does not report what it has (no answer within 1s); try: restart it, or a slave that it waits for; netstat -ltnp | grep :* there names its process (glob)
 
 A composite with a dead member, whether that exports a port or not:
 

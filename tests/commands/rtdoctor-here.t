@@ -43,7 +43,7 @@ All is well:
 The name of this host, which components may publish:
 
   $ HOSTS="robot1=127.0.1.1" doctor -q
-  warn  here: this host's name, robot1, means 127.0.1.1: who publishes it cannot be reached from elsewhere; try: give it its real address in /etc/hosts
+  warn  here: this host's name, robot1, means 127.0.1.1: components that publish it cannot be reached from elsewhere; try: give it its real address in /etc/hosts
   $ HOSTS="robot1=198.51.100.2" doctor -q
   warn  here: this host's name, robot1, means 198.51.100.2, which is not this host; try: give it its real address in /etc/hosts
   $ HOSTS="robot1=unknown" doctor -q
@@ -66,7 +66,7 @@ RTCTREE_NAMESERVERS, each address on its own; the good ones are examined all the
   $ RTCTREE_NAMESERVERS="localhost:$PORT;localhost:99999;corbaloc::robot1;/robot1/a.host_cxt;a b;:2809" doctor -q
   fail  here: RTCTREE_NAMESERVERS: localhost:*: not HOST[:PORT]; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810' (glob)
   fail  here: RTCTREE_NAMESERVERS: corbaloc::robot1: only HOST[:PORT], without corbaloc:; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
-  fail  here: RTCTREE_NAMESERVERS: /robot1/a.host_cxt: only HOST[:PORT], nothing behind it; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
+  fail  here: RTCTREE_NAMESERVERS: /robot1/a.host_cxt: only HOST[:PORT], nothing after it; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
   fail  here: RTCTREE_NAMESERVERS: a b: several are separated by semicolons; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
   fail  here: RTCTREE_NAMESERVERS: :2809: not HOST[:PORT]; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
   [1]
@@ -89,12 +89,12 @@ Settings of omniORB that break things, from each of the places that have some:
   > endPoint = giop:tcp:127.0.0.1:
   > END
   $ OMNIORB_CONFIG=$TMP/omniORB.cfg doctor -q
-  warn  here: $TMP/omniORB.cfg sets giopMaxMsgSize to 100000: components started here cannot send or take larger messages (MARSHAL); try: remove it from $TMP/omniORB.cfg
+  warn  here: $TMP/omniORB.cfg sets giopMaxMsgSize to 100000: components started here cannot send or receive larger messages (MARSHAL); try: remove it from $TMP/omniORB.cfg
   warn  here: $TMP/omniORB.cfg sets endPoint to giop:tcp:127.0.0.1:: components started here cannot be reached from other hosts; try: remove it from $TMP/omniORB.cfg
   $ OMNIORB_CONFIG=$TMP/nothing doctor -q
   warn  here: OMNIORB_CONFIG names a file that is not there: $TMP/nothing; try: unset OMNIORB_CONFIG
   $ ORBclientCallTimeOutPeriod=100 ORBendPoint=giop:tcp::2810 ORBmaxGIOPVersion=1.0 doctor -q
-  warn  here: ORBclientCallTimeOutPeriod sets clientCallTimeOutPeriod to 100: components started here take slower answers for none; try: unset ORBclientCallTimeOutPeriod
+  warn  here: ORBclientCallTimeOutPeriod sets clientCallTimeOutPeriod to 100: components started here give up before slower answers come; try: unset ORBclientCallTimeOutPeriod
   warn  here: ORBendPoint sets endPoint to giop:tcp::2810: only one process at a time can have this port; try: unset ORBendPoint
   warn  here: ORBmaxGIOPVersion sets maxGIOPVersion to 1.0: Japanese names and large lists fail; try: unset ORBmaxGIOPVersion
   $ ORBclientCallTimeOutPeriod=5000 ORBendPoint=giop:tcp:: doctor | grep ORB
@@ -123,10 +123,10 @@ When omniORB cannot be started, that is all that can be said:
   fail  here: omniORB does not start: it does not understand $TMP/omniORB.cfg; try: correct or remove it
   [1]
   $ PYTHONPATH=$TMP/bare${PYTHONPATH:+:$PYTHONPATH} rtdoctor | grep -v -e "this host's name" -e failed
-  fail  here: Python * has no omniORBpy: nobody can be asked; try: apt install python3-omniorb, or: pip install 'rtshell_lite[omniorb]' (glob)
+  fail  here: Python * has no omniORBpy: nothing can be asked; try: apt install python3-omniorb, or: pip install 'rtshell_lite[omniorb]' (glob)
   ok    here: RTCTREE_NAMESERVERS: localhost:$PORT
   $ PYTHONPATH=$TMP/bare${PYTHONPATH:+:$PYTHONPATH} rtdoctor -q --json | grep omniORBpy
-  {"check": "omniORBpy", "level": "fail", "message": "Python * has no omniORBpy: nobody can be asked", "path": "here", "remedy": "apt install python3-omniorb, or: pip install 'rtshell_lite[omniorb]'"} (glob)
+  {"check": "omniORBpy", "level": "fail", "message": "Python * has no omniORBpy: nothing can be asked", "path": "here", "remedy": "apt install python3-omniorb, or: pip install 'rtshell_lite[omniorb]'"} (glob)
 
 A name server on another host: what publishes a loopback address there, means this host to us. Were the name server on this
 host, but asked under its outer address, only others would be lost:
@@ -166,8 +166,8 @@ An end point that cannot be bound:
 Out of what a process needs here: nobody else is to blame:
 
   $ (ulimit -n 16; doctor -q)
-  fail  here: out of files here (Too many open files, at 16): nobody can be judged; try: raise the limit in this shell (ulimit -n 1024), or end what uses so many files here
+  fail  here: out of files here (Too many open files, at 16): nothing can be judged; try: raise the limit in this shell (ulimit -n 1024), or end what uses so many files here
   [1]
   $ (ulimit -v 80000; doctor -q)
-  fail  here: out of threads here (can't start new thread): nobody can be judged; try: raise the limit in this shell (ulimit -u, ulimit -v), or end what uses so many threads here
+  fail  here: out of threads here (can't start new thread): nothing can be judged; try: raise the limit in this shell (ulimit -u, ulimit -v), or end what uses so many threads here
   [1]

@@ -12,13 +12,13 @@ faulty: refused dead-host silent drip reset close garbage late-silent late-reset
   fail  /localhost:$REFUSED: connection refused: localhost runs, but nothing listens on port $REFUSED; try: start the name server there: rtm-naming $REFUSED
   [1]
   $ doctor -q localhost:$RESET
-  fail  /localhost:$RESET: cannot tell from here: TCP connects, then connection lost; who listens there does not speak CORBA, or the network is broken; try: look at what is between here and localhost: firewall (port $RESET), route (ip route get localhost), MTU and loss (ping localhost)
+  fail  /localhost:$RESET: cannot tell from here: TCP connects, then connection lost; what listens there does not speak CORBA, or the network is broken; try: look at what is between here and localhost: firewall (port $RESET), route (ip route get localhost), MTU and loss (ping localhost)
   [1]
   $ doctor -q localhost:$CLOSE
-  fail  /localhost:$CLOSE: cannot tell from here: TCP connects, then connection lost; who listens there does not speak CORBA, or the network is broken; try: look at what is between here and localhost: firewall (port $CLOSE), route (ip route get localhost), MTU and loss (ping localhost)
+  fail  /localhost:$CLOSE: cannot tell from here: TCP connects, then connection lost; what listens there does not speak CORBA, or the network is broken; try: look at what is between here and localhost: firewall (port $CLOSE), route (ip route get localhost), MTU and loss (ping localhost)
   [1]
   $ doctor -q localhost:$GARBAGE
-  fail  /localhost:$GARBAGE: cannot tell from here: TCP connects, then connection lost; who listens there does not speak CORBA, or the network is broken; try: look at what is between here and localhost: firewall (port $GARBAGE), route (ip route get localhost), MTU and loss (ping localhost)
+  fail  /localhost:$GARBAGE: cannot tell from here: TCP connects, then connection lost; what listens there does not speak CORBA, or the network is broken; try: look at what is between here and localhost: firewall (port $GARBAGE), route (ip route get localhost), MTU and loss (ping localhost)
   [1]
   $ doctor -q localhost:$LATE_RESET
   fail  /localhost:$LATE_RESET: its names cannot be listed (connection lost); try: look at what is between here and localhost: firewall (port $LATE_RESET), route (ip route get localhost), MTU and loss (ping localhost)
@@ -56,13 +56,13 @@ What a name server says is printed as any text from outside; a loop is no reason
 Names that lead nowhere, to the same, to somebody else:
 
   $ doctor -q .
-  fail  /localhost:$PORT/test.host_cxt/Ended0.rtc: dead (zombie): who listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/test.host_cxt/Ended0.rtc (glob)
+  fail  /localhost:$PORT/test.host_cxt/Ended0.rtc: dead (zombie): what listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/test.host_cxt/Ended0.rtc (glob)
   fail  /localhost:$PORT/test.host_cxt/Nil0.rtc: the name is bound to nothing (a nil reference); try: rtdel /localhost:$PORT/test.host_cxt/Nil0.rtc
   fail  /localhost:$PORT/test.host_cxt/Stranger0.rtc: somebody else's: not a component but IDL:SimpleService/MyService:1.0; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Stranger0.rtc
   warn  /localhost:$PORT/test.host_cxt/dead.cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/test.host_cxt/dead.cxt
-  fail  /localhost:$PORT/test.host_cxt/dead.cxt/Gone0.rtc: dead (zombie): who listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/test.host_cxt/dead.cxt/Gone0.rtc (glob)
+  fail  /localhost:$PORT/test.host_cxt/dead.cxt/Gone0.rtc: dead (zombie): what listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/test.host_cxt/dead.cxt/Gone0.rtc (glob)
   warn  /localhost:$PORT/test.host_cxt/empty.cxt: stale: empty; try: rtdel /localhost:$PORT/test.host_cxt/empty.cxt/emptier.cxt /localhost:$PORT/test.host_cxt/empty.cxt
-  warn  /localhost:$PORT/test.host_cxt/Other0.rtc: somebody else's name: this component calls itself test.host_cxt/Moved0.rtc; try: restart who should have this name; if nobody should: rtdel /localhost:$PORT/test.host_cxt/Other0.rtc
+  warn  /localhost:$PORT/test.host_cxt/Other0.rtc: somebody else's name: this component calls itself test.host_cxt/Moved0.rtc; try: restart the component that should have this name; if none should: rtdel /localhost:$PORT/test.host_cxt/Other0.rtc
   warn  /localhost:$PORT/test.host_cxt/Wrong0.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong0.rtc
   warn  /localhost:$PORT/test.host_cxt/Wrong1.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong1.rtc
   warn  /localhost:$PORT/test.host_cxt/Wrong2.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong2.rtc
@@ -86,7 +86,7 @@ A process that has ended, one that hangs, and one that took over the port of ano
   $ mock these Mock:Other0 --port $TAKEN --context other.host_cxt/%n.rtc
   $ doctor -q ../dead.host_cxt ../other.host_cxt
   warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/dead.host_cxt
-  fail  /localhost:$PORT/dead.host_cxt/Dead0.rtc: dead (zombie): who listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/dead.host_cxt/Dead0.rtc (glob)
+  fail  /localhost:$PORT/dead.host_cxt/Dead0.rtc: dead (zombie): what listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/dead.host_cxt/Dead0.rtc (glob)
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/other.host_cxt/Other0.rtc
   [1]
 

@@ -63,7 +63,7 @@ A component that fails to tell one of the figures:
   [6]
   $ ctl @these fail get_ports 1 OBJECT_NOT_EXIST; rtls -lv Slow0.rtc
   ?  -  -  -  -  ?Slow0.rtc
-  rtls: /localhost:$PORT/test.host_cxt/Slow0.rtc: does not say its ports or states (one of them is gone)
+  rtls: /localhost:$PORT/test.host_cxt/Slow0.rtc: does not report its ports or states (one of them is gone)
   rtls: 1 of 1 did not answer (Slow0.rtc)
   [4]
   $ ctl @these fail _non_existent 1 UNKNOWN; rtls -v Slow0.rtc
@@ -74,6 +74,6 @@ A component that fails to tell one of the figures:
   $ ctl @these fail get_port_profile 1 DIE; rtls -lv --timeout 1 Slow0.rtc MyServiceProvider0.rtc
   ?         -    -    -    -    ?Slow0.rtc
   Inactive  1/0  0/0  0/0  1/0  MyServiceProvider0.rtc
-  rtls: /localhost:\$PORT/test.host_cxt/Slow0.rtc: (does not say its ports or states \(connection refused\)|connection lost) (re)
+  rtls: /localhost:\$PORT/test.host_cxt/Slow0.rtc: (does not report its ports or states \(connection refused\)|connection lost) (re)
   rtls: 1 of 2 did not answer (Slow0.rtc)
   [5]

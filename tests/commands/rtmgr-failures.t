@@ -157,7 +157,7 @@ nobody lists. The name tells:
   $ rtmgr -v -c 'Motor?instance_name=kept' ../py.host_cxt/manager.mgr
   rtmgr: created kept
   $ rtmgr -v -c Motor ../py.host_cxt/manager.mgr
-  rtmgr: /localhost:$PORT/py.host_cxt/manager.mgr: made nothing of use: it gave back the name kept, which was there; give another one: ?instance_name=…
+  rtmgr: /localhost:$PORT/py.host_cxt/manager.mgr: created nothing of use: it returned the name kept, which is taken; give another one: ?instance_name=…
   [6]
   $ rtls ../py.host_cxt
   ConsoleIn0.rtc
@@ -168,10 +168,10 @@ nobody lists. The name tells:
 Modules: a manager says RTC_OK for a file that is not there; what is not loaded is not unloaded:
 
   $ rtmgr -l /no/such/file.so:fileInit manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: did not load /no/such/file.so (it says RTC_OK)
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: did not load /no/such/file.so (it returned RTC_OK)
   [6]
   $ rtmgr -l nofile.so:fileInit manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: did not load nofile.so (it says RTC_OK)
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: did not load nofile.so (it returned RTC_OK)
   [6]
   $ rtmgr -u nofile.so manager.mgr
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: no such loaded module: nofile.so
@@ -195,7 +195,7 @@ A wrong initialisation function leaves a file that is loaded and of no use:
 Configuration that does not take:
 
   $ rtmgr -s corba.args=-ORBtraceLevel manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: did not set corba.args (it says RTC_OK; the value is empty)
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: did not set corba.args (it returned RTC_OK; the value is empty)
   [6]
 
 Managers that refuse, fail, hang:

@@ -70,7 +70,7 @@ Python keeps the instance name of one creation for the next, and gives back what
 
   $ at py2 -v -c 'Motor?instance_name=left' -c Motor
   rtmgr: created left
-  rtmgr: /localhost:$PORT/py2.host_cxt/manager.mgr: made nothing of use: it gave back the name left, which was there; give another one: ?instance_name=…
+  rtmgr: /localhost:$PORT/py2.host_cxt/manager.mgr: created nothing of use: it returned the name left, which is taken; give another one: ?instance_name=…
   [6]
   $ at py2 -v -c 'Motor?instance_name=right' -d left -d right
   rtmgr: created right

@@ -19,15 +19,15 @@ A slave alone; its master lives, with the other one:
   ConsoleOut0.rtc
   manager/
 
-A slave that refuses, or does not end: it is named, and the master is left, which leads to it. Time is what --wait says, or 5 s:
+A slave that refuses, or does not end: it is named, and the master is left running. Time is what --wait says, or 5 s:
 
   $ ctl slave 2 fail shutdown 1 NO_PERMISSION; rtmgr -v --shutdown manager.mgr
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr/manager: CORBA.NO_PERMISSION
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: not tried: its slave /localhost:$PORT/test.host_cxt/manager.mgr/manager still runs, and nobody else leads to it
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: not tried: its slave /localhost:$PORT/test.host_cxt/manager.mgr/manager still runs, and cannot be found without it
   [5]
   $ ctl slave 2 fail shutdown 1 COMM_FAILURE; within 0.9-8 rtmgr -v --wait=1 --shutdown manager.mgr
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr/manager: its process has not ended within 1s
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: not tried: its slave /localhost:$PORT/test.host_cxt/manager.mgr/manager still runs, and nobody else leads to it
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: not tried: its slave /localhost:$PORT/test.host_cxt/manager.mgr/manager still runs, and cannot be found without it
   [5]
   $ rtls
   ConsoleOut0.rtc
@@ -45,7 +45,7 @@ Some slaves ended, one did not:
   $ rtmgr -v --timeout 0.5 --shutdown manager.mgr 2>&1 | sed "s/_[0-9][0-9]*/_PID/g"
   rtmgr: /localhost:$PORT/hung.host_cxt/manager.mgr/slave0: no answer within 0.5s
   rtmgr: shut down /localhost:$PORT/hung.host_cxt/manager.mgr/manager
-  rtmgr: /localhost:$PORT/hung.host_cxt/manager.mgr: not tried: its slave /localhost:$PORT/hung.host_cxt/manager.mgr/slave0 still runs, and nobody else leads to it
+  rtmgr: /localhost:$PORT/hung.host_cxt/manager.mgr: not tried: its slave /localhost:$PORT/hung.host_cxt/manager.mgr/slave0 still runs, and cannot be found without it
   $ rtls --timeout 0.5 -R
   .:
   ?ConsoleIn0.rtc

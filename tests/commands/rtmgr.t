@@ -157,7 +157,7 @@ A file that is there already, or a wrong function, adds nothing; that is reporte
   $ rtmgr -g manager.mgr | grep log_level
   logger.log_level:                       DEBUG
   $ rtmgr --setconfig naming.formats=%n.rtc manager.mgr
-  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: did not set naming.formats (it says RTC_OK; the value is test.host_cxt/%n.rtc)
+  rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: did not set naming.formats (it returned RTC_OK; the value is test.host_cxt/%n.rtc)
   [6]
   $ rtmgr -s my.own.value=a=b -g manager.mgr | grep "^my"
   my.own.value:                           a=b

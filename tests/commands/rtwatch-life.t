@@ -48,7 +48,7 @@ within the timeout, although nothing can be taken back:
   rtwatch: /localhost:$PORT/test.host_cxt/Dies0.rtc: no answer within 0.5s
   rtwatch: /localhost:$PORT/test.host_cxt/Dies0.rtc: answers again
   rtwatch: /localhost:$PORT/test.host_cxt/Dies0.rtc: no answer within 0.5s
-  rtwatch: /localhost:$PORT/test.host_cxt/Dies0.rtc: does not answer; it still has our observer, and drops it when it calls us in vain
+  rtwatch: /localhost:$PORT/test.host_cxt/Dies0.rtc: does not answer; it still has our observer, and drops it when a call to it fails
 
 One that answers, but has lost its observer: it is lent once more, then the component is polled.
 

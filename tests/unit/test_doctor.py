@@ -4,8 +4,9 @@ from unittest import mock
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
-from rtshell_lite.doctor import components, connections, here, remedies, servers
+from rtshell_lite.doctor import components, connections, here, profile, remedies, servers
 from rtshell_lite.robot import component, places, ports, snapshot, tree
+from rtshell_lite.xmlprofile import model
 
 
 class Connections(unittest.TestCase):
@@ -27,6 +28,16 @@ class Connections(unittest.TestCase):
                                          places.End(None, port._replace(node=far, name="far.in", connectors=[there]), None),
                                          remedies.words("restart far end"))
         self.assertEqual([finding.message for finding in found], ["dataport.dataflow_type is push here, missing at /localhost/far.rtc:in"])
+
+
+class Profile(unittest.TestCase):
+    def test_a_rate_that_a_context_has_rounded(self):
+        context = model.ExecutionContext(id="0", kind="PERIODIC", rate=30.0)
+        listed = model.Component(id="", path_uri="localhost/In0.rtc", instance_name="In0", execution_contexts=[context])
+        for rate, number in ((30.0003, 0), (29.99, 0), (31.0, 1)):
+            owned = [component.Context(0, None, "Periodic", rate, True, None, (), ())]
+            with self.subTest(rate=rate), mock.patch("rtshell_lite.system.capture.look", return_value=[owned]):
+                self.assertEqual(len(profile._rates(mock.Mock(components=[listed]))), number)
 
 
 class Here(unittest.TestCase):
@@ -53,7 +64,7 @@ class NameServers(unittest.TestCase):
     def test_what_it_may_answer(self):
         refused = errors.Refused("/robot1", "CORBA.NO_PERMISSION")
         self.assertEqual(self.stopped(servers._is_there, refused), "answers with CORBA.NO_PERMISSION")
-        self.assertEqual(self.stopped(servers._is_context, refused), "is there, but does not say what it is (CORBA.NO_PERMISSION)")
+        self.assertEqual(self.stopped(servers._is_context, refused), "is there, but does not report what it is (CORBA.NO_PERMISSION)")
         self.assertEqual(self.stopped(servers._is_context, False), "its object NameService is no naming context")
 
 
