@@ -4,7 +4,6 @@ Its ports cannot be asked, as they wait. On this host the kernel knows the TCP c
 """
 import glob
 import ipaddress
-import itertools
 import os
 import re
 
@@ -26,7 +25,7 @@ def culprits(snapshot, hung):
     for node in hung:
         if node.endpoint != snapshot.node.endpoint:
             others.setdefault(node.endpoint, str(node.path))
-    numeric = {endpoint: _numeric(endpoint) for endpoint in others}  # the rest takes long: there may be no time to ask afterwards
+    numeric = {endpoint: _numeric(endpoint) for endpoint in others}  # the rest may take until there is no time to ask
     own = _sockets(snapshot.node.endpoint) if others else set()
     called = _called_by(own)
     return sorted(path for endpoint, path in others.items() if not own or numeric[endpoint] & called), bool(own)
@@ -42,14 +41,14 @@ def _numeric(endpoint):
 
 def _called_by(own):
     """{(IP address, port)} of the far ends of the sockets whose inodes are `own`."""
-    return {remote for _, remote, state, inode in _table() if inode in own and state == ESTABLISHED}
+    return {_end(remote) for _, remote, inode in _rows(ESTABLISHED) if inode in own}
 
 
 def _sockets(endpoint):
     """Inodes of all sockets of the process that listens at an endpoint of this host; none if that is hidden from us."""
     if not any(addresses.is_own(str(address)) for address, _ in _numeric(endpoint)):
         return set()
-    listening = {inode for local, _, state, inode in _table() if state == LISTENING and local[1] == endpoint[1]}
+    listening = {inode for local, _, inode in _rows(LISTENING) if _end(local)[1] == endpoint[1]}
     for process in glob.glob("/proc/[0-9]*"):
         inodes = _inodes(process)
         if inodes & listening:
@@ -69,16 +68,18 @@ def _inodes(process):
     return inodes
 
 
-def _table():
-    """(local end, far end, state, inode) of each TCP socket of this host; an end is (IP address, port)."""
+def _rows(state):
+    """(local end, far end, inode) of each TCP socket of this host in a state, as texts; see `_end`."""
     rows = set()
     for name in TABLES * READINGS:
         try:
             with open(name) as file:
-                rows.update((row[1], row[2], row[3], row[9]) for row in map(str.split, itertools.islice(file, 1, None)))
+                for row in map(str.split, file):
+                    if row[3] == state:  # thousands that are closed may wait
+                        rows.add((row[1], row[2], row[9]))
         except OSError:
             continue  # no Linux
-    return [(_end(local), _end(remote), state, inode) for local, remote, state, inode in rows]
+    return rows
 
 
 def _end(text):
