@@ -1,4 +1,6 @@
-"""Addresses of managers: what is asked when no name server is. Broken, rtmgr talks to the wrong process, or to none."""
+"""Addresses of managers: what is asked when no name server is. Broken, rtmgr talks to the wrong process, or to none. And what they
+are asked for: they leave out what they do not understand.
+"""
 import unittest
 
 try:
@@ -31,6 +33,17 @@ class Address(unittest.TestCase):
                      "corbaloc::robot:x", "corbaloc:rir:/NameService", "corbaloc:ssliop:robot:1/manager", "corbaloc::a,:b/manager"):
             with self.subTest(word), self.assertRaises(errors.BadPath):
                 manager.check(word)
+
+
+class Argument(unittest.TestCase):
+    def test_what_managers_take(self):
+        for argument in ("Motor", "Motor?", "Motor?a=1", "Motor?a=1&b=", "RTC:AIST:example:Motor:1.0?a=1&&b=2"):
+            manager.check_argument(argument)
+
+    def test_what_they_would_take_in_part(self):
+        for argument in ("", "?a=1", "Motor?a", "Motor?a=1&b", "Motor?a=1?b=2", "Motor?a=b=c"):
+            with self.subTest(argument), self.assertRaisesRegex(errors.Usage, "^not MODULE"):
+                manager.check_argument(argument)
 
 
 if __name__ == "__main__":
