@@ -2,6 +2,7 @@
 are asked for: they leave out what they do not understand.
 """
 import unittest
+from unittest import mock
 
 try:
     import omniORB
@@ -44,6 +45,14 @@ class Argument(unittest.TestCase):
         for argument in ("", "?a=1", "Motor?a", "Motor?a=1&b", "Motor?a=1?b=2", "Motor?a=b=c"):
             with self.subTest(argument), self.assertRaisesRegex(errors.Usage, "^not MODULE"):
                 manager.check_argument(argument)
+
+    def test_why_they_made_nothing(self):
+        for most, reason in (("0", "a wrong argument, or its own initialisation failed"),
+                             ("10", "a wrong argument, its max_instance of 10 is reached, or its own initialisation failed")):
+            factories = [{"implementation_id": "Motor", "max_instance": most}, {"implementation_id": "Sensor"}]
+            with mock.patch.object(manager, "modules", lambda node, operation: factories):
+                self.assertEqual(manager._why_not(None, "Motor?a=1"), reason)
+                self.assertEqual(manager._why_not(None, "Arm"), "no factory Arm; there are: Motor, Sensor")
 
 
 if __name__ == "__main__":

@@ -1,9 +1,9 @@
-"""Taking names out of name servers: what comes between the look at a name and its end."""
+"""Name servers that refuse: what comes between the look at a name and its end, and processes that are no name servers."""
 import unittest
 from unittest import mock
 
 from rtshell_lite import errors, path
-from rtshell_lite.robot import naming, tree
+from rtshell_lite.robot import naming, node, tree
 
 
 class Server:
@@ -30,6 +30,21 @@ class Unbinding(unittest.TestCase):
         with self.assertRaises(errors.Refused) as caught:
             self.unbound("CannotProceed")
         self.assertNotIsInstance(caught.exception, errors.NotFound)
+
+
+class Listing(unittest.TestCase):
+    def failure(self, refusal):
+        server = node.Node(path.parse("/localhost"), "server", None)
+        with mock.patch.object(node.Node, "call", Server(refusal).call), self.assertRaises(errors.Error) as caught:
+            node.bound(server)
+        return type(caught.exception)
+
+    def test_a_process_that_is_no_name_server(self):
+        for refusal in ("BAD_OPERATION", "NO_IMPLEMENT", "INTF_REPOS"):
+            self.assertIs(self.failure(refusal), errors.WrongKind)
+
+    def test_a_name_server_that_refuses(self):
+        self.assertIs(self.failure("NO_PERMISSION"), errors.Refused)
 
 
 if __name__ == "__main__":
