@@ -3,8 +3,8 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import errors
-from rtshell_lite.robot import configuration
-from rtshell_lite.system import apply, compare, restore, steps
+from rtshell_lite.robot import configuration, ports
+from rtshell_lite.system import apply, compare, connect_steps, restore, steps
 from rtshell_lite.xmlprofile import model
 
 
@@ -52,6 +52,27 @@ class Values(unittest.TestCase):
     def test_the_set_that_was_active_has_to_be_again(self):
         self.assertEqual(self.differences({"a": "1"}, "", "fast"), [("active set", None, "", True)])
         self.assertEqual(self.differences({"a": "1"}, "fast", "fast"), [])
+
+    def test_hidden_ones_are_set_back_too(self):
+        now, before = mock.Mock(), steps.Configured([configuration.Set("__widget__", "", {"a": "1", "b": "2"}, False)], "", None)
+        steps.Values(Site(), "__widget__", {"a": "3"}).undo([before], [now])
+        now.configuration.set.assert_called_once_with("__widget__", with_hidden=True)
+        now.configuration.store.assert_called_once_with({"a": "1"}, now.configuration.set.return_value)
+
+
+class Connections(unittest.TestCase):
+    def test_what_does_not_match_is_known_before_it_is_connected(self):
+        differ = errors.Refused("/localhost/a.rtc:out to /localhost/b.rtc:in", "data types differ")
+        with mock.patch.object(ports, "check", side_effect=differ):
+            self.assertIs(connect_steps.Connect._obstacle(mock.Mock(), ["a:out", "b:in"], []), differ)
+
+    def test_one_that_was_removed_is_made_again_between_the_ends_that_live(self):
+        step = connect_steps.Disconnect(mock.Mock(connector_id="id"), [(mock.Mock(), "out"), (mock.Mock(), "in")])
+        removed = ports.Connector("id", "name", [], [("dataport.dataflow_type", "push"), ("dataport.corba_cdr.inport_ior", "IOR:00")])
+        with mock.patch.object(connect_steps.connectors, "connect") as connect:
+            step.having = lambda at: [(at[0], removed)] if at == ["a:out", "b:in"] else []
+            step.undo(["a:out", "b:in", errors.Gone("c:in")], ["a:out", "b:in"])
+        connect.assert_called_once_with(["a:out", "b:in"], "name", "id", {"dataport.dataflow_type": "push"})
 
 
 class Rates(unittest.TestCase):
