@@ -21,8 +21,8 @@ class Error(Exception):
     @property
     def why(self):
         """What the message says of `where`."""
-        start, colon, words = self.__doc__.partition("{}: ")
-        return words.format(*self.args[1:]) if colon and not start else str(self)
+        start, _, words = self.__doc__.partition("{}: ")
+        return str(self) if start else words.format(*self.args[1:])
 
 
 def parted(values):

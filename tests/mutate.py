@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
-"""Change a module of rtshell_lite in one place after another, and see whether a test fails. What survives is a hole in the tests,
+"""Change modules of rtshell_lite in one place after another, and see whether a test fails. What survives is a hole in the tests,
 or a change that changes nothing.
 
-    python3 tests/mutate.py data/statistics.py [--seed N] [--most N] [--tests N]
+    python3 tests/mutate.py data/statistics.py … [--seed N] [--most N] [--tests N]
 
 Runs in a copy of the checkout, on a Python from 3.8 on that has omniORBpy: this one, or what `tests/run` has made below
 .venv-tests. Which tests cover a module is read from imports: the nearest of tests/unit that import it, directly or through
-others, and the transcripts of the nearest commands that do. Each runs once unspoilt, which tells those that pass and how long
-they take; then the quickest come first, up to the first that fails. A test that takes three times as long, and 10 s, fails.
+others, and the transcripts of the nearest commands that do. They run up to the first that fails: those that were quick and
+noticed much come first. Each runs unspoilt before it is needed for the first time: it is left out if it fails, and later, if it
+takes three times as long, and 10 s, it fails.
 """
 import argparse
 import ast
+import collections
 import glob
 import itertools
 import os
@@ -190,8 +192,10 @@ class Tests:
         subprocess.call([python, "-m", "compileall", "-q", copy], stdout=subprocess.DEVNULL)
         sys.path.insert(0, os.path.join(copy, "tests", "support"))
         import runner  # of the copy: all that it starts is of the copy, too
+        runner.hear_signals()
         self.copy, self.python, self.runner, self.marker = copy, python, runner, runner.mark()
         self.environment = dict(os.environ, PYTHONPATH=copy, PYTHONDONTWRITEBYTECODE="1")
+        self.limits, self.killed = {}, collections.Counter()
 
     def passes(self, name, limit):
         """Does a test pass within so many seconds?"""
@@ -203,27 +207,42 @@ class Tests:
         outcomes = [outcome[1] for outcome in self.runner.run_module(name, self.python, self.environment, [])]
         return "pass" in outcomes and "fail" not in outcomes
 
-    def timed(self, names):
-        """{name: limit in seconds} of the tests that pass, the quickest first."""
-        seconds = {}
-        for name in names:
+    def limit(self, name):
+        """The seconds that a test may take, None where it fails unspoilt. Ask while nothing is spoilt."""
+        if name not in self.limits:
             begun = time.monotonic()
-            if self.passes(name, 120):
-                seconds[name] = time.monotonic() - begun
-            else:
+            passed = self.passes(name, 120)
+            self.limits[name] = 3 * (time.monotonic() - begun) + 10 if passed else None
+            if not passed:
                 print("left out, as it fails unspoilt: " + name, flush=True)
-        return {name: 3 * seconds[name] + 10 for name in sorted(seconds, key=seconds.get)}
+        return self.limits[name]
 
-    def killer(self, path, data, limits):
+    def killer(self, path, data, names):
         """The first test that fails when the file at `path` is `data`, or None."""
-        for old in glob.glob(os.path.join(os.path.dirname(path), "__pycache__", os.path.basename(path)[:-3] + ".*")):
-            os.remove(old)
-        with open(path, "wb") as file:
-            file.write(data)
-        try:
-            return next((name for name in limits if not self.passes(name, limits[name])), None)
-        finally:
-            self.runner.left_behind(self.marker)
+        kept = self._replace(path, None)
+        for name in sorted(names, key=lambda name: (name.endswith(".t"), (self.limits.get(name) or 30) / (1 + self.killed[name]))):
+            limit = self.limit(name)
+            self._replace(path, data)
+            try:
+                if limit and not self.passes(name, limit):
+                    self.killed[name] += 1
+                    return name
+            finally:
+                self._replace(path, kept)
+                self.runner.left_behind(self.marker)
+        return None
+
+    @staticmethod
+    def _replace(path, data):
+        """Write a module, unless `data` is None; return what it was."""
+        for compiled in glob.glob(os.path.join(os.path.dirname(path), "__pycache__", os.path.basename(path)[:-3] + ".*")):
+            os.remove(compiled)
+        with open(path, "rb") as file:
+            old = file.read()
+        if data is not None:
+            with open(path, "wb") as file:
+                file.write(data)
+        return old
 
 
 def find_python():
@@ -236,40 +255,47 @@ def find_python():
 
 def options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("module", help="a file below rtshell_lite, such as data/statistics.py")
+    parser.add_argument("module", nargs="+", help="a file below rtshell_lite, such as data/statistics.py")
     parser.add_argument("--seed", default="1", help="which places are chosen (1)")
     parser.add_argument("--most", type=int, default=40, metavar="N", help="places at most (40)")
     parser.add_argument("--tests", type=int, default=8, metavar="N", help="so many test modules, and transcripts, at most (8)")
     args = parser.parse_args()
-    if not os.path.isfile(os.path.join(ROOT, "rtshell_lite", args.module)):
-        parser.error("no such file below rtshell_lite: " + args.module)
+    for module in args.module:
+        if not os.path.isfile(os.path.join(ROOT, "rtshell_lite", module)):
+            parser.error("no such file below rtshell_lite: " + module)
     if sys.version_info < (3, 8):
         parser.error("needs Python 3.8: those before do not know where expressions end")
     return args
+
+
+def spoil(module, tests, args):
+    """Spoil a module, print what survived; how many did."""
+    inner = os.path.join("rtshell_lite", module)
+    with open(os.path.join(ROOT, inner), "rb") as file:
+        source = Source(file.read())
+    places = sorted({place for place in mutations(source) if source.spoilt(*place)})
+    chosen = sorted(random.Random(args.seed).sample(places, min(args.most, len(places))))
+    names = covering(os.path.join(ROOT, inner), args.tests)
+    print("%s, covered by: %s" % (module, " ".join(names)), flush=True)
+    survived = 0
+    for start, end, new in chosen:
+        if tests.killer(os.path.join(tests.copy, inner), source.spoilt(start, end, new), names) is None:
+            survived += 1
+            line = source.data.count(b"\n", 0, start) + 1
+            whole = source.data.splitlines()[line - 1].decode().strip()
+            print("%s:%d: %r -> %r in: %s" % (inner, line, source.data[start:end].decode(), new, whole), flush=True)
+    print("%s: %d of %d places spoilt, %d killed, %d survived" % (
+        module, len(chosen), len(places), len(chosen) - survived, survived), flush=True)
+    return survived
 
 
 def main():
     args, python = options(), find_python()
     if not python:
         sys.exit("mutate.py: no Python with omniORBpy is here; tests/run makes one")
-    inner = os.path.join("rtshell_lite", args.module)
-    with open(os.path.join(ROOT, inner), "rb") as file:
-        source = Source(file.read())
-    places = sorted({place for place in mutations(source) if source.spoilt(*place)})
-    chosen = sorted(random.Random(args.seed).sample(places, min(args.most, len(places))))
     with tempfile.TemporaryDirectory(prefix="rt-mutate-") as directory:
         tests = Tests(os.path.join(directory, "copy"), python)
-        limits = tests.timed(covering(os.path.join(ROOT, inner), args.tests))
-        print("covered by: " + " ".join(limits), flush=True)
-        survived = 0
-        for start, end, new in chosen:
-            if tests.killer(os.path.join(tests.copy, inner), source.spoilt(start, end, new), limits) is None:
-                survived += 1
-                line = source.data.count(b"\n", 0, start) + 1
-                whole = source.data.splitlines()[line - 1].decode().strip()
-                print("%s:%d: %r -> %r in: %s" % (inner, line, source.data[start:end].decode(), new, whole), flush=True)
-    print("%d of %d places spoilt, %d killed, %d survived" % (len(chosen), len(places), len(chosen) - survived, survived))
-    return 1 if survived else 0
+        return 1 if sum([spoil(module, tests, args) for module in args.module]) else 0
 
 
 if __name__ == "__main__":

@@ -33,7 +33,7 @@ LABELS = (SHORT, USHORT, LONG, ULONG, LONGLONG, ULONGLONG, BOOLEAN, CHAR, ENUM) 
 DEEPEST = 64  # types inside types
 LARGEST = 20000  # types within a type
 LONGEST = 1 << 24  # elements of an array, all dimensions together
-_IDENTIFIER = re.compile(r"_?[A-Za-z][A-Za-z0-9_]*\Z", re.ASCII)
+_IDENTIFIER = re.compile(r"_?[A-Za-z][A-Za-z0-9_]*\Z")
 
 
 # ---- values ---------------------------------------------------------------------------------------------------

@@ -97,6 +97,12 @@ class References(unittest.TestCase):
                 self.assertEqual(ior.address(text)[1:], ("host", 1337, b"key"))
         self.assertEqual(ior.octets(b"\0", []), b"")
 
+    def test_a_reference_without_an_address_has_none(self):
+        elsewhere = "IOR:" + binascii.hexlify(b"\1\0\0\0" + ior.octets(TYPE, [(1, b"x")])).decode()
+        self.assertEqual((ior.address(elsewhere), ior.addresses(elsewhere)), ((TYPE[:-1].decode(), "", 0, b""), []))
+        cut = elsewhere[:-8]
+        self.assertEqual((ior.address(cut), ior.addresses(cut)), (("", "", 0, b""), []))
+
     def test_what_is_wrong_is_refused(self):
         for type_id in (b"IDL:\xff:1.0\0", b"no end", b"a\0b\0", b"x" * 2000 + b"\0", b"\xed\xa0\x80\0"):
             with self.subTest(type_id), self.assertRaisesRegex(ValueError, "whose type is no text"):

@@ -1,8 +1,12 @@
-"""The order of steps: if this fails, restoring a big system takes long, or steps come before those that they need."""
+"""How steps are carried out: if this fails, a big system takes long to restore, steps overtake those they need, or the report is
+not what there is.
+"""
 import itertools
 import random
 import unittest
 
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes
 from rtshell_lite.system import apply, steps
 
 
@@ -43,6 +47,65 @@ class Levels(unittest.TestCase):
                         self.assertLess(at[one], at[other])
                     if wanted[one] == wanted[other]:  # the removal of what is left of a connection, and the connection
                         self.assertLess(at[one], at[other])
+
+
+class Switch(steps.Step):
+    """A step that turns something on. `found`: what one look after the other finds, if not whether it is on: an error, or the
+    exception that ends the command, or a text that says why it cannot be turned on.
+    """
+
+    endpoint = "switch"
+
+    def __init__(self, where, *found, undoes=True):
+        super().__init__([], where, where)
+        self.on, self.undoes, self.coming = False, undoes, list(found)
+
+    def jobs(self):
+        return [lanes.Job(self.endpoint, self.where, lambda: self.coming.pop(0) if self.coming else self.on)]
+
+    def differences(self, answers):
+        if answers[0] is KeyboardInterrupt:
+            raise KeyboardInterrupt
+        if answers[0] is not True:
+            obstacle = errors.Failed(self.where, answers[0]) if answers[0] else None
+            yield steps.Difference("switch", None, True, answers[0], obstacle)
+
+    def act(self, answers):
+        self.on = True
+
+    def undo(self, before, after):
+        self.on = not self.undoes
+
+
+class Reports(unittest.TestCase):
+    """What is reported of steps, by what was found after them."""
+
+    def check(self, switches, expected, all_or_nothing=False):
+        outcomes = [apply.Outcome(switch) for switch in switches]
+        try:
+            apply.carry_out(outcomes, all_or_nothing)
+        except KeyboardInterrupt:
+            pass
+        self.assertEqual([(outcome.status, outcome.error and str(outcome.error)) for outcome in outcomes], expected)
+
+    def test_what_could_not_be_undone(self):
+        self.check([Switch("a", undoes=False), Switch("b", False, False), Switch("c")],
+                   [(apply.STUCK, "a: is as it was made"), (apply.FAILED, "b: was said to be done, but is not so"),
+                    (apply.UNDONE, None)], True)
+
+    def test_an_interruption_while_it_was_undone(self):
+        self.check([Switch("a"), Switch("b", False, True, KeyboardInterrupt), Switch("c", False, False)],
+                   [(apply.DONE, None), (apply.STUCK, "b: interrupted while it was undone"),
+                    (apply.FAILED, "c: was said to be done, but is not so")], True)
+
+    def test_a_look_that_fails_twice_leaves_it_uncertain(self):
+        lost = errors.Refused("a", "no answer to that")
+        self.check([Switch("a", False, lost, lost), Switch("b", False, lost)],
+                   [(apply.UNSURE, "a: no answer to that; whether it was done is not known"), (apply.DONE, None)])
+
+    def test_what_a_look_rules_out_has_failed(self):
+        self.check([Switch("a", False, "is no switch"), Switch("b", "is no switch")],
+                   [(apply.FAILED, "a: is no switch"), (apply.FAILED, "b: is no switch")])
 
 
 if __name__ == "__main__":

@@ -110,6 +110,16 @@ class Gather(unittest.TestCase):
             return "done"
         self.assertEqual(lanes.gather([self.job("p", slow)]), ["done"])  # 0.8 s in all, with a timeout of 0.4
 
+    def test_who_waits_for_another_process_is_not_silent(self):
+        end = time.monotonic() + 2 * lanes.session.timeout
+
+        def slow():
+            while time.monotonic() < end:
+                self.release.wait(0.02)
+                lanes.answered()
+            return "done"
+        self.assertEqual(lanes.gather([self.job("p", lambda: lanes.ask("other", "other", slow))]), ["done"])
+
     def test_silence_elsewhere_is_not_held_against_this_process(self):
         def outer():
             return lanes.ask("other", "other", lambda: self.release.wait())

@@ -1,5 +1,8 @@
-"""Addresses of managers without a name server: if these fail, rtmgr talks to the wrong process."""
+"""Addresses of managers without a name server, and what managers are asked for: if these fail, rtmgr talks to the wrong process,
+or a manager ignores what it does not understand.
+"""
 import unittest
+from unittest import mock
 
 try:
     import omniORB
@@ -31,6 +34,25 @@ class Address(unittest.TestCase):
                      "corbaloc::robot:x", "corbaloc:rir:/NameService", "corbaloc:ssliop:robot:1/manager", "corbaloc::a,:b/manager"):
             with self.subTest(word), self.assertRaises(errors.BadPath):
                 manager.check(word)
+
+
+class Argument(unittest.TestCase):
+    def test_what_managers_take(self):
+        for argument in ("Motor", "Motor?", "Motor?a=1", "Motor?a=1&b=", "RTC:AIST:example:Motor:1.0?a=1&&b=2"):
+            manager.check_argument(argument)
+
+    def test_what_they_would_take_in_part(self):
+        for argument in ("", "?a=1", "Motor?a", "Motor?a=1&b", "Motor?a=1?b=2", "Motor?a=b=c"):
+            with self.subTest(argument), self.assertRaisesRegex(errors.Usage, "^not MODULE"):
+                manager.check_argument(argument)
+
+    def test_why_they_made_nothing(self):
+        for most, reason in (("0", "a wrong argument, or its own initialisation failed"),
+                             ("10", "a wrong argument, its max_instance of 10 is reached, or its own initialisation failed")):
+            factories = [{"implementation_id": "Motor", "max_instance": most}, {"implementation_id": "Sensor"}]
+            with mock.patch.object(manager, "modules", lambda node, operation: factories):
+                self.assertEqual(manager._why_not(None, "Motor?a=1"), reason)
+                self.assertEqual(manager._why_not(None, "Arm"), "no factory Arm; there are: Motor, Sensor")
 
 
 if __name__ == "__main__":

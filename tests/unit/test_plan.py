@@ -233,6 +233,8 @@ class Playing(unittest.TestCase):
                                          "C": "After B's action: not told within 999ms",
                                          "D": "it waits for /h/C.rtc, which was not tried"})
         self.assertEqual(world.ended["D"], 0.999)
+        world = play("ABC", wait("A", 1599), wait("C", 1), after("B", "C", sync=True, timeout=1600), C=(2, plan.DONE))
+        self.assertEqual(world.ended["B"], 1.6)  # and not when A is due, shortly before
 
     def test_a_failure_stops_what_depends_on_it(self):
         failed = (0.1, plan.FAILED)

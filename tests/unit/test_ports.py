@@ -38,9 +38,10 @@ def service(name, *interfaces):
 
 class Case(unittest.TestCase):
     def setUp(self):
-        patched = mock.patch("rtshell_lite.corba.orb.identity", lambda ref: ref)  # references are names here
-        patched.start()
-        self.addCleanup(patched.stop)
+        for name, replaced in (("identity", lambda ref: ref), ("same", lambda one, other: one == other)):
+            patched = mock.patch("rtshell_lite.corba.orb." + name, replaced)  # references are names here
+            patched.start()
+            self.addCleanup(patched.stop)
 
     def reasons(self, *found, **given):
         return ports.mismatches(list(found), {key.replace("__", "."): value for key, value in given.items()})
@@ -181,18 +182,20 @@ class Duplicates(Case):
 class Disconnecting(Case):
     """A peer may die at any moment: what counts is whether this end still has the connection."""
 
-    def play(self, *answers):
-        """disconnect() with these answers, in turn: values, or errors to raise. Returns the operations asked for."""
+    def play(self, *answers, ends=()):
+        """disconnect() with these answers, in turn: values, or errors to raise. Returns the operations asked for; of another port
+        than this with the name of that. `ends` are the references of the connector.
+        """
         asked, script = [], list(answers)
 
         def call(where, ref, operation, *args, **more):
-            asked.append(operation)
+            asked.append(operation if ref == "A.out" else f"{operation} {ref}")
             answer = script.pop(0)
             if isinstance(answer, Exception):
                 raise answer
             return answer
         with mock.patch("rtshell_lite.corba.orb.call", call):
-            connectors.disconnect(out(), ports.Connector("id", "n", [], []))
+            connectors.disconnect(out(), ports.Connector("id", "n", list(ends), []))
         self.assertEqual(script, [])
         return asked
 
@@ -215,6 +218,17 @@ class Disconnecting(Case):
     def test_the_death_of_the_far_end_is_passed_on(self):
         dead = errors.ConnectionRefused("x")
         self.assertEqual(self.play(dead, self.HELD, dead, dead, self.FREE)[-1], "get_connector_profiles")
+
+    def test_the_other_ends_forget_it_too(self):
+        self.assertEqual(self.play("RTC_ERROR", self.FREE, "RTC_OK", errors.Gone("x"), ends=["B.in", "A.out", None, "C.in"])[2:],
+                         ["notify_disconnect B.in", "notify_disconnect C.in"])
+
+    def test_another_end_that_may_not_have_forgotten_it(self):
+        with mock.patch("rtshell_lite.corba.orb.endpoint", lambda ref: ("10.0.0.2", 4000)), \
+                self.assertRaises(errors.Uncertain) as caught:
+            self.play("RTC_ERROR", self.FREE, errors.Silent("x", "no answer within 3s"), ends=["A.out", "B.in"])
+        self.assertIn("connection id is removed here, its end at 10.0.0.2:4000 says nothing (no answer within 3s)",
+                      str(caught.exception))
 
     def test_never(self):
         with self.assertRaises(errors.Refused):

@@ -130,6 +130,7 @@ class Hostile(Case):
         b"\x80\x02cbuiltins\neval\nU\x011\x85R.", b"\x80\x02c__builtin__\nobject\n)\x81.", b"cbuiltins\nobject\n)R.",
         b"\x80\x02ccopyreg\n_reconstructor\nccopyreg\n_reconstructor\ncbuiltins\nobject\nN\x87R.",
         b"\x80\x02ccopyreg\n_reconstructor\ncos\nsystem\ncbuiltins\nobject\nN\x87R.",
+        b"\x80\x02ccopyreg\n_reconstructor\ncknown\nKnown\ncknown\nKnown\nN\x87R.",
         b"\x80\x02ccopyreg\n_reconstructor\ncknown\nKnown\ncbuiltins\nobject\nU\x01x\x87R.",
         b"\x80\x04\x8c\x05known\x8c\x0cKnown.__init__\x93.", b"\x80\x04\x8c\x0eknown.__dict__\x8c\x05Known\x93.",
         b"\x80\x02cknown\nKnown\n)\x81U\x01xb.", b"\x80\x02cknown\nKnown\n)\x81N}\x86b.",  # __setstate__, slots

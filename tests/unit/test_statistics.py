@@ -1,7 +1,9 @@
 """The figures of rtprint --stats, for fixed sequences of values."""
 import math
 import unittest
+from unittest import mock
 
+from rtshell_lite import errors
 from rtshell_lite.data import statistics
 from rtshell_lite.views import printing
 
@@ -128,6 +130,28 @@ class Looks(Checked):
         self.check(found.look().summary(1.0, 0), values=2, bytes=8, absent=2, gap_max=0.03, gap_min=0.01)
         self.check(found.look().summary(1.0, 0), values=0, absent=None)
         self.check(found.total.summary(2.0, 0), values=22, bytes=88, absent=2)
+
+
+class Meters(unittest.TestCase):
+    def rates(self, *looks, failure=None, reader=None):
+        """The Rates of a meter at these looks: (when, octets of each value that has come since the last one)."""
+        meter, found = statistics.Meter("a.rtc:out", failure), []
+        meter.reader = reader
+        for when, sizes in looks:
+            for size in sizes:
+                meter.take(mock.Mock(data=b"x" * size))
+            with mock.patch.object(statistics.time, "monotonic", lambda when=when: when):
+                found.append(meter.rate()[1:])
+        return found
+
+    def test_the_last_two_seconds(self):
+        self.assertEqual(self.rates((10, [8]), (10.125, [8]), (11, [8, 8, 8]), (12, []), (13, [4] * 6), (14, [])),
+                         [(None, None, None), (None, None, None), (4, 32, None), (2, 16, None), (3, 12, None), (3, 12, None)])
+
+    def test_what_has_failed_has_no_rate(self):
+        gone, lost = errors.Gone("a.rtc"), errors.Unreachable("a.rtc", "lost")
+        self.assertEqual(self.rates((1, []), (2, [8]), failure=gone, reader=mock.Mock(failure=lost)), [(None, None, gone)] * 2)
+        self.assertEqual(self.rates((1, []), (2, [8]), reader=mock.Mock(failure=lost)), [(None, None, lost)] * 2)
 
 
 if __name__ == "__main__":

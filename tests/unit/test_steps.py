@@ -3,8 +3,9 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import errors
-from rtshell_lite.robot import configuration
-from rtshell_lite.system import steps
+from rtshell_lite.robot import configuration, ports
+from rtshell_lite.system import apply, compare, connect_steps, restore, steps
+from rtshell_lite.xmlprofile import model
 
 
 class Site:
@@ -51,6 +52,63 @@ class Values(unittest.TestCase):
     def test_the_set_that_was_active_has_to_be_again(self):
         self.assertEqual(self.differences({"a": "1"}, "", "fast"), [("active set", None, "", True)])
         self.assertEqual(self.differences({"a": "1"}, "fast", "fast"), [])
+
+    def test_hidden_ones_are_set_back_too(self):
+        now, before = mock.Mock(), steps.Configured([configuration.Set("__widget__", "", {"a": "1", "b": "2"}, False)], "", None)
+        steps.Values(Site(), "__widget__", {"a": "3"}).undo([before], [now])
+        now.configuration.set.assert_called_once_with("__widget__", with_hidden=True)
+        now.configuration.store.assert_called_once_with({"a": "1"}, now.configuration.set.return_value)
+
+
+class Connections(unittest.TestCase):
+    def test_what_does_not_match_is_known_before_it_is_connected(self):
+        differ = errors.Refused("/localhost/a.rtc:out to /localhost/b.rtc:in", "data types differ")
+        with mock.patch.object(ports, "check", side_effect=differ):
+            self.assertIs(connect_steps.Connect._obstacle(mock.Mock(), ["a:out", "b:in"], []), differ)
+
+    def test_one_that_was_removed_is_made_again_between_the_ends_that_live(self):
+        step = connect_steps.Disconnect(mock.Mock(connector_id="id"), [(mock.Mock(), "out"), (mock.Mock(), "in")])
+        removed = ports.Connector("id", "name", [], [("dataport.dataflow_type", "push"), ("dataport.corba_cdr.inport_ior", "IOR:00")])
+        with mock.patch.object(connect_steps.connectors, "connect") as connect:
+            step.having = lambda at: [(at[0], removed)] if at == ["a:out", "b:in"] else []
+            step.undo(["a:out", "b:in", errors.Gone("c:in")], ["a:out", "b:in"])
+        connect.assert_called_once_with(["a:out", "b:in"], "name", "id", {"dataport.dataflow_type": "push"})
+
+
+class Rates(unittest.TestCase):
+    """Files name contexts of every kind; only the rate of a periodic one that is the component's own can be set."""
+
+    def rates(self, *wanted):
+        """(handle, index, status) of the steps for these contexts (id, kind, rate) of a component whose own has the handle 5."""
+        contexts = [model.ExecutionContext(id=number, kind=kind, rate=rate) for number, kind, rate in wanted]
+        site = mock.Mock(where="/localhost/a.rtc", required=True, error=None, component=mock.Mock(execution_contexts=contexts),
+                         found=mock.Mock(owned=[mock.Mock(handle=5, rate=1000.0)]))
+        return [(outcome.step.handle, outcome.step.index, outcome.status) for outcome in restore._rates(site)]
+
+    def test_its_own(self):
+        self.assertEqual(self.rates(("5", "PERIODIC", 1000.0)), [(5, 0, apply.ALREADY)])
+        self.assertEqual(self.rates(("5", "periodic_execution", 500.0)), [(5, 0, apply.UNTRIED)])
+
+    def test_others(self):
+        self.assertEqual(self.rates(("6", "PERIODIC", 500.0), ("five", "PERIODIC", 500.0), ("5", "EVENT_DRIVEN", 500.0)), [])
+        self.assertEqual(self.rates(*[("5", "PERIODIC", rate) for rate in (0.0, -1.0, float("inf"), float("nan"))]), [])
+
+
+class States(unittest.TestCase):
+    def actual(self, states, *running):
+        """What is compared with Active in the context 0; `running` for each of its own contexts, 0 …"""
+        owned = [mock.Mock(handle=handle, running=is_running) for handle, is_running in enumerate(running)]
+        site = mock.Mock(where="/localhost/a.rtc", required=True)
+        differences = compare._State(site, "Active", "0").differences([mock.Mock(states=states, owned=owned)])
+        return [difference.actual for difference in differences]
+
+    def test_each_context_of_its_own_counts_for_itself(self):
+        self.assertEqual(self.actual({0: "Inactive", 1: "Active"}, False, True), ["Inactive"])
+        self.assertEqual(self.actual({0: "Inactive", 1: "Active"}, True, True), ["Inactive"])
+
+    def test_of_a_member_the_context_of_the_composite_counts(self):
+        self.assertEqual(self.actual({0: "Inactive", 1000: "Active"}, False), [])
+        self.assertEqual(self.actual({0: "Inactive", 1000: "Active"}, True), ["Inactive"])
 
 
 if __name__ == "__main__":

@@ -108,6 +108,7 @@ class Layout(unittest.TestCase):
 
     def test_wide_characters_take_two_columns(self):
         self.assertEqual(text.cells("日本x"), 5)
+        self.assertEqual(text.cells("e\u0300"), 1)  # the first of the combining ones
         self.assertEqual(list(text.table([["日本", "1"], ["abcd", "2"]])), ["日本  1", "abcd  2"])
 
     def test_colour_takes_no_columns(self):

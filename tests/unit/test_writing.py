@@ -1,7 +1,9 @@
 """How many values wait unread in a port, by what is known: if this fails, rtinject leaves too early, or says what is not so."""
 import unittest
+from unittest import mock
 
-from rtshell_lite.data.writing import SETTLE, Backlog
+from rtshell_lite.data import writing
+from rtshell_lite.data.writing import SETTLE, Audience, Backlog, Cycle
 
 
 class Filling(unittest.TestCase):
@@ -50,6 +52,45 @@ class Filling(unittest.TestCase):
         self.assertAlmostEqual(self.sent(2.0, 8, 1, 0).seconds(1), (1 + 0.25 + 1) / 2 + SETTLE)
         self.assertAlmostEqual(self.sent(1000.0, 5000, 1000, 0).seconds(1000), (1000 + 250 + 1) / 1000 + SETTLE)
         self.assertAlmostEqual(self.sent(100.0, 8, 1000, 0.01).seconds(1000), (1 + 8 + 1) / 100 + SETTLE, delta=0.001)
+
+
+class Rest(unittest.TestCase):
+    """Components of C++ may end when a connector is removed while they read from it."""
+
+    def slept(self, rate, waiting=0.0, since=0.0, taken=1):
+        """How long a writer waits that has written so many seconds ago, while values wait in the buffer."""
+        writer = mock.Mock(unanswered=0, taken=taken, last=100.0 - since, backlog=mock.Mock(rate=rate, waiting=waiting))
+        with mock.patch.object(writing.time, "monotonic", lambda: 100.0), mock.patch.object(writing.time, "sleep") as sleep:
+            self.assertTrue(writing.Writer.is_at_rest(writer))
+        return sum(call[0][0] for call in sleep.call_args_list)
+
+    def test_until_the_reader_has_read(self):
+        for expected, found in ((0.15, self.slept(10.0)), (0.05, self.slept(10.0, since=0.1)), (0.03, self.slept(100.0, 3.0)),
+                                (0.0, self.slept(10.0, since=5.0)), (1.5 / writing.USUAL, self.slept(None, 3.0))):
+            self.assertAlmostEqual(found, expected + writing.READING)
+
+    def test_it_has_an_end(self):
+        self.assertEqual((self.slept(0.1), self.slept(10.0, taken=0)), (writing.REST, 0))
+
+
+class Readers(unittest.TestCase):
+    def look(self, *cycles):
+        """(why a component does not read, at which rate it does) with these contexts: (state, running, rate)."""
+        audience = Audience(mock.Mock(path="/localhost/a.rtc"), "/localhost/a.rtc:in")
+        audience._cycles = lambda: [Cycle(index, rate, state, running) for index, (state, running, rate) in enumerate(cycles)]
+        audience._rate = lambda ref: ref
+        return audience.look(), audience.rate
+
+    def test_an_active_one_reads_in_the_fastest_context_that_runs(self):
+        self.assertEqual(self.look(("Active", True, 100.0), ("Active", True, 500.0), ("Active", True, None)), (None, 500.0))
+        self.assertEqual(self.look(("Active", True, 100.0), ("Inactive", True, 500.0), ("Active", False, 1000.0)), (None, 100.0))
+
+    def test_others_do_not(self):
+        for state, running, words in (("Inactive", True, "rtact /localhost/a.rtc"), ("Active", False, "rtec /localhost/a.rtc start"),
+                                      ("Inactive", False, "rtec /localhost/a.rtc start")):
+            why, rate = self.look((state, running, 100.0))
+            self.assertIn(words, str(why))
+            self.assertIsNone(rate)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,36 @@
+"""What is reported of a component that others know nothing of: if this fails, an operator looks for the fault in the wrong place."""
+import unittest
+from unittest import mock
+
+from rtshell_lite import errors, path
+from rtshell_lite.robot import component, composites, tree
+
+NODE = tree.Node(path.parse("/localhost/a.rtc"), "component", None)
+
+
+class Contexts(unittest.TestCase):
+    def change(self, code, now="Inactive"):
+        """Why it is not activated where its context answers `code`, and has no other reference of it."""
+        with mock.patch.multiple(component, state_in=lambda node, ref: now, canonical=lambda node: None), \
+                mock.patch.object(component.orb, "call", lambda *args, **more: code), self.assertRaises(errors.Refused) as caught:
+            component.change_in(mock.Mock(path=NODE.path), None, component.ACTIVATE, 0)
+        return str(caught.exception)
+
+    def test_one_that_does_not_know_it(self):
+        self.assertEqual(self.change("BAD_PARAMETER"), "/localhost/a.rtc: is not in this execution context")
+
+    def test_one_that_refuses(self):
+        self.assertEqual(self.change("UNSUPPORTED"), "/localhost/a.rtc: cannot activate: UNSUPPORTED, it is Inactive")
+
+
+class Composites(unittest.TestCase):
+    def test_one_that_does_not_answer_is_unknown(self):
+        known = {"hand": ("hand0", "/localhost/hand0.rtc")}
+        with mock.patch.multiple(composites, _refs=lambda node, operation: ["arm", "hand"], _composites=lambda node, contexts: known), \
+                mock.patch.object(composites.orb, "call", lambda where, ref, operation: ref):
+            self.assertEqual(composites.belonging(NODE, []),
+                             [("arm", "Unknown", "Unknown"), ("hand", "hand0", "/localhost/hand0.rtc")])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,47 @@
+"""What is made of calls that fail: if this fails, who reads the reason looks in the wrong place."""
+import sys
+import unittest
+from unittest import mock
+
+try:
+    import omniORB
+except ImportError:
+    omniORB = None
+
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, orb
+
+
+class Missing(unittest.TestCase):
+    def test_omniorb_that_is_not_installed_has_no_version(self):
+        with mock.patch.dict(sys.modules, {"omniORB": None}), self.assertRaises(errors.MissingOmniORB):
+            orb.version()
+
+
+@unittest.skipUnless(omniORB, "needs omniORBpy")
+class Failures(unittest.TestCase):
+    def reason(self, failure, seconds=None):
+        from omniORB import CORBA
+        raised = getattr(CORBA, failure)(0, CORBA.COMPLETED_NO)
+        with mock.patch.object(orb.answers, "invoke", side_effect=raised), mock.patch.object(omniORB, "setClientCallTimeout"), \
+                self.assertRaises(errors.Error) as caught:
+            orb._called("/robot/a.rtc", None, "get_profile", (), seconds)
+        return str(caught.exception)
+
+    def test_silence_is_as_long_as_was_waited(self):
+        self.addCleanup(setattr, lanes.session, "timeout", lanes.session.timeout)
+        lanes.session.timeout = 3.0
+        for seconds, waited in ((None, "3s"), (2, "3s"), (10, "10s")):
+            self.assertEqual(self.reason("TIMEOUT", seconds), "/robot/a.rtc: no answer within " + waited)
+
+    def test_kinds(self):
+        self.assertEqual(self.reason("OBJECT_NOT_EXIST"), "/robot/a.rtc: zombie (the name is bound, but its object is gone)")
+        self.assertEqual(self.reason("COMM_FAILURE"), "/robot/a.rtc: connection lost")
+        self.assertIn("cannot be reached now (CORBA.TRANSIENT", self.reason("TRANSIENT"))
+        for failure in ("MARSHAL", "INV_OBJREF"):
+            self.assertIn("garbled answer (CORBA." + failure, self.reason(failure))
+        self.assertEqual(self.reason("NO_PERMISSION"), "/robot/a.rtc: CORBA.NO_PERMISSION")
+
+
+if __name__ == "__main__":
+    unittest.main()
