@@ -8,7 +8,7 @@ import threading
 import time
 
 from rtshell_lite import cli, errors, interrupts
-from rtshell_lite.corba import lanes, orb, stubs
+from rtshell_lite.corba import lanes, orb
 from rtshell_lite.robot import component, connectors, ports
 from rtshell_lite.text import printable, shell_word, to_wire
 
@@ -159,7 +159,7 @@ class Connection:
         ior = self.agreed.get(f"dataport.{self.interface}.{self.side}_ior")
         if not ior:
             raise errors.Refused(self.where, f"publishes no provider for {self.dataflow}")
-        return orb.narrow(orb.from_text(self.where, ior), stubs.named(kinds[self.interface]))
+        return orb.narrow(orb.from_text(self.where, ior), kinds[self.interface])
 
     def _interface(self):
         offered = [word.strip() for word in self.port.properties.get("dataport.interface_type", "").split(",")]

@@ -8,8 +8,8 @@ import struct
 import sys
 
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, orb, stubs
-from rtshell_lite.data import cdr, type_json, values
+from rtshell_lite.corba import cdr, descriptors, idl, orb, stubs
+from rtshell_lite.data import type_json, values
 from rtshell_lite.text import from_wire, printable
 
 STANDARD = ("RTC", "Img")  # modules of our own stubs
@@ -147,18 +147,7 @@ def standard(name):
     parts = _parts(name)
     if not parts or len(parts) > 2 or len(parts) == 2 and parts[0] not in STANDARD:
         return None
-    orb.import_omniorb()
-    for module in parts[:-1] or STANDARD:
-        found = _descriptor_of(stubs.module("data." + module), parts[-1])
-        if found is not None:
-            return found
-    return None
-
-
-def _descriptor_of(scope, name):
-    """The descriptor of a type in a module of stubs (or an interface's class), or None."""
-    descriptor = getattr(scope, "_ad_" + name, None) or getattr(scope, "_d_" + name, None)
-    return descriptor if isinstance(descriptor, (tuple, int)) else None
+    return next(filter(None, [idl.known(f"IDL:{module}/{parts[-1]}:1.0") for module in parts[:-1] or STANDARD]), None)
 
 
 def _best(known, name):

@@ -3,9 +3,9 @@
 idl/PACKAGE/FILE.idl becomes PACKAGE/FILE_idl.py (what a client needs) and PACKAGE/FILE_poa.py (skeletons, for those who
 serve objects); PACKAGE/MODULE.py and PACKAGE/MODULE__POA.py gather the files that contribute to an IDL module. To add an
 interface, edit or drop in an .idl file, run this command and commit everything; tests/unit/test_idl_stubs.py fails until then.
-DIR is where the packages are written, by default beside this file.
+DIR is where the packages are written, by default beside this file. tables.py has what the stubs say for our own ORB.
 
-It needs omniidl with its back end for Python (pip install jeteve-omniorb); 4.2.5 and 4.3.3 write the same bytes, which run on
+It needs omniORBpy, and omniidl with its back end for Python (pip install jeteve-omniorb); 4.2.5 and 4.3.3 write the same bytes, which run on
 either version of omniORBpy.
 """
 import functools
@@ -122,6 +122,14 @@ def generate(directory=HERE):
         write(directory, module, GATHER.format(name=module) + "".join("import {}\n".format(stub) for stub in stubs))
     for package in sorted({package for package, _ in files}):
         write(directory, "{}.{}.__init__".format(PREFIX, package), PACKAGE.format(package))
+    write(directory, PREFIX + ".tables", tables(directory, ["{}.{}_idl".format(*file) for file in files]))
+
+
+def tables(directory, modules):
+    """The text of tables.py, by the stubs below directory."""
+    root = os.path.dirname(os.path.dirname(HERE))
+    return subprocess.check_output([sys.executable, "-m", PREFIX + ".tabulate", os.path.abspath(directory)] + modules, cwd=root,
+                                   universal_newlines=True)
 
 
 def main(arguments):

@@ -10,7 +10,7 @@ from rtshell_lite.corba.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, FLOAT,
                                             STRING, STRUCT, ULONG, ULONGLONG, UNION, USHORT, WCHAR, WSTRING, bound,
                                             cases_by_label, default_case, discriminator, element, factory, kind, length,
                                             members, target)
-from rtshell_lite.data.fixed_size import CODES, SIZES, Fault, Forms, fixed, least
+from rtshell_lite.corba.fixed_size import CODES, SIZES, Fault, Forms, fixed, least
 
 NUMBERS = (SHORT, LONG, USHORT, ULONG, FLOAT, DOUBLE, BOOLEAN, LONGLONG, ULONGLONG)
 
@@ -21,14 +21,20 @@ def codec(descriptor, little):
     `read(data, at)` gives (value, where it ends), or raises Fault, struct.error, RecursionError. `write(out, value)` appends
     to the bytearray `out`, or raises anything for a value of another type; `build_value.build` then says what is wrong.
     """
-    maker = _Maker("<" if little else ">")
+    maker = Maker("<" if little else ">")
     return maker.reader(descriptor), maker.writer(descriptor)
+
+
+FORMS = {STRUCT: "struct", UNION: "union", SEQUENCE: "sequence", ARRAY: "array", STRING: "string", WSTRING: "wstring",
+         WCHAR: "wchar"}
 
 
 # ---- readers and writers --------------------------------------------------------------------------------------
 
-class _Maker:
+class Maker:
     """Makes readers and writers of one byte order; a recursive type finds its own by its identity."""
+
+    forms = FORMS
 
     def __init__(self, order):
         self.order, self.count = order, struct.Struct(order + "I")
@@ -50,7 +56,7 @@ class _Maker:
         if form:
             hole[0] = getattr(self, verb + "_fixed")(form)
         else:
-            hole[0] = getattr(self, f"{verb}_{_FORMS[kind(descriptor)]}")(descriptor)
+            hole[0] = getattr(self, f"{verb}_{self.forms[kind(descriptor)]}")(descriptor)
         return hole[0]
 
     def read_fixed(self, form):
@@ -275,10 +281,6 @@ class _Maker:
                 raise Fault("not one UTF-16 unit")
             out += b"\2" + unit  # big endian where no mark says otherwise (CORBA 3.0, 15.3.1.6)
         return write
-
-
-_FORMS = {STRUCT: "struct", UNION: "union", SEQUENCE: "sequence", ARRAY: "array", STRING: "string", WSTRING: "wstring",
-          WCHAR: "wchar"}
 
 
 def _utf16(units):
