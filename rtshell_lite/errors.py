@@ -4,6 +4,8 @@ The first argument of most, called `where` elsewhere, is the object as the user 
 last says why, without naming a path.
 """
 
+NO_USABLE_ADDRESS = "host name not known"  # or no address that the settings of omniORB let us use
+
 
 class Error(Exception):
     """{}"""

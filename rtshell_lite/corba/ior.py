@@ -29,11 +29,25 @@ LONGEST_TYPE = 1024  # octets of a repository id
 @functools.lru_cache(maxsize=1024)
 def address(text):
     """What a stringified IOR says, an Address; without an IIOP profile, host is '' and port 0."""
-    reader = _Cdr(binascii.unhexlify(text[4:]))
     try:
-        type_id = sys.intern(reader.octets()[:-1].decode("latin-1"))  # one text for all 20,000
-        for _ in range(reader.ulong()):
-            tag, profile = reader.ulong(), reader.octets()
+        return parsed(*parts(text))
+    except (IndexError, struct.error):
+        return Address("", "", 0, b"")
+
+
+def parts(text):
+    """(type id, ((tag, octets), …) of its profiles) of a stringified IOR, all octets. Raises IndexError, struct.error."""
+    reader = _Cdr(binascii.unhexlify(text[4:]))
+    type_id = reader.octets()[:-1]
+    return type_id, tuple((reader.ulong(), reader.octets()) for _ in range(reader.ulong()))
+
+
+@functools.lru_cache(maxsize=1024)
+def parsed(type_id, profiles):
+    """What a reference says, given as its parts."""
+    type_id = sys.intern(type_id.decode("latin-1"))  # one text for all 20,000
+    try:
+        for tag, profile in profiles:
             if tag == IIOP:
                 body = _Cdr(profile)
                 body.at += 2  # the version

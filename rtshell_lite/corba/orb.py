@@ -1,84 +1,40 @@
-"""omniORB: its settings, references, calls with a deadline, CORBA exceptions as errors."""
+"""The one door to an ORB: references, calls with a deadline, failures as errors, lists of properties.
+
+RTSHELL_ORB chooses the ORB behind it: omniorb (omni.py), the default, or builtin (iiop/).
+"""
 import os
-import sys
-import threading
-import types
 
 from rtshell_lite import errors
-from rtshell_lite.corba import answers, ior, lanes
+from rtshell_lite.corba import ior, lanes
 from rtshell_lite.path import PROTOCOLS, SCHEMES, split_address
-from rtshell_lite.text import from_wire, printable, to_wire
+from rtshell_lite.text import printable, to_wire
 
-PROBING = 4  # a host has a quarter of the timeout to refuse a connection
-NO_USABLE_ADDRESS = "host name not known"  # what omniORB means by TRANSIENT_NoUsableProfile, if no setting forbids the connection
-CONNECTIONS = 5  # omniORB opens at most so many to one process (maxGIOPConnectionPerServer)
+NO_USABLE_ADDRESS = errors.NO_USABLE_ADDRESS
 
-_started = None  # the ORB, once there is one
-_deadline = None  # s, the deadline that it was given
-_starting = threading.RLock()
+_orb = None  # the module that has the functions below which begin with _orb
 
-
-# ---- the ORB --------------------------------------------------------------------------------------------------
 
 def start():
-    """The ORB of this process, made at the first call. Raises MissingOmniORB, Usage (bad RTCTREE_ORB_ARGS)."""
-    global _started, _deadline
-    with _starting:
-        if _started is None:
-            _started = _make_orb()
-            _deadline = lanes.session.timeout
-        elif _deadline != lanes.session.timeout:  # another command of rtsh, with a --timeout of its own
-            _deadline = lanes.session.timeout
-            _set_deadline()
-    return _started
+    """Start the ORB of this process, if it has not been. Raises MissingOmniORB, Usage (bad RTCTREE_ORB_ARGS, RTSHELL_ORB)."""
+    global _orb
+    _orb = _orb or _chosen()
+    _orb.start()
 
 
-def _make_orb():
-    CORBA = import_omniorb()
-    arguments = ["rtshell_lite", "-ORBtraceLevel", "0", "-ORBverifyObjectExistsAndType", "0",
-                 "-ORBclientCallTimeOutPeriod", _milliseconds(lanes.session.timeout),
-                 "-ORBclientConnectTimeOutPeriod", _milliseconds(lanes.session.timeout),
-                 "-ORBgiopMaxMsgSize", str(32 << 20)]
-    own = [a for a in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if a]
-    try:
-        return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
-    except CORBA.SystemException as e:
-        where = "RTCTREE_ORB_ARGS: " + printable(";".join(own)) if own else "omniORB.cfg, or a variable ORB…"
-        raise errors.Usage(f"{where}: not understood by omniORB ({_label(e)})")
+def _chosen():
+    name = os.environ.get("RTSHELL_ORB") or "omniorb"
+    if name == "omniorb":
+        from rtshell_lite.corba import omni
+        return omni
+    if name == "builtin":
+        from rtshell_lite.corba.iiop import client
+        return client
+    raise errors.Usage(f"RTSHELL_ORB: {printable(name)}: neither omniorb nor builtin")
 
 
 def version():
-    """The version of omniORBpy. Raises MissingOmniORB."""
-    import_omniorb()
-    import omniORB
-    return omniORB.__version__
-
-
-def _set_deadline():
-    import omniORB
-    omniORB.setClientCallTimeout(int(_milliseconds(lanes.session.timeout)))
-    omniORB.setClientConnectTimeout(int(_milliseconds(lanes.session.timeout)))
-
-
-def import_omniorb():
-    """Import omniORB without `tempfile`, before any of our stubs do; returns its module CORBA. Raises MissingOmniORB.
-
-    Of 18 ms for `import omniORB`, 9 ms are `tempfile`, which only importIDLString uses; we never call that. The empty
-    stand-in leaves sys.modules again, so that others import the real one.
-    """
-    stand_in = sys.modules.setdefault("tempfile", types.ModuleType("tempfile"))
-    try:
-        from omniORB import CORBA
-    except ImportError:
-        raise errors.MissingOmniORB()
-    finally:
-        if not hasattr(stand_in, "mkstemp"):
-            del sys.modules["tempfile"]
-    return CORBA
-
-
-def _milliseconds(seconds):
-    return str(max(1, int(seconds * 1000)))
+    """The name and version of the ORB. Raises MissingOmniORB."""
+    return (_orb or _chosen()).version()
 
 
 # ---- references -----------------------------------------------------------------------------------------------
@@ -94,48 +50,35 @@ def corbaloc(where, address, key, default_port):
         host, port = split_address(rest if protocol == "iiop" else address)
         # without 1.2@ omniORB speaks GIOP 1.0, which loses code sets and big replies
         url = "corbaloc:iiop:1.2@%s:%d/%s" % (host, port if ":" in address else default_port, key)
-    orb = start()
-    from omniORB import CORBA
-    try:
-        return orb.string_to_object(to_wire(url))
-    except CORBA.SystemException as e:
-        raise errors.BadPath(f"{where}: not an address ({_label(e)})")
+    start()
+    return _orb.from_url(where, url)
 
 
 def from_text(where, text):
     """The reference in a stringified IOR that a peer has sent. Raises Unreachable where the text is no reference."""
-    orb = start()
-    from omniORB import CORBA
-    try:
-        return orb.string_to_object(ior.checked(text))
-    except ValueError as e:
-        raise errors.Unreachable(where, str(e))
-    except CORBA.SystemException as e:
-        raise errors.Unreachable(where, f"not a reference ({_label(e)})")
+    start()
+    return _orb.from_text(where, text)
 
 
 def narrow(ref, interface):
-    """`ref` as a reference of the stub class `interface`, on trust: no remote call."""
-    if type(ref)._NP_RepositoryId == interface._NP_RepositoryId:
-        return ref  # narrowing again takes 30 us
-    return ref._unchecked_narrow(interface)
+    """`ref` as a reference of an interface (component.RTC.PortService), on trust: no remote call."""
+    return _orb.narrow(ref, interface)
 
 
 def context(ref):
     """`ref` as a CosNaming::NamingContext, on trust."""
-    from CosNaming import NamingContext
-    return narrow(ref, NamingContext)
+    return _orb.narrow(ref, "CosNaming.NamingContext")
 
 
 def naming_name(names):
     """A CosNaming::Name for an iterable of (id, kind) texts."""
-    from CosNaming import NameComponent
-    return [NameComponent(to_wire(name), to_wire(kind)) for name, kind in names]
+    component = struct("CosNaming.NameComponent")
+    return [component(to_wire(name), to_wire(kind)) for name, kind in names]
 
 
 def same(one, other):
     """True if two references denote one object, as far as can be known without a remote call."""
-    return one is not None and other is not None and bool(one._is_equivalent(other))
+    return one is not None and other is not None and _orb.same(one, other)
 
 
 def one_of(ref, known):
@@ -145,12 +88,12 @@ def one_of(ref, known):
 
 def address(ref):
     """What the IOR of `ref` says, an ior.Address; without an IIOP profile, host is '' and port 0."""
-    return ior.address(start().object_to_string(ref))
+    return _orb.address(ref)
 
 
 def addresses(ref):
     """Every (host, port) that the IOR of `ref` offers, in its order: IIOP profiles and the alternatives named in them."""
-    return ior.addresses(start().object_to_string(ref))
+    return ior.addresses(_orb.to_text(ref))
 
 
 def endpoint(ref):
@@ -172,7 +115,7 @@ def identity(ref):
 def at(ref, host, port):
     """A reference to the object with the key of `ref` in the process at another endpoint; contacts nobody."""
     key = "".join(f"%{octet:02x}" for octet in address(ref).key)
-    return start().string_to_object("corbaloc:iiop:1.2@%s:%d/%s" % ("[%s]" % host if ":" in host else host, port, key))
+    return _orb.from_url(host, "corbaloc:iiop:1.2@%s:%d/%s" % ("[%s]" % host if ":" in host else host, port, key))
 
 
 # ---- calls ----------------------------------------------------------------------------------------------------
@@ -187,38 +130,11 @@ def call(where, ref, operation, *args, seconds=None):
 
 def _called(where, ref, operation, args, seconds):
     """The result of an operation, called on this thread, a lane of the process that answers."""
-    from omniORB import CORBA
-    longer = seconds if seconds and seconds > lanes.session.timeout else None
-    if longer:
-        import omniORB
-        omniORB.setClientCallTimeout(ref, int(_milliseconds(longer)))
-    try:
-        with lanes.session.slots:
-            lanes.alive(longer)
-            try:
-                result = answers.invoke(where, ref, operation, args)
-            except CORBA.COMM_FAILURE as e:
-                result = _asked_again(e, where, ref, operation, args)
-    except CORBA.Exception as e:
-        raise _error(str(where), e, max(seconds or 0, lanes.session.timeout), ref)
+    with lanes.session.slots:
+        lanes.alive(seconds and max(seconds, lanes.session.timeout))
+        result = _orb.invoke(where, ref, operation, args, seconds)
     lanes.answered()
     return result
-
-
-def _asked_again(failure, where, ref, operation, args):
-    """The result of a question whose answer was lost: it is asked again, once for each connection that may be an old one.
-
-    rtsh keeps connections. When a process ends, or is restarted at the same port, all of them are lost, and each shows it only
-    when it is next used. Changes are not repeated: they may have been made.
-    """
-    from omniORB import CORBA
-    asks = operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
-    for _ in range(CONNECTIONS if asks and lanes.has_answered() else 0):
-        try:
-            return answers.invoke(where, ref, operation, args)
-        except CORBA.COMM_FAILURE as e:
-            failure = e
-    raise failure
 
 
 def each(refs, function, where=None):
@@ -240,88 +156,31 @@ def is_alive(where, ref):
     return True
 
 
-def _error(where, e, seconds, ref):
-    """The errors.Error for a CORBA exception that a call to `ref` raised."""
-    from omniORB import CORBA
-    label = _label(e)
-    if isinstance(e, CORBA.TIMEOUT):
-        return errors.Silent(where, lanes.no_answer(seconds))
-    if isinstance(e, CORBA.OBJECT_NOT_EXIST):
-        return errors.Gone(where)
-    if isinstance(e, CORBA.TRANSIENT) and label.endswith("ConnectFailed"):
-        return _not_connected(where, endpoint(ref))
-    if isinstance(e, CORBA.TRANSIENT):
-        reason = NO_USABLE_ADDRESS if label.endswith("NoUsableProfile") else f"cannot be reached now ({label})"
-        return errors.Unreachable(where, reason)
-    if isinstance(e, CORBA.COMM_FAILURE):
-        return errors.Unreachable(where, "connection lost")
-    if isinstance(e, (CORBA.MARSHAL, CORBA.INV_OBJREF)):
-        return errors.Unreachable(where, f"garbled answer ({label})")
-    detail = getattr(e, "description", "")
-    return errors.Refused(where, label + (": " + printable(from_wire(detail)) if detail else ""), name=type(e).__name__)
-
-
-def _not_connected(where, endpoint):
-    """The errors.Error for a connection that could not be made: omniORB does not say why, so the kernel is asked.
-
-    Only a refusal shows that the process is gone. Where its host cannot be reached, it may well live.
-    """
-    import socket
-    try:
-        socket.create_connection(endpoint, lanes.session.timeout / PROBING).close()
-    except ConnectionRefusedError:
-        pass
-    except (OSError, ValueError) as e:  # the latter: no name of a host
-        if isinstance(e, OSError):
-            lanes.note_shortage(e, endpoint[0])
-        why = getattr(e, "strerror", None)
-        return errors.Unreachable(where, "cannot be reached" + (f" ({why})" if why else ""))
-    return errors.ConnectionRefused(where)
-
-
-def _label(e):
-    """Short name of a CORBA exception: the minor code's where there is one."""
-    import omniORB
-    from omniORB import CORBA
-    if isinstance(e, CORBA.SystemException):
-        minor = omniORB.minorCodeToString(e)
-        return sys.intern(str(minor) if minor else f"CORBA.{type(e).__name__}")
-    return type(e).__name__
-
-
 # ---- values ---------------------------------------------------------------------------------------------------
+
+def struct(name):
+    """The class of a struct of the IDL (component.RTC.ConnectorProfile), called with its members."""
+    start()
+    return _orb.struct(name)
+
 
 def properties(nvlist):
     """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to text."""
-    from omniORB import CORBA
-    string = CORBA.tk_string  # almost all are; `is`, because == of these takes as long as all the rest
-    return [(sys.intern(from_wire(nv.name)), from_wire(nv.value.value()) if nv.value.typecode().kind() is string
-             else _as_text(nv.value, CORBA)) for nv in nvlist]
-
-
-def _as_text(value, CORBA):
-    typecode, value = value.typecode(), value.value()
-    kind = typecode.kind()
-    if kind in (CORBA.tk_struct, CORBA.tk_union, CORBA.tk_except):  # the data_value of 1.1, a TimedLong of zeros
-        return f"<{from_wire(typecode.id())}>"
-    if kind == CORBA.tk_objref:
-        return start().object_to_string(value)
-    return str(value) if value is not None else ""
+    return _orb.properties(nvlist)
 
 
 def descriptor(type_id):
-    """The type descriptor that stubs registered with omniORB for a repository id, or None."""
-    import omniORB
-    return omniORB.typeMapping.get(type_id)
+    """The descriptor of a type of the IDL by its repository id, or None."""
+    start()
+    return _orb.descriptor(type_id)
 
 
 def descriptor_of(value):
-    """The type descriptor of the value in an any."""
-    return value.typecode()._d
+    """The descriptor of the type of the value in an any."""
+    return _orb.descriptor_of(value)
 
 
 def nvlist(pairs):
     """(name, value) texts as an SDOPackage::NVList of strings, the one type that every implementation accepts."""
-    from omniORB import CORBA
-    from rtshell_lite.idl_stubs.component import SDOPackage
-    return [SDOPackage.NameValue(to_wire(n), CORBA.Any(CORBA.TC_string, to_wire(v))) for n, v in pairs]
+    start()
+    return _orb.nvlist(pairs)

@@ -4,10 +4,11 @@ import socket
 import struct
 import time
 
-from omniORB import CORBA
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
-from rtshell_lite.idl_stubs.dataport import RTC, RTC__POA, OpenRTM, OpenRTM__POA
+from rtshell_lite.corba import omni, orb
+
+CORBA = omni.import_omniorb()  # raises MissingOmniORB: the builtin ORB has no servants yet
+from rtshell_lite.idl_stubs.dataport import RTC, RTC__POA, OpenRTM, OpenRTM__POA  # noqa: E402
 
 
 class InPortCdr(OpenRTM__POA.InPortCdr):
@@ -40,7 +41,7 @@ class Served:
 
     def __init__(self, servant):
         try:
-            self.poa = orb.start().resolve_initial_references("RootPOA")
+            self.poa = omni.start().resolve_initial_references("RootPOA")
         except CORBA.INITIALIZE:  # only now omniORB begins to listen
             raise errors.Usage("this machine cannot be reached at the address that ORBendPoint tells")
         self.id = self.poa.activate_object(servant)
@@ -58,7 +59,7 @@ class Served:
         """
         own = None if _endpoint_given() else own_address(*peer)
         if own is None:
-            return orb.start().object_to_string(self.reference)
+            return omni.start().object_to_string(self.reference)
         _, _, port, key = orb.address(self.reference)
         return make_ior(self.type_id, own, port, key)
 

@@ -9,9 +9,9 @@ STANDARD = ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "Interface
 
 
 def module(name):
-    """A module of stubs: `data.RTC` of idl_stubs."""
+    """A module of stubs: `data.RTC` of idl_stubs, or omniORB's own `CosNaming`."""
     import importlib  # rtls without -l needs no stub
-    return importlib.import_module("rtshell_lite.idl_stubs." + name)
+    return importlib.import_module(name if name == "CosNaming" else "rtshell_lite.idl_stubs." + name)
 
 
 @functools.lru_cache(maxsize=None)

@@ -82,8 +82,8 @@ class Subscription:
         from rtshell_lite.corba import servants
         if self._served is None:
             self._served = servants.Served(self._servant)
-        ref = orb.narrow(orb.from_text(self.where, self._served.ior(self.node.endpoint)), stubs.named("component.SDOPackage.SDOService"))
-        return stubs.named("component.SDOPackage.ServiceProfile")(self.id, self.interface, orb.nvlist(self.properties), ref)
+        ref = orb.narrow(orb.from_text(self.where, self._served.ior(self.node.endpoint)), "component.SDOPackage.SDOService")
+        return orb.struct("component.SDOPackage.ServiceProfile")(self.id, self.interface, orb.nvlist(self.properties), ref)
 
     def detach(self):
         """Make the component forget it, even if `attach` failed. Raises Unreachable."""

@@ -3,7 +3,7 @@ import collections
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb, stubs
+from rtshell_lite.corba import lanes, orb
 from rtshell_lite.robot import tree
 from rtshell_lite.text import from_wire, shell_word
 
@@ -96,8 +96,7 @@ def participating_context_refs(node):
 
 
 def _refs(node, operation):
-    context_service = stubs.named("component.RTC.ExecutionContextService")
-    return [orb.narrow(ref, context_service) for ref in node.call(operation) if ref is not None]
+    return [orb.narrow(ref, "component.RTC.ExecutionContextService") for ref in node.call(operation) if ref is not None]
 
 
 def context_ref(node, index):

@@ -3,7 +3,7 @@ import collections
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb, stubs
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import tree
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire, unescaped
 
@@ -68,7 +68,7 @@ class Configuration:
         """
         self.check(values, within)
         everything = collections.OrderedDict(within.values, **values)
-        raw = stubs.named("component.SDOPackage.ConfigurationSet")(
+        raw = orb.struct("component.SDOPackage.ConfigurationSet")(
             to_wire(within.id), self.raw[within.id].description, orb.nvlist(everything.items()))
         if not self._call("set_configuration_set_values", raw):
             raise errors.Refused(self.where, f"does not take values for configuration set {printable(within.id)}")

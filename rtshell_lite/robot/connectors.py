@@ -1,6 +1,6 @@
 """Connectors between ports: connect, disconnect, and what refuses it."""
 from rtshell_lite import errors
-from rtshell_lite.corba import orb, stubs
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, ports
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 
@@ -34,8 +34,8 @@ def connect(ends, name="", connector_id="", given=None):
     ports.check(ends, given)
     name = name or ports.short_name(ends[0].name, ends[0].node.path.names[-1].id) + "_".join(
         ports.short_name(port.name, port.node.path.names[-1].id) for port in ends[1:])
-    asked = stubs.named(PROFILE)(to_wire(name), to_wire(connector_id), [port.ref for port in ends],
-                                 orb.nvlist(sorted(ports.connection_properties(ends, given).items())))
+    asked = orb.struct(PROFILE)(to_wire(name), to_wire(connector_id), [port.ref for port in ends],
+                                orb.nvlist(sorted(ports.connection_properties(ends, given).items())))
     code, raw = orb.call(ports.between(ends), ends[0].ref, "connect", asked)
     if str(code) != "RTC_OK":
         _tidy(ends)
@@ -47,7 +47,7 @@ def connect_alone(port, name, properties):
     """Connect one data port with no other, as tools do, and return the Connector. Raises Refused, Unreachable."""
     for reason in ports.without_rate([port], properties):
         raise errors.Refused(ports.label(port), reason)
-    asked = stubs.named(PROFILE)(to_wire(name), "", [port.ref], orb.nvlist(sorted(properties.items())))
+    asked = orb.struct(PROFILE)(to_wire(name), "", [port.ref], orb.nvlist(sorted(properties.items())))
     code, raw = orb.call(ports.label(port), port.ref, "connect", asked)
     if str(code) != "RTC_OK":
         raise errors.Refused(ports.label(port), f"refused by the component ({code})", name=str(code))

@@ -3,7 +3,7 @@ import functools
 import time
 
 from rtshell_lite import cli, errors
-from rtshell_lite.corba import lanes, orb, stubs
+from rtshell_lite.corba import lanes, orb
 from rtshell_lite.path import Name
 from rtshell_lite.text import LONGEST, from_wire
 
@@ -69,7 +69,7 @@ class Node:
         if self.kind in ("server", "directory"):
             return orb.context(self.ref)
         interface = "manager.RTM.Manager" if self.kind == "manager" else "component.OpenRTM.DataFlowComponent"
-        return orb.narrow(self.ref, stubs.named(interface))
+        return orb.narrow(self.ref, interface)
 
     def call(self, operation, *args, **more):
         """Call an operation of its object; errors name its path."""

@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import cli, errors
-from rtshell_lite.corba import orb, stubs
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, tree
 from rtshell_lite.text import cut, from_wire, printable
 
@@ -38,8 +38,8 @@ def in_system(listed):
 
 def refs(node):
     """References of the ports of a component."""
-    listed, port_service = cli.first(MOST_PORTS, node.call("get_ports"), node.path, "ports"), stubs.named("component.RTC.PortService")
-    return [orb.narrow(ref, port_service) for ref in listed if ref is not None]
+    listed = cli.first(MOST_PORTS, node.call("get_ports"), node.path, "ports")
+    return [orb.narrow(ref, "component.RTC.PortService") for ref in listed if ref is not None]
 
 
 def port(node, ref, failures=None, brief=False):

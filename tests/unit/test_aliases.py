@@ -15,7 +15,7 @@ except ImportError:
 else:
     from mock_components import naming as mock_naming
     from rtshell_lite import path
-    from rtshell_lite.corba import orb
+    from rtshell_lite.corba import omni
     from rtshell_lite.robot import aliases, naming, tree
 
 PUBLISHED = "127.0.0.3"  # Linux answers at all of 127.0.0.0/8
@@ -39,7 +39,7 @@ class PublishedOtherwise(unittest.TestCase):
         self.addCleanup(self.process.wait)
         self.addCleanup(self.process.kill)
         worlds.eventually(lambda: processes.nameserver.answers(self.port), "omniNames answers")
-        self.names = mock_naming.Naming(orb.start(), "127.0.0.1:%d" % self.port)
+        self.names = mock_naming.Naming(omni.start(), "127.0.0.1:%d" % self.port)
         self.names.contexts([("own", "cxt"), ("inner", "cxt")])
 
     def at(self, *names):
@@ -53,7 +53,7 @@ class PublishedOtherwise(unittest.TestCase):
         self.assertEqual(self.foreign(), [])
 
     def test_another_server_at_the_same_port_is_foreign(self):
-        self.names.bind_context([("root", "cxt")], mock_naming.root(orb.start(), "127.0.0.9:%d" % self.port))
+        self.names.bind_context([("root", "cxt")], mock_naming.root(omni.start(), "127.0.0.9:%d" % self.port))
         self.assertEqual(self.foreign(), ["root.cxt"])
 
     def test_its_own_directories_can_be_deleted(self):

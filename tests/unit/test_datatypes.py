@@ -10,8 +10,8 @@ import processes
 import random_values
 import worlds
 from rtshell_lite import errors, path
-from rtshell_lite.corba import descriptors, orb
-from rtshell_lite.data import datatypes, fixed_size, values
+from rtshell_lite.corba import descriptors, fixed_size, omni, orb
+from rtshell_lite.data import datatypes, values
 from rtshell_lite.robot import ports
 
 try:
@@ -38,7 +38,7 @@ class Standard(unittest.TestCase):
         for name in ("TimedLong", "RTC.TimedLong", "RTC::TimedLong", "::RTC::TimedLong", "IDL:RTC/TimedLong:1.0", "RTC/TimedLong"):
             found = types.named(name)
             self.assertEqual((found.id, found.name), ("IDL:RTC/TimedLong:1.0", "RTC.TimedLong"), name)
-        self.assertIs(found.descriptor, RTC._d_TimedLong)
+        self.assertEqual(descriptors.members(found.descriptor)[1][0], "data")
         self.assertEqual(types.named("CameraImage").name, "RTC.CameraImage")
         self.assertEqual(types.named("TimedCameraImage").name, "Img.TimedCameraImage")
         for name in ("", "any", "Timed", "RTC.Missing", "__class__", "IDL:omg.org/RTC/TimedLong:1.0", "a.b.c", "IDL:", "\x1b[2J"):
@@ -55,7 +55,7 @@ class Standard(unittest.TestCase):
 
     def test_beside_omniorb(self):
         """The same bytes, except padding, and the same values, in both byte orders."""
-        orb.start()
+        omni.start()
         rng, count = random.Random(1), 0
         for module, name in self.every():
             if "WChar" in name:
@@ -72,7 +72,7 @@ class Standard(unittest.TestCase):
         self.assertGreater(count, 400)
 
     def test_wide_characters_as_omniorb_writes_them(self):
-        orb.start()
+        omni.start()
         for name, data in (("TimedWChar", "日"), ("TimedWCharSeq", ["日", "x"])):
             value = getattr(RTC, name)(RTC.Time(1, 2), data)
             for little in (True, False):
@@ -128,7 +128,7 @@ class Named(unittest.TestCase):
         self.assertEqual(types.named("Reading").name, "Mine.Reading")
         self.assertEqual(types.named("Mine::I::Mode").name, "Mine.I.Mode")
         self.assertEqual(types.of_port(a_port("Reading")).name, "Mine.Reading")
-        self.assertEqual(types.named("RTC.TimedLong").descriptor[1], RTC.TimedLong)
+        self.assertEqual(types.named("RTC.TimedLong").id, "IDL:RTC/TimedLong:1.0")
         found = values.Expression('Mine.Reading(5, ["x"])', types).value()
         self.assertEqual(values.text(found), "(a=5, from=['x'])")
         self.assertEqual(values.text(values.Expression("Mine.Reading(a=5, _from=[])", types).value()), "(a=5, from=[])")
@@ -196,7 +196,7 @@ class Offered(unittest.TestCase):
         return datatypes.Type(descriptors.adopted(typecode._d, orb.descriptor))
 
     def test_typecodes(self):
-        the_orb = orb.start()
+        the_orb = omni.start()
         inner = the_orb.create_struct_tc("IDL:T/Inner:1.0", "Inner", [CORBA.StructMember("x", CORBA.TC_double, None)])
         outer = the_orb.create_struct_tc("IDL:T/Outer:1.0", "Outer", [
             CORBA.StructMember("tm", RTC._tc_Time, None), CORBA.StructMember("data", the_orb.create_sequence_tc(0, inner), None)])
@@ -207,7 +207,7 @@ class Offered(unittest.TestCase):
             self.assertEqual(values.text(one.decode(one.encode(value))), "[2.000000000] [(x=1.0)]")
 
     def test_hostile_typecodes(self):
-        the_orb = orb.start()
+        the_orb = omni.start()
         for typecode, reason in (
                 (the_orb.create_struct_tc("IDL:T/S:1.0", "S", [CORBA.StructMember("__class__", CORBA.TC_long, None)]), "identifier"),
                 (the_orb.create_struct_tc("IDL:T/S:1.0", "S", []), "needs members"),

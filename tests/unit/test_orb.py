@@ -9,7 +9,7 @@ except ImportError:
     omniORB = None
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import lanes, omni, orb
 
 
 class Missing(unittest.TestCase):
@@ -23,9 +23,9 @@ class Failures(unittest.TestCase):
     def reason(self, failure, seconds=None):
         from omniORB import CORBA
         raised = getattr(CORBA, failure)(0, CORBA.COMPLETED_NO)
-        with mock.patch.object(orb.answers, "invoke", side_effect=raised), mock.patch.object(omniORB, "setClientCallTimeout"), \
+        with mock.patch.object(omni.answers, "invoke", side_effect=raised), mock.patch.object(omniORB, "setClientCallTimeout"), \
                 self.assertRaises(errors.Error) as caught:
-            orb._called("/robot/a.rtc", None, "get_profile", (), seconds)
+            omni.invoke("/robot/a.rtc", None, "get_profile", (), seconds)
         return str(caught.exception)
 
     def test_silence_is_as_long_as_was_waited(self):

@@ -1,0 +1,250 @@
+"""omniORB, as orb.py needs it: its settings, references, calls with a deadline, CORBA exceptions as errors."""
+import os
+import sys
+import threading
+import types
+
+from rtshell_lite import errors
+from rtshell_lite.corba import answers, ior, lanes, stubs
+from rtshell_lite.text import from_wire, printable, to_wire
+
+PROBING = 4  # a host has a quarter of the timeout to refuse a connection
+CONNECTIONS = 5  # omniORB opens at most so many to one process (maxGIOPConnectionPerServer)
+
+_started = None  # the ORB, once there is one
+_deadline = None  # s, the deadline that it was given
+_starting = threading.RLock()
+
+
+# ---- the ORB --------------------------------------------------------------------------------------------------
+
+def start():
+    """The ORB of this process, made at the first call. Raises MissingOmniORB, Usage (bad RTCTREE_ORB_ARGS)."""
+    global _started, _deadline
+    with _starting:
+        if _started is None:
+            _started = _make_orb()
+            _deadline = lanes.session.timeout
+        elif _deadline != lanes.session.timeout:  # another command of rtsh, with a --timeout of its own
+            _deadline = lanes.session.timeout
+            _set_deadline()
+    return _started
+
+
+def _make_orb():
+    CORBA = import_omniorb()
+    arguments = ["rtshell_lite", "-ORBtraceLevel", "0", "-ORBverifyObjectExistsAndType", "0",
+                 "-ORBclientCallTimeOutPeriod", _milliseconds(lanes.session.timeout),
+                 "-ORBclientConnectTimeOutPeriod", _milliseconds(lanes.session.timeout),
+                 "-ORBgiopMaxMsgSize", str(32 << 20)]
+    own = [a for a in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if a]
+    try:
+        return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
+    except CORBA.SystemException as e:
+        where = "RTCTREE_ORB_ARGS: " + printable(";".join(own)) if own else "omniORB.cfg, or a variable ORB…"
+        raise errors.Usage(f"{where}: not understood by omniORB ({_label(e)})")
+
+
+def version():
+    """The version of omniORBpy. Raises MissingOmniORB."""
+    import_omniorb()
+    import omniORB
+    return "omniORBpy " + omniORB.__version__
+
+
+def _set_deadline():
+    import omniORB
+    omniORB.setClientCallTimeout(int(_milliseconds(lanes.session.timeout)))
+    omniORB.setClientConnectTimeout(int(_milliseconds(lanes.session.timeout)))
+
+
+def import_omniorb():
+    """Import omniORB without `tempfile`, before any of our stubs do; returns its module CORBA. Raises MissingOmniORB.
+
+    Of 18 ms for `import omniORB`, 9 ms are `tempfile`, which only importIDLString uses; we never call that. The empty
+    stand-in leaves sys.modules again, so that others import the real one.
+    """
+    stand_in = sys.modules.setdefault("tempfile", types.ModuleType("tempfile"))
+    try:
+        from omniORB import CORBA
+    except ImportError:
+        raise errors.MissingOmniORB()
+    finally:
+        if not hasattr(stand_in, "mkstemp"):
+            del sys.modules["tempfile"]
+    return CORBA
+
+
+def _milliseconds(seconds):
+    return str(max(1, int(seconds * 1000)))
+
+
+# ---- references -----------------------------------------------------------------------------------------------
+
+def from_url(where, url):
+    """The reference of a corbaloc or the like; contacts nobody. Raises BadPath."""
+    orb = start()
+    from omniORB import CORBA
+    try:
+        return orb.string_to_object(to_wire(url))
+    except CORBA.SystemException as e:
+        raise errors.BadPath(f"{where}: not an address ({_label(e)})")
+
+
+def from_text(where, text):
+    """The reference in a stringified IOR that a peer has sent. Raises Unreachable where the text is no reference."""
+    orb = start()
+    from omniORB import CORBA
+    try:
+        return orb.string_to_object(ior.checked(text))
+    except ValueError as e:
+        raise errors.Unreachable(where, str(e))
+    except CORBA.SystemException as e:
+        raise errors.Unreachable(where, f"not a reference ({_label(e)})")
+
+
+def to_text(ref):
+    """The stringified IOR of a reference."""
+    return start().object_to_string(ref)
+
+
+def address(ref):
+    """What the IOR of a reference says, an ior.Address."""
+    return ior.address(start().object_to_string(ref))
+
+
+def narrow(ref, interface):
+    """`ref` as a reference of an interface by its name in the stubs, on trust."""
+    interface = stubs.named(interface)
+    if type(ref)._NP_RepositoryId == interface._NP_RepositoryId:
+        return ref  # narrowing again takes 30 us
+    return ref._unchecked_narrow(interface)
+
+
+def same(one, other):
+    """True if two references denote one object, as far as can be known without a remote call."""
+    return bool(one._is_equivalent(other))
+
+
+# ---- calls ----------------------------------------------------------------------------------------------------
+
+def invoke(where, ref, operation, args, seconds):
+    """The result of an operation, with a deadline of so many seconds where that is more than the timeout."""
+    from omniORB import CORBA
+    longer = seconds if seconds and seconds > lanes.session.timeout else None
+    if longer:
+        import omniORB
+        omniORB.setClientCallTimeout(ref, int(_milliseconds(longer)))
+    try:
+        try:
+            return answers.invoke(where, ref, operation, args)
+        except CORBA.COMM_FAILURE as e:
+            return _asked_again(e, where, ref, operation, args)
+    except CORBA.Exception as e:
+        raise _error(str(where), e, max(seconds or 0, lanes.session.timeout), ref)
+
+
+def _asked_again(failure, where, ref, operation, args):
+    """The result of a question whose answer was lost: it is asked again, once for each connection that may be an old one.
+
+    rtsh keeps connections. When a process ends, or is restarted at the same port, all of them are lost, and each shows it only
+    when it is next used. Changes are not repeated: they may have been made.
+    """
+    from omniORB import CORBA
+    asks = operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
+    for _ in range(CONNECTIONS if asks and lanes.has_answered() else 0):
+        try:
+            return answers.invoke(where, ref, operation, args)
+        except CORBA.COMM_FAILURE as e:
+            failure = e
+    raise failure
+
+
+def _error(where, e, seconds, ref):
+    """The errors.Error for a CORBA exception that a call to `ref` raised."""
+    from omniORB import CORBA
+    label = _label(e)
+    if isinstance(e, CORBA.TIMEOUT):
+        return errors.Silent(where, lanes.no_answer(seconds))
+    if isinstance(e, CORBA.OBJECT_NOT_EXIST):
+        return errors.Gone(where)
+    if isinstance(e, CORBA.TRANSIENT) and label.endswith("ConnectFailed"):
+        return _not_connected(where, address(ref)[1:3])
+    if isinstance(e, CORBA.TRANSIENT):
+        reason = errors.NO_USABLE_ADDRESS if label.endswith("NoUsableProfile") else f"cannot be reached now ({label})"
+        return errors.Unreachable(where, reason)
+    if isinstance(e, CORBA.COMM_FAILURE):
+        return errors.Unreachable(where, "connection lost")
+    if isinstance(e, (CORBA.MARSHAL, CORBA.INV_OBJREF)):
+        return errors.Unreachable(where, f"garbled answer ({label})")
+    detail = getattr(e, "description", "")
+    return errors.Refused(where, label + (": " + printable(from_wire(detail)) if detail else ""), name=type(e).__name__)
+
+
+def _not_connected(where, endpoint):
+    """The errors.Error for a connection that could not be made: omniORB does not say why, so the kernel is asked.
+
+    Only a refusal shows that the process is gone. Where its host cannot be reached, it may well live.
+    """
+    import socket
+    try:
+        socket.create_connection(endpoint, lanes.session.timeout / PROBING).close()
+    except ConnectionRefusedError:
+        pass
+    except (OSError, ValueError) as e:  # the latter: no name of a host
+        if isinstance(e, OSError):
+            lanes.note_shortage(e, endpoint[0])
+        why = getattr(e, "strerror", None)
+        return errors.Unreachable(where, "cannot be reached" + (f" ({why})" if why else ""))
+    return errors.ConnectionRefused(where)
+
+
+def _label(e):
+    """Short name of a CORBA exception: the minor code's where there is one."""
+    import omniORB
+    from omniORB import CORBA
+    if isinstance(e, CORBA.SystemException):
+        minor = omniORB.minorCodeToString(e)
+        return sys.intern(str(minor) if minor else f"CORBA.{type(e).__name__}")
+    return type(e).__name__
+
+
+# ---- values ---------------------------------------------------------------------------------------------------
+
+struct = stubs.named
+
+
+def properties(nvlist):
+    """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to text."""
+    from omniORB import CORBA
+    string = CORBA.tk_string  # almost all are; `is`, because == of these takes as long as all the rest
+    return [(sys.intern(from_wire(nv.name)), from_wire(nv.value.value()) if nv.value.typecode().kind() is string
+             else _as_text(nv.value, CORBA)) for nv in nvlist]
+
+
+def _as_text(value, CORBA):
+    typecode, value = value.typecode(), value.value()
+    kind = typecode.kind()
+    if kind in (CORBA.tk_struct, CORBA.tk_union, CORBA.tk_except):  # the data_value of 1.1, a TimedLong of zeros
+        return f"<{from_wire(typecode.id())}>"
+    if kind == CORBA.tk_objref:
+        return start().object_to_string(value)
+    return str(value) if value is not None else ""
+
+
+def descriptor(type_id):
+    """The type descriptor that stubs registered with omniORB for a repository id, or None."""
+    import omniORB
+    return omniORB.typeMapping.get(type_id)
+
+
+def descriptor_of(value):
+    """The type descriptor of the value in an any."""
+    return value.typecode()._d
+
+
+def nvlist(pairs):
+    """(name, value) texts as an SDOPackage::NVList of strings, the one type that every implementation accepts."""
+    from omniORB import CORBA
+    from rtshell_lite.idl_stubs.component import SDOPackage
+    return [SDOPackage.NameValue(to_wire(n), CORBA.Any(CORBA.TC_string, to_wire(v))) for n, v in pairs]
