@@ -1,11 +1,13 @@
 """The seam to the ORB: the packages above pass and get plain values, and see an errors.Error for each failure.
 
 lanes      deadlines, and many calls at once, without an ORB: a silent process costs one timeout
-orb        references (their address, identity, endpoint), calls with a deadline, exceptions as errors, lists of properties
-answers    what peers send, checked as octets before an ORB makes objects of it; ior reads references
-stubs      classes of OpenRTM's IDL by name: interfaces to narrow to, structs to send
-servants   objects of ours that components call
-descriptors   types as tuples, and functions that read their parts by name
+orb        the door: references (their address, identity, endpoint), calls with a deadline, exceptions as errors, properties
+omni       omniORB behind it; answers looks at what peers send before omniORB makes objects of it, stubs finds its classes
+iiop/      our own ORB behind it, a client so far
+servants   objects of ours that components call; only with omniORB so far
+ior        references as octets
+idl        interfaces and types of OpenRTM's IDL, from generated tables
+descriptors   types as tuples, and functions that read their parts by name; cdr and fixed_size read and write values by them
 
 An ORB behind this seam has to offer: references from and to text (IOR, corbaloc), narrowing without a call, equivalence;
 calls by the name of an operation with a deadline to the millisecond, for each reference; TIMEOUT, OBJECT_NOT_EXIST, TRANSIENT,

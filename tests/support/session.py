@@ -75,6 +75,8 @@ def surroundings(top, home, commands):
         write_tool(os.path.join(tools, name), '"%s" "%s" %s' % (sys.executable, os.path.abspath(__file__), name))
     environment = {"HOME": home, "TMP": home, "TMPDIR": home, "SESSION": top, "LC_ALL": "C", "TERM": "xterm",
                    "RTSHELL_TESTS": os.environ.get("RTSHELL_TESTS", "")}  # how tests/run finds what was left behind
+    if "RTSHELL_ORB" in os.environ:
+        environment["RTSHELL_ORB"] = os.environ["RTSHELL_ORB"]
     if commands:
         os.mkdir(os.path.join(top, "python"))  # peers find the mocks here, and rtshell_lite where it is installed
         os.symlink(os.path.join(processes.ROOT, "mock_components"), os.path.join(top, "python", "mock_components"))

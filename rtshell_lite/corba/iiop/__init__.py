@@ -1,0 +1,1 @@
+"""Our own ORB, for where there is no omniORBpy."""

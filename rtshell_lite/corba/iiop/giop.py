@@ -1,0 +1,83 @@
+"""GIOP messages as octets (CORBA 3.0, 15.4): requests to send, replies taken apart."""
+import functools
+import struct
+
+REQUEST, REPLY, CANCEL, LOCATE_REQUEST, LOCATE_REPLY, CLOSE, ERROR, FRAGMENT = range(8)
+NO_EXCEPTION, USER_EXCEPTION, SYSTEM_EXCEPTION, FORWARD, FORWARD_PERM, NEEDS_ADDRESSING = range(6)  # what a reply says
+KEY, PROFILE, REFERENCE = range(3)  # how a request names its object: TargetAddress
+HEADER = 12  # octets
+LARGEST = 32 << 20  # octets of a message, as we let omniORB take
+MORE, LITTLE = 2, 1  # flags of a message
+_ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "II")) for order in "><"]
+
+
+class Garbled(ValueError):
+    """Octets that are no GIOP."""
+
+
+def aligned(data, size):
+    """`data` with zeros up to a multiple of `size`."""
+    return data + b"\0" * (-len(data) % size)
+
+
+@functools.lru_cache(maxsize=256)
+def _head(version, key, operation, address):
+    """A request up to its arguments, its size and id still 0; with `address`, (disposition, octets), in place of the key."""
+    data = b"GIOP" + bytes(version) + b"\1\0" + bytes(4)
+    name = struct.pack("<I", len(operation) + 1) + operation.encode("latin-1") + b"\0"
+    octets = struct.pack("<I", len(key)) + key
+    if version < (1, 2):
+        data += bytes(4) + bytes(4) + b"\1" + (b"\0\0\0" if version == (1, 1) else b"")
+        data = aligned(aligned(data, 4) + octets, 4) + name
+        return aligned(data, 4) + bytes(4)  # no principal
+    data += bytes(4) + b"\3\0\0\0"
+    data += b"\0\0\0\0" + octets if address is None else struct.pack("<HH", address[0], 0) + address[1]
+    return aligned(aligned(data, 4) + name, 4) + bytes(4)  # no service contexts
+
+
+def request(number, version, key, operation, arguments, address=None):
+    """A request as a bytearray; `arguments`: functions that append to it, in little endian."""
+    out = bytearray(_head(version, key, operation, address))
+    if arguments:
+        if version >= (1, 2):
+            out += b"\0" * (-len(out) % 8)
+        for write, value in arguments:
+            write(out, value)
+    struct.pack_into("<I", out, 12 if version >= (1, 2) else 16, number)
+    struct.pack_into("<I", out, 8, len(out) - HEADER)
+    return out
+
+
+def size(data):
+    """How many octets follow the header that `data` begins with. Raises Garbled."""
+    if data[:4] != b"GIOP" or data[4] != 1 or data[5] > 2 or data[7] > FRAGMENT:
+        raise Garbled("not GIOP")
+    found, = _ORDERS[data[6] & LITTLE][0].unpack_from(data, 8)
+    if found > LARGEST:
+        raise Garbled(f"a message of {found} octets")
+    return found
+
+
+def reply(data):
+    """(request id, status, little endian, where its body begins) of a reply, given whole. Raises Garbled, struct.error."""
+    little = data[6] & LITTLE
+    one, two = _ORDERS[little]
+    if data[5] < 2:
+        at = _contexts(data, HEADER, one)
+        number, status = two.unpack_from(data, at)
+        return number, status, little, at + 8
+    number, status = two.unpack_from(data, HEADER)
+    at = _contexts(data, HEADER + 8, one)
+    return number, status, little, at + -at % 8
+
+
+def _contexts(data, at, one):
+    """Where the service contexts at `at` end."""
+    count, = one.unpack_from(data, at)
+    at += 4
+    for _ in range(count):
+        size, = one.unpack_from(data, at + 4 + -at % 4)
+        at += -at % 4 + 8 + size
+        if at > len(data):
+            raise Garbled("service contexts without an end")
+    return at + -at % 4

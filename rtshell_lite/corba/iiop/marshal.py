@@ -1,0 +1,128 @@
+"""Values that only an ORB sends: references, `any`, TypeCodes, exceptions; beside those of cdr.py, and with text as Latin-1."""
+from rtshell_lite.corba import cdr, descriptors
+from rtshell_lite.corba.descriptors import ANY, EXCEPTION, OBJECT, STRING, TYPECODE
+from rtshell_lite.corba.fixed_size import Fault
+from rtshell_lite.corba.iiop.references import Reference
+from rtshell_lite.corba.ior import MOST_PROFILES
+
+TEXT = (STRING, 0)
+
+
+class Any:
+    """A value with the descriptor of its type."""
+
+    __slots__ = ("descriptor", "content")
+
+    def __init__(self, descriptor, content):
+        self.descriptor, self.content = descriptor, content
+
+
+class Maker(cdr.Maker):
+    """Readers and writers of one byte order; `depth` counts the values around, each in an any."""
+
+    forms = dict(cdr.FORMS)
+    forms.update({OBJECT: "reference", ANY: "any", TYPECODE: "typecode", EXCEPTION: "struct"})
+
+    def __init__(self, order, depth=0):
+        super().__init__(order)
+        self.depth = depth
+
+    def read_string(self, descriptor):
+        most, unpack = descriptors.bound(descriptor), self.count.unpack_from
+
+        def read(data, at):
+            at += -at & 3
+            size, = unpack(data, at)
+            end = at + 4 + size
+            if end > len(data) or most and size > most + 1:
+                raise Fault("a string longer than it can be")
+            if size and data[end - 1]:
+                raise Fault("a string without its end")
+            return data[at + 4:end - 1].decode("latin-1") if size else "", end
+        return read
+
+    def write_string(self, descriptor):
+        pack = self.count.pack
+
+        def write(out, value):
+            octets = value.encode("latin-1") + b"\0"
+            out += b"\0" * (-len(out) & 3) + pack(len(octets)) + octets
+        return write
+
+    def read_reference(self, descriptor):
+        unpack, interface = self.count.unpack_from, descriptor[1]
+
+        def octets(data, at):
+            at += -at & 3
+            size, = unpack(data, at)
+            at += 4 + size
+            if at > len(data):
+                raise Fault("a reference longer than it can be")
+            return data[at - size:at], at
+
+        def read(data, at):
+            type_id, at = octets(data, at)
+            at += -at & 3
+            count, = unpack(data, at)
+            at += 4
+            if count > MOST_PROFILES:
+                raise Fault(f"a reference of {count} profiles")
+            profiles = []
+            for _ in range(count):
+                at += -at & 3
+                tag, = unpack(data, at)
+                profile, at = octets(data, at + 4)
+                profiles.append((tag, profile))
+            return (Reference(type_id[:-1], tuple(profiles), interface) if profiles else None), at
+        return read
+
+    def write_reference(self, _):
+        pack = self.count.pack
+
+        def octets(out, data):
+            out += b"\0" * (-len(out) & 3) + pack(len(data)) + data
+
+        def write(out, ref):
+            octets(out, (b"" if ref is None else ref.type_id) + b"\0")
+            profiles = () if ref is None else ref.profiles
+            out += b"\0" * (-len(out) & 3) + pack(len(profiles))
+            for tag, data in profiles:
+                out += b"\0" * (-len(out) & 3) + pack(tag)
+                octets(out, data)
+        return write
+
+    def read_any(self, _):
+        unpack, text, order = self.count.unpack_from, self.reader(TEXT), self.order
+
+        def read(data, at):
+            at += -at & 3
+            if unpack(data, at)[0] == STRING and unpack(data, at + 4)[0] == 0:  # almost all are
+                value, at = text(data, at + 8)
+                return Any(TEXT, value), at
+            from rtshell_lite.corba.iiop import typecodes
+            descriptor, at = typecodes.read(data, at, order)
+            if descriptor in (0, 1):  # null, void
+                return Any(descriptor, None), at
+            if self.depth == descriptors.DEEPEST:
+                raise Fault("values inside values, deeper than %d" % descriptors.DEEPEST)
+            value, at = Maker(order, self.depth + 1).reader(descriptor)(data, at)
+            return Any(descriptor, value), at
+        return read
+
+    def write_any(self, _):
+        pack, text = self.count.pack, self.writer(TEXT)
+
+        def write(out, value):
+            if value.descriptor != TEXT:
+                raise Fault("an any of another type than string")  # others come, but are never sent
+            out += b"\0" * (-len(out) & 3) + pack(STRING) + pack(0)
+            text(out, value.content)
+        return write
+
+    def read_typecode(self, _):
+        order = self.order
+
+        def read(data, at):
+            from rtshell_lite.corba.iiop import typecodes
+            return typecodes.read(data, at, order)
+        return read

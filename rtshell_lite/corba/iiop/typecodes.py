@@ -1,0 +1,123 @@
+"""TypeCodes as descriptors (CORBA 3.0, 15.3.5.1), read from what a peer sends: every part is bounded.
+
+What is read first has no classes for its values; descriptors.adopted checks it, and makes them.
+"""
+import struct
+
+from rtshell_lite import errors
+from rtshell_lite.corba import descriptors
+from rtshell_lite.corba.descriptors import ALIAS, ARRAY, ENUM, EXCEPTION, FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING
+from rtshell_lite.corba.fixed_size import Fault
+
+INDIRECTION = 0xffffffff
+PLAIN = tuple(range(OBJECT)) + (23, 24, 25, 26)  # those of which the kind says all: null to Principal, long long to wchar
+
+
+def read(data, at, order):
+    """(descriptor, where it ends) of the TypeCode at `at`. Raises Fault, struct.error, IndexError."""
+    reader = _Reader(data, at, order, 0)
+    found = reader.typecode({}, descriptors.DEEPEST)
+    try:
+        return descriptors.adopted(found), reader.at
+    except errors.BadType as e:
+        raise Fault(str(e))
+
+
+class _Reader:
+    """Reads from a place on; `base` is where alignment counts from: the message, or the encapsulation around."""
+
+    left = descriptors.LARGEST
+
+    def __init__(self, data, at, order, base):
+        self.data, self.at, self.order, self.base = data, at, order, base
+
+    def number(self, code="I"):
+        form = struct.Struct(self.order + code)
+        self.at += -(self.at - self.base) % form.size
+        self.at += form.size
+        return form.unpack_from(self.data, self.at - form.size)[0]
+
+    def octets(self):
+        size = self.number()
+        self.at += size
+        if self.at > len(self.data):
+            raise Fault("octets without an end")
+        return self.data[self.at - size:self.at]
+
+    def text(self):
+        return bytes(self.octets()[:-1]).decode("latin-1")
+
+    def count(self):
+        """A count of parts, each of at least four octets."""
+        found = self.number()
+        if found * 4 > len(self.data) - self.at:
+            raise Fault("%d parts are announced, but %d octets are left" % (found, len(self.data) - self.at))
+        return found
+
+    def inside(self):
+        """A reader of the encapsulation that begins here, which is passed over."""
+        size, start = self.number(), self.at
+        self.at += size
+        if size == 0 or self.at > len(self.data):
+            raise Fault("an encapsulation without an end")
+        return _Reader(self.data, start + 1, "<" if self.data[start] & 1 else ">", start)
+
+    def typecode(self, known, depth):
+        """The descriptor here; `known` {place: descriptor, or the list that will hold it} is for indirections to it."""
+        if depth < 0:
+            raise Fault("types inside types, deeper than %d" % descriptors.DEEPEST)
+        kind = self.number()
+        place = self.at - 4
+        if kind == INDIRECTION:
+            offset = self.number("i")
+            found = known.get(self.at - 4 + offset)
+            if found is None:
+                raise Fault("an indirection to nowhere")
+            return (INDIRECT, found) if isinstance(found, list) else found
+        if kind in PLAIN:
+            return kind
+        if kind in (STRING, WSTRING):
+            found = (kind, self.number())
+        elif kind == FIXED:
+            found = (kind, self.number("H"), self.number("h"))
+        else:
+            hole = known[place] = [None]
+            hole[0] = found = self.inside().parts(kind, known, depth - 1)
+        known[place] = found
+        return found
+
+    def parts(self, kind, known, depth):
+        """The descriptor of a type whose parts are in this encapsulation."""
+        if kind in (SEQUENCE, ARRAY):
+            return kind, self.typecode(known, depth), self.number()
+        type_id, name = self.text(), self.text()
+        if kind == OBJECT:
+            return kind, type_id, name
+        if kind == ALIAS:
+            return kind, type_id, name, self.typecode(known, depth)
+        if kind == ENUM:
+            return descriptors.enum(type_id, name, [self.text() for _ in range(self.count())])
+        if kind in (STRUCT, EXCEPTION):
+            members = [(self.text(), self.typecode(known, depth)) for _ in range(self.count())]
+            return (kind, None, type_id, name) + tuple(part for member in members for part in member)
+        if kind == UNION:
+            return self.union(type_id, name, known, depth)
+        raise Fault(f"a type of kind {kind}")
+
+    def union(self, type_id, name, known, depth):
+        switch, default = self.typecode(known, depth), self.number("i")
+        sort = descriptors.kind(descriptors.plain(switch))
+        code = {descriptors.SHORT: "h", descriptors.USHORT: "H", descriptors.LONG: "i", descriptors.ULONG: "I", ENUM: "I",
+                descriptors.LONGLONG: "q", descriptors.ULONGLONG: "Q", descriptors.BOOLEAN: "B", descriptors.CHAR: "B"}.get(sort)
+        if code is None:
+            raise Fault("a union that is switched by what cannot switch one")
+        cases = []
+        for number in range(self.count()):
+            label = self.number(code)
+            label = chr(label) if sort == descriptors.CHAR else label
+            label = 0 if number == default and descriptors.kind(switch) != descriptors.CHAR else label
+            cases.append((descriptors.label(switch, label), self.text(), self.typecode(known, depth)))
+        if not -1 <= default < len(cases):
+            raise Fault("a union whose default is no case of it")
+        cases = tuple(descriptors.Case(case) for case in cases)
+        return (UNION, None, type_id, name, switch, default, cases, cases[default] if default >= 0 else None, None)

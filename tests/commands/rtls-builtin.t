@@ -1,0 +1,130 @@
+With RTSHELL_ORB=builtin, commands call components without omniORBpy, by an IIOP of their own; all of them but those that
+components have to call back. What they print is the same.
+
+world: two
+world: error
+world: manager --context managed.host_cxt/%n.rtc
+
+  $ export RTSHELL_ORB=builtin
+  $ rtls
+  Broken0.rtc
+  ConsoleIn0.rtc
+  ConsoleOut0.rtc
+  Err0.rtc
+  ErrStart0.rtc
+  $ rtls -l
+  Error     1/0  0/0  1/0  0/0  Broken0.rtc
+  Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  Inactive  1/0  1/0  0/0  0/0  ConsoleOut0.rtc
+  Inactive  1/0  0/0  1/0  0/0  Err0.rtc
+  Inactive  0/0  0/0  0/0  0/0  ErrStart0.rtc
+  $ rtls -R ../managed.host_cxt
+  .:
+  ConsoleIn0.rtc
+  ConsoleOut0.rtc
+  manager.mgr/
+
+  ./manager.mgr:
+  ConsoleIn0.rtc
+  ConsoleOut0.rtc
+  manager/
+
+  ./manager.mgr/manager:
+  ConsoleIn0.rtc
+  ConsoleOut0.rtc
+   (esc)
+  $ rtcat ConsoleIn0.rtc
+  ConsoleIn0.rtc  Inactive
+    Category       example
+    Description    Console input component
+    Instance name  ConsoleIn0
+    Type name      ConsoleIn
+    Vendor         Shinji Kurihara
+    Version        1.0
+    Parent\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
+    Type           Monolithic
+   +Extra properties
+  +Execution Context 0
+  +DataOutPort: out
+  $ rtcat -ll ConsoleIn0.rtc:out
+  -DataOutPort: out
+    data_type                                IDL:RTC/TimedLong:1.0
+    dataport.data_type                       IDL:RTC/TimedLong:1.0
+    dataport.dataflow_type                   push,pull,duplex
+    dataport.interface_option.corba_cdr\x20\x20\x20\x20\x20\x20 (esc)
+    dataport.interface_option.csp_channel\x20\x20\x20\x20 (esc)
+    dataport.interface_option.data_service\x20\x20\x20 (esc)
+    dataport.interface_option.direct\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
+    dataport.interface_option.shared_memory\x20\x20 (esc)
+    dataport.interface_type                  corba_cdr,csp_channel,data_service,direct,shared_memory
+    dataport.io_mode                         block,flush,new,nonblock,periodic
+    dataport.marshaling_types                cdr
+    dataport.subscription_type               block,flush,new,nonblock,periodic
+    port.port_type                           DataOutPort
+  $ rtcat nobody.rtc
+  rtcat: /localhost:$PORT/test.host_cxt/nobody.rtc: no such path
+  [3]
+  $ rtact --wait ConsoleIn0.rtc; rtls -l ConsoleIn0.rtc; rtdeact --wait ConsoleIn0.rtc
+  Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  $ rtact Broken0.rtc; rtreset Broken0.rtc
+  rtact: /localhost:$PORT/test.host_cxt/Broken0.rtc: cannot activate: it is in Error; reset it first
+  $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcat -l ConsoleOut0.rtc:in
+  -DataInPort: in
+    data_type                                IDL:RTC/TimedLong:1.0
+    dataport.data_type                       IDL:RTC/TimedLong:1.0
+    dataport.dataflow_type                   push,pull,duplex
+    dataport.interface_option.corba_cdr\x20\x20\x20\x20\x20\x20 (esc)
+    dataport.interface_option.csp_channel\x20\x20\x20\x20 (esc)
+    dataport.interface_option.data_service\x20\x20\x20 (esc)
+    dataport.interface_option.direct\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
+    dataport.interface_option.shared_memory\x20\x20 (esc)
+    dataport.interface_type                  corba_cdr,csp_channel,data_service,direct,shared_memory
+    dataport.marshaling_types                cdr
+    dataport.subscription_type               Any
+    port.port_type                           DataInPort
+   +Connected to  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
+  $ rtdis -v ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtdis: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: removed connection $UUID
+  $ rtconf -l ConsoleIn0.rtc
+  -default*
+  $ rtec ConsoleIn0.rtc
+  0  0  Periodic  1000  Running  Inactive  ConsoleIn0  -
+  $ rtmgr --factories ../managed.host_cxt/manager.mgr | head -3
+  RTC:Shinji Kurihara, AIST:example:Controller:Python:1.0
+  RTC:Shinji Kurihara, AIST:example:Motor:Python:1.0
+  RTC:Shinji Kurihara, AIST:example:Sensor:Python:1.0
+  $ rtmgr -c ConsoleIn ../managed.host_cxt/manager.mgr; rtls ../managed.host_cxt/manager.mgr; rtmgr -d ConsoleIn1 ../managed.host_cxt/manager.mgr
+  ConsoleIn0.rtc
+  ConsoleIn1.rtc
+  ConsoleOut0.rtc
+  manager/
+  $ rtfind . -t c
+  /localhost:$PORT/test.host_cxt/Broken0.rtc
+  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
+  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+  /localhost:$PORT/test.host_cxt/Err0.rtc
+  /localhost:$PORT/test.host_cxt/ErrStart0.rtc
+  $ rtcryo -o system.xml --all .; rtcheck -s inactive system.xml; rtteardown system.xml; rtresurrect system.xml
+  $ rtinject -c 3 ConsoleOut0.rtc:in
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it is Inactive and would read the values at some later connection; rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc first, or --anyway
+  [1]
+  $ rtact --wait ConsoleOut0.rtc; rtinject -c 3 ConsoleOut0.rtc:in; ctl @two received ConsoleOut0:in 1
+  1 3
+  $ kill-mock two; rtls; rtls -l
+  Broken0.rtc
+  *ConsoleIn0.rtc
+  *ConsoleOut0.rtc
+  Err0.rtc
+  ErrStart0.rtc
+  Inactive  1/0  0/0  1/0  0/0  Broken0.rtc
+  -         -    -    -    -    *ConsoleIn0.rtc
+  -         -    -    -    -    *ConsoleOut0.rtc
+  Inactive  1/0  0/0  1/0  0/0  Err0.rtc
+  Inactive  0/0  0/0  0/0  0/0  ErrStart0.rtc
+  $ rtls /localhost:1 /no.such.host
+  rtls: /localhost:1: connection refused; is the name server running?
+  rtls: /no.such.host: host name not known
+  [4]
+  $ RTSHELL_ORB=tao rtls
+  rtls: RTSHELL_ORB: tao: neither omniorb nor builtin (see --help)
+  [2]

@@ -1,0 +1,375 @@
+"""Our own ORB: what it writes is what omniORB reads, and the other way round; nothing that a peer sends costs more than one line."""
+import random
+import socket
+import struct
+import threading
+import time
+import unittest
+
+import random_values
+import worlds
+from rtshell_lite import errors
+from rtshell_lite.corba import cdr, descriptors, idl, lanes
+from rtshell_lite.corba.fixed_size import Fault
+from rtshell_lite.corba.iiop import client, giop, marshal, operations, references, typecodes
+
+try:
+    import omniORB
+    from omniORB import CORBA
+    from rtshell_lite.corba import omni
+    from rtshell_lite.idl_stubs.component import RTC
+    from rtshell_lite.idl_stubs.data import RTC as Data
+except ImportError:
+    omniORB = None
+
+COMPONENT = "IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0"
+
+
+class Tables(unittest.TestCase):
+    """idl_stubs/tables.py, as corba/idl.py reads it."""
+
+    def test_all_types(self):
+        for type_id in idl.TYPES:
+            self.assertEqual(descriptors.type_id(idl.known(type_id)) or idl.known(type_id)[2], type_id)
+        self.assertIsNone(idl.known("IDL:RTC/Missing:1.0"))
+
+    def test_names(self):
+        for name, type_id in (("component.RTC.PortService", "IDL:omg.org/RTC/PortService:1.0"),
+                              ("manager.RTM.Manager", "IDL:RTM/Manager:1.0"),
+                              ("component.OpenRTM.DataFlowComponent", COMPONENT),
+                              ("CosNaming.NameComponent", "IDL:omg.org/CosNaming/NameComponent:1.0"),
+                              ("component.SDOPackage.NameValue", "IDL:org.omg/SDOPackage/NameValue:1.0")):
+            self.assertEqual(idl.id_of(name), type_id)
+
+    def test_inherited_operations(self):
+        for name in ("get_ports", "get_component_profile", "get_owned_contexts", "get_configuration", "_non_existent"):
+            operations.operation(COMPONENT, name)
+        with self.assertRaises(KeyError):
+            operations.operation(COMPONENT, "no_such")
+
+    @unittest.skipIf(omniORB is None, "needs omniORBpy")
+    def test_same_as_the_stubs(self):
+        """The words and members of every type that stubs register."""
+        compared = 0
+        for type_id in idl.TYPES:
+            stub = omniORB.typeMapping.get(type_id)
+            if stub is not None and descriptors.kind(stub) != descriptors.EXCEPTION:
+                compared += 1
+                ours = [(where, descriptors.words(part)) for where, part in descriptors.walk(idl.known(type_id), "")]
+                self.assertEqual(ours, [(where, descriptors.words(part)) for where, part in descriptors.walk(stub, "")])
+        self.assertGreater(compared, 30)
+
+
+class Messages(unittest.TestCase):
+    """GIOP as octets."""
+
+    def test_request(self):
+        found = bytes(giop.request(7, (1, 2), b"key", "op", []))
+        self.assertEqual(found, b"GIOP\1\2\1\0" + struct.pack("<I", len(found) - 12) + struct.pack("<I", 7) + b"\3\0\0\0" + bytes(4)
+                         + b"\3\0\0\0key\0" + b"\3\0\0\0op\0\0" + bytes(4))
+
+    def test_arguments_begin_at_a_multiple_of_8(self):
+        written = []
+        giop.request(1, (1, 2), b"k" * 5, "op", [(lambda out, value: written.append(len(out) % 8), None)])
+        self.assertEqual(written, [0])
+
+    def test_versions(self):
+        for minor, principal in ((0, 4), (1, 4)):
+            found = bytes(giop.request(9, (1, minor), b"key!", "op", []))
+            self.assertEqual(found[4:6], bytes([1, minor]))
+            self.assertEqual(struct.unpack_from("<II", found, 12), (0, 9))
+            self.assertEqual(found[-principal:], bytes(principal))
+
+    def test_replies(self):
+        for order, flag in (("<", 1), (">", 0)):
+            head = b"GIOP\1\2" + bytes([flag, 1]) + struct.pack(order + "I", 16)
+            self.assertEqual(giop.reply(head + struct.pack(order + "IIII", 5, 0, 0, 0)), (5, 0, flag, 24))
+            old = b"GIOP\1\0" + bytes([flag, 1]) + struct.pack(order + "I", 28)
+            contexts = struct.pack(order + "III", 1, 77, 3) + b"abc\0"
+            self.assertEqual(giop.reply(old + contexts + struct.pack(order + "II", 5, 2)), (5, 2, flag, 36))
+
+    def test_garbage(self):
+        for data in (b"HTTP/1.1 200", b"GIOP\2\0\1\1\0\0\0\0", b"GIOP\1\3\1\1\0\0\0\0", b"GIOP\1\2\1\x09\0\0\0\0",
+                     b"GIOP\1\2\1\1\xff\xff\xff\x7f"):
+            with self.assertRaises(giop.Garbled, msg=data):
+                giop.size(data)
+        with self.assertRaises((giop.Garbled, struct.error)):
+            giop.reply(b"GIOP\1\2\1\1" + bytes(12) + struct.pack("<III", 1, 1, 0xfffffff0))
+
+
+class References(unittest.TestCase):
+    def test_addresses(self):
+        for url, wanted in (("corbaloc:iiop:1.2@host:2809/Name%20Service", ("host", 2809, b"Name Service")),
+                            ("corbaloc:iiop:1.0@[::1]:1/x", ("::1", 1, b"x")), ("corbaloc::a:5/", ("a", 5, b""))):
+            ref = client.from_url("w", url)
+            self.assertEqual(ref.address[1:], wanted)
+            again = references.from_text(ref.text())
+            self.assertEqual((again.address, again.target), (ref.address, ref.target))
+        self.assertEqual(client.from_url("w", "corbaloc:iiop:1.0@a:1/x").target[0], (1, 0))
+        for url in ("corbaloc:shmiop:x/y", "https://a/b#c", "corbaloc:iiop:a/x"):
+            with self.assertRaises(errors.BadPath):
+                client.from_url("w", url)
+
+    def test_identity(self):
+        one, other = [client.from_url("w", f"corbaloc::a:5/{key}") for key in "xy"]
+        self.assertTrue(client.same(one, client.from_url("w", "corbaloc:iiop:1.0@a:5/x")))
+        self.assertFalse(client.same(one, other))
+        self.assertIs(client.narrow(one, "manager.RTM.Manager").profiles, one.profiles)
+
+
+@unittest.skipIf(omniORB is None, "needs omniORBpy")
+class Values(unittest.TestCase):
+    """An any as omniORB writes it."""
+
+    def setUp(self):
+        self.orb = omni.start()
+
+    def read(self, typecode, value, little=True):
+        data = omniORB.cdrMarshal(CORBA.TC_any, CORBA.Any(typecode, value), little)
+        found, at = marshal.Maker("<" if little else ">").reader(descriptors.ANY)(data, 0)
+        self.assertEqual(at, len(data))
+        return found
+
+    def test_plain(self):
+        for little in (True, False):
+            self.assertEqual(self.read(CORBA.TC_string, "gr\xfc\xdfe", little).content, "gr\xfc\xdfe")
+            self.assertEqual(self.read(CORBA.TC_double, 1.5, little).content, 1.5)
+            self.assertEqual(self.read(CORBA.TC_octet, 7, little).content, 7)
+            self.assertIsNone(self.read(CORBA.TC_null, None, little).content)
+            self.assertEqual(self.read(CORBA.TC_any, CORBA.Any(CORBA.TC_long, 3), little).content.content, 3)
+
+    def test_structures(self):
+        inner = self.orb.create_struct_tc("IDL:T/Inner:1.0", "Inner", [CORBA.StructMember("x", CORBA.TC_double, None)])
+        many = self.orb.create_sequence_tc(0, inner)
+        color = RTC._tc_LifeCycleState
+        other = self.orb.create_alias_tc("IDL:T/Other:1.0", "Other", many)
+        whole = self.orb.create_struct_tc("IDL:T/Whole:1.0", "Whole", [
+            CORBA.StructMember(name, code, None) for name, code in (("a", other), ("b", color), ("c", inner), ("d", inner))])
+        for little in (True, False):
+            descriptor = self.read(self.orb.create_sequence_tc(0, whole), [], little).descriptor
+            self.assertEqual([words for _, words in [(w, descriptors.words(p)) for w, p in descriptors.walk(descriptor, "")]][:2],
+                             ["sequence<Whole>", "Whole"])
+            self.assertEqual(descriptors.members(descriptors.element(descriptor))[3][0], "d")
+
+    def test_union(self):
+        for switch, labels in ((CORBA.TC_long, (5, -6)), (CORBA.TC_boolean, (1, 0)), (CORBA.TC_char, ("x", "y"))):
+            cases = [CORBA.UnionMember(name, CORBA.Any(switch, label), code, None)
+                     for name, label, code in (("a", labels[0], CORBA.TC_long), ("b", labels[1], CORBA.TC_string))]
+            made = self.orb.create_union_tc("IDL:T/U:1.0", "U", switch, cases)
+            descriptor = self.read(self.orb.create_sequence_tc(0, made), []).descriptor
+            self.assertEqual([case.member for case in descriptors.cases(descriptors.element(descriptor))], ["a", "b"])
+
+    def test_standard_types(self):
+        """A random value of each standard data type, inside an any."""
+        rng = random.Random(3)
+        for name in sorted(name for name in vars(Data) if name.startswith("_tc_") and "WChar" not in name and "WString" not in name):
+            descriptor, code = idl.known(f"IDL:RTC/{name[4:]}:1.0"), getattr(Data, name)
+            if descriptor is None or descriptors.kind(descriptor) != descriptors.STRUCT:
+                continue
+            data, again = bytearray(), bytearray()
+            cdr.codec(descriptor, True)[1](data, random_values.value(rng, descriptor))
+            found = self.read(code, omniORB.cdrUnmarshal(code, bytes(data), 1))
+            marshal.Maker("<").writer(found.descriptor)(again, found.content)
+            self.assertEqual(again, data, name)
+
+
+class Hostile(unittest.TestCase):
+    """TypeCodes that no honest peer sends: each is refused at once, and takes no memory."""
+
+    def refuse(self, data):
+        start = time.process_time()
+        with self.assertRaises((Fault, struct.error, IndexError)):
+            typecodes.read(data, 0, "<")
+        self.assertLess(time.process_time() - start, 1)
+
+    def test_typecodes(self):
+        def capsule(kind, body):
+            return struct.pack("<II", kind, len(body) + 4) + b"\1\0\0\0" + body
+
+        name = struct.pack("<I", 2) + b"x\0\0\0"
+        self.refuse(struct.pack("<I", 99))
+        self.refuse(struct.pack("<Ii", 0xffffffff, -4))
+        self.refuse(struct.pack("<II", descriptors.STRUCT, 0xfffffff0))
+        self.refuse(capsule(descriptors.STRUCT, name + name + struct.pack("<I", 0x0fffffff)))
+        self.refuse(capsule(descriptors.STRUCT, name + name + struct.pack("<I", 0)))
+        self.refuse(capsule(descriptors.ENUM, name + name + struct.pack("<I", 0)))
+        self.refuse(capsule(descriptors.UNION, name + name + struct.pack("<III", descriptors.DOUBLE, 0, 0)))
+        self.refuse(capsule(descriptors.UNION, name + name + struct.pack("<III", descriptors.LONG, 3, 0)))
+        self.refuse(capsule(descriptors.ARRAY, struct.pack("<II", descriptors.OCTET, 0xffffffff)))
+        deep = struct.pack("<I", descriptors.LONG)
+        for _ in range(200):
+            deep = capsule(descriptors.SEQUENCE, deep + struct.pack("<I", 0))
+        self.refuse(deep)
+
+    def test_a_type_inside_itself_without_a_sequence(self):
+        name = struct.pack("<I", 2) + b"x\0\0\0"
+        body = name + name + struct.pack("<I", 1) + name
+        self.refuse(struct.pack("<II", descriptors.STRUCT, len(body) + 12) + b"\1\0\0\0" + body
+                    + struct.pack("<Ii", 0xffffffff, -(len(body) + 16)))
+
+    def test_values(self):
+        read = marshal.Maker("<").reader(descriptors.ANY)
+        for data in (struct.pack("<III", 18, 0, 0xffffffff) + b"x", struct.pack("<III", 18, 0, 3) + b"abc", struct.pack("<II", 18, 0)):
+            with self.assertRaises((Fault, struct.error)):
+                read(data, 0)
+        with self.assertRaises(Fault):
+            marshal.Maker("<").reader((descriptors.OBJECT, "", ""))(struct.pack("<II", 0, 1000), 0)
+        nested = struct.pack("<I", descriptors.ANY) * 200 + struct.pack("<Ii", descriptors.LONG, 1)
+        with self.assertRaises(Fault):
+            read(nested, 0)
+
+
+CLOSE = b"GIOP\1\2\1\5" + bytes(4)
+
+
+class Peer:
+    """A process that answers each message with the next of some octets; what is None closes the connection."""
+
+    def __init__(self, *answers):
+        self.listening = socket.socket()
+        self.listening.bind(("127.0.0.1", 0))
+        self.listening.listen(5)
+        self.answers, self.asked = list(answers), 0
+        self.port = self.listening.getsockname()[1]
+        threading.Thread(target=self._serve, daemon=True).start()
+
+    def _serve(self):
+        while True:
+            try:
+                connection, _ = self.listening.accept()
+            except OSError:
+                return
+            with connection:
+                while connection.recv(65536):
+                    self.asked += 1
+                    answer = self.answers.pop(0) if self.answers else b""
+                    connection.sendall(answer or b"")
+                    if answer is None or answer.endswith(CLOSE):
+                        break
+
+    def close(self):
+        self.listening.shutdown(socket.SHUT_RDWR)  # or the thread that accepts keeps it open
+        self.listening.close()
+
+
+def answer(number, body=b"\0", status=0, minor=2, order="<"):
+    """A reply, whole."""
+    head = struct.pack(order + "II", number, status)
+    head = head + bytes(4) if minor == 2 else bytes(4) + head
+    return b"GIOP\1" + bytes([minor, order == "<", 1]) + struct.pack(order + "I", len(head + body)) + head + body
+
+
+class Calls(unittest.TestCase):
+    """_non_existent of an object at a peer that does this and that."""
+
+    def setUp(self):
+        before = lanes.session
+        lanes.session = lanes.Session(2)
+        self.addCleanup(setattr, lanes, "session", before)
+
+    def ask(self, *answers, times=1):
+        self.peer = Peer(*answers)
+        self.addCleanup(self.peer.close)
+        ref = client.from_url("w", f"corbaloc::127.0.0.1:{self.peer.port}/x")
+        for _ in range(times):
+            found = client.invoke("w", ref, "_non_existent", (), None)
+        return found
+
+    def test_answers(self):
+        for order in "<>":
+            for minor in (0, 1, 2):
+                self.assertIs(self.ask(answer(1, b"\1", minor=minor, order=order)), True)
+
+    def test_fragments(self):
+        whole = answer(1, b"\1")
+        for cut in (24, 25):
+            first = whole[:6] + b"\3\1" + struct.pack("<I", cut - 12) + whole[12:cut]
+            rest = b"GIOP\1\2\1\7" + struct.pack("<I", 4 + len(whole) - cut) + struct.pack("<I", 1) + whole[cut:]
+            self.assertIs(self.ask(first + rest), True)
+
+    def test_connections_that_are_closed(self):
+        self.assertIs(self.ask(answer(1), None, answer(1, b"\1"), times=2), True)  # an old one: asked again
+        self.assertIs(self.ask(answer(1) + CLOSE, answer(1, b"\1"), times=2), True)
+        for answers in ((None,), (CLOSE,)):
+            with self.assertRaises(errors.Unreachable) as caught:
+                self.ask(*answers)
+            self.assertEqual(caught.exception.why, "connection lost")
+
+    def test_garbage(self):
+        for bad in (b"HTTP/1.1 400 Bad Request\r\n\r\n", answer(2), answer(1, b""), b"GIOP\1\2\1\6" + bytes(4), answer(1, status=9),
+                    b"GIOP\1\2\1\1\xff\xff\xff\xff", b"GIOP\1\2\1\7" + bytes(4)):
+            with self.assertRaises(errors.Unreachable, msg=bad) as caught:
+                self.ask(bad)
+            self.assertIn("garbled answer", str(caught.exception))
+
+    def test_exceptions(self):
+        def system(name, minor=0):
+            type_id = f"IDL:omg.org/CORBA/{name}:1.0".encode() + b"\0"
+            return answer(1, struct.pack("<I", len(type_id)) + type_id + bytes(-len(type_id) % 4) + struct.pack("<II", minor, 1), 2)
+
+        for name, minor, kind, why in (
+                ("OBJECT_NOT_EXIST", 0, errors.Gone, ""), ("TRANSIENT", 1, errors.Unreachable, "cannot be reached now"),
+                ("MARSHAL", 0, errors.Unreachable, "garbled answer"), ("COMM_FAILURE", 0, errors.Unreachable, "lost"),
+                ("BAD_PARAM", 0x41540015, errors.Refused, "BAD_PARAM_IndexOutOfRange"),
+                ("NO_PERMISSION", 0, errors.Refused, "CORBA.NO_PERMISSION"), ("TIMEOUT", 0, errors.Silent, "")):
+            with self.assertRaises(kind, msg=name) as caught:
+                self.ask(system(name, minor))
+            self.assertIn(why, str(caught.exception))
+
+    def test_forwards(self):
+        target = Peer(answer(1, b"\1"))
+        self.addCleanup(target.close)
+        body = bytearray(24)
+        marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(body, client.from_url("w", f"corbaloc::127.0.0.1:{target.port}/x"))
+        self.assertIs(self.ask(answer(1, bytes(body[24:]), giop.FORWARD)), True)
+        self.assertEqual(target.asked, 1)
+
+    def test_deadlines(self):
+        lanes.session = lanes.Session(0.3)
+        start = time.monotonic()
+        with self.assertRaises(errors.Silent):
+            self.ask(b"GIOP")
+        self.assertGreaterEqual(time.monotonic() - start, 0.29)
+
+    def test_nobody_listens(self):
+        with socket.socket() as bound:
+            bound.bind(("127.0.0.1", 0))
+            ref = client.from_url("w", "corbaloc::127.0.0.1:%d/x" % bound.getsockname()[1])
+            with self.assertRaises(errors.ConnectionRefused):
+                client.invoke("w", ref, "_non_existent", (), None)
+
+
+@unittest.skipIf(omniORB is None, "needs omniORBpy")
+class Beside(unittest.TestCase):
+    """The same answers of mocks by both ORBs."""
+
+    @classmethod
+    def setUpClass(cls):
+        worlds.start_name_server()
+
+    @classmethod
+    def tearDownClass(cls):
+        worlds.Server.stop()
+
+    def test_profiles(self):
+        world = worlds.World("two")
+        self.addCleanup(world.close)
+        ref = references.from_text(worlds.Server.orb.object_to_string(world.component("ConsoleIn0")))
+        component = client.narrow(ref, "component.OpenRTM.DataFlowComponent")
+        ours = client.invoke("w", component, "get_component_profile", (), None)
+        theirs = world.component("ConsoleIn0").get_component_profile()
+        for name in ("instance_name", "type_name", "vendor", "category"):
+            self.assertEqual(getattr(ours, name), getattr(theirs, name))
+        self.assertEqual(client.properties(ours.properties), omni.properties(theirs.properties))
+        port = ours.port_profiles[0]
+        self.assertEqual(client.properties(port.properties), omni.properties(theirs.port_profiles[0].properties))
+        self.assertEqual(client.address(port.port_ref), omni.address(theirs.port_profiles[0].port_ref))
+
+    def test_user_exceptions(self):
+        world = worlds.World("two")
+        self.addCleanup(world.close)
+        root = client.narrow(client.from_url("w", "corbaloc::127.0.0.1:%d/NameService" % worlds.Server.port), "CosNaming.NamingContext")
+        name = [client.struct("CosNaming.NameComponent")("nobody", "")]
+        with self.assertRaises(errors.Refused) as caught:
+            client.invoke("w", root, "resolve", (name,), None)
+        self.assertEqual(caught.exception.name, "NotFound")
