@@ -56,7 +56,10 @@ class Maker:
         if form:
             hole[0] = getattr(self, verb + "_fixed")(form)
         else:
-            hole[0] = getattr(self, f"{verb}_{self.forms[kind(descriptor)]}")(descriptor)
+            form = self.forms.get(kind(descriptor))
+            if form is None:
+                raise Fault(f"a value of kind {kind(descriptor)}")
+            hole[0] = getattr(self, f"{verb}_{form}")(descriptor)
         return hole[0]
 
     def read_fixed(self, form):

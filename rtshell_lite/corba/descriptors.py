@@ -48,6 +48,10 @@ class Struct:
             raise TypeError(f"{type(self).__name__} takes {len(self._members)} members")
         self.__dict__.update(zip(self._members, values))
 
+    def __repr__(self):
+        members = ", ".join(f"{name}={getattr(self, name)!r}" for name in self._members)
+        return f"{dotted(self._NP_RepositoryId)}({members})"
+
 
 class Union:
     """A value of a union whose class no stub gives: its discriminator `_d` and its value `_v`."""

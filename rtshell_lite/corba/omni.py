@@ -11,6 +11,8 @@ from rtshell_lite.text import from_wire, printable, to_wire
 PROBING = 4  # a host has a quarter of the timeout to refuse a connection
 CONNECTIONS = 5  # omniORB opens at most so many to one process (maxGIOPConnectionPerServer)
 
+HAS_SERVANTS = True
+
 _started = None  # the ORB, once there is one
 _deadline = None  # s, the deadline that it was given
 _starting = threading.RLock()

@@ -11,7 +11,7 @@ from rtshell_lite.text import printable, to_wire
 
 NO_USABLE_ADDRESS = errors.NO_USABLE_ADDRESS
 
-_orb = None  # the module that has the functions below which begin with _orb
+_orb = None  # the module of the ORB, omni or iiop.client
 
 
 def start():
@@ -30,6 +30,13 @@ def _chosen():
         from rtshell_lite.corba.iiop import client
         return client
     raise errors.Usage(f"RTSHELL_ORB: {printable(name)}: neither omniorb nor builtin")
+
+
+def need_servants():
+    """Start the ORB; call this before `servants` is imported. Raises what `start` raises, and Usage if the ORB has no servants."""
+    start()
+    if not _orb.HAS_SERVANTS:
+        raise errors.Usage("RTSHELL_ORB=builtin: components cannot call us back by it yet; unset it for this command")
 
 
 def version():

@@ -4,11 +4,10 @@ import socket
 import struct
 import time
 
+from omniORB import CORBA
 from rtshell_lite import errors
 from rtshell_lite.corba import omni, orb
-
-CORBA = omni.import_omniorb()  # raises MissingOmniORB: the builtin ORB has no servants yet
-from rtshell_lite.idl_stubs.dataport import RTC, RTC__POA, OpenRTM, OpenRTM__POA  # noqa: E402
+from rtshell_lite.idl_stubs.dataport import RTC, RTC__POA, OpenRTM, OpenRTM__POA
 
 
 class InPortCdr(OpenRTM__POA.InPortCdr):

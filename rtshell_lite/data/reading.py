@@ -55,6 +55,7 @@ class Reader(Connection):
         common = {"dataport.buffer.length": str(self.room)}
         if self.dataflow == "pull":
             return dict(common, **{"dataport.subscription_type": "new", "dataport.buffer.read.empty_policy": "do_nothing"})
+        orb.need_servants()
         from rtshell_lite.corba import servants
         sys.setswitchinterval(SWITCH)
         self.served = servants.Served(servants.RECEIVERS[self.interface](self._take))

@@ -40,9 +40,10 @@ def _programs():
     except errors.MissingOmniORB:
         return [fail("omniORBpy", HERE, f"{python} has no omniORBpy: nothing can be asked",
                      remedies.words("install omniORBpy"))]
-    found = [ok("omniORBpy", HERE, f"{python}, omniORBpy {version}")]
-    if _number(version.partition(".")[0]) < 4:
-        found = [warn("omniORBpy", HERE, f"{python}, omniORBpy {version}: older than 4.0, untried",
+    found = [ok("omniORBpy", HERE, f"{python}, {version}")]
+    name, _, number = version.partition(" ")
+    if name == "omniORBpy" and _number(number.partition(".")[0]) < 4:
+        found = [warn("omniORBpy", HERE, f"{python}, {version}: older than 4.0, untried",
                       remedies.words("install omniORBpy"))]
     try:
         orb.start()

@@ -79,6 +79,7 @@ class Subscription:
                 raise errors.Refused(self.where, f"does not take {self.interface}")
 
     def _profile(self):
+        orb.need_servants()
         from rtshell_lite.corba import servants
         if self._served is None:
             self._served = servants.Served(self._servant)

@@ -110,6 +110,27 @@ world: manager --context managed.host_cxt/%n.rtc
   [1]
   $ rtact --wait ConsoleOut0.rtc; rtinject -c 3 ConsoleOut0.rtc:in; ctl @two received ConsoleOut0:in 1
   1 3
+  $ rtprint -n 1 ConsoleIn0.rtc:out
+  rtprint: RTSHELL_ORB=builtin: components cannot call us back by it yet; unset it for this command (see --help)
+  [2]
+  $ rtwatch ConsoleIn0.rtc
+  rtwatch: RTSHELL_ORB=builtin: components cannot call us back by it yet; unset it for this command (see --help)
+  [2]
+  $ rtvlog ConsoleIn0.rtc
+  rtvlog: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: takes no loggers
+  [6]
+  $ printf '%s\n' 'rtls' 'rtcat ConsoleIn0.rtc:out' | rtsh
+  Broken0.rtc
+  ConsoleIn0.rtc
+  ConsoleOut0.rtc
+  Err0.rtc
+  ErrStart0.rtc
+  +DataOutPort: out
+  $ rtls '/a..b'
+  rtls: /a..b: host name not known
+  [4]
+  $ rtdoctor -v | head -1
+  ok    here: Python *, builtin ORB (glob)
   $ kill-mock two; rtls; rtls -l
   Broken0.rtc
   *ConsoleIn0.rtc

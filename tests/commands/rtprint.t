@@ -48,7 +48,7 @@ One member, Python's spelling, a function of one's own:
   $ printing rtprint --field data -n 1 ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 7; wait $pid
   7
   $ printing rtprint -n 1 ConsoleIn0.rtc:out#rtshell.rawpy; ctl write ConsoleIn0:out 7; wait $pid
-  rtshell_lite.idl_stubs.data.RTC.TimedLong(tm=rtshell_lite.idl_stubs.data.RTC.Time(sec=0, nsec=0), data=7)
+  RTC.TimedLong(tm=RTC.Time(sec=0, nsec=0), data=7)
   $ printing rtprint -p . -n 1 ConsoleIn0.rtc:out#spell.half; ctl write ConsoleIn0:out 7; wait $pid
   3.5
   $ printing rtprint -p . -n 1 ConsoleIn0.rtc:out#spell.wrong; ctl write ConsoleIn0:out 7; wait $pid

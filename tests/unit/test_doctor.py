@@ -42,7 +42,7 @@ class Profile(unittest.TestCase):
 
 class Here(unittest.TestCase):
     def test_an_old_omniorb(self):
-        with mock.patch.object(orb, "version", lambda: "3.7.1"), mock.patch.object(orb, "start"):
+        with mock.patch.object(orb, "version", lambda: "omniORBpy 3.7.1"), mock.patch.object(orb, "start"):
             finding, = here._programs()
         self.assertEqual(finding.level, "warn")
         self.assertIn("omniORBpy 3.7.1: older than 4.0, untried", finding.message)

@@ -227,7 +227,7 @@ class Disconnecting(Case):
         with mock.patch("rtshell_lite.corba.orb.endpoint", lambda ref: ("10.0.0.2", 4000)), \
                 self.assertRaises(errors.Uncertain) as caught:
             self.play("RTC_ERROR", self.FREE, errors.Silent("x", "no answer within 3s"), ends=["A.out", "B.in"])
-        self.assertIn("connection id is removed here, its end at 10.0.0.2:4000 says nothing (no answer within 3s)",
+        self.assertIn("connection id is removed here, its end at 10.0.0.2:4000 does not answer (no answer within 3s)",
                       str(caught.exception))
 
     def test_never(self):

@@ -1,7 +1,8 @@
 """Our own ORB, as orb.py needs it: references, calls with a deadline, exceptions of peers as errors. No servants yet.
 
-A call is made on the thread that asks; each thread keeps its own connections, one to a process.
+A call is made on the thread that asks, on a connection that nobody else uses meanwhile.
 """
+import collections
 import re
 import socket
 from struct import error as StructError
@@ -18,7 +19,12 @@ FORWARDS = 8  # at most, from one object to another
 _CORBALOC = re.compile(r"corbaloc:(?:iiop)?:(?:1\.([0-2])@)?(\[[^]]*\]|[^:/]*):(\d+)/(.*)\Z", re.DOTALL)
 _ASKING = ("get_", "is_", "_")  # operations that change nothing begin so
 
-_kept = threading.local()
+_OBJECT = (descriptors.OBJECT, "", "Object")
+
+HAS_SERVANTS = False
+
+_idle = collections.defaultdict(list)  # by endpoint: connections for the next calls, at most one for each lane
+_lock = threading.Lock()
 
 
 def start():
@@ -34,7 +40,7 @@ def version():
 def from_url(where, url):
     """The reference of a corbaloc; contacts nobody. Raises BadPath."""
     match = _CORBALOC.match(url)
-    if not match:
+    if not match or int(match.group(3)) > 65535:
         raise errors.BadPath(f"{where}: not an address (the builtin ORB speaks IIOP only)")
     minor, host, port, key = match.groups()
     key = re.sub(b"%([0-9a-fA-F]{2})", lambda found: bytes([int(found.group(1), 16)]), key.encode("utf-8", "surrogateescape"))
@@ -67,7 +73,7 @@ def narrow(ref, interface):
 
 def same(one, other):
     """True if two references denote one object, as far as can be known without a remote call."""
-    return one.address[1:] == other.address[1:]
+    return one.address[1:] == other.address[1:] if one.address.host else one.profiles == other.profiles
 
 
 # ---- calls ----------------------------------------------------------------------------------------------------
@@ -84,7 +90,7 @@ def invoke(where, ref, operation, args, seconds):
     except connections.Closed:
         raise errors.Unreachable(str(where), "connection lost")
     except (ValueError, StructError, IndexError, RecursionError) as e:
-        raise errors.Unreachable(str(where), f"garbled answer ({e})")
+        raise errors.Garbled(str(where), str(e))
     except ConnectionRefusedError:
         raise errors.ConnectionRefused(str(where))
     except OSError as e:
@@ -102,7 +108,7 @@ def _result(where, ref, operation, op, args, end):
         if status == giop.NO_EXCEPTION:
             return _values(op.results[little], data, at)
         if status in (giop.FORWARD, giop.FORWARD_PERM):
-            ref, _ = operations.reader((descriptors.OBJECT, interface, ""), little)(data, at)
+            ref, _ = operations.reader(idl.descriptor(interface) if interface else _OBJECT, little)(data, at)
             if ref is None:
                 raise ValueError("forwarded to nobody")
         elif status == giop.SYSTEM_EXCEPTION:
@@ -125,29 +131,59 @@ def _values(readers, data, at):
 def _asked(ref, operation, op, args, end):
     """The reply, as octets. A question is asked again, once, where an old connection is lost: it may have been so before."""
     version, endpoint, key = ref.target
-    kept = _kept.__dict__.setdefault("connections", {})
     asks = operation.startswith(_ASKING) or operation in ("list", "resolve")
-    old = kept.pop(endpoint, None)
+    with _lock:
+        old = _idle[endpoint].pop() if _idle[endpoint] else None
     for connection in [old, None] if old else [None]:
+        reply = None
         try:
-            connection = connection or connections.Connection(endpoint, end)
+            connection = connection or _connected(ref, endpoint, end)
             connection.number += 1
-            connection.send(giop.request(connection.number, version, key, operation, list(zip(op.arguments, args))), end)
-            data = connection.reply(end)
-            kept[endpoint] = connection
-            return data
+            connection.send(_request(connection.number, version, key, operation, op, args), end)
+            reply = connection.reply(end)
+            return reply
         except (connections.Closed, ConnectionResetError, BrokenPipeError) as e:
             if connection is not old or not (asks or getattr(e, "untouched", False)):
                 raise connections.Closed()
         finally:
-            if connection is not None and kept.get(endpoint) is not connection:
-                connection.close()
+            if connection is not None:
+                _keep(connection, endpoint, reply is not None)
     raise connections.Closed()
+
+
+def _request(number, version, key, operation, op, args):
+    """A request as octets. Raises TypeError for arguments that are of another type: that is no fault of the peer."""
+    try:
+        return giop.request(number, version, key, operation, list(zip(op.arguments, args)))
+    except (ValueError, StructError) as e:
+        raise TypeError(f"{operation}: {e}")
+
+
+def _connected(ref, endpoint, end):
+    """A connection with the process of a reference, at the first of its addresses where somebody listens."""
+    try:
+        return connections.Connection(endpoint, end)
+    except OSError:
+        for address in ior.addresses(ref.text())[1:]:
+            try:
+                return connections.Connection(address, end)
+            except OSError:
+                continue
+        raise
+
+
+def _keep(connection, endpoint, is_usable):
+    """Keep a connection for the next call to its process, or close it."""
+    with _lock:
+        if is_usable and len(_idle[endpoint]) < lanes.LANES:
+            _idle[endpoint].append(connection)
+            return
+    connection.close()
 
 
 def _system_exception(where, data, at, little):
     """The errors.Error for a system exception: its id, its minor code, and whether the operation was completed."""
-    name, at = operations.reader((descriptors.STRING, 0), little)(data, at)
+    name, at = operations.reader(marshal.TEXT, little)(data, at)
     minor, at = operations.reader(descriptors.ULONG, little)(data, at)
     name = name.split(":")[1].rpartition("/")[2] if name.count(":") == 2 else "UNKNOWN"
     label = idl.MINORS.get(name, {}).get(minor) or "CORBA." + printable(name)
@@ -166,7 +202,7 @@ def _system_exception(where, data, at, little):
 
 def _user_exception(where, op, data, at, little):
     """The errors.Error for an exception of the IDL."""
-    type_id, start = operations.reader((descriptors.STRING, 0), little)(data, at)
+    type_id, start = operations.reader(marshal.TEXT, little)(data, at)
     if type_id not in op.raised:
         return errors.Refused(where, "CORBA.UNKNOWN", name="UNKNOWN")
     raised, _ = operations.reader(idl.descriptor(type_id), little)(data, start)

@@ -19,7 +19,10 @@ class Connection:
 
     def __init__(self, endpoint, end):
         self.number, self.data = 0, bytearray()
-        self.socket = socket.create_connection(endpoint, max(0.001, end - time.monotonic()))
+        try:
+            self.socket = socket.create_connection(endpoint, max(0.001, end - time.monotonic()))
+        except UnicodeError as e:  # no name of a host
+            raise socket.gaierror(0, str(e))
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 
     def send(self, data, end):
@@ -28,14 +31,14 @@ class Connection:
         self.socket.sendall(data)
 
     def reply(self, end):
-        """The reply to the last request, whole: its fragments together. Others, of calls that were given up, are dropped."""
+        """The reply to the last request, whole: its fragments together."""
         whole = None
         while True:
             message = self._message(end)
             kind = message[7]
             if kind == giop.CLOSE:
                 closed = Closed()
-                closed.untouched = True
+                closed.untouched = whole is None
                 raise closed
             if kind == giop.ERROR:
                 raise giop.Garbled("the peer did not understand us")

@@ -2,9 +2,8 @@
 import functools
 import struct
 
-REQUEST, REPLY, CANCEL, LOCATE_REQUEST, LOCATE_REPLY, CLOSE, ERROR, FRAGMENT = range(8)
-NO_EXCEPTION, USER_EXCEPTION, SYSTEM_EXCEPTION, FORWARD, FORWARD_PERM, NEEDS_ADDRESSING = range(6)  # what a reply says
-KEY, PROFILE, REFERENCE = range(3)  # how a request names its object: TargetAddress
+REPLY, CLOSE, ERROR, FRAGMENT = 1, 5, 6, 7  # kinds of messages; a request is 0
+NO_EXCEPTION, USER_EXCEPTION, SYSTEM_EXCEPTION, FORWARD, FORWARD_PERM = range(5)  # what a reply says
 HEADER = 12  # octets
 LARGEST = 32 << 20  # octets of a message, as we let omniORB take
 MORE, LITTLE = 2, 1  # flags of a message
@@ -21,8 +20,8 @@ def aligned(data, size):
 
 
 @functools.lru_cache(maxsize=256)
-def _head(version, key, operation, address):
-    """A request up to its arguments, its size and id still 0; with `address`, (disposition, octets), in place of the key."""
+def _head(version, key, operation):
+    """A request up to its arguments, its size and id still 0."""
     data = b"GIOP" + bytes(version) + b"\1\0" + bytes(4)
     name = struct.pack("<I", len(operation) + 1) + operation.encode("latin-1") + b"\0"
     octets = struct.pack("<I", len(key)) + key
@@ -31,13 +30,13 @@ def _head(version, key, operation, address):
         data = aligned(aligned(data, 4) + octets, 4) + name
         return aligned(data, 4) + bytes(4)  # no principal
     data += bytes(4) + b"\3\0\0\0"
-    data += b"\0\0\0\0" + octets if address is None else struct.pack("<HH", address[0], 0) + address[1]
+    data += b"\0\0\0\0" + octets  # an object key, not a profile or a reference
     return aligned(aligned(data, 4) + name, 4) + bytes(4)  # no service contexts
 
 
-def request(number, version, key, operation, arguments, address=None):
+def request(number, version, key, operation, arguments):
     """A request as a bytearray; `arguments`: functions that append to it, in little endian."""
-    out = bytearray(_head(version, key, operation, address))
+    out = bytearray(_head(version, key, operation))
     if arguments:
         if version >= (1, 2):
             out += b"\0" * (-len(out) % 8)

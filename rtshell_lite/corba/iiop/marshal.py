@@ -1,9 +1,10 @@
 """Values that only an ORB sends: references, `any`, TypeCodes, exceptions; beside those of cdr.py, and with text as Latin-1."""
-from rtshell_lite.corba import cdr, descriptors
+import threading
+
+from rtshell_lite.corba import cdr, descriptors, ior
 from rtshell_lite.corba.descriptors import ANY, EXCEPTION, OBJECT, STRING, TYPECODE
 from rtshell_lite.corba.fixed_size import Fault
 from rtshell_lite.corba.iiop.references import Reference
-from rtshell_lite.corba.ior import MOST_PROFILES
 
 TEXT = (STRING, 0)
 
@@ -25,7 +26,15 @@ class Maker(cdr.Maker):
 
     def __init__(self, order, depth=0):
         super().__init__(order)
-        self.depth = depth
+        self.depth, self._lock = depth, threading.RLock()
+
+    def reader(self, descriptor):
+        with self._lock:  # lanes share a Maker, and what it has half made is not for others
+            return super().reader(descriptor)
+
+    def writer(self, descriptor):
+        with self._lock:
+            return super().writer(descriptor)
 
     def read_string(self, descriptor):
         most, unpack = descriptors.bound(descriptor), self.count.unpack_from
@@ -46,6 +55,8 @@ class Maker(cdr.Maker):
 
         def write(out, value):
             octets = value.encode("latin-1") + b"\0"
+            if octets.find(b"\0") < len(octets) - 1:
+                raise Fault("a NUL in a string")
             out += b"\0" * (-len(out) & 3) + pack(len(octets)) + octets
         return write
 
@@ -65,7 +76,7 @@ class Maker(cdr.Maker):
             at += -at & 3
             count, = unpack(data, at)
             at += 4
-            if count > MOST_PROFILES:
+            if count > ior.MOST_PROFILES:
                 raise Fault(f"a reference of {count} profiles")
             profiles = []
             for _ in range(count):
@@ -73,7 +84,10 @@ class Maker(cdr.Maker):
                 tag, = unpack(data, at)
                 profile, at = octets(data, at + 4)
                 profiles.append((tag, profile))
-            return (Reference(type_id[:-1], tuple(profiles), interface) if profiles else None), at
+            if not profiles:
+                return None, at
+            ior.octets(bytes(type_id), profiles)  # raises ValueError for what must not be sent on: other ORBs may end from it
+            return Reference(type_id[:-1], tuple(profiles), interface), at
         return read
 
     def write_reference(self, _):

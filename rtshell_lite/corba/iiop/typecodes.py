@@ -16,17 +16,14 @@ PLAIN = tuple(range(OBJECT)) + (23, 24, 25, 26)  # those of which the kind says 
 def read(data, at, order):
     """(descriptor, where it ends) of the TypeCode at `at`. Raises Fault, struct.error, IndexError."""
     reader = _Reader(data, at, order, 0)
-    found = reader.typecode({}, descriptors.DEEPEST)
     try:
-        return descriptors.adopted(found), reader.at
+        return descriptors.adopted(reader.typecode({}, descriptors.DEEPEST)), reader.at
     except errors.BadType as e:
         raise Fault(str(e))
 
 
 class _Reader:
     """Reads from a place on; `base` is where alignment counts from: the message, or the encapsulation around."""
-
-    left = descriptors.LARGEST
 
     def __init__(self, data, at, order, base):
         self.data, self.at, self.order, self.base = data, at, order, base
