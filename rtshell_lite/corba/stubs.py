@@ -10,8 +10,9 @@ STANDARD = ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "Interface
 
 def module(name):
     """A module of stubs: `data.RTC` of idl_stubs, or omniORB's own `CosNaming`."""
-    import importlib  # rtls without -l needs no stub
-    return importlib.import_module(name if name == "CosNaming" else "rtshell_lite.idl_stubs." + name)
+    full = name if name == "CosNaming" else "rtshell_lite.idl_stubs." + name
+    __import__(full)  # importlib takes long to import, and rtls needs nothing else of it
+    return sys.modules[full]
 
 
 @functools.lru_cache(maxsize=None)
