@@ -112,7 +112,7 @@ def to_text(ref):
 
 def address(ref):
     """What the IOR of a reference says, an ior.Address."""
-    return ior.address(_started.object_to_string(ref))
+    return ior.address(start().object_to_string(ref))
 
 
 def narrow(ref, interface):

@@ -24,6 +24,7 @@ except ImportError:
 
 SECONDS = 600 if running.THOROUGH else 30
 GROWTH = 1024           # kB that the memory may grow in the second half
+OVERLAP = 4             # connections that omniORB may open late, when calls overlap; a leak at each refresh opens more
 LINES = "ls -l HOME; cat -l A; conf -l C; act A; deact A; con D:out E:in; dis D:out E:in; print -n 1 A:number; cat HOME/none.rtc\n"
 
 
@@ -129,7 +130,7 @@ class LongRuns(unittest.TestCase):
                 self.assertIsNone(each.process.poll(), "it has ended")
                 self.assertLess(after[0], before[0] + GROWTH, each.seen)
                 self.assertLessEqual(after[1], before[1] + 1, each.seen)
-                self.assertLessEqual(after[2], before[2] + 1, each.seen)
+                self.assertLessEqual(after[2], before[2] + OVERLAP, each.seen)
                 self.assertLess(after[0], running.RESIDENT)
             each.end()
         print("figures: %d s side by side: %s" % (SECONDS, "; ".join(said)))
