@@ -3,7 +3,7 @@ import functools
 
 from rtshell_lite.corba import descriptors
 from rtshell_lite.corba.descriptors import ALIAS, ARRAY, ENUM, OBJECT, SEQUENCE, STRING, UNION, WSTRING
-from rtshell_lite.idl_stubs.tables import INTERFACES, MINORS, TYPES  # noqa: F401: MINORS for others
+from rtshell_lite.idl_stubs.tables import INTERFACES, MINORS, TYPES  # noqa: F401: iiop/client.py reads MINORS here
 
 
 def known(type_id):

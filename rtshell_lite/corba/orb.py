@@ -9,8 +9,6 @@ from rtshell_lite.corba import ior, lanes
 from rtshell_lite.path import PROTOCOLS, SCHEMES, split_address
 from rtshell_lite.text import printable, to_wire
 
-NO_USABLE_ADDRESS = errors.NO_USABLE_ADDRESS
-
 _orb = None  # the module of the ORB, omni or iiop.client
 
 

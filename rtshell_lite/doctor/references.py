@@ -65,7 +65,7 @@ def _silent(visit, node, offered, shown):
         apart = ", of another network than its name server" if networks.is_apart(node.ref, visit.addresses) else ""
         message = f"cannot tell from here whether it lives: publishes {shown}{apart}, out of reach ({reason(failure)})"
         return fail("reference", where, message, remedies.network(offered[0]))
-    if rule and reason(node.error) == orb.NO_USABLE_ADDRESS:
+    if rule and reason(node.error) == errors.NO_USABLE_ADDRESS:
         return fail("reference", where, f"at {shown}: TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
     if remedies.is_of_network(node.error, offered[0]):
         what = "TCP connects, but what is sent is not received" if isinstance(node.error, errors.Silent) else reason(node.error)

@@ -126,7 +126,7 @@ def _is_there(where, ref):
             raise _Stop(where, "cannot tell from here: TCP connects, but what is sent is not received", remedies.network(endpoint))
         raise _Stop(where, f"hung: accepts TCP, but {reason(e)}", remedies.of_silence(e, endpoint, where))
     except errors.Unreachable as e:
-        if rule and reason(e) == orb.NO_USABLE_ADDRESS:
+        if rule and reason(e) == errors.NO_USABLE_ADDRESS:
             raise _Stop(where, f"TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
         if reason(e).startswith("garbled"):
             raise _Stop(where, f"what listens there does not speak CORBA ({reason(e)})", remedies.words("who listens", port=port))

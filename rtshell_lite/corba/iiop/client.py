@@ -5,10 +5,10 @@ A call is made on the thread that asks, on a connection that nobody else uses me
 import collections
 import re
 import socket
-from struct import error as StructError
 import sys
 import threading
 import time
+from struct import error as StructError
 
 from rtshell_lite import errors
 from rtshell_lite.corba import descriptors, idl, ior, lanes
@@ -32,6 +32,7 @@ def start():
 
 
 def version():
+    """What `rtdoctor` calls it."""
     return "builtin ORB"
 
 

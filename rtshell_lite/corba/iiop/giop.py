@@ -35,7 +35,7 @@ def _head(version, key, operation):
 
 
 def request(number, version, key, operation, arguments):
-    """A request as a bytearray; `arguments`: functions that append to it, in little endian."""
+    """A request as a bytearray; `arguments`: (function that appends to it in little endian, value) pairs."""
     out = bytearray(_head(version, key, operation))
     if arguments:
         if version >= (1, 2):
