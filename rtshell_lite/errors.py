@@ -5,6 +5,7 @@ last says why, without naming a path.
 """
 
 NO_USABLE_ADDRESS = "host name not known"  # or no address that the settings of omniORB let us use
+BAD_ENDPOINT = "this machine cannot be reached at the address that ORBendPoint tells"
 
 
 class Error(Exception):

@@ -37,8 +37,15 @@ def _named(type_id):
     return (sort,) + made[1:]
 
 
+def ancestry(interface):
+    """The repository ids of an interface and of those that it inherits, the nearest first. Raises KeyError."""
+    yield interface
+    for base in INTERFACES[interface][1]:
+        yield from ancestry(base)
+
+
 @functools.lru_cache(maxsize=None)
 def id_of(name):
-    """The repository id of an interface or a struct by its name in the stubs: component.RTC.PortService, CosNaming.NameComponent."""
+    """The repository id of an interface or a type by its name in the stubs: component.RTC.PortService, CosNaming.NameComponent."""
     tail = "/" + "/".join(name.split(".")[-2:]) + ":"
     return next(type_id for table in (INTERFACES, TYPES) for type_id in table if tail in "/" + type_id.partition(":")[2])

@@ -11,8 +11,6 @@ from rtshell_lite.text import from_wire, printable, to_wire
 PROBING = 4  # a host has a quarter of the timeout to refuse a connection
 CONNECTIONS = 5  # omniORB opens at most so many to one process (maxGIOPConnectionPerServer)
 
-HAS_SERVANTS = True
-
 _started = None  # the ORB, once there is one
 _deadline = None  # s, the deadline that it was given
 _starting = threading.RLock()
@@ -211,9 +209,32 @@ def _label(e):
     return type(e).__name__
 
 
+# ---- servants -------------------------------------------------------------------------------------------------
+
+def serve(servant):
+    """Let others call a servant: the stringified reference to it, and a function that ends that. Raises Usage."""
+    orb = start()
+    from omniORB import CORBA
+    try:
+        poa = orb.resolve_initial_references("RootPOA")
+    except CORBA.INITIALIZE:  # only now omniORB begins to listen
+        raise errors.Usage(errors.BAD_ENDPOINT)
+    package, module, name = servant.interface.split(".")
+    made = stubs.named(f"{package}.{module}__POA.{name}")()
+    vars(made).update((operation, getattr(servant, operation)) for operation in made._omni_op_d)
+    number = poa.activate_object(made)
+    poa._get_the_POAManager().activate()
+    return orb.object_to_string(poa.id_to_reference(number)), lambda: poa.deactivate_object(number)
+
+
 # ---- values ---------------------------------------------------------------------------------------------------
 
 struct = stubs.named
+
+
+def items(name):
+    """The items of an enum of the IDL by its name in the stubs, in their order."""
+    return stubs.named(name)._items
 
 
 def properties(nvlist):

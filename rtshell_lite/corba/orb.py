@@ -30,13 +30,6 @@ def _chosen():
     raise errors.Usage(f"RTSHELL_ORB: {printable(name)}: neither omniorb nor builtin")
 
 
-def need_servants():
-    """Start the ORB; call this before `servants` is imported. Raises what `start` raises, and Usage if the ORB has no servants."""
-    start()
-    if not _orb.HAS_SERVANTS:
-        raise errors.Usage("RTSHELL_ORB=builtin: components cannot call us back by it yet; unset it for this command")
-
-
 def version():
     """The name and version of the ORB. Raises MissingOmniORB."""
     return (_orb or _chosen()).version()
@@ -161,12 +154,27 @@ def is_alive(where, ref):
     return True
 
 
+def serve(servant):
+    """Let others call a servant (see servants.py): the stringified reference to it, and a function that ends that.
+
+    Raises what `start` raises, and Usage where nobody can listen as the settings demand.
+    """
+    start()
+    return _orb.serve(servant)
+
+
 # ---- values ---------------------------------------------------------------------------------------------------
 
 def struct(name):
     """The class of a struct of the IDL (component.RTC.ConnectorProfile), called with its members."""
     start()
     return _orb.struct(name)
+
+
+def items(name):
+    """The items of an enum of the IDL (dataport.OpenRTM.PortStatus), in their order: each with a name `_n` and a number `_v`."""
+    start()
+    return _orb.items(name)
 
 
 def properties(nvlist):

@@ -1,70 +1,67 @@
-"""Our objects that components call, such as receivers of data. None of them is bound in a name server."""
+"""Our objects that components call, such as receivers of data. None of them is bound in a name server.
+
+A servant is any object with a method for each operation of its `interface`, which is named as in the stubs.
+"""
 import os
 import socket
 import struct
 import time
 
-from omniORB import CORBA
-from rtshell_lite import errors
-from rtshell_lite.corba import omni, orb
-from rtshell_lite.idl_stubs.dataport import RTC, RTC__POA, OpenRTM, OpenRTM__POA
+from rtshell_lite.corba import ior, orb
 
 
-class InPortCdr(OpenRTM__POA.InPortCdr):
+class InPortCdr:
     """Receives what an out port pushes by corba_cdr, and passes (nanoseconds since 1970, bytes) to a function."""
+
+    interface = "dataport.OpenRTM.InPortCdr"
 
     def __init__(self, take):
         self.take = take
+        self.done = orb.items("dataport.OpenRTM.PortStatus")[0]
 
     def put(self, data):
         self.take(int(time.time() * 1e9), data)
-        return OpenRTM.PORT_OK
+        return self.done
 
 
-class DataPushService(RTC__POA.DataPushService):
+class DataPushService:
     """Receives what an out port pushes by data_service, likewise."""
+
+    interface = "dataport.RTC.DataPushService"
 
     def __init__(self, take):
         self.take = take
+        self.done = orb.items("dataport.RTC.PortStatus")[0]
 
     def push(self, data):
         self.take(int(time.time() * 1e9), data)
-        return RTC.PORT_OK
+        return self.done
 
 
 RECEIVERS = {"corba_cdr": InPortCdr, "data_service": DataPushService}
 
 
 class Served:
-    """A servant that can be called until `withdraw`."""
+    """A servant that can be called until `withdraw`, from when on callers get OBJECT_NOT_EXIST."""
 
     def __init__(self, servant):
-        try:
-            self.poa = omni.start().resolve_initial_references("RootPOA")
-        except CORBA.INITIALIZE:  # only now omniORB begins to listen
-            raise errors.Usage("this machine cannot be reached at the address that ORBendPoint tells")
-        self.id = self.poa.activate_object(servant)
-        self.reference = self.poa.id_to_reference(self.id)
-        self.type_id = servant._NP_RepositoryId
-        self.poa._get_the_POAManager().activate()
-
-    def withdraw(self):
-        """From now on callers get OBJECT_NOT_EXIST."""
-        self.poa.deactivate_object(self.id)
+        self.reference, self.withdraw = orb.serve(servant)
 
     def ior(self, peer):
         """The stringified reference for the process at `peer`, (host, port), with the address of this host that it can reach:
-        omniORB itself puts the first address that it finds into all references. Looks up the peer's name.
+        an ORB does not know which of them that is. Looks up the peer's name.
         """
-        own = None if _endpoint_given() else own_address(*peer)
-        if own is None:
-            return omni.start().object_to_string(self.reference)
-        _, _, port, key = orb.address(self.reference)
-        return make_ior(self.type_id, own, port, key)
+        type_id, host, port, key = ior.address(self.reference)
+        if host and _address_given():
+            return self.reference
+        own = own_address(*peer)
+        if own is None and host:
+            return self.reference
+        return make_ior(type_id, own or socket.gethostname(), port, key)
 
 
-def _endpoint_given():
-    """True if the user sets what omniORB publishes, for NAT say."""
+def _address_given():
+    """True if the user sets what the ORB publishes, for NAT say."""
     return "ORBendPoint" in os.environ.get("RTCTREE_ORB_ARGS", "") or any(name.startswith("ORBendPoint") for name in os.environ)
 
 

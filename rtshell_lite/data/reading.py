@@ -10,7 +10,7 @@ import threading
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import lanes, orb, servants
 from rtshell_lite.data.connection import GRACE, Connection
 from rtshell_lite.robot import component, connectors, ports
 
@@ -55,8 +55,6 @@ class Reader(Connection):
         common = {"dataport.buffer.length": str(self.room)}
         if self.dataflow == "pull":
             return dict(common, **{"dataport.subscription_type": "new", "dataport.buffer.read.empty_policy": "do_nothing"})
-        orb.need_servants()
-        from rtshell_lite.corba import servants
         sys.setswitchinterval(SWITCH)
         self.served = servants.Served(servants.RECEIVERS[self.interface](self._take))
         subscription = self.subscription or ports.connection_properties([self.port], {})["dataport.subscription_type"]

@@ -8,13 +8,15 @@ import time
 import uuid
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb, stubs
+from rtshell_lite.corba import orb, servants
 from rtshell_lite.robot import snapshot
 from rtshell_lite.text import from_wire
 
 OBSERVER = "IDL:OpenRTM/ComponentObserver:1.0"
 FSM_OBSERVER = "IDL:omg.org/RTC/ComponentObserver:1.0"
 LOGGER = "IDL:OpenRTM/Logger:1.0"
+INTERFACES = {OBSERVER: "observer.OpenRTM.ComponentObserver", FSM_OBSERVER: "observer.RTC.ComponentObserver",
+              LOGGER: "observer.OpenRTM.Logger"}  # their names in the stubs
 BEAT = 1.0  # seconds between the heartbeats that we ask for
 
 # What has happened, and when (seconds since 1970) it was reported. `kind` is one of KINDS; `subject` is a context handle, a port,
@@ -63,7 +65,7 @@ class Subscription:
         self.node, self.where, self.interface, self.properties = node, str(node.path), interface, properties
         self.id = str(uuid.uuid4())
         self._served = None
-        self._servant = _servant(interface, heard)
+        self._servant = _Listener(interface, heard)
         self._lock = threading.Lock()  # it must not be detached before it is attached
         self._detached = False
         self._configuration = None
@@ -79,8 +81,6 @@ class Subscription:
                 raise errors.Refused(self.where, f"does not take {self.interface}")
 
     def _profile(self):
-        orb.need_servants()
-        from rtshell_lite.corba import servants
         if self._served is None:
             self._served = servants.Served(self._servant)
         ref = orb.narrow(orb.from_text(self.where, self._served.ior(self.node.endpoint)), "component.SDOPackage.SDOService")
@@ -124,24 +124,21 @@ def logger(node, level, names, heard):
     return Subscription(node, LOGGER, [("logger.log_level", level), ("logger.filter", ",".join(names) or "ALL")], heard)
 
 
-def _servant(interface, heard):
-    """The CORBA object of a Subscription."""
-    orb.start()
-    base = stubs.named({OBSERVER: "observer.OpenRTM__POA.ComponentObserver", FSM_OBSERVER: "observer.RTC__POA.ComponentObserver",
-                        LOGGER: "observer.OpenRTM__POA.Logger"}[interface])
+class _Listener:
+    """The servant of a Subscription, of any of the three interfaces."""
 
-    class Listener(base):  # type: ignore[misc, valid-type]
-        def update_status(self, kind, hint):
-            heard(event(time.time(), kind._n, from_wire(hint)))
+    def __init__(self, interface, heard):
+        self.interface, self.heard = INTERFACES[interface], heard
 
-        def publish(self, record):
-            heard(Record(record.time.sec + record.time.nsec / 1e9, from_wire(record.loggername), LEVELS[record.level._v],
-                         from_wire(record.message)))
+    def update_status(self, kind, hint):
+        self.heard(event(time.time(), kind._n, from_wire(hint)))
 
-        def close(self):
-            pass  # its end is noticed otherwise
+    def publish(self, record):
+        self.heard(Record(record.time.sec + record.time.nsec / 1e9, from_wire(record.loggername), LEVELS[record.level._v],
+                          from_wire(record.message)))
 
-    return Listener()
+    def close(self):
+        """Nothing: the end of a component is noticed otherwise."""
 
 
 # ---- hints ----------------------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""Our own ORB, as orb.py needs it: references, calls with a deadline, exceptions of peers as errors. No servants yet.
+"""Our own ORB, as orb.py needs it: references, calls with a deadline, exceptions of peers as errors. server.py has servants.
 
 A call is made on the thread that asks, on a connection that nobody else uses meanwhile.
 """
@@ -20,8 +20,6 @@ _CORBALOC = re.compile(r"corbaloc:(?:iiop)?:(?:1\.([0-2])@)?(\[[^]]*\]|[^:/]*):(
 _ASKING = ("get_", "is_", "_")  # operations that change nothing begin so
 
 _OBJECT = (descriptors.OBJECT, "", "Object")
-
-HAS_SERVANTS = False
 
 _idle = collections.defaultdict(list)  # by endpoint: connections for the next calls, at most one for each lane
 _lock = threading.Lock()
@@ -212,11 +210,22 @@ def _user_exception(where, op, data, at, little):
     return errors.Refused(where, name + (": " + printable(from_wire(detail)) if detail else ""), name=name)
 
 
+def serve(servant):
+    """Let others call a servant: the stringified reference to it, and a function that ends that. Raises Usage."""
+    from rtshell_lite.corba.iiop import server
+    return server.serve(servant)
+
+
 # ---- values ---------------------------------------------------------------------------------------------------
 
 def struct(name):
     """The class of a struct of the IDL by its name in the stubs."""
     return descriptors.factory(idl.descriptor(idl.id_of(name)))
+
+
+def items(name):
+    """The items of an enum of the IDL by its name in the stubs, in their order."""
+    return descriptors.items(idl.descriptor(idl.id_of(name)))
 
 
 def properties(nvlist):

@@ -6,6 +6,7 @@ REPLY, CLOSE, ERROR, FRAGMENT = 1, 5, 6, 7  # kinds of messages; a request is 0
 NO_EXCEPTION, USER_EXCEPTION, SYSTEM_EXCEPTION, FORWARD, FORWARD_PERM = range(5)  # what a reply says
 HEADER = 12  # octets
 LARGEST = 32 << 20  # octets of a message, as we let omniORB take
+MOST_CONTEXTS = 64  # service contexts of a message; real ones have up to four
 MORE, LITTLE = 2, 1  # flags of a message
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "II")) for order in "><"]
 
@@ -62,17 +63,19 @@ def reply(data):
     little = data[6] & LITTLE
     one, two = _ORDERS[little]
     if data[5] < 2:
-        at = _contexts(data, HEADER, one)
+        at = after_contexts(data, HEADER, one)
         number, status = two.unpack_from(data, at)
         return number, status, little, at + 8
     number, status = two.unpack_from(data, HEADER)
-    at = _contexts(data, HEADER + 8, one)
+    at = after_contexts(data, HEADER + 8, one)
     return number, status, little, at + -at % 8
 
 
-def _contexts(data, at, one):
-    """Where the service contexts at `at` end."""
+def after_contexts(data, at, one):
+    """Where the service contexts at `at` end; `one` reads a number in their byte order. Raises Garbled, struct.error."""
     count, = one.unpack_from(data, at)
+    if count > MOST_CONTEXTS:
+        raise Garbled(f"{count} service contexts")
     at += 4
     for _ in range(count):
         size, = one.unpack_from(data, at + 4 + -at % 4)

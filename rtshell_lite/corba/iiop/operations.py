@@ -1,4 +1,4 @@
-"""Operations of the interfaces of the IDL: how their arguments are written, their results read."""
+"""Operations of the interfaces of the IDL: how their arguments and results are written and read."""
 import functools
 
 from rtshell_lite.corba import idl
@@ -14,6 +14,11 @@ def reader(descriptor, little):
     return _MAKERS[little].reader(descriptor)
 
 
+def writer(descriptor):
+    """write(out, value) of a type, in little endian."""
+    return _MAKERS[1].writer(descriptor)
+
+
 class Operation:
     """How an operation is called: writers of its arguments, readers of its results by byte order, its exceptions by their ids."""
 
@@ -26,14 +31,21 @@ class Operation:
 @functools.lru_cache(maxsize=None)
 def operation(interface, name):
     """The Operation of an interface or one of those that it inherits. Raises KeyError."""
-    if name in _COMMON:
-        return Operation(*_COMMON[name])
-    _, bases, own = idl.INTERFACES[interface]
-    if name in own:
-        return Operation(*own[name])
-    for base in bases:
-        try:
-            return operation(base, name)
-        except KeyError:
-            pass
+    return Operation(*_COMMON.get(name) or _row(interface, name))
+
+
+@functools.lru_cache(maxsize=None)
+def served(interface, name):
+    """(readers of the arguments by byte order, writers of the results) of an operation of ours. Raises KeyError."""
+    given, returned, _ = _COMMON.get(name) or _row(interface, name)
+    return ([[maker.reader(idl.descriptor(word)) for word in given] for maker in _MAKERS],
+            [_MAKERS[1].writer(idl.descriptor(word)) for word in returned or ()])
+
+
+def _row(interface, name):
+    """What the tables say of an operation of an interface, or of one of those that it inherits. Raises KeyError."""
+    for type_id in idl.ancestry(interface):
+        own = idl.INTERFACES[type_id][2]
+        if name in own:
+            return own[name]
     raise KeyError(name)

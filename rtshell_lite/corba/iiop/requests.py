@@ -1,0 +1,89 @@
+"""GIOP as a server reads and writes it (CORBA 3.0, 15.4): requests taken apart, answers as octets; no socket."""
+import struct
+
+from rtshell_lite.corba.iiop import giop, marshal, operations
+
+REQUEST, CANCEL, LOCATE, LOCATED = 0, 2, 3, 4  # kinds of messages; giop.py has the others
+NEEDS_KEY = 5  # a status of answers: the object is to be named by its key alone, not by a profile or a reference
+NO, MAYBE = 1, 2  # whether what raised an exception was completed
+_ANSWER, _LOCATED = struct.Struct("<4s4BIIII"), struct.Struct("<4s4BIII")
+_ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "H")) for order in "><"]
+
+
+class Request:
+    """A Request or LocateRequest, given whole: its id, its operation ("" to locate), the key of its object (None where the
+    caller names it otherwise), where the arguments begin in `data`. Raises Garbled, struct.error, IndexError.
+    """
+
+    def __init__(self, data):
+        self.data, self.minor, self.little = data, data[5], data[6] & giop.LITTLE
+        self.one, short = _ORDERS[self.little]
+        asks, self.operation, self.is_answered, at = data[7] == REQUEST, "", True, giop.HEADER
+        if asks and self.minor < 2:
+            at = giop.after_contexts(data, at, self.one)
+        self.id, = self.one.unpack_from(data, at)
+        at += 4
+        if asks:
+            self.is_answered = bool(data[at] & 1)
+            at += 4 if self.minor else 1
+        if self.minor == 2:
+            self.key = None
+            if short.unpack_from(data, at)[0]:
+                return
+            at += 2
+        self.key, at = self._octets(at)
+        if asks:
+            name, at = self._octets(at)
+            self.operation = name[:-1].decode("latin-1")
+            self.at = self._arguments(at)
+
+    def _arguments(self, at):
+        if self.minor < 2:
+            return self._octets(at)[1]  # the principal
+        at = giop.after_contexts(self.data, at, self.one)
+        return at + -at % 8
+
+    def _octets(self, at):
+        at += -at % 4
+        size, = self.one.unpack_from(self.data, at)
+        at += 4 + size
+        if at > len(self.data):
+            raise giop.Garbled("octets without an end")
+        return bytes(self.data[at - size:at]), at
+
+
+# ---- answers, in little endian --------------------------------------------------------------------------------
+
+def answer(request, status=giop.NO_EXCEPTION):
+    """A Reply as a bytearray, up to its results; `sized` ends it."""
+    words = (request.id, status, 0) if request.minor == 2 else (0, request.id, status)  # 0: no service contexts
+    return bytearray(_ANSWER.pack(b"GIOP", 1, request.minor, giop.LITTLE, giop.REPLY, 0, *words))
+
+
+def sized(out):
+    """A message that is complete: its size is put into its header."""
+    struct.pack_into("<I", out, 8, len(out) - giop.HEADER)
+    return out
+
+
+def failed(request, name, completed=NO):
+    """A Reply that raises a system exception."""
+    out = answer(request, giop.SYSTEM_EXCEPTION)
+    operations.writer(marshal.TEXT)(out, f"IDL:omg.org/CORBA/{name}:1.0")
+    return sized(out + b"\0" * (-len(out) % 4) + struct.pack("<II", 0, completed))
+
+
+def needs_key(request):
+    """The answer to who names an object by a profile or a reference."""
+    out = answer(request, NEEDS_KEY) if request.operation else located(request, NEEDS_KEY)
+    return sized(out + b"\0\0")
+
+
+def located(request, status):
+    """A LocateReply; status 0: no such object, 1: it is here."""
+    return bytearray(_LOCATED.pack(b"GIOP", 1, request.minor, giop.LITTLE, LOCATED, 8, request.id, status))
+
+
+def word(kind, minor):
+    """A message that is a header alone: giop.CLOSE, giop.ERROR."""
+    return b"GIOP" + bytes([1, minor, giop.LITTLE, kind]) + bytes(4)

@@ -1,0 +1,312 @@
+"""Our objects that components call, with our own ORB: one thread serves all who connect, and none of them can block it.
+
+Who connects may send anything. So a message takes memory as it comes, not as it is announced; who never completes one, asks for
+nothing, or takes no answers, is closed after a while, or as soon as others need the room.
+"""
+import binascii
+import os
+import re
+import selectors
+import socket
+import struct
+import threading
+import time
+
+from rtshell_lite import errors
+from rtshell_lite.corba import idl, lanes
+from rtshell_lite.corba.iiop import giop, operations, references, requests
+
+MOST = 500  # connections
+MOST_PARTS = 8  # messages of a connection whose fragments are still coming
+MOST_OCTETS = 2 * giop.LARGEST  # of all messages that are still coming
+ROOM = 4096  # octets that a connection can receive before it has sent any
+UNFINISHED, IDLE = 60.0, 180.0  # seconds until a connection is closed within a message, or between two; omniORB's is the same
+SWEEP = 5.0  # seconds between two looks for those
+_ENDPOINT = re.compile(r"giop:tcp:(\[[^]]*\]|[^:,]*):(\d{0,5})(?:,|\Z)")
+
+_server = None
+_starting = threading.Lock()
+
+
+def serve(servant):
+    """Let others call a servant: the stringified reference to it, and a function that ends that. Raises Usage.
+
+    The reference has no host unless the user has set one.
+    """
+    global _server
+    with _starting:
+        if _server is None:
+            made = Server(*_setting("endPoint"))
+            lanes.start(made.run)
+            _server = made
+    key = binascii.hexlify(os.urandom(12))
+    type_id = idl.id_of(servant.interface)
+    _server.objects[key] = servant, type_id
+    own_host, _ = _setting("endPoint")
+    host, port = _setting("endPointPublish")
+    profiles = references.at(host or own_host, port or _server.port, key).profiles
+    return references.Reference(type_id.encode(), profiles).text(), lambda: _server.objects.pop(key, None)
+
+
+def _setting(name):
+    """(host or "", port or 0) of a setting of omniORB: in RTCTREE_ORB_ARGS, or in a variable. Others than giop:tcp: are ignored."""
+    words = os.environ.get("RTCTREE_ORB_ARGS", "").split(";")
+    option = "-ORB" + name
+    text = words[words.index(option) + 1] if option in words[:-1] else os.environ.get("ORB" + name, "")
+    found = _ENDPOINT.match(text)
+    if not found:
+        return "", 0
+    return found.group(1).strip("[]"), int(found.group(2) or 0)
+
+
+# ---- connections ----------------------------------------------------------------------------------------------
+
+class Caller:
+    """A connection that somebody has made to us: what came of its messages, and answers that have not left yet."""
+
+    def __init__(self, connection):
+        self.socket, self.minor = connection, 0
+        self.data, self.end = bytearray(), 0  # what came is data[:end]
+        self.wanted = self.largest = 0  # octets: of the message that has begun; of the largest one so far
+        self.parts = {}  # messages whose fragments are still coming, by the id of the request
+        self.out = bytearray()
+        self.since = time.monotonic()  # when the last message was complete
+
+    def held(self):
+        """How much memory its unfinished messages take."""
+        return len(self.data) + sum(map(len, self.parts.values()))
+
+    def is_unfinished(self):
+        """True within a message, or while answers cannot leave."""
+        return bool(self.end or self.parts or self.out)
+
+    def receive(self):
+        """Take what has come. Raises OSError, EOFError."""
+        if self.end == len(self.data):
+            most = max(ROOM, self.wanted - self.end)
+            grown = bytearray(self.end + min(most, max(ROOM, self.end, self.largest - self.end)))
+            grown[:self.end] = self.data
+            self.data = grown
+        with memoryview(self.data) as whole, whole[self.end:] as room:
+            got = self.socket.recv_into(room)
+        if not got:
+            raise EOFError
+        self.end += got
+
+    def message(self):
+        """The next message that is complete, or None. Raises Garbled."""
+        while self.end >= giop.HEADER:
+            self.wanted = size = giop.HEADER + giop.size(self.data)
+            if self.end < size:
+                return None
+            self.largest = max(self.largest, size)
+            if size == len(self.data):
+                taken, self.data = self.data, bytearray()
+            else:
+                taken = self.data[:size]
+                del self.data[:size]
+            self.end -= size
+            self.wanted, self.minor = 0, taken[5]
+            whole = self.joined(taken)
+            if whole is not None:
+                self.since = time.monotonic()
+                return whole
+        return None
+
+    def joined(self, data):
+        """A message with the fragments that came before it; None while more must come. Raises Garbled, struct.error."""
+        kind, more = data[7], data[6] & giop.MORE
+        if kind != giop.FRAGMENT and not more:
+            return data
+        number = data[12:16] if data[5] == 2 else b""
+        whole = data
+        if len(data) + sum(map(len, self.parts.values())) > giop.LARGEST or len(self.parts) > MOST_PARTS or data[5] == 0:
+            raise giop.Garbled("fragments without an end")
+        if kind == giop.FRAGMENT:
+            whole = self.parts.pop(bytes(number), None)
+            if whole is None:
+                raise giop.Garbled("a fragment of nothing")
+            with memoryview(data) as view, view[giop.HEADER + len(number):] as rest:
+                whole += rest
+        if not more:
+            return whole
+        self.parts[bytes(number)] = whole
+        return None
+
+    def send(self, data=b""):
+        """Send an answer, and those before it, as far as the caller takes them. Raises OSError."""
+        self.out += data
+        try:
+            del self.out[:self.socket.send(self.out)]
+        except BlockingIOError:
+            pass
+
+
+class Server:
+    """Listens, and serves `objects`, {key: (servant, id of its interface)}. Raises Usage where it cannot listen."""
+
+    def __init__(self, host, port):
+        self.objects, self.callers, self.swept = {}, set(), 0.0
+        self.listening = _listening(host, port)
+        self.port = self.listening.getsockname()[1]
+        self.selector = selectors.DefaultSelector()
+        self.selector.register(self.listening, selectors.EVENT_READ)
+
+    def run(self):
+        """Serve for ever."""
+        while True:
+            for event, _ in self.selector.select(SWEEP):
+                if event.data is None:
+                    self.accept()
+                elif event.data in self.callers:
+                    self.attend(event.data, event.events == selectors.EVENT_WRITE)
+            self.sweep()
+
+    def accept(self):
+        """Take a new connection; the one that has asked for nothing for longest gives its place."""
+        if len(self.callers) >= MOST:
+            self.close(self.idlest())
+        try:
+            connection, _ = self.listening.accept()
+        except (BlockingIOError, ConnectionError):
+            return  # gone already
+        except OSError:  # out of files
+            if self.callers:
+                self.close(self.idlest())
+            else:
+                time.sleep(lanes.TICK)
+            return
+        connection.setblocking(False)
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        caller = Caller(connection)
+        self.callers.add(caller)
+        self.selector.register(connection, selectors.EVENT_READ, caller)
+
+    def attend(self, caller, may_send):
+        """Read from a connection or write to it, and answer what is complete while answers can leave."""
+        try:
+            if may_send:
+                caller.send()
+            else:
+                caller.receive()
+                if caller.held() > 16 * ROOM:
+                    self.make_room()
+            while caller in self.callers and not caller.out:
+                data = caller.message()
+                if data is None:
+                    break
+                answer = self.answered(caller, data)
+                if answer:
+                    caller.send(answer)
+        except BlockingIOError:
+            return
+        except (giop.Garbled, struct.error, IndexError):
+            return self.close(caller, giop.ERROR)
+        except (OSError, EOFError, MemoryError):
+            return self.close(caller)
+        if caller in self.callers and may_send != bool(caller.out):
+            self.selector.modify(caller.socket, selectors.EVENT_WRITE if caller.out else selectors.EVENT_READ, caller)
+
+    def make_room(self):
+        """Close who has not completed a message for longest, until what all have sent fits."""
+        while sum(caller.held() for caller in self.callers) > MOST_OCTETS:
+            self.close(min(filter(Caller.held, self.callers), key=lambda caller: caller.since))
+
+    def idlest(self):
+        return min(self.callers, key=lambda caller: caller.since)
+
+    def sweep(self):
+        """Close the connections that nobody uses, and those that somebody abuses."""
+        now = time.monotonic()
+        if now - self.swept < SWEEP:
+            return
+        self.swept = now
+        for caller in list(self.callers):
+            if now - caller.since > (UNFINISHED if caller.is_unfinished() else IDLE):
+                self.close(caller)
+
+    def close(self, caller, last=giop.CLOSE):
+        """Close a connection with a last word: that what has not been answered has not been begun, or was not understood."""
+        self.callers.discard(caller)
+        self.selector.unregister(caller.socket)
+        try:
+            if not caller.out:
+                caller.socket.send(requests.word(last, caller.minor))
+        except OSError:
+            pass
+        caller.socket.close()
+
+    # ---- requests ----
+
+    def answered(self, caller, data):
+        """The answer to a message, octets, or None. Raises Garbled, struct.error, IndexError, EOFError at the last message."""
+        kind = data[7]
+        if kind == requests.CANCEL:
+            caller.parts.pop(bytes(data[12:16]), None)
+            return None
+        if kind in (giop.CLOSE, giop.ERROR):
+            raise EOFError
+        if kind not in (requests.REQUEST, requests.LOCATE):
+            raise giop.Garbled("not for a server")
+        request = requests.Request(data)
+        if request.key is None:
+            answer = requests.needs_key(request)
+        elif kind == requests.LOCATE:
+            answer = requests.located(request, int(request.key in self.objects))
+        else:
+            answer = self.called(request)
+        return answer if request.is_answered else None
+
+    def called(self, request):
+        """Call the servant: the answer."""
+        servant, interface = self.objects.get(request.key, (None, None))
+        if servant is None:
+            return requests.failed(request, "OBJECT_NOT_EXIST")
+        try:
+            readers, writers = operations.served(interface, request.operation)
+        except KeyError:
+            return requests.failed(request, "BAD_OPERATION")
+        arguments, at = [], request.at
+        try:
+            for read in readers[request.little]:
+                value, at = read(request.data, at)
+                arguments.append(bytes(value) if isinstance(value, bytearray) else value)
+        except (ValueError, struct.error, IndexError, RecursionError):
+            return requests.failed(request, "MARSHAL")
+        out = requests.answer(request)
+        try:
+            result = _result(servant, interface, request.operation, arguments)
+            for write, value in zip(writers, result if len(writers) > 1 else [result]):
+                write(out, value)
+        except Exception:
+            return requests.failed(request, "UNKNOWN", requests.MAYBE)
+        return requests.sized(out)
+
+
+def _result(servant, interface, operation, arguments):
+    if operation == "_is_a":
+        return arguments[0] in idl.ancestry(interface) or arguments[0] == "IDL:omg.org/CORBA/Object:1.0"
+    if operation == "_non_existent":
+        return False
+    return getattr(servant, operation)(*arguments)
+
+
+def _listening(host, port):
+    """A socket that listens at an address, "" for all of this host, 0 for any port. Raises Usage."""
+    for family in (socket.AF_INET, socket.AF_INET6) if host else (socket.AF_INET6, socket.AF_INET):
+        try:
+            place = socket.getaddrinfo(host or None, port, family, socket.SOCK_STREAM, 0, socket.AI_PASSIVE)[0][4]
+            made = socket.socket(family, socket.SOCK_STREAM)
+        except (OSError, UnicodeError, OverflowError):
+            continue
+        try:
+            if family == socket.AF_INET6:
+                made.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, bool(host))
+            made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            made.bind(place)
+            made.listen(128)
+            made.setblocking(False)
+            return made
+        except (OSError, OverflowError):
+            made.close()
+    raise errors.Usage(errors.BAD_ENDPOINT)
