@@ -73,6 +73,7 @@ def reply(data):
 
 def after_contexts(data, at, one):
     """Where the service contexts at `at` end; `one` reads a number in their byte order. Raises Garbled, struct.error."""
+    at += -at % 4
     count, = one.unpack_from(data, at)
     if count > MOST_CONTEXTS:
         raise Garbled(f"{count} service contexts")
