@@ -54,7 +54,7 @@ class BadType(Error):
 
 
 class MissingOmniORB(Error):
-    """omniORBpy is not installed; take python3-omniorb from the system's packages, or: pip install 'rtshell_lite[omniorb]'"""
+    """omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or: pip install 'rtshell_lite[omniorb]'"""
 
 
 class Usage(Error):

@@ -3,6 +3,7 @@ import argparse
 import math
 import os
 import re
+import sys
 
 from rtshell_lite import __version__, errors, path, text
 
@@ -22,6 +23,7 @@ class Parser(argparse.ArgumentParser):
 
     def parse_args(self, argv):  # type: ignore[override]
         options, words = self._sorted(argv)
+        options.sort(key=lambda word: word == "--version")  # it ends the program, and -v adds to it
         return super().parse_args(options + ["--"] + words if words else options)
 
     def unfinished(self, words):
@@ -110,9 +112,18 @@ def parser(arguments, doc, prog):
     else:
         parser.add_argument("--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
                             help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)")
-    parser.add_argument("--version", action="version", version=__version__)
+    parser.add_argument("--version", action=_Version, nargs=0, help="show the version, with -v those of Python and the ORB; exit")
     parser.add_argument("-h", "--help", action="help", help="show this and exit")
     return parser
+
+
+class _Version(argparse.Action):
+    def __call__(self, parser, namespace, *_):
+        print(__version__)
+        if namespace.verbose:
+            from rtshell_lite.corba import orb
+            print("Python %d.%d.%d, %s" % (*sys.version_info[:3], orb.version()))
+        parser.exit()
 
 
 def _formatter(prog):

@@ -2,7 +2,6 @@
 import os
 import sys
 import threading
-import types
 
 from rtshell_lite import errors
 from rtshell_lite.corba import answers, ior, lanes, stubs
@@ -32,7 +31,7 @@ def start():
 
 
 def _make_orb():
-    CORBA = import_omniorb()
+    CORBA = stubs.import_omniorb()
     arguments = ["rtshell_lite", "-ORBtraceLevel", "0", "-ORBverifyObjectExistsAndType", "0",
                  "-ORBclientCallTimeOutPeriod", _milliseconds(lanes.session.timeout),
                  "-ORBclientConnectTimeOutPeriod", _milliseconds(lanes.session.timeout),
@@ -47,7 +46,7 @@ def _make_orb():
 
 def version():
     """The version of omniORBpy. Raises MissingOmniORB."""
-    import_omniorb()
+    stubs.import_omniorb()
     import omniORB
     return "omniORBpy " + omniORB.__version__
 
@@ -56,23 +55,6 @@ def _set_deadline():
     import omniORB
     omniORB.setClientCallTimeout(int(_milliseconds(lanes.session.timeout)))
     omniORB.setClientConnectTimeout(int(_milliseconds(lanes.session.timeout)))
-
-
-def import_omniorb():
-    """Import omniORB without `tempfile`, before any of our stubs do; returns its module CORBA. Raises MissingOmniORB.
-
-    Of 18 ms for `import omniORB`, 9 ms are `tempfile`, which only importIDLString uses; we never call that. The empty
-    stand-in leaves sys.modules again, so that others import the real one.
-    """
-    stand_in = sys.modules.setdefault("tempfile", types.ModuleType("tempfile"))
-    try:
-        from omniORB import CORBA
-    except ImportError:
-        raise errors.MissingOmniORB()
-    finally:
-        if not hasattr(stand_in, "mkstemp"):
-            del sys.modules["tempfile"]
-    return CORBA
 
 
 def _milliseconds(seconds):

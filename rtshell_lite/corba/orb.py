@@ -1,11 +1,11 @@
 """The one door to an ORB: references, calls with a deadline, failures as errors, lists of properties.
 
-RTSHELL_ORB chooses the ORB behind it: omniorb (omni.py), the default, or builtin (iiop/).
+RTSHELL_ORB chooses the ORB behind it: omniorb (omni.py) or builtin (iiop/). Unset: omniORB where it can be imported.
 """
 import os
 
 from rtshell_lite import errors
-from rtshell_lite.corba import ior, lanes
+from rtshell_lite.corba import ior, lanes, stubs
 from rtshell_lite.path import PROTOCOLS, SCHEMES, split_address
 from rtshell_lite.text import printable, to_wire
 
@@ -13,25 +13,33 @@ _orb = None  # the module of the ORB, omni or iiop.client
 
 
 def start():
-    """Start the ORB of this process, if it has not been. Raises MissingOmniORB, Usage (bad RTCTREE_ORB_ARGS, RTSHELL_ORB)."""
+    """Start the ORB of this process, if it has not been.
+
+    Raises Usage (bad RTCTREE_ORB_ARGS, RTSHELL_ORB), MissingOmniORB where the user has chosen that.
+    """
     global _orb
     _orb = _orb or _chosen()
     _orb.start()
 
 
 def _chosen():
-    name = os.environ.get("RTSHELL_ORB") or "omniorb"
-    if name == "omniorb":
-        from rtshell_lite.corba import omni
-        return omni
-    if name == "builtin":
-        from rtshell_lite.corba.iiop import client
-        return client
-    raise errors.Usage(f"RTSHELL_ORB: {printable(name)}: neither omniorb nor builtin")
+    name = os.environ.get("RTSHELL_ORB", "")
+    if name not in ("", "omniorb", "builtin"):
+        raise errors.Usage(f"RTSHELL_ORB: {printable(name)}: neither omniorb nor builtin")
+    try:
+        if name != "builtin":
+            stubs.import_omniorb()
+            from rtshell_lite.corba import omni
+            return omni
+    except errors.MissingOmniORB:
+        if name:
+            raise
+    from rtshell_lite.corba.iiop import client
+    return client
 
 
 def version():
-    """The name and version of the ORB. Raises MissingOmniORB."""
+    """The name and version of the ORB. Raises MissingOmniORB, Usage (bad RTSHELL_ORB)."""
     return (_orb or _chosen()).version()
 
 

@@ -164,10 +164,10 @@ def _best(known, name):
 
 def _imported(name, path):
     """The module of stubs that the user named. Raises NoSuch when it cannot be imported."""
-    orb.start()  # stubs need omniORB
-    stubs.lend_standard()
+    orb.start()
     own, sys.path[:0] = list(sys.path), path
     try:
+        stubs.lend_standard()
         return importlib.import_module(name)
     except (ImportError, SyntaxError, ValueError) as e:
         where = " in " + ", ".join(map(printable, path)) if path else ""

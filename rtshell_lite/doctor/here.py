@@ -38,8 +38,8 @@ def _programs():
     try:
         version = orb.version()
     except errors.MissingOmniORB:
-        return [fail("omniORBpy", HERE, f"{python} has no omniORBpy: nothing can be asked",
-                     remedies.words("install omniORBpy"))]
+        return [fail("omniORBpy", HERE, f"{python} has no omniORBpy, which RTSHELL_ORB asks for",
+                     remedies.command("unset", variable="RTSHELL_ORB"))]
     found = [ok("omniORBpy", HERE, f"{python}, {version}")]
     name, _, number = version.partition(" ")
     if name == "omniORBpy" and _number(number.partition(".")[0]) < 4:

@@ -1,11 +1,11 @@
-With RTSHELL_ORB=builtin, commands call components without omniORBpy, by an IIOP of their own; all of them but those that
-components have to call back. What they print is the same.
+With RTSHELL_ORB=builtin, commands call components without omniORBpy, by an IIOP of their own, and are called by it. What they
+print is the same.
 
+orb: builtin
 world: two
 world: error
 world: manager --context managed.host_cxt/%n.rtc
 
-  $ export RTSHELL_ORB=builtin
   $ rtls
   Broken0.rtc
   ConsoleIn0.rtc
@@ -111,11 +111,7 @@ world: manager --context managed.host_cxt/%n.rtc
   $ rtact --wait ConsoleOut0.rtc; rtinject -c 3 ConsoleOut0.rtc:in; ctl @two received ConsoleOut0:in 1
   1 3
   $ rtprint -n 1 ConsoleIn0.rtc:out
-  rtprint: RTSHELL_ORB=builtin: components cannot call us back by it yet; unset it for this command (see --help)
-  [2]
-  $ rtwatch ConsoleIn0.rtc
-  rtwatch: RTSHELL_ORB=builtin: components cannot call us back by it yet; unset it for this command (see --help)
-  [2]
+  [*] * (glob)
   $ rtvlog ConsoleIn0.rtc
   rtvlog: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: takes no loggers
   [6]
@@ -131,6 +127,10 @@ world: manager --context managed.host_cxt/%n.rtc
   [4]
   $ rtdoctor -v | head -1
   ok    here: Python *, builtin ORB (glob)
+  $ rtls -v --version; rtls --version
+  0.* (glob)
+  Python 3.*, builtin ORB (glob)
+  0.* (glob)
   $ kill-mock two; rtls; rtls -l
   Broken0.rtc
   *ConsoleIn0.rtc
@@ -146,6 +146,19 @@ world: manager --context managed.host_cxt/%n.rtc
   rtls: /localhost:1: connection refused; is the name server running?
   rtls: /no.such.host: host name not known
   [4]
+
+It is used by itself where omniORBpy cannot be imported. Who asks for omniORBpy there is told so:
+
+  $ mkdir bare; echo 'raise ImportError("none here")' > bare/omniORB.py; export PYTHONPATH=$TMP/bare${PYTHONPATH:+:$PYTHONPATH}
+  $ unset RTSHELL_ORB; rtls -l ConsoleIn0.rtc; rtls --version --verbose | tail -1
+  -         -    -    -    -    *ConsoleIn0.rtc
+  Python 3.*, builtin ORB (glob)
+  $ RTSHELL_ORB=omniorb rtls
+  rtls: omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or: pip install 'rtshell_lite[omniorb]'
+  [1]
+  $ RTSHELL_ORB=omniorb rtdoctor -q
+  fail  here: Python * has no omniORBpy, which RTSHELL_ORB asks for; try: unset RTSHELL_ORB (glob)
+  [1]
   $ RTSHELL_ORB=tao rtls
   rtls: RTSHELL_ORB: tao: neither omniorb nor builtin (see --help)
   [2]

@@ -9,6 +9,7 @@ Lines at the margin of a transcript that ask for surroundings:
     server: another       a second omniNames, on $PORT2 (`world: two --nameserver localhost:$PORT2`), and so on
     faulty: silent drip   peers that misbehave, their ports $SILENT and $DRIP; see python3 -m mock_components.faulty -h
     python: pure          needs no omniORB: no name server runs (nothing listens on $PORT)
+    orb: omniorb          for this ORB only, or for `builtin`; the others are played with both
     alone: it measures    run while nothing else runs
     once: what peers do   on one Python of the matrix only
 
@@ -44,7 +45,7 @@ def run(request):
         return {"skip": "omniORBpy is not installed in %s" % sys.prefix}
     os.environ["SESSION"] = top  # where the functions below keep their files
     keep_alive()
-    environment = surroundings(top, home, request["commands"])
+    environment = surroundings(top, home, request["commands"], dict(asked).get("orb", request["orb"]))
     substitutions = [(re.escape(home), "$TMP"), (re.escape(top), "$SESSION"), (UUID, "$UUID")]
     try:
         environment["PORT"] = str(processes.nameserver.free_port()) if pure else processes.start_name_server("names")
@@ -66,7 +67,7 @@ def keep_alive():
     os.open(processes.session_file("alive"), os.O_RDWR)  # never closed
 
 
-def surroundings(top, home, commands):
+def surroundings(top, home, commands, orb):
     """The environment of the session's shell: nothing of the developer's own gets in."""
     tools = os.path.join(top, "bin")
     os.mkdir(tools)
@@ -75,8 +76,8 @@ def surroundings(top, home, commands):
         write_tool(os.path.join(tools, name), '"%s" "%s" %s' % (sys.executable, os.path.abspath(__file__), name))
     environment = {"HOME": home, "TMP": home, "TMPDIR": home, "SESSION": top, "LC_ALL": "C", "TERM": "xterm",
                    "RTSHELL_TESTS": os.environ.get("RTSHELL_TESTS", "")}  # how tests/run finds what was left behind
-    if "RTSHELL_ORB" in os.environ:
-        environment["RTSHELL_ORB"] = os.environ["RTSHELL_ORB"]
+    if orb:
+        environment["RTSHELL_ORB"] = orb
     if commands:
         os.mkdir(os.path.join(top, "python"))  # peers find the mocks here, and rtshell_lite where it is installed
         os.symlink(os.path.join(processes.ROOT, "mock_components"), os.path.join(top, "python", "mock_components"))

@@ -31,7 +31,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 COMMANDS = os.path.join(os.path.dirname(HERE), "commands")
 SHELLS = {"dash": ["dash"], "ash": ["busybox", "ash"]}
 TIME_LIMIT = 120.0  # seconds for one file under one shell
-DIRECTIVE = re.compile(r"(world|server|faulty|python|alone|once|"  # see session.py; and for the tests of faults, see invocations.py:
+DIRECTIVE = re.compile(r"(world|server|faulty|python|orb|alone|once|"  # see session.py; and for the tests of faults, see invocations.py:
                        r"invocation|local|looking|lasting|broken server|broken component|fatal|examples?|prepared): *(.*)$")
 AMBIGUOUS = re.compile(r"[$>]( |$)|\[\d+\]$")  # output that would be read as a command or a status
 SUFFIX = re.compile(r" \((re|glob|esc|no-eol)\)$")
@@ -179,12 +179,14 @@ def _align(expected, actual):
 # ---- running ----
 
 class Setting:
-    """What a transcript runs with: a Python, and the directory of the commands or None for the checkout's."""
+    """What a transcript runs with: a Python that has omniORBpy, the directory of the commands (None: the checkout's), and their
+    ORB (None: the one that they choose themselves).
+    """
 
-    def __init__(self, python=sys.executable, commands=None, label=""):
+    def __init__(self, python=sys.executable, commands=None, orb=os.environ.get("RTSHELL_ORB")):
         self.python = python
         self.commands = commands
-        self.label = label
+        self.orb = orb
 
 
 def run_case(path, shell, setting, accept=False, time_limit=TIME_LIMIT):
@@ -215,7 +217,7 @@ def run_case(path, shell, setting, accept=False, time_limit=TIME_LIMIT):
 def _session(items, shell, setting, time_limit):
     """Have session.py run the steps in a process group of its own, which never outlives this call."""
     top = tempfile.mkdtemp(prefix="rt-")
-    request = {"top": top, "shell": SHELLS[shell], "commands": setting.commands, "time_limit": time_limit,
+    request = {"top": top, "shell": SHELLS[shell], "commands": setting.commands, "orb": setting.orb, "time_limit": time_limit,
                "directives": directives(items), "steps": ["\n".join(s.command) for s in steps(items)]}
     worker = subprocess.Popen([setting.python, os.path.join(HERE, "session.py"), "run"], stdin=subprocess.PIPE,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)

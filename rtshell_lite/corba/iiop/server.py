@@ -119,9 +119,9 @@ class Caller:
         if kind != giop.FRAGMENT and not more:
             return data
         number = data[12:16] if data[5] == 2 else b""
-        whole = data
-        if len(data) + sum(map(len, self.parts.values())) > giop.LARGEST or len(self.parts) > MOST_PARTS or data[5] == 0:
-            raise giop.Garbled("fragments without an end")
+        whole, size = data, len(data) + sum(map(len, self.parts.values()))
+        if size > giop.LARGEST or len(self.parts) > MOST_PARTS or data[5] == 0 or data[5] == 2 and len(number) < 4:
+            raise giop.Garbled("fragments that make no message")
         if kind == giop.FRAGMENT:
             whole = self.parts.pop(bytes(number), None)
             if whole is None:
@@ -295,15 +295,15 @@ def _listening(host, port):
     """A socket that listens at an address, "" for all of this host, 0 for any port. Raises Usage."""
     for family in (socket.AF_INET, socket.AF_INET6) if host else (socket.AF_INET6, socket.AF_INET):
         try:
-            place = socket.getaddrinfo(host or None, port, family, socket.SOCK_STREAM, 0, socket.AI_PASSIVE)[0][4]
+            place = socket.getaddrinfo(host or None, 0, family, socket.SOCK_STREAM, 0, socket.AI_PASSIVE)[0][4]
             made = socket.socket(family, socket.SOCK_STREAM)
-        except (OSError, UnicodeError, OverflowError):
+        except (OSError, UnicodeError):
             continue
         try:
             if family == socket.AF_INET6:
                 made.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, bool(host))
             made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            made.bind(place)
+            made.bind(place[:1] + (port,) + place[2:])
             made.listen(128)
             made.setblocking(False)
             return made
