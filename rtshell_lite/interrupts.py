@@ -10,8 +10,8 @@ one step.
 import _signal  # which `signal` is made of: that one takes long to import
 import collections
 import sys
-import threading
 import time
+from _thread import TIMEOUT_MAX, allocate_lock
 
 SOON = 0.001  # seconds
 BOUNCE = 0.3  # seconds within which a second Ctrl-C is taken for the same key press
@@ -76,7 +76,8 @@ def ctrl_c(number, frame):
 
 
 def _on_main_thread():
-    return threading.current_thread() is threading.main_thread()
+    threading = sys.modules.get("threading")  # where nobody has imported it, there is one thread
+    return threading is None or threading.current_thread() is threading.main_thread()
 
 
 class held:
@@ -102,7 +103,7 @@ class Bell:
     """Other threads ring it, one thread waits for it; a successful wait resets it."""
 
     def __init__(self):
-        self._lock = threading.Lock()
+        self._lock = allocate_lock()
         self._lock.acquire()
 
     def ring(self):
@@ -113,7 +114,7 @@ class Bell:
 
     def wait(self, seconds):
         """Wait for at most so many seconds; True if it rang."""
-        return self._lock.acquire(timeout=min(max(0, seconds), threading.TIMEOUT_MAX))
+        return self._lock.acquire(timeout=min(max(0, seconds), TIMEOUT_MAX))
 
 
 class Flag:

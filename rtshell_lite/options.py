@@ -1,11 +1,12 @@
 """The command line: its parser, and the options that commands share."""
 import argparse
-import math
 import os
 import re
 import sys
 
 from rtshell_lite import __version__, errors, path, text
+
+FOREVER = float("inf")  # s
 
 EXIT_STATUSES = """exit status:
   0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
@@ -220,20 +221,20 @@ def duration(parser, help):
 
     Only RTSHELL_TIMEOUT then says how long a peer may stay silent.
     """
-    parser.add_argument("-t", "--timeout", dest="duration", type=_duration, default=math.inf, metavar="SECONDS", help=help)
+    parser.add_argument("-t", "--timeout", dest="duration", type=_duration, default=FOREVER, metavar="SECONDS", help=help)
 
 
 def limits(parser, what):
     """-n and -t: args.number, below 0 where not given, and args.duration, infinite where not given."""
     parser.add_argument("-n", "--number", type=int, default=-1, metavar="N", help=f"end after N {what} (default: never)")
-    parser.add_argument("-t", dest="duration", type=_duration, default=math.inf, metavar="SECONDS",
+    parser.add_argument("-t", dest="duration", type=_duration, default=FOREVER, metavar="SECONDS",
                         help=f"end after SECONDS; status 1 when there were fewer than N {what}")
 
 
 def _duration(value):
     try:
         if float(value) < 0:
-            return math.inf
+            return FOREVER
     except ValueError:
         pass
     return seconds(value)
@@ -254,7 +255,7 @@ def _positive(value, wanted):
         number = float(value)
     except ValueError:
         number = 0.0
-    if not 0 < number < math.inf:
+    if not 0 < number < FOREVER:
         raise argparse.ArgumentTypeError(f"not {wanted}: {text.printable(value)}")
     return number
 

@@ -13,7 +13,7 @@ from rtshell_lite import errors
 from rtshell_lite.text import is_plain, printable, unescaped
 
 DEFAULT_PORT = 2809
-SCHEMES = re.compile(r"(?:https?|wss?)://")  # name servers behind HTTP: the rest of the path follows a '#'
+SCHEMES = "http://", "https://", "ws://", "wss://"  # name servers behind HTTP: the rest of the path follows a '#'
 PROTOCOLS = ("iiop", "ssliop", "diop", "shmiop", "htiop")
 
 
@@ -82,7 +82,7 @@ def _spelt(s, more=""):
 
 
 def _spelt_server(server):
-    if SCHEMES.match(server):
+    if server.startswith(SCHEMES):
         return printable(server) + "#"
     return printable(server).replace("/", "\\/")
 
@@ -137,8 +137,7 @@ def _cut(text, separator):
 
 def _elements(text):
     """The elements between the slashes, still escaped; the first one is empty for an absolute path."""
-    address = SCHEMES.match(text.lstrip("/"))
-    if address:
+    if text.lstrip("/").startswith(SCHEMES):
         server, _, rest = text.lstrip("/").partition("#")
         return [server] + (_cut(rest, "/") if rest else [])
     return _cut(text, "/")
@@ -147,7 +146,7 @@ def _elements(text):
 def _server(element, text):
     """A server address; its colons belong to it."""
     address = _unescaped(element, text)
-    if SCHEMES.match(address) or address.partition(":")[0] in PROTOCOLS:
+    if address.startswith(SCHEMES) or address.partition(":")[0] in PROTOCOLS:
         return address
     host, port = split_address(address)
     if host in ("", ".", "..") or port is None:
@@ -157,11 +156,13 @@ def _server(element, text):
 
 def split_address(address):
     """(host, TCP port) of `host`, `host:port`, `[v6]`, `[v6]:port`; the port is None where it is not a TCP port."""
-    parts = re.match(r"(\[[^\]]*\]|[^:]*)(?::([0-9]{1,5}))?$", address)
-    if not parts:
+    bracket = address.find("]") + 1 if address.startswith("[") else 0
+    host, colon, port = address[bracket:].partition(":")
+    is_number = port and len(port) <= 5 and not port.strip("0123456789")
+    if bracket and host or colon and not is_number:
         return address, None
-    host, port = parts.group(1), int(parts.group(2) or DEFAULT_PORT)
-    return host, port if 0 < port < 65536 else None
+    number = int(port) if colon else DEFAULT_PORT
+    return address[:bracket] + host, number if 0 < number < 65536 else None
 
 
 def _split_port(element, text):

@@ -41,8 +41,8 @@ def to_wire(s):
 MARKS = 4  # combining marks that may follow one another: Vietnamese has 2, Hebrew and Tibetan 3 or 4
 # Invisible characters that Python calls printable: fillers of Hangul, Braille, music, Khmer and Khitan, joiners of marks, and
 # variation selectors.
-_BLANK = re.compile("[\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180f\u2800\u3164\ufe00-\ufe0f\uffa0\U00016fe4\U0001d159"
-                    "\U000e0000-\U000e0fff]")
+_BLANK = ("[\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180f\u2800\u3164\ufe00-\ufe0f\uffa0\U00016fe4\U0001d159"
+          "\U000e0000-\U000e0fff]")
 
 
 def printable(s):
@@ -73,7 +73,7 @@ def judged(s):
         kind = category(c) if c >= "\u0300" else ""
         if c in "\ufe0e\ufe0f" and base and not marks and category(base)[0] == "S":
             marks, plain = 1, True  # a symbol shown as an emoji, or as text
-        elif not c.isprintable() or _BLANK.match(c):
+        elif not c.isprintable() or re.match(_BLANK, c):
             marks, plain, base = MARKS, False, ""
         elif kind in ("Mn", "Me"):
             marks, plain = marks + 1, marks < MARKS
@@ -100,12 +100,12 @@ def _escape(c):
     return f"\\x{n:02x}" if n < 0x80 else f"\\u{n:04x}" if n < 0x10000 else f"\\U{n:08x}"
 
 
-_ESCAPE = re.compile(r"\\(?:x([0-9a-fA-F]{2})|u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8})|(.)|$)", re.DOTALL)
+_ESCAPE = r"(?s)\\(?:x([0-9a-fA-F]{2})|u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8})|(.)|$)"
 
 
 def unescaped(s):
     """The reverse of `printable`; a backslash before punctuation is dropped. Raises ValueError for a bad escape."""
-    return _ESCAPE.sub(_meant, s) if "\\" in s else s
+    return re.sub(_ESCAPE, _meant, s) if "\\" in s else s
 
 
 def _meant(escape):

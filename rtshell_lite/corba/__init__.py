@@ -1,10 +1,12 @@
 """The seam to the ORB: the packages above pass and get plain values, and see an errors.Error for each failure.
 
-lanes      deadlines, and many calls at once, without an ORB: a silent process costs one timeout
+lanes      deadlines, and many calls at once, without an ORB: a silent process costs one timeout; tasks are functions that need not
+           block a thread
 orb        the door: references (their address, identity, endpoint), calls with a deadline, exceptions as errors, properties
 omni       omniORB behind it; answers looks at what peers send before omniORB makes objects of it, stubs finds its classes
-iiop/      our own ORB behind it, a client so far
-servants   objects of ours that components call; only with omniORB so far
+iiop/      our own ORB behind it, in Python: client, which orb.py sees; loop, calls, connections; server; what they send
+failures   what the exceptions of peers mean, for both
+servants   objects of ours that components call
 ior        references as octets
 idl        interfaces and types of OpenRTM's IDL, from generated tables
 descriptors   types as tuples, and functions that read their parts by name; cdr and fixed_size read and write values by them

@@ -33,7 +33,7 @@ LABELS = (SHORT, USHORT, LONG, ULONG, LONGLONG, ULONGLONG, BOOLEAN, CHAR, ENUM) 
 DEEPEST = 64  # types inside types
 LARGEST = 20000  # types within a type
 LONGEST = 1 << 24  # elements of an array, all dimensions together
-_IDENTIFIER = re.compile(r"_?[A-Za-z][A-Za-z0-9_]*\Z")
+_IDENTIFIER = r"_?[A-Za-z][A-Za-z0-9_]*\Z"
 
 
 # ---- values ---------------------------------------------------------------------------------------------------
@@ -356,7 +356,7 @@ class _Adoption:
 
 def check_identifier(word):
     """`word` when it can name a member. Raises BadType."""
-    if not isinstance(word, str) or not _IDENTIFIER.match(word) or word in ("_d", "_n", "_v"):  # these distinguish unions and items
+    if not isinstance(word, str) or not re.match(_IDENTIFIER, word) or word in ("_d", "_n", "_v"):  # these distinguish unions and items
         raise errors.BadType(repr(word), "not an identifier")
     return word
 

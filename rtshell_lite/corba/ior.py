@@ -7,7 +7,6 @@ descriptors (see descriptors.py) in which a reference is what it is on the wire,
 
 omniORBpy still reads references and TypeCodes inside an `any`, whose types only the peer knows.
 """
-import binascii
 import collections
 import functools
 import struct
@@ -37,12 +36,11 @@ def address(text):
 
 def parts(text):
     """(type id, ((tag, octets), …) of its profiles) of a stringified IOR, all octets. Raises IndexError, struct.error."""
-    reader = _Cdr(binascii.unhexlify(text[4:]))
+    reader = _Cdr(_unhexed(text))
     type_id = reader.octets()[:-1]
     return type_id, tuple((reader.ulong(), reader.octets()) for _ in range(reader.ulong()))
 
 
-@functools.lru_cache(maxsize=1024)
 def parsed(type_id, profiles):
     """What a reference says, given as its parts."""
     type_id = sys.intern(type_id.decode("latin-1"))  # one text for all 20,000
@@ -58,9 +56,20 @@ def parsed(type_id, profiles):
     return Address(type_id, "", 0, b"")
 
 
+def _unhexed(text):
+    """The octets of a stringified IOR. Raises IndexError where there are none."""
+    try:
+        data = bytes.fromhex(text[4:])
+    except ValueError:
+        raise IndexError
+    if 2 * len(data) != len(text) - 4:  # there were blanks
+        raise IndexError
+    return data
+
+
 def addresses(text):
     """Every (host, port) that a stringified IOR offers, in its order: IIOP profiles and the alternatives named in them."""
-    reader, found = _Cdr(binascii.unhexlify(text[4:])), []
+    reader, found = _Cdr(_unhexed(text)), []
     try:
         reader.octets()  # the type id
         for _ in range(reader.ulong()):
@@ -158,11 +167,11 @@ def checked(said):
     if said[:4].upper() != "IOR:" or len(said) > 3 * LARGEST:
         raise ValueError("not a reference (no IOR, or too long)")
     try:
-        reader = _Cdr(binascii.unhexlify(said[4:]))
+        reader = _Cdr(_unhexed(said))
         type_id, count = reader.octets(), reader.ulong()
         octets(type_id, [(reader.ulong(), reader.octets()) for _ in range(min(count, MOST_PROFILES + 1))])
         return said
-    except (struct.error, IndexError, binascii.Error, UnicodeEncodeError):
+    except (struct.error, IndexError):
         raise ValueError("not a reference (its octets make no sense)")
 
 

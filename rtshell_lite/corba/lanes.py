@@ -1,19 +1,22 @@
 """Many remote calls at once, none of which can hang the command.
 
-The main thread never makes a CORBA call, so Ctrl-C always works. Calls are grouped by the process that answers them (its
-endpoint): each gets a few lanes, and the first silence from it fails the rest of its calls, so that one hung robot process
-costs one timeout however many components it holds. Every answer restarts the clock of its process: a big system on a slow
-link may take longer than the timeout in all, but no single answer may.
+Calls are grouped by the process that answers them (its endpoint): each gets a few lanes, and the first silence from it fails the
+rest of its calls, so that one hung robot process costs one timeout however many components it holds. Every answer restarts the
+clock of its process: a big system on a slow link may take longer than the timeout in all, but no single answer may.
+
+With omniORB a lane is a thread, and the main thread never makes a CORBA call, so Ctrl-C always works. An ORB whose calls can be
+interrupted sets `loop`: what asks one process stays on its thread, and tasks (see tasks.py) share one.
 """
 import collections
 import errno
 import functools
 import operator
 import os
-import threading
 import time
+from _thread import _local as Local, allocate_lock  # which `threading` is made of: it takes long to import, and most need no thread
 
 from rtshell_lite import errors, interrupts
+from rtshell_lite.corba import tasks
 
 LANES = 4  # calls in flight per process: real-time threads keep their period, and omniORB has 5 connections
 GRACE = 0.2  # s after the ORB's own deadline, which knows more; ours is for what it does not bound (name look-ups)
@@ -25,10 +28,12 @@ NO_TIME = "there was no time left to ask it"
 # object, or a text, for errors; `call`, a function without arguments.
 Job = collections.namedtuple("Job", "endpoint where call")
 
+loop = None  # function(jobs), `in_turn` on one thread where Job.call makes a coroutine; None with an ORB that needs threads
+
 _answered = {}  # {endpoint: when it last answered}
 
 
-class _Peer:
+class Peer:
     """One remote process while it is being asked."""
 
     def __init__(self, endpoint):
@@ -40,6 +45,10 @@ class _Peer:
         since, why = session.silent.get(endpoint, (0, None))
         self.silence = why if time.monotonic() - since < session.timeout else None  # why the rest of its calls fail
 
+    def has_answered(self):
+        """Restart its clock."""
+        self.heard = _answered[self.endpoint] = time.monotonic()
+
     def fall_silent(self, why, since):
         """Fail the rest of its calls, unless it has answered others `since`: one object may hang though its process does not."""
         if _answered.get(self.endpoint, 0) > since:
@@ -48,7 +57,7 @@ class _Peer:
         session.silent[self.endpoint] = time.monotonic(), why
 
 
-_lane = threading.local()
+_lane = Local()
 
 
 class Slots:
@@ -58,7 +67,12 @@ class Slots:
     """
 
     def __init__(self, most=None):
-        self._free = threading.Semaphore(most) if most else None
+        self._free = _semaphore(most) if most else None
+
+    @property
+    def are_unlimited(self):
+        """True if calls need not wait for one another."""
+        return self._free is None
 
     def __enter__(self):
         while self._free and not self._free.acquire(timeout=TICK):
@@ -67,6 +81,11 @@ class Slots:
     def __exit__(self, *_):
         if self._free:
             self._free.release()
+
+
+def _semaphore(most):
+    import threading
+    return threading.Semaphore(most)
 
 
 class Session:
@@ -95,7 +114,7 @@ def in_lane():
 
 def become_lane(endpoint):
     """Make the current thread, not the main one, a lane to the process at `endpoint`: for threads that keep asking."""
-    _lane.peer = _Peer(endpoint)
+    _lane.peer = Peer(endpoint)
 
 
 def alive(limit=None):
@@ -110,7 +129,7 @@ def answered():
     """Note that the peer of this lane has answered a call."""
     peer = getattr(_lane, "peer", None)
     if peer:
-        peer.heard = _answered[peer.endpoint] = time.monotonic()
+        peer.has_answered()
         peer.limit = session.timeout
 
 
@@ -137,7 +156,16 @@ def ask(endpoint, where, call):
     """
     if in_lane() and _lane.peer.endpoint == endpoint:
         return call()
-    value, = gather([Job(endpoint, where, call)])
+    return _raised(*gather([Job(endpoint, where, call)]))
+
+
+def aside(key, where, call):
+    """`ask` for what cannot be interrupted and is no remote call, such as the look-up of a name: always on a thread of its own."""
+    return _raised(*_in_lanes([Job(key, where, call)]))
+
+
+def _raised(value):
+    """The value of a job; an exception is raised."""
     if isinstance(value, errors.Silent) and in_lane():
         raise errors.Unreachable(*value.args)
     if isinstance(value, Exception):
@@ -146,19 +174,24 @@ def ask(endpoint, where, call):
 
 
 def each(items, function, place=operator.attrgetter("endpoint", "where")):
-    """Call function(item) for each item, in parallel: the values in order, an errors.Error for what failed.
+    """Call function(item), which may be a task, for each item, in parallel: the values in order, an errors.Error for what failed.
 
     `place(item)` gives (endpoint, where), see Job.
     """
-    def job(item):
-        endpoint, where = place(item)
-        return Job(endpoint, where, functools.partial(function, item))
-    return gather(map(job, items))
+    return list(each_in_turn(items, function, place))
+
+
+def each_in_turn(items, function, place):
+    """`each`, but yields the values as `in_turn` does."""
+    places = [place(item) for item in items]  # which may start the ORB
+    task = tasks.of(function) if loop and session.slots.are_unlimited else None
+    jobs = [Job(endpoint, where, functools.partial(task or function, item)) for item, (endpoint, where) in zip(items, places)]
+    return loop(jobs) if task else in_turn(jobs)
 
 
 def gather(jobs):
     """Run all `jobs` (iterable of Job) and return their values in order; a failed job's value is its errors.Error."""
-    return list(in_turn(jobs))
+    return list(in_turn(list(jobs)))
 
 
 def in_turn(jobs):
@@ -166,12 +199,33 @@ def in_turn(jobs):
 
     The jobs go on meanwhile, so the caller must not make remote calls before the last value.
     """
-    values, peers = [], {}
+    return _here(jobs[0]) if loop and len(jobs) == 1 and _can_stay() else _in_lanes(jobs)
+
+
+def _can_stay():
+    """True where nobody watches this thread, so that it may be a lane itself."""
+    return getattr(_lane, "is_unwatched", True)
+
+
+def _here(job):
+    """`in_turn` for one job, on this thread."""
+    before, _lane.peer = getattr(_lane, "peer", None), Peer(job.endpoint)
+    try:
+        value = _value(_lane.peer, job)
+    finally:
+        if before:
+            _lane.peer = before
+        else:
+            del _lane.peer
+    yield value_of(value)
+
+
+def _in_lanes(jobs):
+    values, peers = [_TO_COME] * len(jobs), {}
     for i, job in enumerate(jobs):
-        peer = peers.get(job.endpoint) or peers.setdefault(job.endpoint, _Peer(job.endpoint))
+        peer = peers.get(job.endpoint) or peers.setdefault(job.endpoint, Peer(job.endpoint))
         peer.todo.append(i)
         peer.open[i] = job
-        values.append(_TO_COME)
     results, taken = _Results(len(values)), 0
     try:
         for peer in peers.values():
@@ -184,16 +238,22 @@ def in_turn(jobs):
             while taken < len(values) and values[taken] is not _TO_COME:
                 value, values[taken] = values[taken], None
                 taken += 1
-                if isinstance(value, Exception) and not isinstance(value, errors.Error):
-                    raise value  # a bug of ours, not a failure of the peer
-                yield value
+                yield value_of(value)
     finally:
         for peer in peers.values():  # after Ctrl-C nothing more is begun
             peer.todo.clear()
 
 
+def value_of(value):
+    """The value of a job, also where it is an errors.Error; another exception is a bug of ours, and raised."""
+    if isinstance(value, Exception) and not isinstance(value, errors.Error):
+        raise value
+    return value
+
+
 def start(function, *args):
     """Run function(*args) on a thread of its own. Raises Shortage."""
+    import threading
     with interrupts.held():
         try:
             threading.Thread(target=function, args=args, daemon=True).start()
@@ -211,7 +271,7 @@ class _Results:
     """
 
     def __init__(self, count):
-        self.lock, self.left, self.complete = threading.Lock(), count, interrupts.Bell()
+        self.lock, self.left, self.complete = allocate_lock(), count, interrupts.Bell()
         self.came(0)
 
     def came(self, count):
@@ -222,7 +282,7 @@ class _Results:
 
 
 def _work(peer, values, results):
-    _lane.peer = peer
+    _lane.peer, _lane.is_unwatched = peer, False
     while True:
         try:
             i = peer.todo.popleft()
@@ -245,12 +305,12 @@ def _value(peer, job):
         return job.call()
     except errors.Silent as e:
         peer.fall_silent(e.why, _lane.since)
-        return _alone(e)
+        return alone(e)
     except Exception as e:
-        return _alone(e)
+        return alone(e)
 
 
-def _alone(e):
+def alone(e):
     """A failure without its traceback: the frames of 20,000 failures took 140 MB. A bug of ours keeps its own."""
     if isinstance(e, errors.Error):
         e.__traceback__ = e.__context__ = None
@@ -287,7 +347,7 @@ class Calls:
 
     def __init__(self):
         self._events = interrupts.Mailbox()
-        self._lock = threading.Lock()
+        self._lock = allocate_lock()
         self._waiting = {}  # by endpoint
         self._threads = collections.Counter()  # by endpoint
         self._begun = set()
@@ -326,9 +386,7 @@ class Calls:
         if found is None:
             return None
         key, value = found
-        if isinstance(value, Exception) and not isinstance(value, errors.Error):
-            raise value
-        return key, value
+        return key, value_of(value)
 
     def close(self):
         """Start no more functions; returns the keys of those that were begun."""

@@ -4,11 +4,13 @@ import sys
 import threading
 
 from rtshell_lite import errors
-from rtshell_lite.corba import answers, ior, lanes, stubs
+from rtshell_lite.corba import answers, failures, ior, lanes, stubs
 from rtshell_lite.text import from_wire, printable, to_wire
 
 PROBING = 4  # a host has a quarter of the timeout to refuse a connection
 CONNECTIONS = 5  # omniORB opens at most so many to one process (maxGIOPConnectionPerServer)
+
+loop = None  # calls of omniORB cannot be interrupted: threads make them
 
 _started = None  # the ORB, once there is one
 _deadline = None  # s, the deadline that it was given
@@ -110,9 +112,10 @@ def same(one, other):
 
 # ---- calls ----------------------------------------------------------------------------------------------------
 
-def invoke(where, ref, operation, args, seconds):
-    """The result of an operation, with a deadline of so many seconds where that is more than the timeout."""
+def invoke(call):
+    """The result of an orb.Call, with a deadline of its `seconds` where that is more than the timeout."""
     from omniORB import CORBA
+    where, ref, operation, args, seconds = call.where, call.ref, call.operation, call.args, call.seconds
     longer = seconds if seconds and seconds > lanes.session.timeout else None
     if longer:
         import omniORB
@@ -148,19 +151,13 @@ def _error(where, e, seconds, ref):
     label = _label(e)
     if isinstance(e, CORBA.TIMEOUT):
         return errors.Silent(where, lanes.no_answer(seconds))
-    if isinstance(e, CORBA.OBJECT_NOT_EXIST):
-        return errors.Gone(where)
     if isinstance(e, CORBA.TRANSIENT) and label.endswith("ConnectFailed"):
         return _not_connected(where, address(ref)[1:3])
-    if isinstance(e, CORBA.TRANSIENT):
-        reason = errors.NO_USABLE_ADDRESS if label.endswith("NoUsableProfile") else f"cannot be reached now ({label})"
-        return errors.Unreachable(where, reason)
-    if isinstance(e, CORBA.COMM_FAILURE):
-        return errors.Unreachable(where, "connection lost")
-    if isinstance(e, (CORBA.MARSHAL, CORBA.INV_OBJREF)):
-        return errors.Unreachable(where, f"garbled answer ({label})")
-    detail = getattr(e, "description", "")
-    return errors.Refused(where, label + (": " + printable(from_wire(detail)) if detail else ""), name=type(e).__name__)
+    if isinstance(e, CORBA.TRANSIENT) and label.endswith("NoUsableProfile"):
+        return errors.Unreachable(where, errors.NO_USABLE_ADDRESS)
+    if isinstance(e, CORBA.SystemException):
+        return failures.system(where, type(e).__name__, label)
+    return failures.user(where, label, getattr(e, "description", ""))
 
 
 def _not_connected(where, endpoint):
@@ -219,12 +216,15 @@ def items(name):
     return stubs.named(name)._items
 
 
-def properties(nvlist):
-    """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to text."""
+def properties(nvlist, only=None):
+    """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to text.
+
+    `only`: those of this name.
+    """
     from omniORB import CORBA
     string = CORBA.tk_string  # almost all are; `is`, because == of these takes as long as all the rest
     return [(sys.intern(from_wire(nv.name)), from_wire(nv.value.value()) if nv.value.typecode().kind() is string
-             else _as_text(nv.value, CORBA)) for nv in nvlist]
+             else _as_text(nv.value, CORBA)) for nv in nvlist if not only or nv.name == only]
 
 
 def _as_text(value, CORBA):

@@ -5,7 +5,7 @@ RTSHELL_ORB chooses the ORB behind it: omniorb (omni.py) or builtin (iiop/). Uns
 import os
 
 from rtshell_lite import errors
-from rtshell_lite.corba import ior, lanes, stubs
+from rtshell_lite.corba import ior, lanes, stubs, tasks
 from rtshell_lite.path import PROTOCOLS, SCHEMES, split_address
 from rtshell_lite.text import printable, to_wire
 
@@ -20,6 +20,7 @@ def start():
     global _orb
     _orb = _orb or _chosen()
     _orb.start()
+    lanes.loop = _orb.loop
 
 
 def _chosen():
@@ -48,7 +49,7 @@ def version():
 def corbaloc(where, address, key, default_port):
     """The reference of the object `key` at `address` (host, host:port, PROTOCOL:rest); contacts nobody."""
     protocol, _, rest = address.partition(":")
-    if SCHEMES.match(address):
+    if address.startswith(SCHEMES):
         url = f"{address}#{key}"
     elif protocol in PROTOCOLS and protocol != "iiop":
         url = f"corbaloc:{address}/{key}"
@@ -126,21 +127,39 @@ def at(ref, host, port):
 
 # ---- calls ----------------------------------------------------------------------------------------------------
 
-def call(where, ref, operation, *args, seconds=None):
-    """Call `operation` of `ref` and return its result; `where`, a Path or text, names the object in errors.
+class Call:
+    """A call of `operation` of `ref`, to be awaited in a task; `where`, a Path or text, names the object in errors.
 
     `seconds` is a longer deadline for an operation that may take its time. Raises Silent, Gone, Unreachable or Refused.
     """
-    return lanes.ask(endpoint(ref), where, lambda: _called(where, ref, operation, args, seconds))
+
+    __slots__ = ("where", "ref", "operation", "args", "seconds")
+
+    def __init__(self, where, ref, operation, *args, seconds=None):
+        self.where, self.ref, self.operation, self.args, self.seconds = where, ref, operation, args, seconds
+
+    def __await__(self):
+        return (yield self)
+
+    def wait(self):
+        """The result of the operation, waited for on this thread."""
+        return lanes.ask(endpoint(self.ref), self.where, self._result)
+
+    def _result(self):
+        """The result of the operation, called on this thread, a lane of the process that answers."""
+        with lanes.session.slots:
+            lanes.alive(self.seconds and max(self.seconds, lanes.session.timeout))
+            result = _orb.invoke(self)
+        lanes.answered()
+        return result
 
 
-def _called(where, ref, operation, args, seconds):
-    """The result of an operation, called on this thread, a lane of the process that answers."""
-    with lanes.session.slots:
-        lanes.alive(seconds and max(seconds, lanes.session.timeout))
-        result = _orb.invoke(where, ref, operation, args, seconds)
-    lanes.answered()
-    return result
+def call(where, ref, operation, *args, seconds=None):
+    """The result of a Call."""
+    return Call(where, ref, operation, *args, seconds=seconds).wait()
+
+
+call.task = Call
 
 
 def each(refs, function, where=None):
@@ -151,10 +170,11 @@ def each(refs, function, where=None):
     return lanes.each(refs, function, lambda ref: (endpoint(ref), where or at_address(ref)))
 
 
-def is_alive(where, ref):
+@tasks.task
+async def is_alive(where, ref):
     """True if the object of `ref` exists. Raises Gone if it does not or nobody listens there, Silent, Unreachable."""
     try:
-        gone = call(where, ref, "_non_existent")
+        gone = await Call(where, ref, "_non_existent")
     except errors.ConnectionRefused:
         raise errors.ProcessGone(str(where))
     if gone:
@@ -185,9 +205,12 @@ def items(name):
     return _orb.items(name)
 
 
-def properties(nvlist):
-    """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to text."""
-    return _orb.properties(nvlist)
+def properties(nvlist, only=None):
+    """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to text.
+
+    `only`: those of this name.
+    """
+    return _orb.properties(nvlist, only)
 
 
 def descriptor(type_id):

@@ -120,7 +120,7 @@ class Connection:
         if not connector:
             return
         try:
-            profile = component.once_more(lambda: orb.call(
+            profile = component.once_more(lambda: orb.Call(
                 self.where, self.port.ref, "get_connector_profile", to_wire(connector.id)))
         except (errors.Gone, errors.ConnectionRefused) as e:
             raise self.component_ended(e)

@@ -63,12 +63,11 @@ class Audience:
     def _cycles(self):
         owned, participating = component.context_refs(self.node)
         refs = owned + participating
-        running = [component.elsewhere(self.node, ref, lambda ref=ref: orb.call(self.node.path, ref, "is_running"), False)
-                   for ref in refs]
+        running = [component.elsewhere(self.node, ref, orb.Call(self.node.path, ref, "is_running"), False) for ref in refs]
         return [Cycle(*fields) for fields in zip(range(len(refs)), refs, component.states(self.node, refs), running)]
 
     def _rate(self, ref):
-        rate = component.elsewhere(self.node, ref, lambda: orb.call(self.node.path, ref, "get_rate"), 0)
+        rate = component.elsewhere(self.node, ref, orb.Call(self.node.path, ref, "get_rate"), 0)
         return rate if 0 < rate < math.inf else None
 
 

@@ -31,7 +31,7 @@ def connect(addresses, port):
                 lanes.note_shortage(e, address)
                 failure = failure or e
         raise _error(where, failure)
-    lanes.ask(("TCP", tuple(addresses), port), where, attempt)
+    lanes.aside(("TCP", tuple(addresses), port), where, attempt)
 
 
 def _error(where, e):

@@ -1,6 +1,6 @@
 """Each manager: whether it answers, and whether what it lists lives."""
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes
+from rtshell_lite.corba import lanes, tasks
 from rtshell_lite.doctor import networks, remedies
 from rtshell_lite.doctor.finding import counted, fail, ok, published, reason
 from rtshell_lite.robot import component, tree
@@ -19,8 +19,8 @@ def findings(nodes):
 def _ask(node):
     """(slaves, components, whether it was asked twice): a master whose slave has died fails once."""
     failed_once = []
-    slaves = component.once_more(lambda: tree.slaves(node), failed_once)
-    managed = component.once_more(lambda: tree.managed(node), failed_once)
+    slaves = component.once_more(lambda: tasks.plain(tree.slaves, node), failed_once)
+    managed = component.once_more(lambda: tasks.plain(tree.managed, node), failed_once)
     return slaves, managed, bool(failed_once)
 
 

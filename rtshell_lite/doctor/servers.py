@@ -96,7 +96,7 @@ def _transport(visit, endpoint, times):
     """Name and TCP; addresses of other protocols than IIOP (http://…, ssliop:…) are left to the ORB."""
     host, port = endpoint
     address = visit.path.server
-    if path.SCHEMES.match(address) or address.partition(":")[0] in path.PROTOCOLS and not address.startswith("iiop:"):
+    if address.startswith(path.SCHEMES) or address.partition(":")[0] in path.PROTOCOLS and not address.startswith("iiop:"):
         return
     where, shown = str(visit.path), printable(host)
     try:

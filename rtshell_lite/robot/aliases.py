@@ -1,6 +1,5 @@
 """Directories bound by several names: naming contexts and managers, recognised by their references."""
 import collections
-import socket
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb
@@ -78,9 +77,10 @@ def resolve(host):
     The system's resolver has no deadline, and omniORB's own limits do not cover it.
     """
     def look_up():
+        import socket  # takes long, and addresses need no look-up
         try:
             known = socket.getaddrinfo(host, None, 0, socket.SOCK_STREAM)
         except (OSError, UnicodeError) as e:
             raise errors.Unreachable(printable(host), getattr(e, "strerror", None) or "not a host name")
         return list(collections.OrderedDict.fromkeys(info[4][0] for info in known))
-    return lanes.ask(("name of", host), printable(host), look_up)
+    return lanes.aside(("name of", host), printable(host), look_up)

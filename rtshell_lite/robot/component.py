@@ -3,7 +3,7 @@ import collections
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import lanes, orb, tasks
 from rtshell_lite.robot import tree
 from rtshell_lite.text import from_wire, shell_word
 
@@ -40,13 +40,14 @@ def until(reached, seconds):
 
 # ---- profile --------------------------------------------------------------------------------------------------
 
-def profile(node, brief=False):
+@tasks.task
+async def profile(node, brief=False):
     """The Profile of a component. Ask its ports first (`ports.ports`): protocol rule, see `once_more`.
 
     `brief`: with one of its properties, which shows that there are any.
     """
-    raw = once_more(lambda: node.call("get_component_profile"))
-    parent = once_more(lambda: orb.call(node.path, raw.parent, "get_sdo_id")) if raw.parent else ""
+    raw = await once_more.task(lambda: node.ask("get_component_profile"))
+    parent = await once_more.task(lambda: orb.Call(node.path, raw.parent, "get_sdo_id")) if raw.parent else ""
     texts = [from_wire(s) for s in (raw.instance_name, raw.type_name, raw.description, raw.version, raw.vendor,
                                     raw.category, parent)]
     return Profile._make(texts + [orb.properties(raw.properties[:1] if brief else raw.properties)])
@@ -62,20 +63,21 @@ def instance_name(node, ref):
         return "Unknown"
 
 
-def once_more(call, failures=None):
-    """call(), a second time after a failure other than silence; that is added to the list `failures`, if given.
+@tasks.task
+async def once_more(call, failures=None):
+    """What call() makes is awaited, a second time after a failure other than silence; that is added to `failures`, if given.
 
     A profile query makes a component check its connections, and the first one after a peer has died passes that peer's
     TRANSIENT on to the caller (C++ and Python 2.1).
     """
     try:
-        return call()
+        return await call()
     except (errors.Silent, errors.Refused):
         raise
     except errors.Unreachable as e:
         if failures is not None:
             failures.append(e)
-        return call()
+        return await call()
 
 
 # ---- execution contexts ---------------------------------------------------------------------------------------
@@ -85,52 +87,61 @@ def context_refs(node):
     return owned_context_refs(node), participating_context_refs(node)
 
 
-def owned_context_refs(node):
+@tasks.task
+async def owned_context_refs(node):
     """References of the execution contexts that a component owns."""
-    return _refs(node, "get_owned_contexts")
+    return await _refs(node, "get_owned_contexts")
 
 
-def participating_context_refs(node):
+@tasks.task
+async def participating_context_refs(node):
     """References of the execution contexts, of other components, that a component takes part in."""
-    return _refs(node, "get_participating_contexts")
+    return await _refs(node, "get_participating_contexts")
 
 
-def _refs(node, operation):
-    return [orb.narrow(ref, "component.RTC.ExecutionContextService") for ref in node.call(operation) if ref is not None]
+async def _refs(node, operation):
+    return [orb.narrow(ref, "component.RTC.ExecutionContextService") for ref in await node.ask(operation) if ref is not None]
 
 
-def context_ref(node, index):
+@tasks.task
+async def context_ref(node, index):
     """The reference of the execution context number `index`: the owned ones from 0, then the participating ones.
 
     One call for an owned one, the usual case.
     """
-    owned = owned_context_refs(node)
+    owned = await owned_context_refs.task(node)
     if -len(owned) <= index < len(owned):
         return owned[index]
-    refs = owned + participating_context_refs(node)
+    refs = owned + await participating_context_refs.task(node)
     if not 0 <= index < len(refs):
         raise errors.NoSuch(str(node.path), "execution context", f"{index} (it has {len(refs)})")
     return refs[index]
 
 
-def context(node, ref):
+@tasks.task
+async def context(node, ref):
     """The Context of an execution context, complete."""
-    raw = orb.call(node.path, ref, "get_profile")
-    return Context(handle=node.call("get_context_handle", ref), ref=ref, kind=_by_number(KINDS, raw.kind), rate=raw.rate,
-                   running=orb.call(node.path, ref, "is_running"), owner=raw.owner, participants=raw.participants,
+    raw = await orb.Call(node.path, ref, "get_profile")
+    return Context(handle=await node.ask("get_context_handle", ref), ref=ref, kind=_by_number(KINDS, raw.kind), rate=raw.rate,
+                   running=await orb.Call(node.path, ref, "is_running"), owner=raw.owner, participants=raw.participants,
                    properties=orb.properties(raw.properties))
 
 
-def running(node, ref):
+@tasks.task
+async def running(node, ref):
     """The Context of an execution context with only its rate and whether it runs."""
-    rate, runs = orb.call(node.path, ref, "get_rate"), orb.call(node.path, ref, "is_running")
+    rate, runs = await orb.Call(node.path, ref, "get_rate"), await orb.Call(node.path, ref, "is_running")
     return Context(None, ref, None, rate, bool(runs), None, (), ())
 
 
-def elsewhere(node, ref, ask, otherwise):
-    """ask(), or `otherwise` if `ref`, a context of another process, does not answer: a hung composite must not hide its members."""
+@tasks.task
+async def elsewhere(node, ref, asked, otherwise):
+    """What `asked`, a coroutine, returns, or `otherwise` if `ref`, a context of another process, does not answer.
+
+    So a hung composite does not hide its members.
+    """
     try:
-        return ask()
+        return await asked
     except errors.Unreachable:
         if orb.endpoint(ref) == node.endpoint:
             raise
@@ -149,9 +160,10 @@ def state(node):
     return merged(states(node, owned + participating))
 
 
-def states(node, refs):
+@tasks.task
+async def states(node, refs):
     """Its state in each context; Unknown in a context of another process that does not answer."""
-    return [elsewhere(node, ref, lambda ref=ref: state_in(node, ref), "Unknown") for ref in refs]
+    return [await elsewhere.task(node, ref, state_in.task(node, ref), "Unknown") for ref in refs]
 
 
 def merged(states):
@@ -159,23 +171,25 @@ def merged(states):
     return next((s for s in ("Error", "Active", "Inactive", "Created") if s in states), "Unknown")
 
 
-def state_in(node, ref):
+@tasks.task
+async def state_in(node, ref):
     """The state of a component in the execution context `ref` (ExecutionContext::get_component_state)."""
-    now = _by_number(STATES, orb.call(node.path, ref, "get_component_state", node.typed))
+    now = _by_number(STATES, await orb.Call(node.path, ref, "get_component_state", node.typed))
     if now == "Created":
-        known = canonical(node)
+        known = await canonical.task(node)
         if known is not None:
-            return _by_number(STATES, orb.call(node.path, ref, "get_component_state", known))
+            return _by_number(STATES, await orb.Call(node.path, ref, "get_component_state", known))
     return now
 
 
-def canonical(node):
+@tasks.task
+async def canonical(node):
     """The reference by which its contexts know a component, None if it is the one that we have.
 
     Contexts do not recognise a component that is bound under a rewritten address, or reached by its key.
     """
-    owned = owned_context_refs(node)
-    owner = orb.call(node.path, owned[0], "get_profile").owner if owned else None
+    owned = await owned_context_refs.task(node)
+    owner = (await orb.Call(node.path, owned[0], "get_profile")).owner if owned else None
     return None if owner is None or orb.same(owner, node.ref) else owner
 
 
@@ -186,83 +200,90 @@ def change_all(paths, transition, index=0, wait=None, dry_run=False):
 
     With `dry_run` nothing changes, and the line is the command that would change the component, '' where none is needed.
     """
-    def change_one(node):
+    @tasks.task
+    async def change_one(node):
         if dry_run:
-            now = state_in(node, context_ref(node, index))
+            now = await state_in.task(node, await context_ref.task(node, index))
             words = [transition.command] + ["-e", str(index)] * bool(index) + [shell_word(str(node.path))]
             return "" if now == transition.target else " ".join(words)
-        return f"{node.path}: {change(node, transition, index, wait)}"
+        return f"{node.path}: {await change.task(node, transition, index, wait)}"
     return tree.on_components(paths, change_one)
 
 
-def _members_first(node, ref, wait):
+async def _members_first(node, ref, wait):
     """Deactivate the members of a composite of C++ 1.1 before it: the thread that deactivates it would wait for them in vain."""
     if not orb.address(ref).type_id.endswith("/ExtTrigExecutionContextService:1.0"):
         return
-    raw = orb.call(node.path, ref, "get_profile")
-    if not orb.same(raw.owner, node.ref) or not raw.participants or not node.call("get_owned_organizations"):
+    raw = await orb.Call(node.path, ref, "get_profile")
+    if not orb.same(raw.owner, node.ref) or not raw.participants or not await node.ask("get_owned_organizations"):
         return
     for member in raw.participants:
-        if _by_number(STATES, orb.call(node.path, ref, "get_component_state", member)) == "Active":
-            orb.call(node.path, ref, "deactivate_component", member, seconds=wait)
+        if _by_number(STATES, await orb.Call(node.path, ref, "get_component_state", member)) == "Active":
+            await orb.Call(node.path, ref, "deactivate_component", member, seconds=wait)
 
 
-def change(node, transition, index=0, wait=None):
+@tasks.task
+async def change(node, transition, index=0, wait=None):
     """Take a component through a Transition in its execution context number `index`; returns the state reached or asked for.
 
     `wait` (seconds) polls until the state is reached, and Active still there a period later. Contexts of 1.1 answer before the
     state has changed, later ones answer RTC_ERROR when it takes longer than their own limit of 0.5 s but change it nevertheless:
     so after RTC_ERROR the state is polled for the timeout. Raises Refused with the reason, Unreachable when it was not reached.
     """
-    change_in(node, context_ref(node, index), transition, wait, f"its execution context {index}")
+    await change_in.task(node, await context_ref.task(node, index), transition, wait, f"its execution context {index}")
     return transition.target
 
 
-def change_in(node, ref, transition, wait=None, called="this execution context", stage=lambda name: None):
+@tasks.task
+async def change_in(node, ref, transition, wait=None, called="this execution context", stage=lambda name: None):
     """`change` in the execution context `ref`; returns the state that the component was in before.
 
     `called` is the context in messages. If the component has to change, stage("asking") is called before it is asked, and
     stage("told") when it has accepted.
     """
-    before = state_in(node, ref)
+    before = await state_in.task(node, ref)
     if before == transition.target:
         if wait is not None:
-            stay(node, ref, transition, wait)
+            await stay.task(node, ref, transition, wait)
         return before
     stage("asking")
     if transition is DEACTIVATE:
-        _members_first(node, ref, wait)
-    code = _request(node, ref, transition, node.typed, wait)
+        await _members_first(node, ref, wait)
+    code = await _request(node, ref, transition, node.typed, wait)
     if code == "BAD_PARAMETER":
-        known = canonical(node)
+        known = await canonical.task(node)
         if known is None:
             raise errors.Refused(str(node.path), "is not in " + called)
-        code = _request(node, ref, transition, known, wait)
+        code = await _request(node, ref, transition, known, wait)
     if code == "RTC_OK":
         stage("told")
     if code == "RTC_OK" and wait is None:
         return before
-    now = seen(lambda: state_in(node, ref))
+    now = await seen.task(state_in.task(node, ref))
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
         raise errors.Refused(str(node.path), f"cannot {transition.name}: {_reason(code, before, now, transition)}")
     seconds, start = lanes.session.timeout if wait is None else wait, time.monotonic()
-    _until(node, ref, transition, now, seconds)
+    await _until(node, ref, transition, now, seconds)
     if wait is not None:
-        stay(node, ref, transition, start + seconds - time.monotonic())
+        await stay.task(node, ref, transition, start + seconds - time.monotonic())
     return before
 
 
-def seen(ask):
-    """ask() after a change, which may have been made although the answer is refused. Raises Uncertain then."""
+@tasks.task
+async def seen(asked):
+    """What `asked`, a coroutine or Call, returns after a change, which may have been made although the answer is refused.
+
+    Raises Uncertain then.
+    """
     try:
-        return ask()
+        return await asked
     except errors.Refused as e:
         raise errors.Uncertain(*e.args)
 
 
-def _request(node, ref, transition, target, wait):
+async def _request(node, ref, transition, target, wait):
     # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz: `wait` is for the answer, too
-    return str(orb.call(node.path, ref, transition.operation, target, seconds=wait))
+    return str(await orb.Call(node.path, ref, transition.operation, target, seconds=wait))
 
 
 def _reason(code, before, now, transition):
@@ -274,7 +295,8 @@ def _reason(code, before, now, transition):
     return f"{code}, it is {now}"
 
 
-def stay(node, ref, transition, seconds):
+@tasks.task
+async def stay(node, ref, transition, seconds):
     """Check that a component is still Active a period of its execution context `ref` later, within so many seconds.
 
     Where onActivated fails, a component is Active for one period before it is in Error (all of OpenRTM-aist). Other states
@@ -282,32 +304,32 @@ def stay(node, ref, transition, seconds):
     """
     if transition is not ACTIVATE:
         return
-    rate, start = seen(lambda: orb.call(node.path, ref, "get_rate")), time.monotonic()
+    rate, start = await seen.task(orb.Call(node.path, ref, "get_rate")), time.monotonic()
     end = start + (1 / rate if rate > 0 else 0) + JITTER
     limit = start + max(seconds, POLL)
     while time.monotonic() < end:
         if time.monotonic() > limit:
             raise errors.Unreachable(str(node.path), f"Active, but not yet for a period ({1 / rate:g}s) of its execution context")
-        time.sleep(max(0, min(POLL, end - time.monotonic())))
-        now = seen(lambda: state_in(node, ref))
+        await tasks.Sleep(max(0, min(POLL, end - time.monotonic())))
+        now = await seen.task(state_in.task(node, ref))
         if now != transition.target:
             raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to {now}")
 
 
-def _until(node, ref, transition, now, seconds):
+async def _until(node, ref, transition, now, seconds):
     """Poll until the state is reached, at first more often: most components need a few periods only."""
     limit, pause = time.monotonic() + seconds, POLL / 10
     while now != transition.target:
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to Error")
-        if not orb.call(node.path, ref, "is_running"):
-            others = "; it takes part in others, named with -e (see rtec)" if context_refs(node)[1] else ""
+        if not await orb.Call(node.path, ref, "is_running"):
+            others = "; it takes part in others, named with -e (see rtec)" if await participating_context_refs.task(node) else ""
             raise errors.Refused(str(node.path), f"cannot {transition.name}: its execution context is stopped{others}")
         if time.monotonic() > limit:
             raise errors.Unreachable(str(node.path), f"not {transition.target} within {seconds:g}s, still {now}")
-        time.sleep(pause)
+        await tasks.Sleep(pause)
         pause = min(2 * pause, POLL)
-        now = seen(lambda: state_in(node, ref))
+        now = await seen.task(state_in.task(node, ref))
 
 
 # ---- exit -----------------------------------------------------------------------------------------------------

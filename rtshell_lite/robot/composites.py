@@ -5,7 +5,7 @@ Organization::get_owner is never called: a C++ component answers it once, and ha
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, tasks
 from rtshell_lite.robot import component, configuration, manager, ports, tree
 from rtshell_lite.robot.places import Places
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
@@ -20,50 +20,53 @@ EXPORTED = "exported_ports"  # parameter of a composite's set `default`: a comma
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
-def owned(node, with_members=True):
+@tasks.task
+async def owned(node, with_members=True):
     """The Organisations that a component owns, a composite if there are any; each of their members is asked for its name."""
-    return [_organisation(node, ref) if with_members else Organisation("", ref, []) for ref in _refs(node, "get_owned_organizations")]
+    refs = await _refs(node, "get_owned_organizations")
+    return [await _organisation(node, ref) if with_members else Organisation("", ref, []) for ref in refs]
 
 
-def belonging(node, contexts):
+@tasks.task
+async def belonging(node, contexts):
     """(id, name of the composite, its path as text) of each organisation that a component is a member of.
 
     The composites are among the owners of `contexts`, the component.Contexts that it takes part in; Unknown where one does not
     answer.
     """
-    ids = [from_wire(orb.call(node.path, ref, "get_organization_id")) for ref in _refs(node, "get_organizations")]
-    known = _composites(node, contexts) if ids else {}
+    ids = [from_wire(await orb.Call(node.path, ref, "get_organization_id")) for ref in await _refs(node, "get_organizations")]
+    known = await _composites(node, contexts) if ids else {}
     return [(organisation_id,) + known.get(organisation_id, ("Unknown", "Unknown")) for organisation_id in ids]
 
 
-def _composites(node, contexts):
+async def _composites(node, contexts):
     """{id of its organisation: (instance name, path as text)} of the owners of these contexts."""
     places, by_id = Places(), {}
     for owner in [context.owner for context in contexts if context.owner is not None]:
         above = tree.Node(node.path, "component", owner)
         try:
-            name = from_wire(above.call("get_sdo_id"))
-            for ref in _refs(above, "get_owned_organizations"):
-                organisation_id = from_wire(orb.call(node.path, ref, "get_organization_id"))
+            name = from_wire(await above.ask("get_sdo_id"))
+            for ref in await _refs(above, "get_owned_organizations"):
+                organisation_id = from_wire(await orb.Call(node.path, ref, "get_organization_id"))
                 by_id[organisation_id] = (name, _path_text(places, name, owner, node))
         except errors.Unreachable:
             continue
     return by_id
 
 
-def _refs(node, operation):
+async def _refs(node, operation):
     try:
-        return [ref for ref in node.call(operation) if ref is not None]
+        return [ref for ref in await node.ask(operation) if ref is not None]
     except errors.Refused as e:
         if e.name in ("NO_IMPLEMENT", "BAD_OPERATION"):  # small implementations lack compositions
             return []
         raise
 
 
-def _organisation(node, ref):
-    members = [member for member in orb.call(node.path, ref, "get_members") if member is not None]
+async def _organisation(node, ref):
+    members = [member for member in await orb.Call(node.path, ref, "get_members") if member is not None]
     names = orb.each(members, lambda member: from_wire(orb.call(node.path, member, "get_sdo_id")), node.path)
-    return Organisation(from_wire(orb.call(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
+    return Organisation(from_wire(await orb.Call(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
 
 
 def member_paths(node, organisation):
@@ -209,7 +212,7 @@ def _must_live(node, organisation, m):
 
 def _export(node, add_ports=(), hide=(), hide_all_of=()):
     """Change the list of exported ports and activate it; lines that say what was done."""
-    sets = configuration.Configuration(node)
+    sets = configuration.of(node)
     within = sets.set("default")
     now = [name.strip() for name in within.values.get(EXPORTED, "").split(",") if name.strip()]
     kept = [name for name in now if name not in hide and name.rpartition(".")[0] not in hide_all_of]

@@ -3,7 +3,7 @@ import collections
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, tasks
 from rtshell_lite.robot import tree
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire, unescaped
 
@@ -16,26 +16,33 @@ def hidden(set_id):
     return set_id.startswith("__") and set_id.endswith("__")
 
 
-class Configuration:
-    """The configuration of the component `node`, read once. Raises what remote calls raise."""
+@tasks.task
+async def of(node):
+    """The Configuration of a component. Raises what remote calls raise."""
+    ref = await node.ask("get_configuration")
+    listed = await orb.Call(node.path, ref, "get_configuration_sets")
+    return Configuration(node, ref, listed, await _active(node, ref))
 
-    def __init__(self, node):
-        self.node, self.where = node, str(node.path)
-        self.ref = node.call("get_configuration")
-        self.raw = {from_wire(raw.id): raw for raw in self._call("get_configuration_sets")}
-        self.active = self._active()
+
+async def _active(node, ref):
+    """The id of the active set, '' when there is none, as after values were set without activating."""
+    try:
+        return from_wire((await orb.Call(node.path, ref, "get_active_configuration_set")).id)
+    except errors.Refused as e:
+        if e.name != "NotAvailable":
+            raise
+        return ""
+
+
+class Configuration:
+    """The configuration of the component `node`, read once: its reference, its sets as they came, the id of the active one."""
+
+    def __init__(self, node, ref, listed, active):
+        self.node, self.where, self.ref, self.active = node, str(node.path), ref, active
+        self.raw = {from_wire(raw.id): raw for raw in listed}
 
     def _call(self, operation, *args):
         return orb.call(self.where, self.ref, operation, *args)
-
-    def _active(self):
-        """The id of the active set, '' when there is none, as after values were set without activating."""
-        try:
-            return from_wire(self._call("get_active_configuration_set").id)
-        except errors.Refused as e:
-            if e.name != "NotAvailable":
-                raise
-            return ""
 
     def sets(self, with_hidden=False):
         """The Sets, sorted by name."""
@@ -218,4 +225,4 @@ def differences(left, right, with_hidden=False):
 
 def read(paths):
     """The Configuration of the component at each path; an errors.Error in the place of what failed."""
-    return tree.on_components(paths, Configuration)
+    return tree.on_components(paths, of)

@@ -84,7 +84,7 @@ def disconnect(port, connector):
         failure = _forgetting_failed(port, operation, connector_id)
         if failure is None:
             return
-        left = component.once_more(lambda: orb.call(ports.label(port), port.ref, "get_connector_profiles"))
+        left = component.once_more(lambda: orb.Call(ports.label(port), port.ref, "get_connector_profiles"))
         if connector_id not in [c.connector_id for c in left]:
             _forget_elsewhere(port, connector)
             return

@@ -24,7 +24,7 @@ def entries(node, only=None):
 
 
 def _entry(node, index, ref):
-    context = component.elsewhere(node, ref, lambda: component.context(node, ref), None)
+    context = component.elsewhere(node, ref, component.context.task(node, ref), None)
     if context is None:
         return Entry(index, None, "Unknown", "", [])
     return Entry(index, context, component.states(node, [ref])[0], component.instance_name(node, context.owner),
@@ -37,7 +37,7 @@ def set_rate(node, index, rate):
     """Set the rate (Hz) of a context and check it. Raises Refused."""
     ref, where = component.context_ref(node, index), str(node.path)
     code = str(orb.call(where, ref, "set_rate", rate))
-    now = component.seen(lambda: orb.call(where, ref, "get_rate"))
+    now = component.seen(orb.Call(where, ref, "get_rate"))
     if code != "RTC_OK" or not same_rate(now, rate):
         raise errors.Refused(where, f"does not take a rate of {rate:g} Hz ({code}; it is {now:g} Hz)")
     return f"{node.path}: {now:g} Hz"
@@ -61,7 +61,7 @@ def stop(node, index):
 def _run(node, index, operation, wanted):
     ref, where = component.context_ref(node, index), str(node.path)
     code = str(orb.call(where, ref, operation))  # PRECONDITION_NOT_MET if it already is
-    if bool(component.seen(lambda: orb.call(where, ref, "is_running"))) != wanted:
+    if bool(component.seen(orb.Call(where, ref, "is_running"))) != wanted:
         raise errors.Refused(where, f"its execution context does not {operation} ({code})")
     return f"{node.path}: {'running' if wanted else 'stopped'}"
 
@@ -86,7 +86,7 @@ def attach(node, index, participant):
         raise errors.Failed(where, f"{participant.path!s} owns this execution context")
     if not _takes_part(profile, participant):
         code = str(orb.call(where, ref, "add_component", participant.typed))
-        if code != "RTC_OK" or not _takes_part(component.seen(lambda: orb.call(where, ref, "get_profile")), participant):
+        if code != "RTC_OK" or not _takes_part(component.seen(orb.Call(where, ref, "get_profile")), participant):
             raise errors.Refused(where, f"its execution context does not take {participant.path!s} ({code})")
     return f"{node.path}: {participant.path} takes part"
 
@@ -99,7 +99,7 @@ def detach(node, index, participant):
         raise errors.NoSuch(where, "participant", str(participant.path))
     code = str(orb.call(where, ref, "remove_component", participant.typed))
     seconds = max(SETTLE_TIME, 3 / profile.rate if profile.rate > 0 else 0)
-    if not component.until(lambda: not _takes_part(component.seen(lambda: orb.call(where, ref, "get_profile")), participant), seconds):
+    if not component.until(lambda: not _takes_part(component.seen(orb.Call(where, ref, "get_profile")), participant), seconds):
         raise errors.Refused(where, f"its execution context does not let go of {participant.path!s} ({code})")
     return f"{node.path}: {participant.path} left"
 

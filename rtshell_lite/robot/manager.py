@@ -7,7 +7,7 @@ import posixpath
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, tasks
 from rtshell_lite.path import Path, parse, split_address
 from rtshell_lite.robot import component, ports, tree
 from rtshell_lite.text import from_wire, printable, to_wire
@@ -158,7 +158,7 @@ def create(node, argument, wait=None):
     if ref is None:
         raise errors.Refused(str(node.path), f"does not create {printable(argument)} ({_why_not(node, argument)})")
     created = tree.Node(node.path, "component", ref)
-    name = from_wire(component.seen(lambda: created.call("get_sdo_id")))
+    name = from_wire(component.seen(created.ask("get_sdo_id")))
     if any(orb.same(ref, known.ref) for _, known in before):
         raise errors.Refused(str(node.path), f"created nothing new: it returned {printable(name)}, which was there")
     if name in [known for known, _ in before]:
@@ -173,7 +173,7 @@ def _same_name(node, created, name):
 
     A Python factory keeps the last name that it was given, makes another component of that name, and lists it nowhere.
     """
-    if component.seen(lambda: _lists(node, created.ref)):
+    if component.seen(tasks.plain(_lists, node, created.ref)):
         return f"made a second component called {name}: only one of them is found by that name; delete one"
     return f"created nothing of use: it returned the name {name}, which is taken; give another one: ?instance_name=…"
 
@@ -368,5 +368,5 @@ def _is_over(node):
 
 
 def _until(limit, reached, where, otherwise):
-    if not component.until(lambda: component.seen(reached), limit):
+    if not component.until(lambda: component.seen(tasks.plain(reached)), limit):
         raise errors.Unreachable(where, f"{otherwise} after {limit:g}s")

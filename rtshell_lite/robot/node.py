@@ -1,9 +1,8 @@
 """The objects of the RTC Tree: what each is, by its reference, and whether it lives, by asking it."""
-import functools
 import time
 
 from rtshell_lite import cli, errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import lanes, orb, tasks
 from rtshell_lite.path import Name
 from rtshell_lite.text import LONGEST, from_wire
 
@@ -73,8 +72,12 @@ class Node:
 
     def call(self, operation, *args, **more):
         """Call an operation of its object; errors name its path."""
+        return tasks.run(self.ask(operation, *args, **more))
+
+    async def ask(self, operation, *args, **more):
+        """`call`, to be awaited in a task."""
         try:
-            return orb.call(self.path, self.typed, operation, *args, **more)
+            return await orb.Call(self.path, self.typed, operation, *args, **more)
         except errors.ConnectionRefused as e:
             raise (errors.NoNameServer if self.kind in ("server", "directory") else errors.ProcessGone)(*e.args)
         except errors.Gone as e:
@@ -141,16 +144,17 @@ def judged(node, answer):
     return Node(node.path, "zombie" if zombie else "silent", node.ref, answer)
 
 
-def _looked_at(node):
-    orb.is_alive(node.path, node.ref)
-    return _sure(node) if node.kind == "unsure" else node
+@tasks.task
+async def _looked_at(node):
+    await orb.is_alive.task(node.path, node.ref)
+    return await _sure(node) if node.kind == "unsure" else node
 
 
-def _sure(node):
+async def _sure(node):
     """Ask an object whose reference does not say what it is; a refusal makes it unknown."""
     try:
         for kind, type_id in (("component", _RTOBJECT), ("manager", _MANAGER), ("directory", _CONTEXTS[0])):
-            if orb.call(node.path, node.ref, "_is_a", type_id):
+            if await orb.Call(node.path, node.ref, "_is_a", type_id):
                 return Node(node.path, kind, node.ref)
     except errors.Refused:
         pass
@@ -164,8 +168,8 @@ def on_nodes(nodes, function):
 
 def on_nodes_in_turn(nodes, function):
     """`on_nodes`, but yields the values as lanes.in_turn does."""
-    values = lanes.in_turn(lanes.Job(node.endpoint, node.path, functools.partial(function, node)) for node in nodes
-                           if isinstance(node, Node))
+    values = lanes.each_in_turn([node for node in nodes if isinstance(node, Node)], function,
+                                lambda node: (node.endpoint, node.path))
     return (next(values) if isinstance(node, Node) else node for node in nodes)
 
 

@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import cli, errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, tasks
 from rtshell_lite.robot import component, tree
 from rtshell_lite.text import cut, from_wire, printable
 
@@ -26,9 +26,10 @@ ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
-def ports(node, brief=False):
+@tasks.task
+async def ports(node, brief=False):
     """The Ports of a component in its own order: one call for the list and one a port; for `brief` see `port`."""
-    return [port(node, ref, brief=brief) for ref in refs(node)]
+    return [await port.task(node, ref, brief=brief) for ref in await refs.task(node)]
 
 
 def in_system(listed):
@@ -36,26 +37,28 @@ def in_system(listed):
     return [port._replace(connectors=[connector for connector in port.connectors if len(connector.ports) > 1]) for port in listed]
 
 
-def refs(node):
+@tasks.task
+async def refs(node):
     """References of the ports of a component."""
-    listed = cli.first(MOST_PORTS, node.call("get_ports"), node.path, "ports")
+    listed = cli.first(MOST_PORTS, await node.ask("get_ports"), node.path, "ports")
     return [orb.narrow(ref, "component.RTC.PortService") for ref in listed if ref is not None]
 
 
-def port(node, ref, failures=None, brief=False):
+@tasks.task
+async def port(node, ref, failures=None, brief=False):
     """The Port of a reference (PortService::get_port_profile); for `failures` see `component.once_more`.
 
     `brief`: without interfaces, and with no property but its type: they take most of the memory.
     """
     try:
-        profile = component.once_more(lambda: orb.call(node.path, ref, "get_port_profile"), failures)
+        profile = await component.once_more.task(lambda: orb.Call(node.path, ref, "get_port_profile"), failures)
     except (errors.Gone, errors.ConnectionRefused):
         if orb.endpoint(ref) == node.endpoint:
             raise
         why = "the process of one of its ports is gone; if that is a member's, restart this composite's process " \
               "(until then, rtcomp -r MEMBER:PORT hides the port)"
         raise errors.LostMember(str(node.path), why)
-    properties = dict(orb.properties(nv for nv in profile.properties if not brief or nv.name == "port.port_type"))
+    properties = dict(orb.properties(profile.properties, "port.port_type" if brief else None))
     kind = properties.get("port.port_type")
     interfaces = [] if brief else cli.first(MOST_PARTS, profile.interfaces, node.path, "interfaces of a port")
     connectors = cli.first(MOST_PARTS, profile.connector_profiles, node.path, "connectors of a port")

@@ -5,7 +5,7 @@ A new part is an attribute of Snapshot, and a line in PARTS with the function th
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import lanes, orb, tasks
 from rtshell_lite.robot import component, ports
 
 # How much of a part is wanted. Ports and profile have BRIEF and FULL (see `ports.port`, `component.profile`), organisations have
@@ -60,45 +60,54 @@ class Snapshot:
         A profile query can end a component that has a connection with a dead far end; its ports notice that before: protocol
         rule, see `component.once_more`.
         """
+        return tasks.run(self.asked(**parts))
+
+    async def asked(self, **parts):
+        """`ask`, to be awaited in a task."""
         for name in sorted(parts, key="profile".__eq__):
             self.asking, function = PARTS[name]
-            setattr(self, name, function(self, parts[name]))
+            setattr(self, name, await function(self, parts[name]))
             self.answered = True
         return self
 
-    def elsewhere(self, ref, ask, otherwise):
+    async def elsewhere(self, ref, ask, otherwise):
         """`component.elsewhere`, but a context that did not answer is not asked for `rest` seconds."""
         if self._left_alone and time.monotonic() < self._left_alone.get(orb.identity(ref), 0):
             return otherwise
-        answer = component.elsewhere(self.node, ref, ask, None)
+        answer = await component.elsewhere.task(self.node, ref, ask(self.node, ref), None)
         if answer is None and self.rest:
             self._left_alone[orb.identity(ref)] = time.monotonic() + self.rest
         return otherwise if answer is None else answer
 
 
-def of(node, **parts):
+@tasks.task
+async def of(node, **parts):
     """The Snapshot of one component with these parts. Raises what remote calls raise."""
-    return Snapshot(node).ask(**parts)
+    return await Snapshot(node).asked(**parts)
 
 
 def ask_all(snapshots, **parts):
     """`ask` in parallel by the process that answers; what ended the questions becomes the `error` of a Snapshot."""
-    answers = lanes.each(snapshots, lambda snapshot: snapshot.ask(**parts), lambda snapshot: (snapshot.node.endpoint, snapshot.where))
+    @tasks.task
+    async def ask(snapshot):
+        await snapshot.asked(**parts)
+
+    answers = lanes.each(snapshots, ask, lambda snapshot: (snapshot.node.endpoint, snapshot.where))
     for snapshot, answer in zip(snapshots, answers):
         snapshot.error = answer if isinstance(answer, errors.Error) else None
 
 
 # ---- how each part is asked for -------------------------------------------------------------------------------
 
-def _ports(snapshot, how):
-    refs = ports.refs(snapshot.node)
+async def _ports(snapshot, how):
+    refs = await ports.refs.task(snapshot.node)
     snapshot.answered = True
     snapshot.ports, snapshot.refusing, snapshot.dropped = [], [], []  # those from before a failure are of use
     for number, ref in enumerate(refs, 1):
         snapshot.asking = f"the profile of its port {number}"
         failed_once = []  # shows that the port had a connection with a dead far end
         try:
-            port = ports.port(snapshot.node, ref, failed_once, brief=how == BRIEF)
+            port = await ports.port.task(snapshot.node, ref, failed_once, brief=how == BRIEF)
         except errors.Error as e:
             if how != EACH or isinstance(e, errors.Silent):
                 raise
@@ -109,48 +118,55 @@ def _ports(snapshot, how):
     return snapshot.ports
 
 
-def _contexts(snapshot, refs, how):
+async def _owned(snapshot, how):
+    return await _contexts(snapshot, await component.owned_context_refs.task(snapshot.node), how)
+
+
+async def _participating(snapshot, how):
+    return await _contexts(snapshot, await component.participating_context_refs.task(snapshot.node), how)
+
+
+async def _contexts(snapshot, refs, how):
     bare = [component.Context(None, ref, None, None, None, None, (), ()) for ref in refs]
     if how == REFERENCES:
         return bare
     if how == BRIEF:
-        return [context._replace(handle=snapshot.node.call("get_context_handle", context.ref)) for context in bare]
-    ask = component.context if how == FULL else component.running
-    return [snapshot.elsewhere(context.ref, lambda ref=context.ref: ask(snapshot.node, ref), context) for context in bare]
+        return [context._replace(handle=await snapshot.node.ask("get_context_handle", context.ref)) for context in bare]
+    ask = component.context.task if how == FULL else component.running.task
+    return [await snapshot.elsewhere(context.ref, ask, context) for context in bare]
 
 
-def _states(snapshot, _):
-    return [snapshot.elsewhere(context.ref, lambda ref=context.ref: component.state_in(snapshot.node, ref), "Unknown")
-            for context in snapshot.contexts]
+async def _states(snapshot, _):
+    return [await snapshot.elsewhere(context.ref, component.state_in.task, "Unknown") for context in snapshot.contexts]
 
 
-def _configuration(snapshot, _):
+async def _configuration(snapshot, _):
     from rtshell_lite.robot import configuration  # not needed, and not loaded, for a listing; nor are composites
     try:
-        return configuration.Configuration(snapshot.node)
+        return await configuration.of.task(snapshot.node)
     except errors.Refused:  # small implementations have none
         return None
 
 
-def _organisations(snapshot, how):
+async def _organisations(snapshot, how):
     from rtshell_lite.robot import composites
-    return composites.owned(snapshot.node, with_members=how == FULL)
+    return await composites.owned.task(snapshot.node, with_members=how == FULL)
 
 
-def _composites(snapshot, _):
+async def _composites(snapshot, _):
     from rtshell_lite.robot import composites
-    return composites.belonging(snapshot.node, snapshot.participating)
+    return await composites.belonging.task(snapshot.node, snapshot.participating)
 
 
-def _profile(snapshot, how):
-    return None if snapshot.refusing else component.profile(snapshot.node, brief=how == BRIEF)
+async def _profile(snapshot, how):
+    return None if snapshot.refusing else await component.profile.task(snapshot.node, brief=how == BRIEF)
 
 
-# The parts by attribute: what is asked for in words, function(snapshot, how much).
+# The parts by attribute: what is asked for in words, coroutine function(snapshot, how much).
 PARTS = {
     "ports": ("its ports", _ports),
-    "owned": ("its execution contexts", lambda s, how: _contexts(s, component.owned_context_refs(s.node), how)),
-    "participating": ("its execution contexts", lambda s, how: _contexts(s, component.participating_context_refs(s.node), how)),
+    "owned": ("its execution contexts", _owned),
+    "participating": ("its execution contexts", _participating),
     "states": ("its execution contexts", _states),
     "configuration": ("its configuration", _configuration),
     "organisations": ("its members", _organisations),

@@ -13,7 +13,7 @@ import os
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import lanes, orb, tasks
 from rtshell_lite.robot import aliases
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_address
 # other modules use these as tree.look, tree.Node …
@@ -85,7 +85,8 @@ def lane(path):
 
 # ---- from a path to a node ------------------------------------------------------------------------------------
 
-def resolve(path):
+@tasks.task
+async def resolve(path):
     """The Node at `path` (a Path or text; its port is left out). One call to the name server, none to a component.
 
     A component or manager comes back unasked: `look` finds out whether it lives. Raises NotFound, Misspelt, WrongKind, and
@@ -94,19 +95,19 @@ def resolve(path):
     path = (parse(path) if isinstance(path, str) else path).object()
     if path.server is None:
         return Node(ROOT, "root")
-    return _resolved(_server(path), path)
+    return await _resolved(_server(path), path)
 
 
-def _resolved(server, path):
+async def _resolved(server, path):
     if not path.names:
         return server
     for size, name in enumerate(path.names[:-1], 1):
         if name.kind in ("rtc", "mgr"):  # otherwise the name server asks this object whether it is a naming context
-            above = _directory(_resolved(server, path._replace(names=path.names[:size])))
+            above = _directory(await _resolved(server, path._replace(names=path.names[:size])))
             if above.kind == "manager":
                 return _descend(above, path.names[size:])
     try:
-        ref = server.call("resolve", orb.naming_name(path.names))
+        ref = await server.ask("resolve", orb.naming_name(path.names))
     except errors.Garbled as e:
         return unusable(path, e)
     except errors.Refused as e:
@@ -117,7 +118,7 @@ def _resolved(server, path):
         raise e if isinstance(e, errors.Silent) else _broken_off(server, path, e)
     node = classified(path, ref)
     if ref is not None and not orb.address(ref).type_id:  # how it is bound shows more
-        node = classified(path, ref, (path.names[-1], True) in bound(_resolved(server, path.parent())))
+        node = classified(path, ref, (path.names[-1], True) in bound(await _resolved(server, path.parent())))
     return node
 
 
@@ -175,7 +176,8 @@ def _near_miss(path, names):
     return errors.Misspelt(str(path), str(names[close[0]])) if close else errors.NotFound(str(path))
 
 
-def component(path, or_manager=False):
+@tasks.task
+async def component(path, or_manager=False):
     """The component (`or_manager`: or the manager) at `path` (a Path or text). Asks it nothing.
 
     Raises as `resolve` does, WrongKind (for a port, too), Gone for a zombie.
@@ -183,7 +185,7 @@ def component(path, or_manager=False):
     path = parse(path) if isinstance(path, str) else path
     if path.port is not None:
         raise errors.WrongKind(str(path), "component", "port")
-    node = resolve(path)
+    node = await resolve.task(path)
     if node.kind == "unsure":
         node, = look([node])
     if node.kind == "zombie":
@@ -199,6 +201,12 @@ def component(path, or_manager=False):
     return node
 
 
+@tasks.task
+async def component_or_manager(path):
+    """The component or manager at `path`."""
+    return await component.task(path, True)
+
+
 def on_components(paths, function, or_managers=False):
     """Call function(node) for the component at each path, in parallel; values in order, an errors.Error for what failed.
 
@@ -210,7 +218,7 @@ def on_components(paths, function, or_managers=False):
 def on_components_in_turn(paths, function, or_managers=False):
     """`on_components`, but yields the values as lanes.in_turn does."""
     orb.start()  # its failures are not the failure of a path
-    return on_nodes_in_turn(at_each(paths, lambda path: component(path, or_managers)), function)
+    return on_nodes_in_turn(at_each(paths, component_or_manager if or_managers else component), function)
 
 
 def at_each(paths, function):
@@ -235,9 +243,9 @@ def children(node):
     context, server = node.typed, node.endpoint
     names, nodes = bound(node), []
     while names:
-        batch, names = [(node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]], names[:-AT_ONCE]
+        batch, names = [(context, node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]], names[:-AT_ONCE]
         lanes.alive()  # this may be part of a longer call to the name server, which has answered so far
-        for child in lanes.each(batch, lambda item: _child(context, *item), lambda item: (server, item[0])):
+        for child in lanes.each(batch, _child, lambda item: (server, item[1])):
             if isinstance(child, Node):
                 nodes.append(child)
             elif not isinstance(child, errors.Refused):  # unbound since the list was made
@@ -245,10 +253,12 @@ def children(node):
     return _sorted(nodes)
 
 
-def _child(context, path, is_context):
-    """The Node that the last name of `path` is bound to in a naming context."""
+@tasks.task
+async def _child(entry):
+    """The Node that an entry of a naming context, (context, path, whether it is a context itself), is bound to."""
+    context, path, is_context = entry
     try:
-        return classified(path, orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])), is_context)
+        return classified(path, await orb.Call(path, context, "resolve", orb.naming_name(path.names[-1:])), is_context)
     except errors.Garbled as e:  # the others are listed all the same
         return unusable(path, e)
 

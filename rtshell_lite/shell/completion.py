@@ -194,7 +194,7 @@ def _ports(component, types):
 
 def _configuration(path):
     from rtshell_lite.robot import configuration
-    return configuration.Configuration(tree.component(parse(path)))
+    return configuration.of(tree.component(parse(path)))
 
 
 def _sets(_, positional):

@@ -4,7 +4,7 @@ import functools
 import re
 
 from rtshell_lite import errors, path
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, tasks
 from rtshell_lite.robot import component, places, ports, snapshot, tree
 from rtshell_lite.robot.snapshot import BRIEF, FULL
 from rtshell_lite.text import printable
@@ -28,14 +28,15 @@ _REFERENCE = re.compile(r"dataport\.corba_cdr\.(?:in|out)port_(?:ior|ref)\Z")
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
-def ask(node, brief=False, states=True):
+@tasks.task
+async def ask(node, brief=False, states=True):
     """The Found of a component. Its ports come before its profile (protocol rule: see `component.once_more`).
 
     `brief`: of properties and references only those that go into a file or are compared with one, a quarter of the memory.
     """
     detail = BRIEF if brief else FULL
     in_contexts = {"participating": BRIEF, "states": FULL} if states else {}
-    shown = snapshot.of(node, ports=detail, owned=FULL, **in_contexts, configuration=FULL, organisations=FULL, profile=detail)
+    shown = await snapshot.of.task(node, ports=detail, owned=FULL, **in_contexts, configuration=FULL, organisations=FULL, profile=detail)
     contexts = shown.owned
     if any(context.handle is None for context in contexts):
         raise errors.Unreachable(str(node.path), "one of its execution contexts does not answer")

@@ -183,7 +183,7 @@ class Run:
         """The Result of an action whose answer was lost: the component may have changed, so look."""
         def state():
             ref = _context(node, contexts or _contexts(node), action)
-            found = component.seen(lambda: component.state_in(node, ref))
+            found = component.seen(component.state_in.task(node, ref))
             if found == self.transition.target:
                 component.stay(node, ref, self.transition, self.wait)
             return found

@@ -216,7 +216,7 @@ class _Configuring(Step):
         return [lanes.Job(self.endpoint, self.where, self._configured)]
 
     def _configured(self):
-        now = configuration.Configuration(self.site.node)
+        now = configuration.of(self.site.node)
         return Configured(now.sets(with_hidden=True), now.active, now)
 
 

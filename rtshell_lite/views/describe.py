@@ -1,19 +1,20 @@
 """What rtcat shows of a component or a port, as lines or as JSON."""
 from rtshell_lite import text
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, tasks
 from rtshell_lite.robot import component, composites, ports
 from rtshell_lite.robot.snapshot import BRIEF, FULL, Snapshot
 from rtshell_lite.text import printable
 
 
-def collect(node, level=0):
+@tasks.task
+async def collect(node, level=0):
     """The Snapshot of a component with everything that rtcat shows.
 
     `level` is how often -l was given: from 1 on, all parts are full.
     """
     detail = FULL if level else BRIEF
-    return Snapshot(node).ask(ports=detail, owned=detail, participating=FULL, states=FULL, organisations=detail, composites=FULL,
-                              profile=detail)
+    return await Snapshot(node).asked(ports=detail, owned=detail, participating=FULL, states=FULL, organisations=detail,
+                                      composites=FULL, profile=detail)
 
 
 # ---- lines ----------------------------------------------------------------------------------------------------

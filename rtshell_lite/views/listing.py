@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import errors, text
-from rtshell_lite.corba import lanes
+from rtshell_lite.corba import lanes, tasks
 from rtshell_lite.robot import tree
 
 MARKS = {"zombie": "*", "silent": "?"}
@@ -66,12 +66,13 @@ def look(nodes, long=False):
     return rows
 
 
-def _figures(node):
+@tasks.task
+async def _figures(node):
     """The Figures of a component, whose reference is dropped."""
     from rtshell_lite.robot import component, snapshot  # not needed, and not loaded, for names alone
     shown = snapshot.Snapshot(node)
     try:
-        shown.ask(owned=snapshot.REFERENCES, participating=snapshot.REFERENCES, states=snapshot.FULL, ports=snapshot.BRIEF)
+        await shown.asked(owned=snapshot.REFERENCES, participating=snapshot.REFERENCES, states=snapshot.FULL, ports=snapshot.BRIEF)
     except (errors.Gone, errors.ConnectionRefused) as e:
         if not shown.answered:
             raise

@@ -20,7 +20,7 @@ _AUTHORS_FIELDS = (("__license__", "License"), ("__contact__", "Contact"), ("__u
 
 def collect(node, graph=False):
     """The Manual of the component `node`. Its ports are asked first: see `component.profile`."""
-    listed, sets = ports.ports(node), configuration.Configuration(node)
+    listed, sets = ports.ports(node), configuration.of(node)
     profile = component.profile(node)
     texts = _values(sets, "__doc__")
     fields = [("Vendor", profile.vendor), ("Version", profile.version), ("Category", profile.category)]

@@ -106,12 +106,12 @@ class Everything(Worlds):
 
     def change(self, dice):
         for name in ("ConfigSample0", "ConfigSample1", "Motor0"):
-            found = configuration.Configuration(node(name))
+            found = configuration.of(node(name))
             for one in found.sets(with_hidden=True):
                 values = {key: dice.choice(WORDS) for key in one.values if key.startswith("str_") and dice.random() < 0.6}
                 if values:
                     found.store(values, one)
-        configuration.Configuration(node("ConfigSample0")).activate(dice.choice(["default", "mode0", "mode1"]))
+        configuration.of(node("ConfigSample0")).activate(dice.choice(["default", "mode0", "mode1"]))
         for name in ("Mock0", "ConfigSample1", "composite0"):
             contexts.set_rate(node(name), 0, dice.choice([1000.0, 500.0, 250.0]))
 
@@ -185,7 +185,7 @@ class Faults(Worlds):
         for world in self.worlds:
             self.ctl(world, "reset")
         torn_down(self.saved)
-        found = configuration.Configuration(node("ConfigSample0"))
+        found = configuration.of(node("ConfigSample0"))
         found.store(WRECKED, found.set("mode0"))
         found.activate("default")
         contexts.set_rate(node("ConsoleOut1"), 0, 100.0)

@@ -3,17 +3,33 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import errors, path
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, composites, tree
 
 NODE = tree.Node(path.parse("/localhost/a.rtc"), "component", None)
 
 
+class Asked:
+    """Answers calls, by operation; names a Node."""
+
+    path, typed = NODE.path, None
+
+    def __init__(self, **answers):
+        self.answers = answers
+
+    async def ask(self, operation, *args):
+        return self.answers[operation]
+
+    def patched(self):
+        return mock.patch.object(orb.Call, "wait", lambda call: self.answers[call.operation])
+
+
 class Contexts(unittest.TestCase):
-    def change(self, code, now="Inactive"):
+    def change(self, code):
         """Why it is not activated where its context answers `code`, and has no other reference of it."""
-        with mock.patch.multiple(component, state_in=lambda node, ref: now, canonical=lambda node: None), \
-                mock.patch.object(component.orb, "call", lambda *args, **more: code), self.assertRaises(errors.Refused) as caught:
-            component.change_in(mock.Mock(path=NODE.path), None, component.ACTIVATE, 0)
+        node = Asked(get_component_state=mock.Mock(_v=1), activate_component=code, get_owned_contexts=[])
+        with node.patched(), self.assertRaises(errors.Refused) as caught:
+            component.change_in(node, None, component.ACTIVATE, 0)
         return str(caught.exception)
 
     def test_one_that_does_not_know_it(self):
@@ -25,10 +41,12 @@ class Contexts(unittest.TestCase):
 
 class Composites(unittest.TestCase):
     def test_one_that_does_not_answer_is_unknown(self):
-        known = {"hand": ("hand0", "/localhost/hand0.rtc")}
-        with mock.patch.multiple(composites, _refs=lambda node, operation: ["arm", "hand"], _composites=lambda node, contexts: known), \
-                mock.patch.object(composites.orb, "call", lambda where, ref, operation: ref):
-            self.assertEqual(composites.belonging(NODE, []),
+        async def known(node, contexts):
+            return {"hand": ("hand0", "/localhost/hand0.rtc")}
+
+        node = Asked(get_organizations=["arm", "hand"])
+        with mock.patch.object(composites, "_composites", known), mock.patch.object(orb.Call, "wait", lambda call: call.ref):
+            self.assertEqual(composites.belonging(node, []),
                              [("arm", "Unknown", "Unknown"), ("hand", "hand0", "/localhost/hand0.rtc")])
 
 

@@ -13,7 +13,7 @@ except ImportError:
     omniORB = None
 
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, idl, ior, lanes
+from rtshell_lite.corba import descriptors, idl, ior, lanes, orb
 from rtshell_lite.corba.iiop import client, giop, references, requests, server
 
 LIMIT = 60.0  # seconds that anything may take on a busy machine
@@ -460,7 +460,7 @@ class Callers(Served):
     def test_our_own(self):
         ref = client.narrow(client.from_text("w", self.text), "dataport.OpenRTM.InPortCdr")
         for size in (0, 5, 1000000):
-            self.assertEqual(client.invoke("w", ref, "put", (b"x" * size,), None), PORT_OK)
+            self.assertEqual(client.invoke(orb.Call("w", ref, "put", b"x" * size)), PORT_OK)
             self.assertEqual(len(self.port.taken.pop()), size)
 
     @unittest.skipIf(omniORB is None, "needs omniORBpy")
@@ -475,11 +475,11 @@ class Callers(Served):
             self.assertEqual(ref.put(data), OpenRTM.PORT_OK)
             self.assertTrue(self.port.taken.pop() == data, size)
         with self.assertRaises(errors.Refused) as caught:
-            omni.invoke("w", ref, "put", (b"raise",), None)
+            omni.invoke(orb.Call("w", ref, "put", b"raise"))
         self.assertEqual(caught.exception.name, "UNKNOWN")
         self.withdraw()
         with self.assertRaises(errors.Gone):
-            omni.invoke("w", ref, "put", (b"",), None)
+            omni.invoke(orb.Call("w", ref, "put", b""))
 
 
 if __name__ == "__main__":

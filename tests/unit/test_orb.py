@@ -14,7 +14,8 @@ from rtshell_lite.corba import lanes, omni, orb
 
 class Missing(unittest.TestCase):
     def test_omniorb_that_is_not_installed_has_no_version(self):
-        with mock.patch.dict(sys.modules, {"omniORB": None}), self.assertRaises(errors.MissingOmniORB):
+        with mock.patch.dict(sys.modules, {"omniORB": None}), mock.patch.dict("os.environ", {"RTSHELL_ORB": "omniorb"}), \
+                self.assertRaises(errors.MissingOmniORB):
             orb.version()
 
 
@@ -25,7 +26,7 @@ class Failures(unittest.TestCase):
         raised = getattr(CORBA, failure)(0, CORBA.COMPLETED_NO)
         with mock.patch.object(omni.answers, "invoke", side_effect=raised), mock.patch.object(omniORB, "setClientCallTimeout"), \
                 self.assertRaises(errors.Error) as caught:
-            omni.invoke("/robot/a.rtc", None, "get_profile", (), seconds)
+            omni.invoke(orb.Call("/robot/a.rtc", None, "get_profile", seconds=seconds))
         return str(caught.exception)
 
     def test_silence_is_as_long_as_was_waited(self):

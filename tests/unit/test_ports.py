@@ -188,13 +188,13 @@ class Disconnecting(Case):
         """
         asked, script = [], list(answers)
 
-        def call(where, ref, operation, *args, **more):
-            asked.append(operation if ref == "A.out" else f"{operation} {ref}")
+        def wait(call):
+            asked.append(call.operation if call.ref == "A.out" else f"{call.operation} {call.ref}")
             answer = script.pop(0)
             if isinstance(answer, Exception):
                 raise answer
             return answer
-        with mock.patch("rtshell_lite.corba.orb.call", call):
+        with mock.patch("rtshell_lite.corba.orb.Call.wait", wait):
             connectors.disconnect(out(), ports.Connector("id", "n", list(ends), []))
         self.assertEqual(script, [])
         return asked

@@ -1,83 +1,281 @@
-"""Connections to processes, used by one thread: every step has a deadline, and what comes is bounded."""
-import socket
+"""Connections to processes. Nothing here waits, but `replies` where it is told to, for a moment; what comes is bounded."""
+import _socket  # which `socket` is made of: that one takes long to import
+import errno
+import itertools
+import os
+import select
+import struct
 import time
 
+from rtshell_lite.corba import lanes
 from rtshell_lite.corba.iiop import giop
+
+PIECE = 16384  # octets received at a time: buffers of more are slow to allocate
+_AT_ONCE = _socket.MSG_DONTWAIT
+_idle = {}  # {endpoint: [Connection]} for the next calls, at most one for each lane
 
 
 class Closed(Exception):
     """The peer has closed the connection; `untouched`: it says that it has begun nothing of what it was asked."""
 
-    untouched = False
+    def __init__(self, untouched=False):
+        super().__init__()
+        self.untouched = untouched
+
+
+def kept(endpoint):
+    """A connection that an earlier call has left, or None."""
+    waiting = _idle.get(endpoint)
+    try:
+        return waiting.pop() if waiting else None
+    except IndexError:  # another thread was faster
+        return None
 
 
 class Connection:
-    """A connection with the process at `endpoint`. `end` is a time.monotonic(), after which socket.timeout is raised.
+    """A connection with the process at `endpoint`, (host, port).
 
-    Raises OSError, Closed, giop.Garbled.
+    requests   what waits for a reply, by number
+    has_answered
+    waits_for  "address" of the host, "peer" to accept, or None
     """
 
-    def __init__(self, endpoint, end):
-        self.number, self.data = 0, bytearray()
-        try:
-            self.socket = socket.create_connection(endpoint, max(0.001, end - time.monotonic()))
-        except UnicodeError as e:  # no name of a host
-            raise socket.gaierror(0, str(e))
-        self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    def __init__(self, endpoint, others=tuple):
+        """`others()` gives further endpoints, for where nobody listens at the first."""
+        self.endpoint, self.requests, self.has_answered = endpoint, {}, False
+        self.waits_for = "address"
+        self._number, self._given_up, self._end = 0, set(), None  # the latter is the exception that ends it
+        self._socket, self._ways, self._error = None, self._all_ways(others), None
+        self._out = bytearray()
+        self._pieces, self._have, self._need = [], 0, giop.HEADER
+        self._begun, self._begun_size = {}, 0  # replies of which fragments are to come
 
-    def send(self, data, end):
-        """Send octets, all of them."""
-        self._limit(end)
-        self.socket.sendall(data)
+    @property
+    def is_quiet(self):
+        """True if there is nothing to do but to wait for replies."""
+        return not self.waits_for and not self._out
 
-    def reply(self, end):
-        """The reply to the last request, whole: its fragments together."""
-        whole = None
-        while True:
-            message = self._message(end)
-            kind = message[7]
-            if kind == giop.CLOSE:
-                closed = Closed()
-                closed.untouched = whole is None
-                raise closed
-            if kind == giop.ERROR:
-                raise giop.Garbled("the peer did not understand us")
-            if kind == giop.FRAGMENT and whole is not None:
-                whole += message[giop.HEADER + (4 if message[5] == 2 else 0):]
-            elif kind == giop.REPLY and whole is None:
-                whole = message
+    def wanted(self):
+        """(file descriptor, events that a poll is to look for); the former is None while there is none."""
+        if self._socket is None:
+            return None, 0
+        if self.waits_for:
+            return self._socket.fileno(), select.POLLOUT
+        return self._socket.fileno(), select.POLLIN | (select.POLLOUT if self._out else 0)
+
+    # ---- connecting ----
+
+    def _all_ways(self, others):
+        """The places to connect with, as of getaddrinfo, one after the other; None while a name is looked up."""
+        for endpoint in itertools.chain([self.endpoint], _lazily(others)):
+            look_up = LookUp(endpoint)
+            while look_up.found is None:
+                yield None
+            if isinstance(look_up.found, OSError):
+                self._error = self._error or look_up.found
             else:
-                raise giop.Garbled(f"a message of kind {kind}")
-            if len(whole) > giop.LARGEST:
-                raise giop.Garbled("more than %d octets" % giop.LARGEST)
-            if not message[6] & giop.MORE:
-                data = bytes(whole)
-                if giop.reply(data)[0] != self.number:
-                    raise giop.Garbled("a reply to another request")
-                return data
+                yield from look_up.found
 
-    def _message(self, end):
-        self._fill(giop.HEADER, end)
-        size = giop.HEADER + giop.size(self.data)
-        self._fill(size, end)
-        message = self.data[:size]
-        del self.data[:size]
-        return message
+    def go_on(self):
+        """Take the next step towards a connection. Raises OSError, that of the first place, when there is no way left."""
+        if self.waits_for == "peer":
+            code = self._socket.getsockopt(_socket.SOL_SOCKET, _socket.SO_ERROR)
+            if not code:
+                return self._connected()
+            self._failed(code)
+        for way in self._ways:
+            if way is None:
+                return
+            code = self._begun_with(*way)
+            if code == 0:
+                return self._connected()
+            if code == errno.EINPROGRESS:
+                self.waits_for = "peer"
+                return
+            self._failed(code)
+        raise self._error
 
-    def _fill(self, size, end):
-        while len(self.data) < size:
-            self._limit(end)
-            piece = self.socket.recv(min(65536, max(4096, size - len(self.data))))
-            if not piece:
-                raise Closed()
-            self.data += piece
+    def _begun_with(self, family, kind, protocol, _, place):
+        """Begin to connect with a place: its error number."""
+        try:
+            self._socket = _socket.socket(family, kind, protocol)
+            self._socket.setsockopt(_socket.IPPROTO_TCP, _socket.TCP_NODELAY, 1)
+            self._socket.setblocking(False)
+            return self._socket.connect_ex(place)
+        except OSError as e:
+            return e.errno
 
-    def _limit(self, end):
-        left = end - time.monotonic()
-        if left <= 0:
-            raise socket.timeout()
-        self.socket.settimeout(left)
+    def _failed(self, code):
+        self._error = self._error or OSError(code, os.strerror(code))
+        self.close()
+        self.waits_for = "address"
+
+    def _connected(self):
+        self._socket.setblocking(True)
+        _limit(self._socket, lanes.TICK)
+        self.waits_for = None
+        self.flush()
+
+    # ---- sending ----
+
+    def send(self, request):
+        """Add a request to what is to be sent, see `flush`; what is wrong with it is told to it."""
+        self._number += 1
+        try:
+            octets = request.octets(self._number)
+        except Exception as e:
+            return request.failed(e)
+        request.sent = time.monotonic()
+        self.requests[self._number] = request
+        self._out += octets
+
+    def flush(self):
+        """Send what can be sent at once. Raises OSError."""
+        if self.waits_for or not self._out:
+            return
+        try:
+            sent = self._socket.send(self._out, _AT_ONCE)
+        except BlockingIOError:
+            return
+        del self._out[:sent]
+
+    def answered(self, number):
+        """The request with this number, which has its reply; None if it was given up. Raises giop.Garbled if there was none."""
+        self.has_answered = True
+        if number in self._given_up:
+            self._given_up.discard(number)
+            return None
+        if number not in self.requests:
+            raise giop.Garbled("a reply to another request")
+        return self.requests.pop(number)
+
+    def give_up(self, number):
+        """The request with this number, whose reply is not to be waited for."""
+        self._given_up.add(number)
+        return self.requests.pop(number)
+
+    def give_up_all(self):
+        """All requests that wait for replies, likewise."""
+        return [self.give_up(number) for number in list(self.requests)]
+
+    # ---- receiving ----
+
+    def replies(self, may_wait):
+        """The whole replies that have come, as octets; may wait for lanes.TICK. Raises Closed, OSError, giop.Garbled."""
+        found = []
+        try:
+            while self._end is None:
+                piece = self._socket.recv(PIECE, 0 if may_wait else _AT_ONCE)
+                if piece:
+                    self._take(piece, found)
+                else:
+                    self._end = Closed()
+                if 0 < len(piece) < PIECE:
+                    return found
+                may_wait = False
+        except BlockingIOError:
+            return found
+        except (OSError, Closed, ValueError) as e:
+            self._end = e
+        if not found:
+            raise self._end
+        return found  # what ended it shows the next time
+
+    def _take(self, piece, found):
+        """Add what has come to what there is, and put the replies that are whole now into `found`."""
+        self._pieces.append(piece)
+        self._have += len(piece)
+        while self._have >= self._need:
+            data = self._pieces[0] if len(self._pieces) == 1 else b"".join(self._pieces)
+            size = giop.HEADER + giop.size(data)
+            if self._have < size:
+                self._pieces, self._need = [data], size
+                return
+            self._pieces, self._have, self._need = [data[size:]] if size < len(data) else [], self._have - size, giop.HEADER
+            self._message(data[:size] if size < len(data) else data, found)
+
+    def _message(self, data, found):
+        kind = data[7]
+        if kind == giop.CLOSE:
+            raise Closed(untouched=True)
+        if kind == giop.ERROR:
+            raise giop.Garbled("the peer did not understand us")
+        if kind not in (giop.REPLY, giop.FRAGMENT):
+            raise giop.Garbled(f"a message of kind {kind}")
+        if kind == giop.REPLY and not data[6] & giop.MORE and not self._begun:  # almost all
+            found.append(data)
+            return
+        number = giop.number(data) if data[5] == 2 else None  # fragments of older versions follow at once
+        begun = self._begun.get(number)
+        if (kind == giop.FRAGMENT) != (begun is not None):
+            raise giop.Garbled("a fragment of nothing" if begun is None else "half a reply")
+        more = data[6] & giop.MORE
+        if begun is None and not more:
+            found.append(data)
+            return
+        begun = self._begun.setdefault(number, [])
+        begun.append(data if kind == giop.REPLY else data[giop.HEADER + (4 if data[5] == 2 else 0):])
+        self._begun_size += len(data)
+        if self._begun_size > giop.LARGEST:
+            raise giop.Garbled("more than %d octets" % giop.LARGEST)
+        if not more:
+            whole = b"".join(self._begun.pop(number))
+            self._begun_size = sum(len(part) for parts in self._begun.values() for part in parts)
+            found.append(whole)
+
+    # ---- ending ----
+
+    def leave(self):
+        """Keep it for the next call to its process, or close it."""
+        waiting = _idle.setdefault(self.endpoint, [])
+        is_clean = not (self._end or self.requests or self._given_up or self._out or self._pieces or self._begun)
+        if self.has_answered and is_clean and len(waiting) < lanes.LANES:
+            waiting.append(self)
+        else:
+            self.close()
 
     def close(self):
         """Close it."""
-        self.socket.close()
+        if self._socket is not None:
+            self._socket.close()
+            self._socket = None
+
+
+def _lazily(function):
+    yield from function()
+
+
+def _limit(sock, seconds):
+    """Let `recv` wait for so long at most; a timeout of Python's own would cost a system call more each time."""
+    whole, fraction = int(seconds), int(seconds % 1 * 1e6)
+    try:
+        sock.setsockopt(_socket.SOL_SOCKET, _socket.SO_RCVTIMEO, struct.pack("ll", whole, fraction))
+    except OSError:  # 32-bit systems whose time has 64 bits
+        sock.setsockopt(_socket.SOL_SOCKET, _socket.SO_RCVTIMEO, struct.pack("qq", whole, fraction))
+
+
+class LookUp:
+    """The places where a process at (host, port) may be: `found` is a list as of getaddrinfo, an OSError, or None for not yet.
+
+    Names that others resolve may take long, and nothing can interrupt that: a thread asks.
+    """
+
+    def __init__(self, endpoint):
+        host, self._port = endpoint
+        self.found = None if host else OSError(0, "no address of IIOP in its reference")
+        if self.found:
+            return
+        try:
+            self._host = host.encode("ascii")
+        except UnicodeError:
+            self._host = host.encode("utf-8", "surrogateescape")
+        self._ask(0 if host == "localhost" else _socket.AI_NUMERICHOST)
+        if isinstance(self.found, OSError) and host != "localhost":
+            self.found = None
+            lanes.start(self._ask)
+
+    def _ask(self, flags=0):
+        try:
+            self.found = _socket.getaddrinfo(self._host, self._port, 0, _socket.SOCK_STREAM, 0, flags)
+        except (OSError, ValueError, OverflowError) as e:  # ValueError: a NUL in it
+            self.found = e if isinstance(e, OSError) else _socket.gaierror(0, str(e))

@@ -1,13 +1,14 @@
 """GIOP messages as octets (CORBA 3.0, 15.4): requests to send, replies taken apart."""
-import functools
 import struct
 
 REPLY, CLOSE, ERROR, FRAGMENT = 1, 5, 6, 7  # kinds of messages; a request is 0
-NO_EXCEPTION, USER_EXCEPTION, SYSTEM_EXCEPTION, FORWARD, FORWARD_PERM = range(5)  # what a reply says
+NO_EXCEPTION, USER_EXCEPTION, SYSTEM_EXCEPTION, FORWARD, FORWARD_PERM, NEEDS_ADDRESSING_MODE = range(6)  # what a reply says
+KEY, PROFILE, REFERENCE = range(3)  # how a request names its object
 HEADER = 12  # octets
 LARGEST = 32 << 20  # octets of a message, as we let omniORB take
 MOST_CONTEXTS = 64  # service contexts of a message; real ones have up to four
 MORE, LITTLE = 2, 1  # flags of a message
+_LENGTH, _MODE = struct.Struct("<I"), struct.Struct("<HH")
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "II")) for order in "><"]
 
 
@@ -20,24 +21,25 @@ def aligned(data, size):
     return data + b"\0" * (-len(data) % size)
 
 
-@functools.lru_cache(maxsize=256)
-def _head(version, key, operation):
+def _head(version, mode, target, operation):
     """A request up to its arguments, its size and id still 0."""
     data = b"GIOP" + bytes(version) + b"\1\0" + bytes(4)
-    name = struct.pack("<I", len(operation) + 1) + operation.encode("latin-1") + b"\0"
-    octets = struct.pack("<I", len(key)) + key
+    name = _LENGTH.pack(len(operation) + 1) + operation.encode("latin-1") + b"\0"
     if version < (1, 2):
         data += bytes(4) + bytes(4) + b"\1" + (b"\0\0\0" if version == (1, 1) else b"")
-        data = aligned(aligned(data, 4) + octets, 4) + name
+        data = aligned(aligned(data, 4) + target, 4) + name
         return aligned(data, 4) + bytes(4)  # no principal
     data += bytes(4) + b"\3\0\0\0"
-    data += b"\0\0\0\0" + octets  # an object key, not a profile or a reference
+    data += _MODE.pack(mode, 0) + target
     return aligned(aligned(data, 4) + name, 4) + bytes(4)  # no service contexts
 
 
-def request(number, version, key, operation, arguments):
-    """A request as a bytearray; `arguments`: (function that appends to it in little endian, value) pairs."""
-    out = bytearray(_head(version, key, operation))
+def request(number, version, mode, target, operation, arguments):
+    """A request as a bytearray, to a `target` in the octets of that mode; before GIOP 1.2, the mode is KEY.
+
+    `arguments`: (function that appends to it in little endian, value) pairs.
+    """
+    out = bytearray(_head(version, mode, target, operation))
     if arguments:
         if version >= (1, 2):
             out += b"\0" * (-len(out) % 8)
@@ -56,6 +58,11 @@ def size(data):
     if found > LARGEST:
         raise Garbled(f"a message of {found} octets")
     return found
+
+
+def number(data):
+    """The request id of a message of GIOP 1.2. Raises struct.error."""
+    return _ORDERS[data[6] & LITTLE][0].unpack_from(data, HEADER)[0]
 
 
 def reply(data):

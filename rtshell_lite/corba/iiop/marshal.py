@@ -1,5 +1,6 @@
 """Values that only an ORB sends: references, `any`, TypeCodes, exceptions; beside those of cdr.py, and with text as Latin-1."""
-import threading
+import struct
+from _thread import RLock
 
 from rtshell_lite.corba import cdr, descriptors, ior
 from rtshell_lite.corba.descriptors import ANY, EXCEPTION, OBJECT, STRING, TYPECODE
@@ -7,6 +8,12 @@ from rtshell_lite.corba.fixed_size import Fault
 from rtshell_lite.corba.iiop.references import Reference
 
 TEXT = (STRING, 0)
+_NAME_VALUE = "IDL:org.omg/SDOPackage/NameValue:1.0"
+
+
+def _is_nvlist(descriptor):
+    element = descriptors.plain(descriptors.element(descriptor))
+    return descriptors.kind(element) == descriptors.STRUCT and descriptors.type_id(element) == _NAME_VALUE
 
 
 class Any:
@@ -26,7 +33,7 @@ class Maker(cdr.Maker):
 
     def __init__(self, order, depth=0):
         super().__init__(order)
-        self.depth, self._lock = depth, threading.RLock()
+        self.depth, self._lock = depth, RLock()
 
     def reader(self, descriptor):
         with self._lock:  # lanes share a Maker, and what it has half made is not for others
@@ -35,6 +42,54 @@ class Maker(cdr.Maker):
     def writer(self, descriptor):
         with self._lock:
             return super().writer(descriptor)
+
+    def read_sequence(self, descriptor):
+        return self._pairs_reader() if _is_nvlist(descriptor) else super().read_sequence(descriptor)
+
+    def write_sequence(self, descriptor):
+        return self._pairs_writer() if _is_nvlist(descriptor) else super().write_sequence(descriptor)
+
+    def _pairs_reader(self):
+        """An NVList as (octets of the name, octets of the value or an Any) pairs: profiles are full of them."""
+        unpack, start, others = self.count.unpack_from, struct.Struct(self.order + "III"), self.reader(ANY)
+
+        def read(data, at):
+            size, at = self._size(data, at, 0, 8)
+            found, last = [], len(data) - start.size
+            for _ in range(size):
+                at += -at & 3
+                end = at + 4 + unpack(data, at)[0]
+                name, name_end, at = data[at + 4:end - 1], data[end - 1], end + (-end & 3)
+                kind, most, length = start.unpack_from(data, at) if at <= last else (None, None, None)
+                if kind == STRING and not most:
+                    end = at + 12 + length
+                    value, value_end, at = data[at + 12:end - 1], data[end - 1], end
+                else:
+                    value_end = 0
+                    value, at = others(data, at)
+                if name_end or value_end:
+                    raise Fault("a string without its end")
+                found.append((name, value))
+            return found, at
+        return read
+
+    def _pairs_writer(self):
+        pack = self.count.pack
+
+        def octets(out, value):
+            if b"\0" in value:
+                raise Fault("a NUL in a string")
+            out += b"\0" * (-len(out) & 3) + pack(len(value) + 1) + value + b"\0"
+
+        def write(out, values):
+            out += b"\0" * (-len(out) & 3) + pack(len(values))
+            for name, value in values:
+                octets(out, name)
+                if type(value) is not bytes:
+                    raise Fault("an any of another type than string")  # others come, but are never sent
+                out += b"\0" * (-len(out) & 3) + pack(STRING) + pack(0)
+                octets(out, value)
+        return write
 
     def read_string(self, descriptor):
         most, unpack = descriptors.bound(descriptor), self.count.unpack_from
@@ -122,16 +177,6 @@ class Maker(cdr.Maker):
             value, at = Maker(order, self.depth + 1).reader(descriptor)(data, at)
             return Any(descriptor, value), at
         return read
-
-    def write_any(self, _):
-        pack, text = self.count.pack, self.writer(TEXT)
-
-        def write(out, value):
-            if value.descriptor != TEXT:
-                raise Fault("an any of another type than string")  # others come, but are never sent
-            out += b"\0" * (-len(out) & 3) + pack(STRING) + pack(0)
-            text(out, value.content)
-        return write
 
     def read_typecode(self, _):
         order = self.order

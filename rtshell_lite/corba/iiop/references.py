@@ -1,8 +1,10 @@
 """References to objects: what they say, from text and to text; no call."""
-import binascii
 import struct
 
 from rtshell_lite.corba import ior
+from rtshell_lite.corba.iiop import giop
+
+_LENGTH, _PAIR = struct.Struct("<I"), struct.Struct("<II")
 
 
 class Reference:
@@ -10,28 +12,41 @@ class Reference:
     it is used as.
     """
 
-    __slots__ = ("type_id", "profiles", "interface")
+    __slots__ = ("type_id", "profiles", "interface", "_address")
 
     def __init__(self, type_id, profiles, interface=""):
-        self.type_id, self.profiles, self.interface = type_id, profiles, interface
+        self.type_id, self.profiles, self.interface, self._address = type_id, profiles, interface, None
 
     @property
     def address(self):
         """What it says, an ior.Address."""
-        return ior.parsed(self.type_id, self.profiles)
+        if self._address is None:
+            self._address = ior.parsed(self.type_id, self.profiles)
+        return self._address
 
-    @property
-    def target(self):
-        """(GIOP version, endpoint, object key) to ask. Raises OSError where it has no IIOP profile."""
-        profile = next((data for tag, data in self.profiles if tag == ior.IIOP), None)
+    def narrowed(self, interface):
+        """The same reference, used as that of another interface."""
+        other = Reference(self.type_id, self.profiles, interface)
+        other._address = self._address
+        return other
+
+    def target(self, mode=giop.KEY):
+        """(GIOP version, mode, octets that name the object in that mode). Raises OSError where it has no IIOP profile."""
+        number, profile = next(((i, data) for i, (tag, data) in enumerate(self.profiles) if tag == ior.IIOP), (0, None))
         if profile is None:
             raise OSError(0, "no address of IIOP in its reference")
-        address = self.address
-        return (1, min(profile[2], 2)), address[1:3], address.key
+        if mode == giop.KEY:
+            key = self.address.key
+            octets = _LENGTH.pack(len(key)) + key
+        elif mode == giop.PROFILE:
+            octets = _PAIR.pack(ior.IIOP, len(profile)) + profile
+        else:
+            octets = _LENGTH.pack(number) + ior.octets(self.type_id + b"\0", self.profiles)
+        return (1, min(profile[2], 2)), mode, octets
 
     def text(self):
         """The stringified IOR."""
-        return "IOR:" + binascii.hexlify(b"\1\0\0\0" + ior.octets(self.type_id + b"\0", self.profiles)).decode()
+        return "IOR:" + (b"\1\0\0\0" + ior.octets(self.type_id + b"\0", self.profiles)).hex()
 
 
 def at(host, port, key, minor=2):

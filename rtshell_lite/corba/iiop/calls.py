@@ -1,0 +1,130 @@
+"""One call: its request as octets, what its reply says, and what its failure means."""
+from _socket import gaierror
+from struct import error as StructError
+
+from rtshell_lite import errors
+from rtshell_lite.corba import descriptors, failures, idl, ior, lanes
+from rtshell_lite.corba.iiop import connections, giop, marshal, operations
+from rtshell_lite.text import printable
+
+FORWARDS = 8  # at most, from one object to another
+_ASKING = ("get_", "is_", "_")  # operations that change nothing begin so
+_GARBLED = (ValueError, StructError, IndexError, RecursionError)  # what reading values raises
+_OBJECT = (descriptors.OBJECT, "", "Object")
+
+
+class Request:
+    """An orb.Call on its way; in the end, resume(value, None) or resume(None, error) is called.
+
+    ref        whom it is sent to: another object than at first where that has forwarded it
+    seconds    how long its answer may take
+    sent       time.monotonic() when it was sent
+    again      whether it has been sent a second time, as a connection was lost
+    """
+
+    __slots__ = ("call", "resume", "ref", "operation", "seconds", "sent", "again", "_forwards", "_mode")
+
+    def __init__(self, call, resume):
+        self.call, self.resume, self.ref = call, resume, call.ref
+        self.operation = operations.operation(call.ref.interface, call.operation)
+        self.seconds = max(call.seconds or 0, lanes.session.timeout)
+        self.sent, self.again, self._forwards, self._mode = None, False, 0, giop.KEY
+
+    @property
+    def endpoint(self):
+        """(host, port) of the process that is asked."""
+        return self.ref.address[1:3]
+
+    @property
+    def asks(self):
+        """True if it changes nothing."""
+        return self.call.operation.startswith(_ASKING) or self.call.operation in ("list", "resolve")
+
+    def others(self):
+        """Further endpoints of the object."""
+        return ior.addresses(self.ref.text())
+
+    def octets(self, number):
+        """The request. Raises OSError where the reference has no address, TypeError for arguments of another type."""
+        version, mode, target = self.ref.target(self._mode)
+        arguments = list(zip(self.operation.arguments, self.call.args))
+        try:
+            return giop.request(number, version, mode, target, self.call.operation, arguments)
+        except (ValueError, StructError) as e:
+            raise TypeError(f"{self.call.operation}: {e}")
+
+    def answered(self, status, data, at, little):
+        """Take the reply; True if the request is to be sent again, to `ref`, which has forwarded it or wants another form."""
+        value = error = None
+        try:
+            if status == giop.NO_EXCEPTION:
+                value = _values(self.operation.results[little], data, at)
+            elif status == giop.SYSTEM_EXCEPTION:
+                error = self._system_exception(data, at, little)
+            elif status == giop.USER_EXCEPTION:
+                error = self._user_exception(data, at, little)
+            else:
+                self._forward(status, data, at, little)
+                return True
+        except _GARBLED as e:
+            error = self._error(e)
+        self.resume(value, error)
+        return False
+
+    def _forward(self, status, data, at, little):
+        self._forwards += 1
+        if self._forwards > FORWARDS:
+            raise ValueError("forwarded again and again")
+        if status == giop.NEEDS_ADDRESSING_MODE:
+            self._mode, _ = operations.reader(descriptors.SHORT, little)(data, at)
+            if self._mode not in (giop.KEY, giop.PROFILE, giop.REFERENCE):
+                raise ValueError(f"addressing mode {self._mode}")
+            return
+        if status not in (giop.FORWARD, giop.FORWARD_PERM):
+            raise ValueError(f"a reply of status {status}")
+        interface = self.call.ref.interface
+        self.ref, _ = operations.reader(idl.descriptor(interface) if interface else _OBJECT, little)(data, at)
+        if self.ref is None:
+            raise ValueError("forwarded to nobody")
+
+    def _system_exception(self, data, at, little):
+        """The errors.Error for a system exception: its id, its minor code, and whether the operation was completed."""
+        name, at = operations.reader(marshal.TEXT, little)(data, at)
+        minor, at = operations.reader(descriptors.ULONG, little)(data, at)
+        name = name.split(":")[1].rpartition("/")[2] if name.count(":") == 2 else "UNKNOWN"
+        return failures.system(str(self.call.where), name, idl.MINORS.get(name, {}).get(minor) or "CORBA." + printable(name))
+
+    def _user_exception(self, data, at, little):
+        """The errors.Error for an exception of the IDL."""
+        type_id, start = operations.reader(marshal.TEXT, little)(data, at)
+        if type_id not in self.operation.raised:
+            return failures.system(str(self.call.where), "UNKNOWN", "CORBA.UNKNOWN")
+        raised, _ = operations.reader(idl.descriptor(type_id), little)(data, start)
+        return failures.user(str(self.call.where), type_id.split(":")[1].rpartition("/")[2], getattr(raised, "description", ""))
+
+    def failed(self, e):
+        """It ends with an errors.Error for an exception."""
+        self.resume(None, self._error(e) if isinstance(e, _GARBLED + (OSError, connections.Closed)) else e)
+
+    def _error(self, e):
+        where = str(self.call.where)
+        if isinstance(e, connections.Closed):
+            return errors.Unreachable(where, "connection lost")
+        if isinstance(e, ConnectionRefusedError):
+            return errors.ConnectionRefused(where)
+        if isinstance(e, gaierror):
+            return errors.Unreachable(where, errors.NO_USABLE_ADDRESS)
+        if isinstance(e, OSError):
+            lanes.note_shortage(e, self.ref.address.host)
+            return errors.Unreachable(where, "cannot be reached" + (f" ({e.strerror})" if e.strerror else ""))
+        if isinstance(e, giop.Garbled):  # not what an object answered
+            return errors.Unreachable(where, f"garbled answer ({e})")
+        return errors.Garbled(where, str(e))
+
+
+def _values(readers, data, at):
+    values = []
+    for read in readers:
+        value, at = read(data, at)
+        values.append(value)
+    return values[0] if len(values) == 1 else tuple(values) or None

@@ -1,0 +1,322 @@
+"""Many calls at once on one thread: tasks that await orb.Call, and one connection for each process that they ask.
+
+At most lanes.LANES requests are on their way to a process, any number to a name server.
+"""
+import collections
+import select
+import time
+from struct import error as StructError
+
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, tasks
+from rtshell_lite.corba.iiop import calls, connections, giop
+
+LOOK = 0.005  # seconds between looks at whether the address of a host has been found
+MOST = 64  # jobs of one process under way at a time, most of which wait for their turn
+NAMING = "IDL:omg.org/CosNaming/"  # interfaces of name servers begin so
+
+
+def in_turn(jobs):
+    """lanes.in_turn for jobs whose `call` makes a coroutine."""
+    loop = _Loop()
+    try:
+        loop.add(jobs)
+        for i in range(len(jobs)):
+            while loop.values[i] is _TO_COME:
+                loop.step()
+            value, loop.values[i] = loop.values[i], None
+            yield lanes.value_of(value)
+    finally:
+        loop.close()
+
+
+def invoke(call):
+    """The result of an orb.Call, made on this thread; raises what the Call raises."""
+    loop = _Loop()
+    result = []
+    try:
+        loop.submit(calls.Request(call, lambda *outcome: result.append(outcome)))
+        while not result:
+            loop.step()
+    finally:
+        loop.close()
+    (value, error), = result
+    if error is not None:
+        raise error
+    return value
+
+
+_TO_COME = object()  # in place of a value
+
+
+class _Peer(lanes.Peer):
+    """One process: what is asked of it, and the connection with it."""
+
+    def __init__(self, endpoint):
+        super().__init__(endpoint)
+        self.running, self.watched = 0, (None, 0)  # jobs; what the poll looks for
+        self.waiting = collections.deque()  # calls.Requests that are not on their way
+        self.connection = None
+
+    def may_send(self):
+        """Whether the first that waits may be sent now."""
+        return len(self.connection.requests) < lanes.LANES or _is_naming(self.waiting[0])
+
+    def overdue(self, now):
+        """Give up the requests that have waited too long, and return them.
+
+        A name server gets many at once, so each of its answers restarts the clock of all.
+        """
+        late = [number for number, request in self.connection.requests.items()
+                if now - (max(request.sent, self.heard) if _is_naming(request) else request.sent) > request.seconds]
+        found = [self.connection.give_up(number) for number in late]
+        for request in found:
+            self.fall_silent(lanes.no_answer(request.seconds), request.sent)
+        return found
+
+
+def _is_naming(request):
+    return request.ref.interface.startswith(NAMING)
+
+
+class _Task:
+    """A job that has begun."""
+
+    def __init__(self, loop, peer, number, coroutine):
+        self.loop, self.peer, self.number, self.coroutine = loop, peer, number, coroutine
+        self.since = time.monotonic()  # of its last call, or its beginning
+
+    def go_on(self, value=None, error=None):
+        """Run it up to its next call, or its end."""
+        while True:
+            try:
+                awaited = self.coroutine.send(value) if error is None else self.coroutine.throw(error)
+            except StopIteration as end:
+                return self._end(end.value)
+            except Exception as e:
+                if isinstance(e, errors.Silent) and e.why != lanes.NO_TIME:
+                    self.peer.fall_silent(e.why, self.since)
+                return self._end(lanes.alone(e))
+            if isinstance(awaited, tasks.Sleep):
+                return self.loop.wake(self, awaited.seconds)
+            self.since, request = time.monotonic(), calls.Request(awaited, self.go_on)
+            silence = self._elsewhere(request)
+            if not silence:
+                return self.loop.submit(request)
+            value, error = None, errors.Unreachable(str(awaited.where), silence)
+
+    def _elsewhere(self, request):
+        """Prepare a request to another process than that of the job; why that is not to be asked, or None."""
+        if request.endpoint == self.peer.endpoint:
+            return None
+        request.resume = self._answered_elsewhere
+        return self.loop.peer(request.endpoint).silence
+
+    def _answered_elsewhere(self, value, error):
+        """Silence of another process says nothing about that of this job."""
+        if isinstance(error, errors.Silent):
+            error = errors.Unreachable(*error.args)
+        self.go_on(value, error)
+
+    def _end(self, value):
+        self.loop.values[self.number] = value
+        self.peer.running -= 1
+        self.loop.have_changed.add(self.peer)
+
+
+class _Loop:
+    """What is under way on this thread.
+
+    values        of the jobs, _TO_COME for those that have not ended
+    have_changed  peers that may have jobs to begin, or requests to send
+    """
+
+    def __init__(self):
+        self.values, self.peers, self.have_changed = [], {}, set()
+        self._jobs, self._sleeping = [], {}  # the latter: when each task goes on
+        self._asked = set()  # peers with requests under way
+        self._poll, self._watched = None, {}  # {file descriptor: peer}
+        self._checked = time.monotonic()
+        self._tick = min(lanes.TICK, lanes.session.timeout / 10)
+
+    def peer(self, endpoint):
+        """The _Peer of a process."""
+        return self.peers.get(endpoint) or self.peers.setdefault(endpoint, _Peer(endpoint))
+
+    def add(self, jobs):
+        """Note jobs to be done."""
+        self._jobs, self.values = jobs, [_TO_COME] * len(jobs)
+        for number, job in enumerate(jobs):
+            self.peer(job.endpoint).todo.append(number)
+        self.have_changed.update(self.peers.values())
+
+    def submit(self, request):
+        """Have a request sent."""
+        peer = self.peer(request.endpoint)
+        peer.waiting.append(request)
+        self.have_changed.add(peer)
+
+    def wake(self, task, seconds):
+        """Let a task go on in so many seconds."""
+        self._sleeping[task] = time.monotonic() + seconds
+
+    def close(self):
+        """End the connections, or leave them for later calls."""
+        for peer in self.peers.values():
+            if peer.connection is not None:
+                peer.connection.leave()
+
+    # ---- one round ----
+
+    def step(self):
+        """Begin and send what can be, then take what has come; waits for a moment where nothing has."""
+        while self.have_changed:
+            peer = self.have_changed.pop()
+            self._begin(peer)
+            self._send(peer)
+        for peer, may_wait in self._ready():
+            self._take(peer, may_wait)
+        now = time.monotonic()
+        for task in [task for task, when in self._sleeping.items() if when <= now]:
+            del self._sleeping[task]
+            task.go_on()
+        if now - self._checked >= self._tick:
+            self._checked = now
+            self._give_up(now)
+        if lanes.in_lane():
+            lanes.alive()
+
+    def _begin(self, peer):
+        """Begin jobs of a process, up to their first calls."""
+        while peer.todo and peer.running < MOST:
+            number = peer.todo.popleft()
+            job = self._jobs[number]
+            if peer.silence or lanes.is_over():
+                self.values[number] = errors.Silent(str(job.where), peer.silence or lanes.NO_TIME)
+                continue
+            peer.running += 1
+            _Task(self, peer, number, job.call()).go_on()
+
+    def _send(self, peer):
+        """Send requests to a process, as many as it may get."""
+        try:
+            while peer.waiting:
+                if peer.connection is None:
+                    self._connect(peer)
+                if not peer.may_send():
+                    break
+                self._asked.add(peer)
+                peer.connection.send(peer.waiting.popleft())
+            if peer.connection is not None:
+                peer.connection.flush()
+                self._watch(peer)
+        except OSError as e:
+            self._lost(peer, e)
+
+    def _connect(self, peer):
+        peer.connection = connections.kept(peer.endpoint)
+        if peer.connection is None:
+            peer.connection = connections.Connection(peer.endpoint, peer.waiting[0].others)
+            peer.connection.go_on()
+
+    def _ready(self):
+        """(peer, whether its connection may wait) for each where something may have come."""
+        if len(self._asked) == 1 and not self._sleeping and self._tick == lanes.TICK:
+            peer, = self._asked
+            if peer.connection.is_quiet:
+                return [(peer, True)]  # without asking the kernel twice
+        if not self._asked and not self._sleeping:
+            return []
+        if self._poll is None:
+            self._poll = select.poll()
+            for peer in self._asked:
+                self._watch(peer)
+        seconds = self._tick
+        looking_up = [peer for peer in self._asked if peer.connection.waits_for == "address"]
+        if looking_up:
+            seconds = LOOK
+        if self._sleeping:
+            seconds = max(0, min(seconds, min(self._sleeping.values()) - time.monotonic()))
+        ready = [self._watched[fd] for fd, _ in self._poll.poll(seconds * 1000)]
+        return [(peer, False) for peer in ready + looking_up]
+
+    def _watch(self, peer):
+        """Have the poll tell when the connection of a peer can go on."""
+        fd, events = peer.connection.wanted()
+        if self._poll is None or (fd, events) == peer.watched:
+            return
+        self._unwatch(peer)
+        if fd is not None:
+            self._poll.register(fd, events)
+            self._watched[fd], peer.watched = peer, (fd, events)
+
+    def _unwatch(self, peer):
+        fd, _ = peer.watched
+        if fd is not None and self._watched.pop(fd, None) is not None:
+            self._poll.unregister(fd)
+        peer.watched = (None, 0)
+
+    # ---- what comes ----
+
+    def _take(self, peer, may_wait):
+        connection = peer.connection
+        if connection is None:  # lost a moment ago
+            return
+        try:
+            if connection.waits_for:
+                connection.go_on()
+            else:
+                connection.flush()
+                for data in connection.replies(may_wait):
+                    self._reply(peer, data)
+            self._watch(peer)
+        except (OSError, connections.Closed, ValueError, StructError) as e:
+            self._lost(peer, e)
+
+    def _reply(self, peer, data):
+        """Take a whole reply. Raises giop.Garbled, struct.error."""
+        number, status, little, at = giop.reply(data)
+        request = peer.connection.answered(number)
+        if not peer.connection.requests:
+            self._asked.discard(peer)
+        peer.has_answered()
+        self.have_changed.add(peer)
+        if request is not None and request.answered(status, data, at, little):
+            self.submit(request)
+
+    def _lost(self, peer, e):
+        """A connection has failed, or was never made: what was asked by it is asked again, where that does no harm, or fails."""
+        connection, peer.connection = peer.connection, None
+        self._unwatch(peer)
+        connection.close()
+        self._asked.discard(peer)
+        self.have_changed.add(peer)
+        lost = list(connection.requests.values())
+        if connection.waits_for:
+            lost += peer.waiting
+            peer.waiting.clear()
+        is_cut = isinstance(e, (connections.Closed, ConnectionResetError, BrokenPipeError))
+        for request in lost:
+            if is_cut and connection.has_answered and not request.again and (request.asks or getattr(e, "untouched", False)):
+                request.again = True
+                peer.waiting.append(request)
+            else:
+                request.failed(connections.Closed() if is_cut else e)
+
+    # ---- what does not come ----
+
+    def _give_up(self, now):
+        """Fail what has waited too long."""
+        for peer in list(self._asked):
+            if lanes.is_over():
+                failed, why = peer.connection.give_up_all(), lanes.NO_TIME
+            else:
+                failed, why = peer.overdue(now), None
+            if peer.silence or lanes.is_over():
+                failed += peer.waiting
+                peer.waiting.clear()
+            if not peer.connection.requests:
+                self._asked.discard(peer)
+            self.have_changed.add(peer)
+            for request in failed:
+                request.resume(None, errors.Silent(str(request.call.where), why or lanes.no_answer(request.seconds)))
