@@ -47,10 +47,14 @@ def parsed(type_id, profiles):
     try:
         for tag, profile in profiles:
             if tag == IIOP:
-                body = _Cdr(profile)
-                body.at += 2  # the version
-                host, port = body.host_and_port()
-                return Address(type_id, sys.intern(host), port, body.octets())
+                ulong, ushort = _LITTLE if profile[0] & 1 else _BIG
+                end = 8 + ulong(profile, 4)[0]  # of the host, after the version
+                at = (end + 3 & ~1) + 3 & ~3  # after the port
+                size = ulong(profile, at)[0]
+                if at + 4 + size > len(profile):
+                    raise IndexError
+                host, port = profile[8:end - 1].decode("latin-1"), ushort(profile, end + 1 & ~1)[0]
+                return Address(type_id, sys.intern(host), port, profile[at + 4:at + 4 + size])
     except (IndexError, struct.error):
         return Address("", "", 0, b"")
     return Address(type_id, "", 0, b"")
@@ -130,20 +134,24 @@ def octets(type_id, profiles):
 
     Raises ValueError with the reason for one that must not reach omniORB.
     """
+    start = check(type_id, profiles)
     if len(profiles) == 1:  # almost all, and there are many
         (tag, profile), = profiles
-        size = len(profile)
-        if size <= LARGEST:
-            return _start(type_id) + _pack_one(1, tag, size) + profile
+        return start + _pack_one(1, tag, len(profile)) + profile
     if not profiles:
         return b""
+    return start + struct.pack("<L", len(profiles)) + b"".join(
+        _pack(tag, len(profile)) + profile + _PADDING[len(profile) & 3] for tag, profile in profiles)
+
+
+def check(type_id, profiles):
+    """Raise ValueError with the reason if a reference, given likewise, must not reach omniORB; returns how its octets start."""
     if len(profiles) > MOST_PROFILES:
         raise ValueError(f"a reference of {len(profiles)} profiles")
     size = sum(len(profile) for _, profile in profiles)
     if size > LARGEST:
         raise ValueError("a reference of %d octets" % size)
-    return _start(type_id) + struct.pack("<L", len(profiles)) + b"".join(
-        _pack(tag, len(profile)) + profile + _PADDING[len(profile) & 3] for tag, profile in profiles)
+    return _start(type_id) if profiles else b""
 
 
 @functools.lru_cache(maxsize=64)

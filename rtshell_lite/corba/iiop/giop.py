@@ -1,4 +1,5 @@
 """GIOP messages as octets (CORBA 3.0, 15.4): requests to send, replies taken apart."""
+import functools
 import struct
 
 REPLY, CLOSE, ERROR, FRAGMENT = 1, 5, 6, 7  # kinds of messages; a request is 0
@@ -8,7 +9,8 @@ HEADER = 12  # octets
 LARGEST = 32 << 20  # octets of a message, as we let omniORB take
 MOST_CONTEXTS = 64  # service contexts of a message; real ones have up to four
 MORE, LITTLE = 2, 1  # flags of a message
-_LENGTH, _MODE = struct.Struct("<I"), struct.Struct("<HH")
+_LENGTH, _START = struct.Struct("<I"), struct.Struct("<8sIIIHH")
+_PADDING = [b"", b"\0\0\0", b"\0\0", b"\0"]
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "II")) for order in "><"]
 
 
@@ -21,17 +23,10 @@ def aligned(data, size):
     return data + b"\0" * (-len(data) % size)
 
 
-def _head(version, mode, target, operation):
-    """A request up to its arguments, its size and id still 0."""
-    data = b"GIOP" + bytes(version) + b"\1\0" + bytes(4)
-    name = _LENGTH.pack(len(operation) + 1) + operation.encode("latin-1") + b"\0"
-    if version < (1, 2):
-        data += bytes(4) + bytes(4) + b"\1" + (b"\0\0\0" if version == (1, 1) else b"")
-        data = aligned(aligned(data, 4) + target, 4) + name
-        return aligned(data, 4) + bytes(4)  # no principal
-    data += bytes(4) + b"\3\0\0\0"
-    data += _MODE.pack(mode, 0) + target
-    return aligned(aligned(data, 4) + name, 4) + bytes(4)  # no service contexts
+@functools.lru_cache(maxsize=256)
+def _named(operation):
+    """The name of an operation, and that nothing follows: no service contexts, or no principal before GIOP 1.2."""
+    return aligned(_LENGTH.pack(len(operation) + 1) + operation.encode("latin-1") + b"\0", 4) + bytes(4)
 
 
 def request(number, version, mode, target, operation, arguments):
@@ -39,14 +34,17 @@ def request(number, version, mode, target, operation, arguments):
 
     `arguments`: (function that appends to it in little endian, value) pairs.
     """
-    out = bytearray(_head(version, mode, target, operation))
+    if version >= (1, 2):
+        out = bytearray(_START.pack(b"GIOP\1\2\1\0", 0, number, 3, mode, 0))
+    else:
+        out = bytearray(b"GIOP" + bytes(version) + b"\1\0" + bytes(8) + _LENGTH.pack(number) + b"\1\0\0\0")
+    out += target + _PADDING[len(target) & 3] + _named(operation)
     if arguments:
         if version >= (1, 2):
             out += b"\0" * (-len(out) % 8)
         for write, value in arguments:
             write(out, value)
-    struct.pack_into("<I", out, 12 if version >= (1, 2) else 16, number)
-    struct.pack_into("<I", out, 8, len(out) - HEADER)
+    _LENGTH.pack_into(out, 8, len(out) - HEADER)
     return out
 
 

@@ -69,10 +69,7 @@ class _Peer(lanes.Peer):
         """
         late = [number for number, request in self.connection.requests.items()
                 if now - (max(request.sent, self.heard) if _is_naming(request) else request.sent) > request.seconds]
-        found = [self.connection.give_up(number) for number in late]
-        for request in found:
-            self.fall_silent(lanes.no_answer(request.seconds), request.sent)
-        return found
+        return [self.connection.give_up(number) for number in late]
 
 
 def _is_naming(request):
@@ -109,14 +106,16 @@ class _Task:
         """Prepare a request to another process than that of the job; why that is not to be asked, or None."""
         if request.endpoint == self.peer.endpoint:
             return None
-        request.resume = self._answered_elsewhere
-        return self.loop.peer(request.endpoint).silence
+        peer = self.loop.peer(request.endpoint)
 
-    def _answered_elsewhere(self, value, error):
-        """Silence of another process says nothing about that of this job."""
-        if isinstance(error, errors.Silent):
-            error = errors.Unreachable(*error.args)
-        self.go_on(value, error)
+        def answered(value, error):
+            if isinstance(error, errors.Silent):  # which says nothing about the process of this job
+                if error.why != lanes.NO_TIME:
+                    peer.fall_silent(error.why, request.sent or self.since)
+                error = errors.Unreachable(*error.args)
+            self.go_on(value, error)
+        request.resume = answered
+        return peer.silence
 
     def _end(self, value):
         self.loop.values[self.number] = value

@@ -116,32 +116,26 @@ class Maker(cdr.Maker):
         return write
 
     def read_reference(self, descriptor):
-        unpack, interface = self.count.unpack_from, descriptor[1]
-
-        def octets(data, at):
-            at += -at & 3
-            size, = unpack(data, at)
-            at += 4 + size
-            if at > len(data):
-                raise Fault("a reference longer than it can be")
-            return data[at - size:at], at
+        unpack, pair, interface = self.count.unpack_from, struct.Struct(self.order + "II").unpack_from, descriptor[1]
 
         def read(data, at):
-            type_id, at = octets(data, at)
             at += -at & 3
-            count, = unpack(data, at)
-            at += 4
+            start, end = at + 4, at + 4 + unpack(data, at)[0]
+            at = end + (-end & 3)
+            type_id, count, at = data[start:end], unpack(data, at)[0], at + 4
             if count > ior.MOST_PROFILES:
                 raise Fault(f"a reference of {count} profiles")
             profiles = []
             for _ in range(count):
                 at += -at & 3
-                tag, = unpack(data, at)
-                profile, at = octets(data, at + 4)
-                profiles.append((tag, profile))
+                tag, size = pair(data, at)
+                at += 8 + size
+                profiles.append((tag, data[at - size:at]))
+            if at > len(data):
+                raise Fault("a reference longer than it can be")
             if not profiles:
                 return None, at
-            ior.octets(bytes(type_id), profiles)  # raises ValueError for what must not be sent on: other ORBs may end from it
+            ior.check(type_id, profiles)  # other ORBs may end from what it refuses, if that were sent on
             return Reference(type_id[:-1], tuple(profiles), interface), at
         return read
 

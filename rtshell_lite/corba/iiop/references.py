@@ -32,9 +32,10 @@ class Reference:
 
     def target(self, mode=giop.KEY):
         """(GIOP version, mode, octets that name the object in that mode). Raises OSError where it has no IIOP profile."""
-        number, profile = next(((i, data) for i, (tag, data) in enumerate(self.profiles) if tag == ior.IIOP), (0, None))
-        if profile is None:
+        number = [tag for tag, _ in self.profiles].index(ior.IIOP) if self.address.host else None
+        if number is None:
             raise OSError(0, "no address of IIOP in its reference")
+        profile = self.profiles[number][1]
         if mode == giop.KEY:
             key = self.address.key
             octets = _LENGTH.pack(len(key)) + key
