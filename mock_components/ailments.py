@@ -1,6 +1,6 @@
 """Worlds for a doctor: connections gone wrong, names that lead astray, components that nothing executes."""
 from rtshell_lite.idl_stubs.component import RTC
-from rtshell_lite.idl_stubs.dataport import OpenRTM__POA
+from rtshell_lite.idl_stubs.dataport import OpenRTM
 
 from . import naming
 from .properties import nvlist, put
@@ -26,7 +26,7 @@ def crossed(stage):
     there = stage.port("Out1:in")
     there.profiles = {only_id(there): retold(only(there), "dataport.subscription_type", "new")}
     stage.connect("Sensor0:out", "Out2:in")
-    gone = stage.process.orb.object_to_string(stage.process.ghost(OpenRTM__POA.InPortCdr._NP_RepositoryId))
+    gone = stage.process.orb.object_to_string(stage.process.ghost(OpenRTM.InPortCdr._NP_RepositoryId))
     port = stage.port("In3:out")
     code, _ = port.connect(RTC.ConnectorProfile("print", "", [port.reference], nvlist(
         PUSH + [("dataport.corba_cdr.inport_ior", gone)])))

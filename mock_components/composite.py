@@ -2,7 +2,8 @@
 import time
 import uuid
 
-from rtshell_lite.idl_stubs.component import RTC, OpenRTM, SDOPackage, SDOPackage__POA
+from rtshell_lite.corba import stubs
+from rtshell_lite.idl_stubs.component import RTC, OpenRTM, SDOPackage
 
 from .context import TRANSITION_TIMEOUT
 from .port import alive
@@ -27,7 +28,7 @@ class Member:
         return not alive(self.reference)
 
 
-class Organization(SDOPackage__POA.Organization):
+class Organization(stubs.skeleton("component.SDOPackage.Organization")):
     """The members of a composite; adding one stops its own contexts, removing it starts them."""
 
     def __init__(self, composite):

@@ -1,6 +1,7 @@
 """The configuration of a component: its sets of parameters, one of them active."""
 from omniORB import CORBA
-from rtshell_lite.idl_stubs.component import SDOPackage, SDOPackage__POA
+from rtshell_lite.corba import stubs
+from rtshell_lite.idl_stubs.component import SDOPackage
 
 from .properties import is_text, nvlist
 
@@ -17,7 +18,7 @@ def of_a_set(key):
     return key.startswith("conf.") and key.count(".") > 1
 
 
-class Configuration(SDOPackage__POA.Configuration):
+class Configuration(stubs.skeleton("component.SDOPackage.Configuration")):
     """Sets are kept in order of registration; a set whose id starts with `_` is data about the others."""
 
     def __init__(self, component, sets, active):

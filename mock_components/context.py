@@ -3,7 +3,8 @@ import threading
 import time
 
 from omniORB import CORBA
-from rtshell_lite.idl_stubs.component import RTC, RTC__POA, OpenRTM__POA
+from rtshell_lite.corba import stubs
+from rtshell_lite.idl_stubs.component import RTC
 
 from .properties import nvlist
 
@@ -288,11 +289,11 @@ class Behaviour:
             return RTC.RTC_ERROR
 
 
-class PeriodicContext(Behaviour, RTC__POA.ExecutionContextService):
+class PeriodicContext(Behaviour, stubs.skeleton("component.RTC.ExecutionContextService")):
     """An ordinary context."""
 
 
-class ExtTrigContext(Behaviour, OpenRTM__POA.ExtTrigExecutionContextService):
+class ExtTrigContext(Behaviour, stubs.skeleton("component.OpenRTM.ExtTrigExecutionContextService")):
     """The type that C++ 1.1 gives to every context."""
 
     def tick(self):

@@ -1,6 +1,7 @@
 """A state machine component with the service of FSM4RTC."""
 from rtshell_lite.idl_stubs.component import RTC, SDOPackage
-from rtshell_lite.idl_stubs.fsm import RTC as Fsm, RTC__POA as Fsm__POA
+from rtshell_lite.corba import stubs
+from rtshell_lite.idl_stubs.fsm import RTC as Fsm
 
 from .rtc import Component
 
@@ -16,7 +17,7 @@ STRUCTURE = """\
 EVENTS = [("open", "TimedLong"), ("close", "TimedLong"), ("start", "TimedLong"), ("stop", "TimedLong")]
 
 
-class Service(Fsm__POA.ExtendedFsmService):
+class Service(stubs.skeleton("fsm.RTC.ExtendedFsmService")):
     """The service of a state machine; it returns the structure that was set."""
 
     def __init__(self, fate):

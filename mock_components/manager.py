@@ -4,7 +4,8 @@ import itertools
 import omniORB
 from omniORB import CORBA
 from rtshell_lite.idl_stubs.component import RTC
-from rtshell_lite.idl_stubs.manager import RTM, RTM__POA
+from rtshell_lite.corba import stubs
+from rtshell_lite.idl_stubs.manager import RTM
 
 from . import children, modules
 from .creation import Wanted, extract
@@ -15,7 +16,7 @@ KEY = "manager"             # its object key, whatever its name
 SHUTDOWN_TIME = 0.5         # seconds from the answer to shutdown() to the end of the process
 
 
-class Manager(RTM__POA.Manager):
+class Manager(stubs.skeleton("manager.RTM.Manager")):
     """Lives in the process of a stage, whose components are its own."""
 
     def __init__(self, stage, name="manager", master=True):

@@ -4,7 +4,8 @@ import time
 import uuid
 
 from omniORB import CORBA
-from rtshell_lite.idl_stubs.component import RTC, RTC__POA
+from rtshell_lite.corba import stubs
+from rtshell_lite.idl_stubs.component import RTC
 
 from .counting import FOR_EVER
 from .properties import get, nvlist
@@ -12,7 +13,7 @@ from .properties import get, nvlist
 TRANSIENT_CONNECT_FAILED = 0x41540002
 
 
-class Port(RTC__POA.PortService):
+class Port(stubs.skeleton("component.RTC.PortService")):
     """What data ports and service ports share."""
 
     def __init__(self, component, name):

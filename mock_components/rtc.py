@@ -1,6 +1,7 @@
 """An RT Component: profile, contexts, ports and configuration behind one CORBA object."""
 from omniORB import CORBA
-from rtshell_lite.idl_stubs.component import RTC, OpenRTM__POA, SDOPackage
+from rtshell_lite.corba import stubs
+from rtshell_lite.idl_stubs.component import RTC, SDOPackage
 
 from . import configuration, context, dataport, naming, observers, serviceport
 from .properties import nvlist
@@ -9,7 +10,7 @@ LINGER = 0.7            # seconds that the name of an ended component stays boun
 KINDS = {"in": dataport.InPort, "out": dataport.OutPort, "event": dataport.EventInPort, "service": serviceport.ServicePort}
 
 
-class Component(OpenRTM__POA.DataFlowComponent):
+class Component(stubs.skeleton("component.OpenRTM.DataFlowComponent")):
     """A component without behaviour; others derive from it."""
 
     busy = False        # whether an active one has work in every cycle

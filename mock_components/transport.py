@@ -4,7 +4,8 @@ import threading
 import time
 
 from omniORB import CORBA, tcInternal
-from rtshell_lite.idl_stubs.dataport import RTC as DataService, RTC__POA as DataService__POA, OpenRTM, OpenRTM__POA
+from rtshell_lite.corba import stubs
+from rtshell_lite.idl_stubs.dataport import RTC as DataService, OpenRTM
 
 from . import values
 from .properties import get
@@ -82,7 +83,7 @@ class Receiver(Transport):
         return "PORT_OK"
 
 
-class InPortCdr(OpenRTM__POA.InPortCdr):
+class InPortCdr(stubs.skeleton("dataport.OpenRTM.InPortCdr")):
     def __init__(self, receiver):
         self.receiver = receiver
 
@@ -90,7 +91,7 @@ class InPortCdr(OpenRTM__POA.InPortCdr):
         return getattr(OpenRTM, self.receiver.answer(data))
 
 
-class DataPushService(DataService__POA.DataPushService):
+class DataPushService(stubs.skeleton("dataport.RTC.DataPushService")):
     def __init__(self, receiver):
         self.receiver = receiver
 
@@ -206,7 +207,7 @@ class Provider(Transport):
         return "PORT_OK", self.last
 
 
-class OutPortCdr(OpenRTM__POA.OutPortCdr):
+class OutPortCdr(stubs.skeleton("dataport.OpenRTM.OutPortCdr")):
     def __init__(self, provider):
         self.provider = provider
 
@@ -215,7 +216,7 @@ class OutPortCdr(OpenRTM__POA.OutPortCdr):
         return getattr(OpenRTM, status), data
 
 
-class DataPullService(DataService__POA.DataPullService):
+class DataPullService(stubs.skeleton("dataport.RTC.DataPullService")):
     def __init__(self, provider):
         self.provider = provider
 

@@ -198,8 +198,7 @@ def serve(servant):
         poa = orb.resolve_initial_references("RootPOA")
     except CORBA.INITIALIZE:  # only now omniORB begins to listen
         raise errors.Usage(errors.BAD_ENDPOINT)
-    package, module, name = servant.interface.split(".")
-    made = stubs.named(f"{package}.{module}__POA.{name}")()
+    made = stubs.skeleton(servant.interface)()
     vars(made).update((operation, getattr(servant, operation)) for operation in made._omni_op_d)
     number = poa.activate_object(made)
     poa._get_the_POAManager().activate()

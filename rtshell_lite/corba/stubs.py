@@ -8,6 +8,7 @@ import types
 
 from rtshell_lite import errors
 
+_PREFIX = "rtshell_lite.idl_stubs."
 STANDARD = ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "InterfaceDataTypes_idl", "CameraCommonInterface_idl")
 
 
@@ -30,16 +31,35 @@ def import_omniorb():
 
 def module(name):
     """A module of stubs: `data.RTC` of idl_stubs, or omniORB's own `CosNaming`."""
-    full = name if name == "CosNaming" else "rtshell_lite.idl_stubs." + name
+    full = name if name == "CosNaming" else _PREFIX + name
     __import__(full)  # importlib takes long to import, and rtls needs nothing else of it
     return sys.modules[full]
 
 
 @functools.lru_cache(maxsize=None)
 def named(name):
-    """A class of stubs by package, IDL module and name: `component.RTC.PortService`, `observer.OpenRTM__POA.Logger`."""
+    """A class of stubs by package, IDL module and name: `component.RTC.PortService`."""
     where, _, last = name.rpartition(".")
     return getattr(module(where), last)
+
+
+@functools.lru_cache(maxsize=None)
+def skeleton(name):
+    """A class to derive servants of an interface from: what omniidl writes for that, made of the stub."""
+    import omniORB
+    from omniORB import PortableServer
+    where, _, last = name.rpartition(".")
+    interface, references = named(name), named(f"{where}._objref_{last}")
+    above = [f"{base.__module__[len(_PREFIX):]}.{base.__name__[len('_objref_'):]}" for base in references.__bases__
+             if base.__module__.startswith(_PREFIX)]
+    bases = tuple(map(skeleton, above)) or (PortableServer.Servant,)
+    operations = {key[3:]: value for key, value in vars(interface).items() if key.startswith("_d_")}
+    for base in map(skeleton, above):
+        operations.update(base._omni_op_d)
+    made = type(last, bases, {"_NP_RepositoryId": interface._NP_RepositoryId, "_omni_op_d": operations})
+    made._omni_skeleton = made
+    omniORB.registerSkeleton(made._NP_RepositoryId, made)
+    return made
 
 
 def lend_standard():

@@ -7,7 +7,7 @@ observer    OpenRTM, RTC               observers and loggers that a component ca
 fsm         RTC                        state machine components
 data        RTC, Img                   what travels over data ports
 
-Take a module from its package: `from rtshell_lite.idl_stubs.component import RTC`. Clients need no more; who serves
-objects takes `RTC__POA` from the same package. One IDL module may live in several packages (RTC in four of them), so
+Take a module from its package: `from rtshell_lite.idl_stubs.component import RTC`. Who serves objects derives them from
+`corba.stubs.skeleton("component.RTC.PortService")`. One IDL module may live in several packages (RTC in four of them), so
 that a command loads only what it needs; no two of them share a name.
 """

@@ -50,14 +50,15 @@ def bare():
     from omniORB import CORBA
     from rtshell_lite.idl_stubs.component import RTC, SDOPackage
     from rtshell_lite.idl_stubs.data import RTC as Data
-    from rtshell_lite.idl_stubs.dataport import OpenRTM, OpenRTM__POA
+    from rtshell_lite.corba import stubs
+    from rtshell_lite.idl_stubs.dataport import OpenRTM
     import CosNaming
     server, name, number = sys.argv[2], sys.argv[3], int(sys.argv[4])
     orb = CORBA.ORB_init(["bare", "-ORBgiopMaxMsgSize", "33554432", "-ORBendPoint", "giop:tcp:127.0.0.1:"], CORBA.ORB_ID)
     kind = Data._tc_TimedLong if name == "number" else Data._tc_TimedOctetSeq
     count = [0]
 
-    class Receiver(OpenRTM__POA.InPortCdr):
+    class Receiver(stubs.skeleton("dataport.OpenRTM.InPortCdr")):
         def put(self, data):
             value = omniORB.cdrUnmarshal(kind, data, True)
             shown = value.data if name == "number" else value.data.hex()

@@ -24,8 +24,9 @@ import os, sys, threading, time
 sys.path[:0] = [%r, %r]
 import worlds
 from worlds import CORBA, OpenRTM
-from rtshell_lite.idl_stubs.dataport import OpenRTM as Data, OpenRTM__POA as POA
-class Sink(POA.InPortCdr):
+from rtshell_lite.corba import stubs
+from rtshell_lite.idl_stubs.dataport import OpenRTM as Data
+class Sink(stubs.skeleton("dataport.OpenRTM.InPortCdr")):
     count = octets = 0
     def put(self, data):
         if not self.count:

@@ -11,10 +11,10 @@ from worlds import connector, eventually, outcome, raised, value
 ONCE = "mocks are used by the transcripts on every Python"
 try:
     import omniORB
+    from rtshell_lite.corba import stubs
     from rtshell_lite.idl_stubs.component import RTC, SDOPackage
-    from rtshell_lite.idl_stubs.dataport import OpenRTM as Cdr, OpenRTM__POA as Cdr__POA
+    from rtshell_lite.idl_stubs.dataport import OpenRTM as Cdr
     from rtshell_lite.idl_stubs.fsm import RTC as Fsm
-    from rtshell_lite.idl_stubs.observer import RTC__POA, OpenRTM__POA
 except ImportError:
     pass        # then setUpModule skips all
 else:
@@ -31,19 +31,19 @@ else:
             """What was said, in any order: oneway calls may overtake each other."""
             return sorted(self.said.get(timeout=worlds.LIMIT) for _ in range(count))
 
-    class Observer(Gathering, OpenRTM__POA.ComponentObserver):
+    class Observer(Gathering, stubs.skeleton("observer.OpenRTM.ComponentObserver")):
         type_id = "IDL:OpenRTM/ComponentObserver:1.0"
 
-    class FsmObserver(Gathering, RTC__POA.ComponentObserver):
+    class FsmObserver(Gathering, stubs.skeleton("observer.RTC.ComponentObserver")):
         type_id = "IDL:omg.org/RTC/ComponentObserver:1.0"
 
-    class Logger(Gathering, OpenRTM__POA.Logger):
+    class Logger(Gathering, stubs.skeleton("observer.OpenRTM.Logger")):
         type_id = "IDL:OpenRTM/Logger:1.0"
 
         def publish(self, record):
             self.said.put((record.loggername, str(record.level), record.message))
 
-    class Receiver(Gathering, Cdr__POA.InPortCdr):
+    class Receiver(Gathering, stubs.skeleton("dataport.OpenRTM.InPortCdr")):
         def put(self, data):
             self.said.put(data)
             return Cdr.PORT_OK

@@ -12,6 +12,7 @@ except ImportError:
     omniORB = None
 
 import rtshell_lite
+from rtshell_lite.corba import stubs
 from rtshell_lite.idl_stubs import generate
 
 STUBS = os.path.dirname(os.path.abspath(generate.__file__))
@@ -172,15 +173,24 @@ class ImportTest(unittest.TestCase):
         prefix = "rtshell_lite.idl_stubs."
         ours = [name[len(prefix):] for name in loaded if name.startswith(prefix)]
         self.assertEqual([name for name in ours if name.split(".")[0] != "component"], [])
-        self.assertEqual([name for name in ours if name.endswith(("_poa", "__POA"))], [])
 
     def test_no_top_level_module(self):
-        for package, modules in [("component", "SDOPackage__POA, RTC__POA, OpenRTM__POA"), ("manager", "RTM__POA"),
-                                 ("dataport", "OpenRTM__POA, RTC__POA"), ("observer", "OpenRTM__POA, RTC__POA"),
-                                 ("fsm", "RTC__POA"), ("data", "RTC, Img")]:
+        for package, modules in [("component", "SDOPackage, RTC, OpenRTM"), ("manager", "RTM"), ("dataport", "OpenRTM, RTC"),
+                                 ("observer", "OpenRTM, RTC"), ("fsm", "RTC"), ("data", "RTC, Img")]:
             with self.subTest(package=package):
                 loaded = modules_after("from rtshell_lite.idl_stubs.{} import {}".format(package, modules))
-                self.assertFalse({"SDOPackage", "RTC", "OpenRTM", "RTM", "Img", "RTC__POA"} & set(loaded))
+                self.assertFalse({"SDOPackage", "RTC", "OpenRTM", "RTM", "Img"} & set(loaded))
+
+    def test_skeletons_inherit_as_their_interfaces_do(self):
+        """omniORB tells by that which interfaces a servant has."""
+        component = stubs.skeleton("component.OpenRTM.DataFlowComponent")
+        for type_id in ("IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0", "IDL:omg.org/RTC/RTObject:1.0",
+                        "IDL:omg.org/RTC/ComponentAction:1.0", "IDL:org.omg/SDOPackage/SDO:1.0"):
+            self.assertTrue(omniORB.static_is_a(component, type_id), type_id)
+        self.assertFalse(omniORB.static_is_a(component, "IDL:omg.org/RTC/PortService:1.0"))
+        operations = component._omni_op_d
+        self.assertLessEqual({"on_execute", "exit", "get_ports", "get_sdo_id"}, set(operations))
+        self.assertIs(component, stubs.skeleton("component.OpenRTM.DataFlowComponent"))
 
     def test_observers_load_the_time_stamp_but_no_data_types(self):
         loaded = modules_after("from rtshell_lite.idl_stubs.observer import OpenRTM, RTC")
