@@ -9,7 +9,7 @@ import re
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, tasks
 from rtshell_lite.path import Path, parse, split_address
-from rtshell_lite.robot import component, ports, tree
+from rtshell_lite.robot import component, exiting, ports, tree
 from rtshell_lite.text import from_wire, printable, to_wire
 
 DEFAULT_PORT = 2810  # corba.master_manager
@@ -220,7 +220,7 @@ def delete(node, instance):
                             printable(instance))
     # a master returns BAD_PARAMETER for the name of a slave's component, or RTC_OK and does nothing (C++ 1.1)
     holder = next((slave for slave in _slaves(node) if _lists(slave, matching[0].ref)), node)
-    component.leave(matching[0])
+    exiting.leave(matching[0])
     code = str(holder.call("delete_component", to_wire(instance), seconds=CREATE_TIME))
     if code != "RTC_OK":
         raise errors.Refused(str(node.path), f"does not delete {printable(instance)} ({code})")

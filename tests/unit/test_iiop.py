@@ -1,14 +1,14 @@
 """Our own ORB: what it writes is what omniORB reads, and the other way round; nothing that a peer sends costs more than one line."""
 import socket
 import struct
-import threading
 import time
 import unittest
 
 import worlds
+from giop_peers import CLOSE, Peer, answer
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, lanes, orb, tasks
-from rtshell_lite.corba.iiop import client, connections, giop, loop, marshal, operations, references
+from rtshell_lite.corba import descriptors, lanes, orb
+from rtshell_lite.corba.iiop import client, giop, marshal, operations, references
 
 try:
     import omniORB
@@ -72,46 +72,6 @@ class References(unittest.TestCase):
         self.assertTrue(client.same(one, client.from_url("w", "corbaloc:iiop:1.0@a:5/x")))
         self.assertFalse(client.same(one, other))
         self.assertIs(client.narrow(one, "manager.RTM.Manager").profiles, one.profiles)
-
-
-CLOSE = b"GIOP\1\2\1\5" + bytes(4)
-
-
-class Peer:
-    """A process that answers each message with the next of some octets; what is None closes the connection. `last` came last."""
-
-    def __init__(self, *answers):
-        self.listening = socket.socket()
-        self.listening.bind(("127.0.0.1", 0))
-        self.listening.listen(5)
-        self.answers, self.asked = list(answers), 0
-        self.port = self.listening.getsockname()[1]
-        threading.Thread(target=self._serve, daemon=True).start()
-
-    def _serve(self):
-        while True:
-            try:
-                connection, _ = self.listening.accept()
-            except OSError:
-                return
-            with connection:
-                for self.last in iter(lambda: connection.recv(65536), b""):
-                    self.asked += 1
-                    answer = self.answers.pop(0) if self.answers else b""
-                    connection.sendall(answer or b"")
-                    if answer is None or answer.endswith(CLOSE):
-                        break
-
-    def close(self):
-        self.listening.shutdown(socket.SHUT_RDWR)  # or the thread that accepts keeps it open
-        self.listening.close()
-
-
-def answer(number, body=b"\0", status=0, minor=2, order="<"):
-    """A reply, whole."""
-    head = struct.pack(order + "II", number, status)
-    head = head + bytes(4) if minor == 2 else bytes(4) + head
-    return b"GIOP\1" + bytes([minor, order == "<", 1]) + struct.pack(order + "I", len(head + body)) + head + body
 
 
 class Calls(unittest.TestCase):
@@ -186,6 +146,18 @@ class Calls(unittest.TestCase):
             self.ask(b"GIOP")
         self.assertGreaterEqual(time.monotonic() - start, 0.29)
 
+    def test_addressing_modes(self):
+        """A peer may want the profile, or the whole reference, instead of the key."""
+        for mode in (giop.PROFILE, giop.REFERENCE):
+            peer = Peer(answer(1, struct.pack("<h", mode), giop.NEEDS_ADDRESSING_MODE), answer(2, b"\1"))
+            self.addCleanup(peer.close)
+            ref = client.from_url("w", f"corbaloc::127.0.0.1:{peer.port}/x")
+            self.assertIs(client.invoke(orb.Call("w", ref, "_non_existent")), True)
+            self.assertEqual(peer.last[20:24], struct.pack("<HH", mode, 0))
+            profile = ref.profiles[0][1]
+            where = 24 if mode == giop.PROFILE else 24 + 4 + 8 + 4  # after the index, the empty type, the count
+            self.assertEqual(peer.last[where:where + 8 + len(profile)], struct.pack("<II", 0, len(profile)) + profile)
+
     def test_other_addresses_of_a_reference(self):
         """The first is of another network, say."""
         peer = Peer(answer(1, b"\1"))
@@ -258,253 +230,5 @@ class Beside(unittest.TestCase):
         self.assertEqual(caught.exception.name, "NotFound")
 
 
-class Script:
-    """A process that reads the requests of one connection after the other, and answers them as a function says.
-
-    `play(requests)` gets the (number, operation) pairs that have come so far and returns octets to send, or None to wait for more.
-    """
-
-    def __init__(self, play):
-        self.listening = socket.socket()
-        self.listening.bind(("127.0.0.1", 0))
-        self.listening.listen(5)
-        self.play, self.most, self.connections = play, 0, 0
-        self.ref = client.from_url("w", "corbaloc::127.0.0.1:%d/x" % self.listening.getsockname()[1])
-        threading.Thread(target=self._serve, daemon=True).start()
-
-    def _serve(self):
-        while True:
-            try:
-                connection, _ = self.listening.accept()
-            except OSError:
-                return
-            self.connections += 1
-            threading.Thread(target=self._talk, args=(connection,), daemon=True).start()
-
-    def _talk(self, connection):
-        data, pending = b"", []
-        with connection:
-            while True:
-                piece = connection.recv(65536)
-                data += piece
-                while len(data) >= 12 and len(data) >= 12 + giop.size(data):
-                    size = 12 + giop.size(data)
-                    pending.append((giop.number(data), b"_is_a" if b"_is_a" in data[:size] else b"_non_existent"))
-                    data = data[size:]
-                self.most = max(self.most, len(pending))
-                reply = self.play(pending)
-                if reply:
-                    connection.sendall(reply)
-                if not piece or reply == b"":
-                    return
-
-    def close(self):
-        self.listening.shutdown(socket.SHUT_RDWR)
-        self.listening.close()
-
-
-class Loop(unittest.TestCase):
-    """Many calls at once on this thread."""
-
-    def setUp(self):
-        before = lanes.session
-        lanes.session = lanes.Session(2)
-        lanes._answered.clear()
-        self.addCleanup(setattr, lanes, "session", before)
-
-    def script(self, play):
-        made = Script(play)
-        self.addCleanup(made.close)
-        return made
-
-    def run_tasks(self, *jobs):
-        """The values of coroutine functions, each a job of the process of a reference."""
-        return list(loop.in_turn([lanes.Job(ref.address[1:3], f"job{i}", function) for i, (ref, function) in enumerate(jobs)]))
-
-    def test_four_at_a_time_in_any_order(self):
-        def play(pending):
-            if len(pending) < min(4, 10 - len(done)):
-                return None
-            replies = b"".join(answer(number, bytes([number % 2])) for number, _ in reversed(pending))
-            done.extend(pending)
-            pending.clear()
-            return replies
-
-        done, peer = [], self.script(play)
-
-        async def ask():
-            return await orb.Call("w", peer.ref, "_non_existent")
-
-        values = self.run_tasks(*[(peer.ref, ask)] * 10)
-        self.assertEqual(values, [True, False] * 5)
-        self.assertEqual((peer.most, peer.connections), (4, 1))
-
-    def test_any_number_to_a_name_server(self):
-        def play(pending):
-            if len(pending) < 30:
-                return None
-            replies = b"".join(answer(number) for number, _ in pending)
-            pending.clear()
-            return replies
-
-        peer = self.script(play)
-        context = client.narrow(peer.ref, "CosNaming.NamingContext")
-
-        async def ask():
-            return await orb.Call("w", context, "_non_existent")
-
-        self.assertEqual(self.run_tasks(*[(peer.ref, ask)] * 30), [False] * 30)
-
-    def test_fragments_of_several_replies(self):
-        """They may be mixed, in GIOP 1.2."""
-        def cut(whole):
-            number = whole[12:16]
-            first = whole[:6] + b"\3\1" + struct.pack("<I", 12) + whole[12:24]
-            rest = b"GIOP\1\2\1\7" + struct.pack("<I", 4 + len(whole) - 24) + number + whole[24:]
-            return first, rest
-
-        def play(pending):
-            if len(pending) < 2:
-                return None
-            (one, one_end), (other, other_end) = [cut(answer(number, bytes([number == 2]))) for number, _ in pending]
-            pending.clear()
-            return one + other + one_end + other_end
-
-        peer = self.script(play)
-
-        async def ask():
-            return await orb.Call("w", peer.ref, "_non_existent")
-
-        self.assertEqual(self.run_tasks(*[(peer.ref, ask)] * 2), [False, True])
-
-    def test_one_hung_object_costs_itself(self):
-        lanes.session = lanes.Session(0.5)
-
-        def play(pending):
-            replies = b"".join(answer(number) for number, operation in pending if operation == b"_non_existent")
-            pending.clear()
-            return replies or None
-
-        peer = self.script(play)
-
-        async def hang():
-            await orb.Call("w", peer.ref, "_is_a", "x")
-
-        async def ask():
-            for _ in range(20):
-                await tasks.Sleep(0.02)
-                await orb.Call("w", peer.ref, "_non_existent")
-            return "answered"
-
-        hung, *others = self.run_tasks((peer.ref, hang), *[(peer.ref, ask)] * 8)
-        self.assertIsInstance(hung, errors.Silent)
-        self.assertEqual(others, ["answered"] * 8)
-        self.assertEqual(lanes.session.silent, {})
-
-    def test_a_hung_process_costs_one_timeout(self):
-        lanes.session = lanes.Session(0.3)
-        silent, lively = self.script(lambda pending: None), self.script(lambda pending: answer(pending[-1][0]) if pending else None)
-
-        async def ask_silent():
-            await orb.Call("w", silent.ref, "_non_existent")
-
-        async def ask():
-            return await orb.Call("w", lively.ref, "_non_existent")
-
-        async def ask_both():
-            try:
-                await orb.Call("w", silent.ref, "_non_existent")
-            except errors.Unreachable as e:
-                return type(e), await orb.Call("w", lively.ref, "_non_existent")
-
-        start = time.monotonic()
-        values = self.run_tasks(*[(silent.ref, ask_silent)] * 50, (lively.ref, ask), (lively.ref, ask_both))
-        self.assertLess(time.monotonic() - start, 1.5)
-        self.assertEqual({type(value) for value in values[:50]}, {errors.Silent})
-        self.assertEqual(values[50:], [False, (errors.Unreachable, False)])
-        self.assertIn(silent.ref.address[1:3], lanes.session.silent)
-        self.assertIsInstance(self.run_tasks((silent.ref, ask_silent))[0], errors.Silent)  # not asked again so soon
-
-    def test_the_end_of_the_session(self):
-        peer = self.script(lambda pending: None)
-        lanes.session.end = time.monotonic() + 0.2
-
-        async def ask():
-            await orb.Call("w", peer.ref, "_non_existent")
-
-        self.assertEqual([value.why for value in self.run_tasks((peer.ref, ask), (peer.ref, ask))], [lanes.NO_TIME] * 2)
-        self.assertEqual(lanes.session.silent, {})
-
-    def test_a_connection_lost_among_several_questions(self):
-        """What was asked by it is asked again, once."""
-        def play(pending):
-            replies = b"".join(answer(number) for number, _ in pending[:1])
-            lost = len(pending) > 1 and not losses
-            if lost:
-                losses.append(len(pending))
-            elif len(pending) == 1 or losses:
-                replies = b"".join(answer(number) for number, _ in pending)
-            pending.clear()
-            return b"" if lost else replies or None
-
-        losses, peer = [], self.script(play)
-
-        async def ask():
-            return await orb.Call("w", peer.ref, "_non_existent")
-
-        self.assertEqual(self.run_tasks((peer.ref, ask)), [False])
-        self.assertEqual(self.run_tasks(*[(peer.ref, ask)] * 3), [False] * 3)
-        self.assertEqual(peer.connections, 2)
-
-    def test_bugs_are_not_failures_of_the_peer(self):
-        async def spoilt():
-            raise KeyError("x")
-
-        with self.assertRaises(KeyError):
-            self.run_tasks((client.from_url("w", "corbaloc::127.0.0.1:1/x"), spoilt))
-
-    def test_addressing_modes(self):
-        """A peer may want the profile, or the whole reference, instead of the key."""
-        for mode in (giop.PROFILE, giop.REFERENCE):
-            peer = Peer(answer(1, struct.pack("<h", mode), giop.NEEDS_ADDRESSING_MODE), answer(2, b"\1"))
-            self.addCleanup(peer.close)
-            ref = client.from_url("w", f"corbaloc::127.0.0.1:{peer.port}/x")
-            self.assertIs(client.invoke(orb.Call("w", ref, "_non_existent")), True)
-            self.assertEqual(peer.last[20:24], struct.pack("<HH", mode, 0))
-            profile = ref.profiles[0][1]
-            where = 24 if mode == giop.PROFILE else 24 + 4 + 8 + 4  # after the index, the empty type, the count
-            self.assertEqual(peer.last[where:where + 8 + len(profile)], struct.pack("<II", 0, len(profile)) + profile)
-
-    def test_names_of_hosts(self):
-        """They are looked up by a thread; one that takes long costs only itself."""
-        peer = self.script(lambda pending: answer(pending[-1][0]) if pending else None)
-        go_on = threading.Event()
-
-        def look_up(host, port, *how):
-            if host == b"slow.example":
-                if not how[-1]:  # it is not only asked whether it is an address
-                    go_on.wait(10)
-                raise socket.gaierror(0, "late")
-            return real(host, port, *how)
-
-        real, connections._socket = connections._socket.getaddrinfo, FakeSockets(look_up)
-        self.addCleanup(setattr, connections, "_socket", connections._socket.real)
-        slow, here = [client.from_url("w", f"corbaloc::{host}:{peer.ref.address.port}/x") for host in ("slow.example", "localhost")]
-
-        async def ask(ref):
-            return await orb.Call("w", ref, "_non_existent")
-
-        values = self.run_tasks((slow, lambda: ask(slow)), (here, lambda: ask(here)))
-        go_on.set()
-        self.assertIsInstance(values[0], errors.Silent)
-        self.assertIs(values[1], False)
-
-
-class FakeSockets:
-    """The module _socket with another resolver."""
-
-    def __init__(self, look_up):
-        self.real, self.getaddrinfo = connections._socket, look_up
-
-    def __getattr__(self, name):
-        return getattr(self.real, name)
+if __name__ == "__main__":
+    unittest.main()

@@ -14,7 +14,7 @@ ORDER = """__init__ start errors interrupts text files path idl_stubs corba opti
            robot data xmlprofile datalog system events views top doctor shell __main__ bin""".split()
 OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only, like stubs
 PRINTING = ("bin", "__main__.py", "cli.py", "system/reports.py")
-CATCH_ALL = ("cli.py", "corba/lanes.py", "corba/iiop/server.py")
+CATCH_ALL = ("cli.py", "corba/lanes.py", "corba/tasks.py", "corba/iiop/loop.py", "corba/iiop/server.py")
 LONGEST = 400
 
 

@@ -123,7 +123,7 @@ class Connection:
         self._number += 1
         try:
             octets = request.octets(self._number)
-        except Exception as e:
+        except (OSError, TypeError) as e:
             return request.failed(e)
         request.sent = time.monotonic()
         self.requests[self._number] = request

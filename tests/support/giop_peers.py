@@ -1,0 +1,90 @@
+"""Processes, in threads of this one, that speak GIOP as a test tells them to."""
+import socket
+import struct
+import threading
+
+from rtshell_lite.corba.iiop import client, giop
+
+CLOSE = b"GIOP\1\2\1\5" + bytes(4)
+
+
+class Peer:
+    """A process that answers each message with the next of some octets; what is None closes the connection. `last` came last."""
+
+    def __init__(self, *answers):
+        self.listening = socket.socket()
+        self.listening.bind(("127.0.0.1", 0))
+        self.listening.listen(5)
+        self.answers, self.asked = list(answers), 0
+        self.port = self.listening.getsockname()[1]
+        threading.Thread(target=self._serve, daemon=True).start()
+
+    def _serve(self):
+        while True:
+            try:
+                connection, _ = self.listening.accept()
+            except OSError:
+                return
+            with connection:
+                for self.last in iter(lambda: connection.recv(65536), b""):
+                    self.asked += 1
+                    answer = self.answers.pop(0) if self.answers else b""
+                    connection.sendall(answer or b"")
+                    if answer is None or answer.endswith(CLOSE):
+                        break
+
+    def close(self):
+        self.listening.shutdown(socket.SHUT_RDWR)  # or the thread that accepts keeps it open
+        self.listening.close()
+
+
+def answer(number, body=b"\0", status=0, minor=2, order="<"):
+    """A reply, whole."""
+    head = struct.pack(order + "II", number, status)
+    head = head + bytes(4) if minor == 2 else bytes(4) + head
+    return b"GIOP\1" + bytes([minor, order == "<", 1]) + struct.pack(order + "I", len(head + body)) + head + body
+
+
+class Script:
+    """A process that reads the requests of one connection after the other, and answers them as a function says.
+
+    `play(requests)` gets the (number, operation) pairs that have come so far and returns octets to send, or None to wait for more.
+    """
+
+    def __init__(self, play):
+        self.listening = socket.socket()
+        self.listening.bind(("127.0.0.1", 0))
+        self.listening.listen(5)
+        self.play, self.most, self.connections = play, 0, 0
+        self.ref = client.from_url("w", "corbaloc::127.0.0.1:%d/x" % self.listening.getsockname()[1])
+        threading.Thread(target=self._serve, daemon=True).start()
+
+    def _serve(self):
+        while True:
+            try:
+                connection, _ = self.listening.accept()
+            except OSError:
+                return
+            self.connections += 1
+            threading.Thread(target=self._talk, args=(connection,), daemon=True).start()
+
+    def _talk(self, connection):
+        data, pending = b"", []
+        with connection:
+            while True:
+                piece = connection.recv(65536)
+                data += piece
+                while len(data) >= 12 and len(data) >= 12 + giop.size(data):
+                    size = 12 + giop.size(data)
+                    pending.append((giop.number(data), b"_is_a" if b"_is_a" in data[:size] else b"_non_existent"))
+                    data = data[size:]
+                self.most = max(self.most, len(pending))
+                reply = self.play(pending)
+                if reply:
+                    connection.sendall(reply)
+                if not piece or reply == b"":
+                    return
+
+    def close(self):
+        self.listening.shutdown(socket.SHUT_RDWR)
+        self.listening.close()

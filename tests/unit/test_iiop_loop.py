@@ -1,0 +1,210 @@
+"""Our own ORB, many calls at once on one thread: who hangs, dies or lies costs only what was asked of him."""
+import socket
+import struct
+import threading
+import time
+import unittest
+
+from giop_peers import Script, answer
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, orb, tasks
+from rtshell_lite.corba.iiop import client, connections, loop
+
+
+class Loop(unittest.TestCase):
+    """Many calls at once on this thread."""
+
+    def setUp(self):
+        before = lanes.session
+        lanes.session = lanes.Session(2)
+        lanes._answered.clear()
+        self.addCleanup(setattr, lanes, "session", before)
+
+    def script(self, play):
+        made = Script(play)
+        self.addCleanup(made.close)
+        return made
+
+    def run_tasks(self, *jobs):
+        """The values of coroutine functions, each a job of the process of a reference."""
+        return list(loop.in_turn([lanes.Job(ref.address[1:3], f"job{i}", function) for i, (ref, function) in enumerate(jobs)]))
+
+    def test_four_at_a_time_in_any_order(self):
+        def play(pending):
+            if len(pending) < min(4, 10 - len(done)):
+                return None
+            replies = b"".join(answer(number, bytes([number % 2])) for number, _ in reversed(pending))
+            done.extend(pending)
+            pending.clear()
+            return replies
+
+        done, peer = [], self.script(play)
+
+        async def ask():
+            return await orb.Call("w", peer.ref, "_non_existent")
+
+        values = self.run_tasks(*[(peer.ref, ask)] * 10)
+        self.assertEqual(values, [True, False] * 5)
+        self.assertEqual((peer.most, peer.connections), (4, 1))
+
+    def test_any_number_to_a_name_server(self):
+        def play(pending):
+            if len(pending) < 30:
+                return None
+            replies = b"".join(answer(number) for number, _ in pending)
+            pending.clear()
+            return replies
+
+        peer = self.script(play)
+        context = client.narrow(peer.ref, "CosNaming.NamingContext")
+
+        async def ask():
+            return await orb.Call("w", context, "_non_existent")
+
+        self.assertEqual(self.run_tasks(*[(peer.ref, ask)] * 30), [False] * 30)
+
+    def test_fragments_of_several_replies(self):
+        """They may be mixed, in GIOP 1.2."""
+        def cut(whole):
+            number = whole[12:16]
+            first = whole[:6] + b"\3\1" + struct.pack("<I", 12) + whole[12:24]
+            rest = b"GIOP\1\2\1\7" + struct.pack("<I", 4 + len(whole) - 24) + number + whole[24:]
+            return first, rest
+
+        def play(pending):
+            if len(pending) < 2:
+                return None
+            (one, one_end), (other, other_end) = [cut(answer(number, bytes([number == 2]))) for number, _ in pending]
+            pending.clear()
+            return one + other + one_end + other_end
+
+        peer = self.script(play)
+
+        async def ask():
+            return await orb.Call("w", peer.ref, "_non_existent")
+
+        self.assertEqual(self.run_tasks(*[(peer.ref, ask)] * 2), [False, True])
+
+    def test_one_hung_object_costs_itself(self):
+        lanes.session = lanes.Session(0.5)
+
+        def play(pending):
+            replies = b"".join(answer(number) for number, operation in pending if operation == b"_non_existent")
+            pending.clear()
+            return replies or None
+
+        peer = self.script(play)
+
+        async def hang():
+            await orb.Call("w", peer.ref, "_is_a", "x")
+
+        async def ask():
+            for _ in range(20):
+                await tasks.Sleep(0.02)
+                await orb.Call("w", peer.ref, "_non_existent")
+            return "answered"
+
+        hung, *others = self.run_tasks((peer.ref, hang), *[(peer.ref, ask)] * 8)
+        self.assertIsInstance(hung, errors.Silent)
+        self.assertEqual(others, ["answered"] * 8)
+        self.assertEqual(lanes.session.silent, {})
+
+    def test_a_hung_process_costs_one_timeout(self):
+        lanes.session = lanes.Session(0.3)
+        silent, lively = self.script(lambda pending: None), self.script(lambda pending: answer(pending[-1][0]) if pending else None)
+
+        async def ask_silent():
+            await orb.Call("w", silent.ref, "_non_existent")
+
+        async def ask():
+            return await orb.Call("w", lively.ref, "_non_existent")
+
+        async def ask_both():
+            try:
+                await orb.Call("w", silent.ref, "_non_existent")
+            except errors.Unreachable as e:
+                return type(e), await orb.Call("w", lively.ref, "_non_existent")
+
+        start = time.monotonic()
+        values = self.run_tasks(*[(silent.ref, ask_silent)] * 50, (lively.ref, ask), (lively.ref, ask_both))
+        self.assertLess(time.monotonic() - start, 1.5)
+        self.assertEqual({type(value) for value in values[:50]}, {errors.Silent})
+        self.assertEqual(values[50:], [False, (errors.Unreachable, False)])
+        self.assertIn(silent.ref.address[1:3], lanes.session.silent)
+        self.assertIsInstance(self.run_tasks((silent.ref, ask_silent))[0], errors.Silent)  # not asked again so soon
+
+    def test_the_end_of_the_session(self):
+        peer = self.script(lambda pending: None)
+        lanes.session.end = time.monotonic() + 0.2
+
+        async def ask():
+            await orb.Call("w", peer.ref, "_non_existent")
+
+        self.assertEqual([value.why for value in self.run_tasks((peer.ref, ask), (peer.ref, ask))], [lanes.NO_TIME] * 2)
+        self.assertEqual(lanes.session.silent, {})
+
+    def test_a_connection_lost_among_several_questions(self):
+        """What was asked by it is asked again, once."""
+        def play(pending):
+            replies = b"".join(answer(number) for number, _ in pending[:1])
+            lost = len(pending) > 1 and not losses
+            if lost:
+                losses.append(len(pending))
+            elif len(pending) == 1 or losses:
+                replies = b"".join(answer(number) for number, _ in pending)
+            pending.clear()
+            return b"" if lost else replies or None
+
+        losses, peer = [], self.script(play)
+
+        async def ask():
+            return await orb.Call("w", peer.ref, "_non_existent")
+
+        self.assertEqual(self.run_tasks((peer.ref, ask)), [False])
+        self.assertEqual(self.run_tasks(*[(peer.ref, ask)] * 3), [False] * 3)
+        self.assertEqual(peer.connections, 2)
+
+    def test_bugs_are_not_failures_of_the_peer(self):
+        async def spoilt():
+            raise KeyError("x")
+
+        with self.assertRaises(KeyError):
+            self.run_tasks((client.from_url("w", "corbaloc::127.0.0.1:1/x"), spoilt))
+
+    def test_names_of_hosts(self):
+        """They are looked up by a thread; one that takes long costs only itself."""
+        peer = self.script(lambda pending: answer(pending[-1][0]) if pending else None)
+        go_on = threading.Event()
+
+        def look_up(host, port, *how):
+            if host == b"slow.example":
+                if not how[-1]:  # it is not only asked whether it is an address
+                    go_on.wait(10)
+                raise socket.gaierror(0, "late")
+            return real(host, port, *how)
+
+        real, connections._socket = connections._socket.getaddrinfo, FakeSockets(look_up)
+        self.addCleanup(setattr, connections, "_socket", connections._socket.real)
+        slow, here = [client.from_url("w", f"corbaloc::{host}:{peer.ref.address.port}/x") for host in ("slow.example", "localhost")]
+
+        async def ask(ref):
+            return await orb.Call("w", ref, "_non_existent")
+
+        values = self.run_tasks((slow, lambda: ask(slow)), (here, lambda: ask(here)))
+        go_on.set()
+        self.assertIsInstance(values[0], errors.Silent)
+        self.assertIs(values[1], False)
+
+
+class FakeSockets:
+    """The module _socket with another resolver."""
+
+    def __init__(self, look_up):
+        self.real, self.getaddrinfo = connections._socket, look_up
+
+    def __getattr__(self, name):
+        return getattr(self.real, name)
+
+
+if __name__ == "__main__":
+    unittest.main()
