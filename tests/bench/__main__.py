@@ -2,7 +2,8 @@
 
     python3 -m tests.bench [--sizes 1,10,100,1000] [--rounds N] [--only WORD] [--rtshell] [SECTION ...]
 
-sections: commands   CPU, wall, peak memory and remote calls of every command, for 1, 10, 100 and 1,000 components
+sections: commands   CPU, wall, peak memory and remote calls of every command, for 1, 10, 100 and 1,000 components, with omniORBpy;
+                     then the same with the builtin ORB, as ratios to that
           hung       how long a listing takes beside processes that hang
           sessions   many commands from a pipe to rtsh, beside as many processes
           profiles   loading and saving a large RtsProfile, restoring and checking a system of 200 components
@@ -104,7 +105,7 @@ class Bench:
         self.place = "127.0.0.1:%d" % worlds.Server.port
         known = {name: value for name, value in worlds.ENVIRONMENT.items() if name not in (
             "PYTHONDONTWRITEBYTECODE", "PYTHONUNBUFFERED")}  # nobody's robot compiles at every start
-        self.environment = dict(known, RTCTREE_NAMESERVERS=self.place, RTCSH_CWD="/%s/test.host_cxt" % self.place)
+        self.environment = dict(known, RTSHELL_ORB="omniorb", RTCTREE_NAMESERVERS=self.place, RTCSH_CWD="/%s/test.host_cxt" % self.place)
 
     def close(self):
         self.meter.close()
@@ -124,8 +125,9 @@ class Bench:
             words += found.get(word, [word])
         return words
 
-    def ours(self, words):
-        return self.meter.run([sys.executable, os.path.join(worlds.COMMANDS, words[0])] + words[1:], self.environment)
+    def ours(self, words, orb="omniorb"):
+        command = [sys.executable, os.path.join(worlds.COMMANDS, words[0])]
+        return self.meter.run(command + words[1:], dict(self.environment, RTSHELL_ORB=orb))
 
     def theirs(self, words):
         environment = dict(self.environment, PYTHONPATH=sysconfig.get_path("platlib"))  # our omniORBpy
@@ -138,13 +140,18 @@ class Bench:
     def compare(self, world, size, command, floor, told, undo):
         """One line of the table."""
         words, told = self.words(command, size), self.words(told, size, True)
-        ways = {"floor": lambda: self.floor(floor, told), "ours": lambda: self.ours(words), "peer": lambda: self.theirs(words)}
+        ways = {"floor": lambda: self.floor(floor, told), "ours": lambda: self.ours(words),
+                "builtin": lambda: self.ours(words, "builtin"), "peer": lambda: self.theirs(words)}
         if not self.peer:
             del ways["peer"]
         back = self.words(undo, size)
-        world.ctl("reset")
-        ways["ours"]()
-        calls = sum(int(line.split()[0]) for line in world.ctl("calls")[1].splitlines())
+        calls = {}
+        for orb in ("ours", "builtin"):
+            world.ctl("reset")
+            ways[orb]()
+            calls[orb] = sum(int(line.split()[0]) for line in world.ctl("calls")[1].splitlines())
+            if back:
+                self.ours(back)
         measured = {kind: [] for kind in ways}
         for _ in range(self.rounds or ROUNDS.get(size, 3)):
             for kind in ways:
@@ -161,7 +168,9 @@ class Bench:
         own, floor = medians["ours"], medians["floor"]
         text = "%-50s %5d  %6.0f %6.0f %5.2f  %6.0f %6.0f  %5.1f %5.1f %5.2f  %6d  %s" % (
             command, size, own[0] * 1000, floor[0] * 1000, own[0] / floor[0], own[1] * 1000, floor[1] * 1000, own[2], floor[2],
-            own[2] / floor[2], calls, said["ours"])
+            own[2] / floor[2], calls["ours"], said["ours"])
+        text += "  %5.2f %5.2f %5.2f  %6d  %s" % (tuple(medians["builtin"][i] / own[i] for i in range(3)) + (
+            calls["builtin"], said["builtin"]))
         if said.get("peer") == "0":
             text += "   %6.0f %6.0f %5.1f" % (medians["peer"][0] * 1000, medians["peer"][1] * 1000, medians["peer"][2])
         elif "peer" in said:
@@ -171,7 +180,8 @@ class Bench:
 
     def commands(self, sizes):
         print("%-50s %5s  %6s %6s %5s  %6s %6s  %5s %5s %5s  %6s  %s" % (
-            "command", "size", "CPU", "floor", "ratio", "wall", "floor", "MiB", "floor", "ratio", "calls", "status") + (
+            "command", "size", "CPU", "floor", "ratio", "wall", "floor", "MiB", "floor", "ratio", "calls", "status")
+            + "  builtin: CPU, wall, MiB, calls, status" + (
             "   %6s %6s %5s" % ("rtshell", "wall", "MiB") if self.peer else "") + "   (ms)")
         costs = {}
         for size in sizes:

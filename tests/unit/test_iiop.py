@@ -117,6 +117,11 @@ class Calls(unittest.TestCase):
                 self.ask(bad)
             self.assertIn("garbled answer", str(caught.exception))
 
+    def test_a_reply_of_many_small_parts(self):
+        with self.assertRaises(errors.Garbled) as caught:
+            self.ask(answer(1, bytes(5 << 20)))
+        self.assertIn("octets", caught.exception.why)
+
     def test_exceptions(self):
         def system(name, minor=0):
             type_id = f"IDL:omg.org/CORBA/{name}:1.0".encode() + b"\0"

@@ -7,6 +7,7 @@ from rtshell_lite.corba import descriptors, failures, idl, ior, lanes
 from rtshell_lite.corba.iiop import connections, giop, marshal, operations
 from rtshell_lite.text import printable
 
+LARGEST = 4 << 20  # octets of a reply without data; 10,000 long names take half of it, and a million empty values 4 s of CPU
 FORWARDS = 8  # at most, from one object to another
 _ASKING = ("get_", "is_", "_")  # operations that change nothing begin so
 _GARBLED = (ValueError, StructError, IndexError, RecursionError)  # what reading values raises
@@ -57,6 +58,8 @@ class Request:
         """Take the reply; True if the request is to be sent again, to `ref`, which has forwarded it or wants another form."""
         value = error = None
         try:
+            if len(data) > LARGEST and not self.operation.carries_data:
+                raise ValueError("%d octets" % len(data))
             if status == giop.NO_EXCEPTION:
                 value = _values(self.operation.results[little], data, at)
             elif status == giop.SYSTEM_EXCEPTION:

@@ -2,7 +2,7 @@
 import functools
 
 from rtshell_lite.corba import idl
-from rtshell_lite.corba.descriptors import BOOLEAN, STRING
+from rtshell_lite.corba.descriptors import BOOLEAN, OCTET, SEQUENCE, STRING, plain
 from rtshell_lite.corba.iiop import marshal
 
 _MAKERS = [marshal.Maker(">"), marshal.Maker("<")]
@@ -20,12 +20,17 @@ def writer(descriptor):
 
 
 class Operation:
-    """How an operation is called: writers of its arguments, readers of its results by byte order, its exceptions by their ids."""
+    """How an operation is called: writers of its arguments, readers of its results by byte order, its exceptions by their ids.
+
+    carries_data: among its results are octets, of any number; all others are made of small parts, which take long to read.
+    """
 
     def __init__(self, given, returned, raised):
         self.arguments = [_MAKERS[1].writer(idl.descriptor(word)) for word in given]
         self.results = [[maker.reader(idl.descriptor(word)) for word in returned or ()] for maker in _MAKERS]
         self.raised = raised
+        self.carries_data = any(plain(idl.descriptor(word))[:2] == (SEQUENCE, OCTET) for word in returned or ()
+                                if isinstance(plain(idl.descriptor(word)), tuple))
 
 
 @functools.lru_cache(maxsize=None)
