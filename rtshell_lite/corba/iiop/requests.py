@@ -16,7 +16,7 @@ class Request:
     """
 
     def __init__(self, data):
-        self.data, self.minor, self.little = data, data[5], data[6] & giop.LITTLE
+        self.data, self.at, self.minor, self.little = data, None, data[5], data[6] & giop.LITTLE
         self.one, short = _ORDERS[self.little]
         asks, self.operation, self.is_answered, at = data[7] == REQUEST, "", True, giop.HEADER
         if asks and self.minor < 2:
@@ -36,6 +36,15 @@ class Request:
             name, at = self._octets(at)
             self.operation = name[:-1].decode("latin-1")
             self.at = self._arguments(at)
+            self.form, self.head = bytes(data[4:8]), bytes(data[16:self.at])
+
+    def again(self, data):
+        """Take on a message that differs in its id and its arguments only; False if it differs in more."""
+        if self.at is None or self.minor < 2 or data[4:8] != self.form or data[16:self.at] != self.head:
+            return False
+        self.data = data
+        self.id, = self.one.unpack_from(data, giop.HEADER)
+        return True
 
     def _arguments(self, at):
         if self.minor < 2:
