@@ -4,7 +4,6 @@ import struct
 from rtshell_lite.corba.iiop import giop, marshal, operations
 
 REQUEST, CANCEL, LOCATE, LOCATED = 0, 2, 3, 4  # kinds of messages; giop.py has the others
-NEEDS_KEY = 5  # a status of answers: the object is to be named by its key alone, not by a profile or a reference
 NO, MAYBE = 1, 2  # whether what raised an exception was completed
 _ANSWER, _LOCATED = struct.Struct("<4s4BIIII"), struct.Struct("<4s4BIII")
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "H")) for order in "><"]
@@ -84,8 +83,8 @@ def failed(request, name, completed=NO):
 
 def needs_key(request):
     """The answer to who names an object by a profile or a reference."""
-    out = answer(request, NEEDS_KEY) if request.operation else located(request, NEEDS_KEY)
-    return sized(out + b"\0\0")
+    out = answer(request, giop.NEEDS_ADDRESSING_MODE) if request.operation else located(request, giop.NEEDS_ADDRESSING_MODE)
+    return sized(out + struct.pack("<H", giop.KEY))
 
 
 def located(request, status):
