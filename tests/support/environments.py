@@ -2,6 +2,7 @@
 
 All is kept below .venv-tests/ and made anew when what it was made from has changed, or when it is broken.
 """
+import collections
 import configparser
 import fcntl
 import glob
@@ -12,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 STORE = os.path.join(ROOT, ".venv-tests")
@@ -124,6 +126,14 @@ def _builder(python):
 
 def prepare(python, wheel):
     """An environment with the wheel and, where there is one, omniORBpy; returns its interpreter."""
+    with _preparing[python.full]:
+        return _prepared(python, wheel)
+
+
+_preparing = collections.defaultdict(threading.Lock)
+
+
+def _prepared(python, wheel):
     directory = os.path.join(STORE, python.full)
     fetched = fetch_omniorb(python)
     words = ["--no-index", wheel]

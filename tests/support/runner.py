@@ -11,9 +11,9 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
                                   Python; --rounds N of each loop (100), a word of a test's name for a part
   tests/run --long test_long      the long form of what tests/faults/ and the like try in short: hours in all
   tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
-  tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13, transcripts on 3.7 under ash and on 3.13 under
-                                  dash (NAME-topic.t on one of the two, by turns), what needs no omniORBpy on 3.6, the packaging
-                                  on every Python from 3.6 to 3.13
+  tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13; transcripts on 3.6, which has no omniORBpy, by
+                                  the builtin ORB, and by turns on 3.7 under ash, on 3.13 under dash, and there by the builtin
+                                  ORB, too; the packaging on every Python from 3.6 to 3.13
 """
 import argparse
 import concurrent.futures
@@ -36,11 +36,11 @@ import transcripts
 HERE = os.path.dirname(os.path.abspath(__file__))
 TESTS = os.path.dirname(HERE)
 FULL, PURE, ALL = ["3.11", "3.7", "3.13"], ["3.6"], ["3.%d" % minor for minor in range(6, 14)]
-# The matrix: transcripts run on the oldest and the newest Python, each under another shell, as what a shell does does not depend
-# on the Python. Those that say that one Python is enough run on the first, and so do such test modules; the others on all three.
-# The transcripts beside the main one of a command, NAME-topic.t, take turns.
-MATRIX = {"3.11": ["dash"], "3.7": ["ash"], "3.13": ["dash"], "3.6": ["ash"]}
-TURNS = ["3.7", "3.13"]
+# The matrix: test modules run on the first three Pythons, those that say that one is enough on the first. Of transcripts, see
+# has_turn: shells and ORBs to play them with on each Python, the ORB None where it is the one that the commands choose themselves.
+MATRIX = {"3.11": [("dash", None)], "3.7": [("ash", None)], "3.13": [("dash", None), ("dash", "builtin")],
+          "3.6": [("dash", None), ("ash", None)]}
+TURNS, SHARE = ["3.7", "3.13"], 5  # the builtin ORB on a Python that has omniORBpy: one of so many transcripts
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 DIRECTORIES = ("unit", "mocks", "commands", "faults")  # with what is run always
@@ -64,16 +64,16 @@ def test_modules():
     return sorted(os.path.relpath(path, TESTS)[:-3] for path in paths)
 
 
-def module_jobs(python, setting, wheel, patterns, modules):
+def module_jobs(python, interpreter, commands, wheel, patterns, modules):
     environment = dict(os.environ, RTSHELL_WHEEL=wheel, PYTHONPATH=mocks_alone())
     omniorb = environments.fetch_omniorb(python)
     if omniorb:
         environment["RTSHELL_OMNIORB_WHEEL"] = omniorb
-    if setting.commands:
-        environment["PATH"] = setting.commands + os.pathsep + os.environ["PATH"]
+    if commands:
+        environment["PATH"] = commands + os.pathsep + os.environ["PATH"]
 
     def job(module):
-        return Job("%s %s" % (python.version, module), lambda: run_module(module, setting.python, environment, patterns),
+        return Job("%s %s" % (python.version, module), lambda: run_module(module, interpreter, environment, patterns),
                    says(module, "ALONE"))
     return [job(module) for module in modules]
 
@@ -131,12 +131,9 @@ def mocks_alone():
     return directory
 
 
-def transcript_jobs(python, setting, patterns, shells=None, once=None, accept=False):
-    """Jobs for the transcripts under these shells (None: all); `once`: of those only that one Python is enough for, or is not.
-
-    With `once` False, it is a part of the matrix: another Python of TURNS may have the turn.
-    """
-    missing = transcripts.missing_shells()
+def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, accept=False):
+    """Jobs for the transcripts under a shell (None: all); `in_matrix`: those that have their turn."""
+    missing, label = transcripts.missing_shells(), " ".join(filter(None, (python.version, setting.orb)))
 
     def job(path, shell):
         name = transcripts.case_name(path, shell)
@@ -145,15 +142,32 @@ def transcript_jobs(python, setting, patterns, shells=None, once=None, accept=Fa
             if shell in missing:
                 return [(name, "skip", "%s is not installed" % transcripts.SHELLS[shell][0])]
             return [(name,) + transcripts.run_case(path, shell, setting, accept)]
-        return Job("%s %s" % (python.version, name), run, transcripts.says(path, "alone"))
-    return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shells)
-            if once in (None, transcripts.says(path, "once")) and (once is not False or has_turn(python.version, path))]
+        return Job("%s %s" % (label, name), run, transcripts.says(path, "alone"))
+    lacks_omniorb = not environments.fetch_omniorb(python)
+    return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shell and [shell])
+            if not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
+            and not (in_matrix and not has_turn(python.version, shell, setting.orb, path))]
 
 
-def has_turn(version, path):
-    """Does a transcript run on this Python of the matrix?"""
-    name = os.path.basename(path)
-    return "-" not in name or version not in TURNS or version == TURNS[zlib.crc32(name.encode()) % len(TURNS)]
+def has_turn(version, shell, orb, path):
+    """Does the matrix play a transcript with these? Each once with omniORBpy, once without, and some without where it is.
+
+    What a shell does does not depend on the Python, nor on the ORB.
+    """
+    number = zlib.crc32(os.path.basename(path).encode())
+    if version in PURE:
+        return shell == ("dash", "ash")[number % 2]
+    if orb:
+        return number % SHARE == 0 and not any(transcripts.says(path, word) for word in ("alone", "once", "orb"))
+    return version == (FULL[0] if transcripts.says(path, "once") else TURNS[number % len(TURNS)])
+
+
+def transcript_setting(python, interpreter, wheel, orb):
+    """The Setting of transcripts on a Python; the mocks of one that has no omniORBpy run on another."""
+    peers = interpreter
+    if not environments.fetch_omniorb(python):
+        peers = environments.prepare(environments.find_python(FULL[0]), wheel)
+    return transcripts.Setting(peers, os.path.dirname(interpreter), orb)
 
 
 # ---- running them ----
@@ -265,23 +279,23 @@ def jobs_for(version, wheel, args):
     """All jobs on one Python."""
     python = environments.find_python(version)
     interpreter = environments.prepare(python, wheel)
-    setting = transcripts.Setting(interpreter, os.path.dirname(interpreter))
+    modules = ["compat/test_real"] if args.real else [] if args.accept else [
+        module for module in test_modules() if not args.all or version == FULL[0] or not says(module, "ONCE")]
+    jobs = module_jobs(python, interpreter, os.path.dirname(interpreter), wheel, args.pattern, modules)
     if args.real:
-        return module_jobs(python, setting, wheel, args.pattern, ["compat/test_real"])
-    if args.accept:
-        return transcript_jobs(python, setting, args.pattern, accept=True)
-    if not args.all:
-        return module_jobs(python, setting, wheel, args.pattern, test_modules()) + transcript_jobs(python, setting, args.pattern)
-    first = version == FULL[0]
-    modules = [module for module in test_modules() if first or not says(module, "ONCE")]
-    return (module_jobs(python, setting, wheel, args.pattern, modules)
-            + transcript_jobs(python, setting, args.pattern, MATRIX[version], once=first))
+        return jobs
+    if args.all:
+        for shell, orb in MATRIX[version]:
+            jobs += transcript_jobs(python, transcript_setting(python, interpreter, wheel, orb), args.pattern, shell, in_matrix=True)
+        return jobs
+    setting = transcript_setting(python, interpreter, wheel, os.environ.get("RTSHELL_ORB"))
+    return jobs + transcript_jobs(python, setting, args.pattern, accept=args.accept)
 
 
 def packaging_jobs(version, wheel, args):
     """The packaging tests on a Python as it is, with nothing installed for them."""
     python = environments.find_python(version)
-    return module_jobs(python, transcripts.Setting(python.path), wheel, args.pattern, [PACKAGING])
+    return module_jobs(python, python.path, None, wheel, args.pattern, [PACKAGING])
 
 
 def gather_jobs(args, wheel, score):

@@ -180,7 +180,7 @@ def _align(expected, actual):
 
 class Setting:
     """What a transcript runs with: a Python that has omniORBpy, the directory of the commands (None: the checkout's), and their
-    ORB (None: the one that they choose themselves).
+    ORB (None: the one that they choose themselves), unless the transcript demands another.
     """
 
     def __init__(self, python=sys.executable, commands=None, orb=os.environ.get("RTSHELL_ORB")):
@@ -304,9 +304,9 @@ def missing_shells():
 
 
 def says(path, word):
-    """Does this transcript hold a directive: `alone` (it measures times) or `once` (one Python of the matrix is enough)?"""
+    """Does this transcript hold a directive, or the start of one: `alone` (it measures times), `orb: omniorb` …?"""
     with open(path, encoding="utf-8") as file:
-        return any(line.startswith(word + ":") for line in file)
+        return any(line.startswith(word if ":" in word else word + ":") for line in file)
 
 
 def main():

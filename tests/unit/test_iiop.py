@@ -23,7 +23,7 @@ class Messages(unittest.TestCase):
     def test_request(self):
         found = bytes(giop.request(7, (1, 2), giop.KEY, b"\3\0\0\0key", "op", []))
         self.assertEqual(found, b"GIOP\1\2\1\0" + struct.pack("<I", len(found) - 12) + struct.pack("<I", 7) + b"\3\0\0\0" + bytes(4)
-                         + b"\3\0\0\0key\0" + b"\3\0\0\0op\0\0" + bytes(4))
+                         + b"\3\0\0\0key\0" + b"\3\0\0\0op\0\0" + struct.pack("<IIIBxxxII", 1, 1, 12, 1, 0x00010001, 0x00010109))
 
     def test_arguments_begin_at_a_multiple_of_8(self):
         written = []

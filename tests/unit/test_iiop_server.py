@@ -1,9 +1,8 @@
-"""Our own ORB as a server: every message is answered as CORBA demands, and no caller harms the others, whatever it sends."""
+"""Our own ORB as a server: every message is answered as CORBA demands."""
 import os
 import socket
 import struct
 import threading
-import time
 import unittest
 from unittest import mock
 
@@ -12,170 +11,10 @@ try:
 except ImportError:
     omniORB = None
 
+from giop_client import ERROR, LIMIT, PORT_OK, Served, block, fragments, request, result, text, whole
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, idl, ior, lanes, orb
+from rtshell_lite.corba import lanes, orb
 from rtshell_lite.corba.iiop import client, giop, references, requests, server
-
-LIMIT = 60.0  # seconds that anything may take on a busy machine
-PORT_OK = descriptors.items(idl.descriptor("IDL:OpenRTM/PortStatus:1.0"))[0]
-CLOSE, ERROR = requests.word(giop.CLOSE, 2), requests.word(giop.ERROR, 2)
-
-
-class Port:
-    """A servant that keeps what it is given."""
-
-    interface = "dataport.OpenRTM.InPortCdr"
-
-    def __init__(self):
-        self.taken, self.came = [], threading.Semaphore(0)
-
-    def put(self, data):
-        if data == b"raise":
-            raise LookupError("a fault of ours")
-        self.taken.append(data)
-        self.came.release()
-        return PORT_OK
-
-
-class Observer:
-    """A servant of an interface that inherits, with an operation that is oneway."""
-
-    interface = "observer.OpenRTM.ComponentObserver"
-
-    def __init__(self):
-        self.heard = []
-
-    def update_status(self, kind, hint):
-        self.heard.append((kind._n, hint))
-
-
-def request(key, operation, body=b"", number=1, minor=2, order="<", is_answered=True, contexts=b"", kind=requests.REQUEST):
-    """A Request, or a LocateRequest, as octets. `contexts`: octets of one service context, which is ignored."""
-    def aligned(data, size):
-        return data + b"\xee" * (-len(data) % size)  # padding is what happens to be in memory
-
-    def octets(data):
-        return struct.pack(order + "I", len(data)) + data
-
-    known = struct.pack(order + "II", 1, 7) + octets(contexts) if contexts else struct.pack(order + "I", 0)
-    asks = kind == requests.REQUEST
-    head = bytes(12)
-    if minor < 2:
-        head = aligned(head + known, 4) if asks else head
-        head += struct.pack(order + "I", number) + (bytes([is_answered]) + b"\xee" * (3 if minor else 0) if asks else b"")
-        head = aligned(head, 4) + octets(key)
-        if asks:
-            head = aligned(aligned(head, 4) + octets(operation.encode() + b"\0"), 4) + octets(b"who")
-    else:
-        head += struct.pack(order + "I", number) + (bytes([3 if is_answered else 0]) + b"\xee" * 3 if asks else b"")
-        head += struct.pack(order + "H", 0) + b"\xee\xee" + octets(key)
-        if asks:
-            head = aligned(aligned(head, 4) + octets(operation.encode() + b"\0"), 4) + known
-            head = aligned(head, 8) if body else head
-    if minor < 2 and body:
-        head = aligned(head, 4)
-    return whole(kind, head[12:] + body, minor, order)
-
-
-def whole(kind, payload, minor=2, order="<", more=False):
-    return b"GIOP\1" + bytes([minor, (order == "<") | more << 1, kind]) + struct.pack(order + "I", len(payload)) + payload
-
-
-def block(data, order="<"):
-    return struct.pack(order + "I", len(data)) + data
-
-
-def text(words, order="<"):
-    return block(words.encode() + b"\0", order)
-
-
-def fragments(message, *cuts):
-    """A message as one with fragments, cut at these places."""
-    order, minor = ("<" if message[6] & 1 else ">"), message[5]
-    parts = [message[a:b] for a, b in zip((12,) + cuts, cuts + (len(message),))]
-    ahead = message[12:16] if minor == 2 else b""
-    return [whole(message[7] if i == 0 else giop.FRAGMENT, (b"" if i == 0 else ahead) + part, minor, order, i < len(parts) - 1)
-            for i, part in enumerate(parts)]
-
-
-class Client:
-    """A connection to our server."""
-
-    def __init__(self, port):
-        self.socket = socket.create_connection(("127.0.0.1", port), LIMIT)
-        self.data = b""
-
-    def send(self, *messages):
-        self.socket.sendall(b"".join(messages))
-
-    def answer(self):
-        """The next message, or b"" at the end."""
-        while len(self.data) < 12 or len(self.data) < 12 + giop.size(self.data):
-            piece = self.socket.recv(65536)
-            if not piece:
-                return b""
-            self.data += piece
-        size = 12 + giop.size(self.data)
-        found, self.data = self.data[:size], self.data[size:]
-        return found
-
-    def ask(self, *messages):
-        self.send(*messages)
-        return self.answer()
-
-    def last_words(self):
-        """All that still comes until the connection is closed."""
-        found = self.data
-        while True:
-            try:
-                piece = self.socket.recv(65536)
-            except ConnectionResetError:  # closed while we were sending
-                return found
-            if not piece:
-                return found
-            found += piece
-
-    def close(self):
-        self.socket.close()
-
-
-def result(message):
-    """What a reply says: the octets of its results, or the name of the system exception and whether it was completed."""
-    number, status, little, at = giop.reply(message)
-    if status == giop.NO_EXCEPTION:
-        return message[at:]
-    assert status == giop.SYSTEM_EXCEPTION, message
-    size, = struct.unpack_from("<I", message, at)
-    name = message[at + 4:at + 3 + size].decode()
-    completed = struct.unpack_from("<I", message, len(message) - 4)[0]
-    return name[len("IDL:omg.org/CORBA/"):-len(":1.0")], completed
-
-
-class Served(unittest.TestCase):
-    """Base: servants, and clients of them."""
-
-    def setUp(self):
-        self.port, self.observer = Port(), Observer()
-        self.key, self.withdraw = self.serve(self.port)
-        self.observed, _ = self.serve(self.observer)
-
-    def serve(self, servant):
-        found, withdraw = server.serve(servant)
-        self.addCleanup(withdraw)
-        address = ior.address(found)
-        self.at = address.port
-        return address.key, withdraw
-
-    def client(self):
-        made = Client(self.at)
-        self.addCleanup(made.close)
-        return made
-
-    def ask(self, *arguments, **keywords):
-        return result(self.client().ask(request(*arguments, **keywords)))
-
-    def still_served(self):
-        self.assertEqual(self.ask(self.key, "_non_existent"), b"\0")
 
 
 class Answers(Served):
@@ -253,7 +92,7 @@ class Answers(Served):
                 message = bytearray(request(self.key, operation, kind=kind))
                 message[20 if operation else 16] = way
                 found = self.client().ask(bytes(message))
-                self.assertEqual(struct.unpack_from("<II", found, 12), (1, requests.NEEDS_KEY))
+                self.assertEqual(struct.unpack_from("<II", found, 12), (1, giop.NEEDS_ADDRESSING_MODE))
                 self.assertEqual(found[-2:], b"\0\0")
                 self.assertEqual(giop.size(found), len(found) - 12)
 
@@ -293,126 +132,6 @@ class Fragments(Served):
         self.assertEqual(result(here.ask(first, whole(requests.CANCEL, struct.pack("<I", 1)), request(self.key, "_non_existent"))), b"\0")
         self.assertEqual(here.ask(fragments(request(self.key, "put", block(b"x" * 50)), 50)[1]), ERROR)  # of nothing, now
         self.assertEqual(self.port.taken, [])
-
-
-class Hostile(Served):
-    def assertRefused(self, *messages):
-        here = self.client()
-        try:
-            here.send(*messages)
-        except (BrokenPipeError, ConnectionResetError):
-            pass
-        self.assertIn(here.last_words(), (ERROR[:5] + b"\0" + ERROR[6:], ERROR, b""))
-        self.still_served()
-
-    def test_what_is_no_request(self):
-        put = request(self.key, "put", block(b""))
-        for data in (b"GET / HTTP/1.1\r\n\r\n", b"GIOP\1\3" + put[6:], b"GIOP\2" + put[5:], whole(giop.REPLY, bytes(12)),
-                     whole(requests.LOCATED, bytes(8)), whole(giop.FRAGMENT, bytes(8)), whole(9, b""), whole(0, b""),
-                     whole(0, b"\xff" * 8 + bytes(4) + b"\xff" * 40),
-                     whole(3, b"\0"), whole(0, b"\xff" * 40, 0), put[:40] + b"\xff" * 40, whole(0, put[12:40] + b"\xff" * 8),
-                     whole(giop.FRAGMENT, b"", more=True), whole(0, b"", more=True), whole(0, b"12", 0, more=True),
-                     struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, giop.LARGEST + 1), b"GIOP\1\2\1\0\xff\xff\xff\xff"):
-            self.assertRefused(data)
-
-    def test_service_contexts_without_number(self):
-        """Millions of empty ones would take seconds, during which nobody else were served."""
-        head = request(self.key, "put")[:-4]
-        self.assertRefused(whole(0, head[12:] + struct.pack("<I", 1 << 20) + bytes(8 << 20)))
-
-    def test_the_other_side_ends(self):
-        for kind in (giop.CLOSE, giop.ERROR):
-            here = self.client()
-            here.send(whole(kind, b""))
-            self.assertEqual(here.last_words()[7:8], bytes([giop.CLOSE]))
-
-    def test_half_messages_block_nobody(self):
-        put = request(self.key, "put", block(b"x" * 100))
-        for cut in range(1, len(put), 7):
-            self.client().send(put[:cut])
-        self.still_served()
-        slow = self.client()
-        for octet in put:
-            slow.send(bytes([octet]))
-        self.assertEqual(result(slow.answer()), bytes(4))
-
-    def test_nothing_is_allocated_for_what_is_announced(self):
-        callers = [self.client() for _ in range(30)]
-        for each in callers:
-            each.send(struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, giop.LARGEST), b"x" * 100)
-        self.still_served()
-        self.assertLess(max(caller.held() for caller in list(server._server.callers)), 64 * server.ROOM)
-
-    def test_endless_fragments(self):
-        first, rest = fragments(request(self.key, "put", block(b"x" * 2000000)), 1000000)
-        more = whole(giop.FRAGMENT, rest[12:], more=True)
-        self.assertRefused(first, *[more] * (giop.LARGEST // 1000000 + 5))
-        self.assertRefused(*[fragments(request(self.key, "put", number=i, body=bytes(40)), 50)[0] for i in range(20)])
-        self.assertRefused(fragments(request(self.key, "put", bytes(40), minor=0), 50)[0])
-
-    def test_much_that_is_never_complete(self):
-        """Who has waited for longest gives way to others."""
-        with mock.patch.object(server, "MOST_OCTETS", 8 << 20):
-            callers = [self.client() for _ in range(12)]
-            for each in callers:
-                each.send(struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, giop.LARGEST), bytes(1 << 20))
-            end = time.monotonic() + LIMIT
-            self.still_served()
-            data = os.urandom(3 << 20)
-            self.assertEqual(self.ask(self.key, "put", block(data)), bytes(4))
-            self.assertTrue(self.port.taken.pop() == data)
-            while sum(caller.held() for caller in list(server._server.callers)) > 8 << 20:
-                self.assertLess(time.monotonic(), end)
-
-    def test_answers_that_nobody_reads(self):
-        here, ask = self.client(), request(self.key, "_non_existent")
-        here.socket.settimeout(1)
-        with self.assertRaises(socket.timeout):
-            while True:
-                here.socket.sendall(ask * 1000)
-        self.still_served()
-        self.assertLess(max(len(caller.out) for caller in list(server._server.callers)), 1000)
-
-    def test_a_thousand_connections(self):
-        with mock.patch.object(server, "MOST", 40):
-            kept = self.client()
-            self.assertEqual(result(kept.ask(request(self.key, "_non_existent"))), b"\0")
-            first = self.client()
-            for _ in range(1000):
-                socket.create_connection(("127.0.0.1", self.at), LIMIT).close()
-            for _ in range(60):
-                self.client()
-                self.assertEqual(result(kept.ask(request(self.key, "_non_existent"))), b"\0")  # it is used: it stays
-            self.assertIn(first.last_words()[7:8], (bytes([giop.CLOSE]), b""))
-
-    def test_idle_and_unfinished_connections_end(self):
-        idle, half = self.client(), self.client()
-        for each in (idle, half):
-            self.assertEqual(result(each.ask(request(self.key, "_non_existent"))), b"\0")
-        half.send(b"GIOP")
-        busy, now = self.client(), time.monotonic()
-        with mock.patch.object(server, "UNFINISHED", 0.5), mock.patch.object(server, "SWEEP", 0.1):
-            while time.monotonic() < now + 0.2:
-                self.assertEqual(result(busy.ask(request(self.key, "_non_existent"))), b"\0")
-            self.still_served()
-            self.assertEqual(half.last_words()[7:8], bytes([giop.CLOSE]))
-            with mock.patch.object(server, "IDLE", 0.5):
-                self.assertEqual(idle.last_words(), CLOSE)
-        self.still_served()
-
-    def test_out_of_files(self):
-        """Somebody who is idle gives way, and the thread does not end."""
-        idle = self.client()
-        self.assertEqual(result(idle.ask(request(self.key, "_non_existent"))), b"\0")
-        true, failures = server._server.listening, [OSError(24, "Too many open files")]
-
-        class Listening:
-            def accept(self):
-                if failures:
-                    raise failures.pop()
-                return true.accept()
-        with mock.patch.object(server._server, "listening", Listening()):
-            self.still_served()
 
 
 class Places(unittest.TestCase):

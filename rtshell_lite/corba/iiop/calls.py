@@ -20,7 +20,7 @@ class Request:
     ref        whom it is sent to: another object than at first where that has forwarded it
     seconds    how long its answer may take
     sent       time.monotonic() when it was sent
-    again      whether it has been sent a second time, as a connection was lost
+    again      whether it has been sent a second time, as a connection was lost, here or by the peer
     """
 
     __slots__ = ("call", "resume", "ref", "operation", "seconds", "sent", "again", "_forwards", "_mode")
@@ -63,7 +63,11 @@ class Request:
             if status == giop.NO_EXCEPTION:
                 value = _values(self.operation.results[little], data, at)
             elif status == giop.SYSTEM_EXCEPTION:
-                error = self._system_exception(data, at, little)
+                name, label = _system_exception(data, at, little)
+                if name == "COMM_FAILURE" and self.asks and not self.again:  # the peer has lost a connection of its own
+                    self.again = True
+                    return True
+                error = failures.system(str(self.call.where), name, label)
             elif status == giop.USER_EXCEPTION:
                 error = self._user_exception(data, at, little)
             else:
@@ -89,13 +93,6 @@ class Request:
         self.ref, _ = operations.reader(idl.descriptor(interface) if interface else _OBJECT, little)(data, at)
         if self.ref is None:
             raise ValueError("forwarded to nobody")
-
-    def _system_exception(self, data, at, little):
-        """The errors.Error for a system exception: its id, its minor code, and whether the operation was completed."""
-        name, at = operations.reader(marshal.TEXT, little)(data, at)
-        minor, at = operations.reader(descriptors.ULONG, little)(data, at)
-        name = name.split(":")[1].rpartition("/")[2] if name.count(":") == 2 else "UNKNOWN"
-        return failures.system(str(self.call.where), name, idl.MINORS.get(name, {}).get(minor) or "CORBA." + printable(name))
 
     def _user_exception(self, data, at, little):
         """The errors.Error for an exception of the IDL."""
@@ -123,6 +120,14 @@ class Request:
         if isinstance(e, giop.Garbled):  # not what an object answered
             return errors.Unreachable(where, f"garbled answer ({e})")
         return errors.Garbled(where, str(e))
+
+
+def _system_exception(data, at, little):
+    """(name, label) of a system exception, which is sent as its id, its minor code, and whether the operation was completed."""
+    name, at = operations.reader(marshal.TEXT, little)(data, at)
+    minor, at = operations.reader(descriptors.ULONG, little)(data, at)
+    name = name.split(":")[1].rpartition("/")[2] if name.count(":") == 2 else "UNKNOWN"
+    return name, idl.MINORS.get(name, {}).get(minor) or "CORBA." + printable(name)
 
 
 def _values(readers, data, at):

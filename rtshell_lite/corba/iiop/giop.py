@@ -9,6 +9,8 @@ HEADER = 12  # octets
 LARGEST = 32 << 20  # octets of a message, as we let omniORB take
 MOST_CONTEXTS = 64  # service contexts of a message; real ones have up to four
 MORE, LITTLE = 2, 1  # flags of a message
+# The service context without which peers send no wide text: ISO 8859-1, so that octets stay as they are, and UTF-16.
+_CODE_SETS = struct.pack("<IIIIII", 1, 1, 12, 1, 0x00010001, 0x00010109)
 _LENGTH, _START = struct.Struct("<I"), struct.Struct("<8sIIIHH")
 _PADDING = [b"", b"\0\0\0", b"\0\0", b"\0"]
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "II")) for order in "><"]
@@ -24,9 +26,10 @@ def aligned(data, size):
 
 
 @functools.lru_cache(maxsize=256)
-def _named(operation):
-    """The name of an operation, and that nothing follows: no service contexts, or no principal before GIOP 1.2."""
-    return aligned(_LENGTH.pack(len(operation) + 1) + operation.encode("latin-1") + b"\0", 4) + bytes(4)
+def _named(operation, is_new):
+    """The name of an operation, and what follows: service contexts, or that there is no principal, before GIOP 1.2."""
+    name = aligned(_LENGTH.pack(len(operation) + 1) + operation.encode("latin-1") + b"\0", 4)
+    return name + (_CODE_SETS if is_new else bytes(4))
 
 
 def request(number, version, mode, target, operation, arguments):
@@ -34,13 +37,14 @@ def request(number, version, mode, target, operation, arguments):
 
     `arguments`: (function that appends to it in little endian, value) pairs.
     """
-    if version >= (1, 2):
+    is_new = version >= (1, 2)
+    if is_new:
         out = bytearray(_START.pack(b"GIOP\1\2\1\0", 0, number, 3, mode, 0))
     else:
         out = bytearray(b"GIOP" + bytes(version) + b"\1\0" + bytes(8) + _LENGTH.pack(number) + b"\1\0\0\0")
-    out += target + _PADDING[len(target) & 3] + _named(operation)
+    out += target + _PADDING[len(target) & 3] + _named(operation, is_new)
     if arguments:
-        if version >= (1, 2):
+        if is_new:
             out += b"\0" * (-len(out) % 8)
         for write, value in arguments:
             write(out, value)

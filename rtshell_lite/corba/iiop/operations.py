@@ -1,7 +1,7 @@
 """Operations of the interfaces of the IDL: how their arguments and results are written and read."""
 import functools
 
-from rtshell_lite.corba import idl
+from rtshell_lite.corba import descriptors, idl
 from rtshell_lite.corba.descriptors import BOOLEAN, OCTET, SEQUENCE, STRING, plain
 from rtshell_lite.corba.iiop import marshal
 
@@ -41,10 +41,15 @@ def operation(interface, name):
 
 @functools.lru_cache(maxsize=None)
 def served(interface, name):
-    """(readers of the arguments by byte order, writers of the results) of an operation of ours. Raises KeyError."""
+    """(readers of the arguments by byte order, writers of the results, whether all arguments are octets) of an operation of ours.
+
+    Octets may be read from a memoryview, which copies them once. Raises KeyError.
+    """
     given, returned, _ = _COMMON.get(name) or _row(interface, name)
-    return ([[maker.reader(idl.descriptor(word)) for word in given] for maker in _MAKERS],
-            [_MAKERS[1].writer(idl.descriptor(word)) for word in returned or ()])
+    given = [idl.descriptor(word) for word in given]
+    return ([[maker.reader(each) for each in given] for maker in _MAKERS],
+            [_MAKERS[1].writer(idl.descriptor(word)) for word in returned or ()],
+            all(descriptors.plain(each) == (descriptors.SEQUENCE, descriptors.OCTET, 0) for each in given))
 
 
 def _row(interface, name):

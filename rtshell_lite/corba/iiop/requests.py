@@ -4,7 +4,6 @@ import struct
 from rtshell_lite.corba.iiop import giop, marshal, operations
 
 REQUEST, CANCEL, LOCATE, LOCATED = 0, 2, 3, 4  # kinds of messages; giop.py has the others
-NEEDS_KEY = 5  # a status of answers: the object is to be named by its key alone, not by a profile or a reference
 NO, MAYBE = 1, 2  # whether what raised an exception was completed
 _ANSWER, _LOCATED = struct.Struct("<4s4BIIII"), struct.Struct("<4s4BIII")
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "H")) for order in "><"]
@@ -16,7 +15,7 @@ class Request:
     """
 
     def __init__(self, data):
-        self.data, self.minor, self.little = data, data[5], data[6] & giop.LITTLE
+        self.data, self.at, self.minor, self.little = data, None, data[5], data[6] & giop.LITTLE
         self.one, short = _ORDERS[self.little]
         asks, self.operation, self.is_answered, at = data[7] == REQUEST, "", True, giop.HEADER
         if asks and self.minor < 2:
@@ -36,6 +35,15 @@ class Request:
             name, at = self._octets(at)
             self.operation = name[:-1].decode("latin-1")
             self.at = self._arguments(at)
+            self.form, self.head = bytes(data[4:8]), bytes(data[16:self.at])
+
+    def again(self, data):
+        """Take on a message that differs in its id and its arguments only; False if it differs in more."""
+        if self.at is None or self.minor < 2 or data[4:8] != self.form or data[16:self.at] != self.head:
+            return False
+        self.data = data
+        self.id, = self.one.unpack_from(data, giop.HEADER)
+        return True
 
     def _arguments(self, at):
         if self.minor < 2:
@@ -75,8 +83,8 @@ def failed(request, name, completed=NO):
 
 def needs_key(request):
     """The answer to who names an object by a profile or a reference."""
-    out = answer(request, NEEDS_KEY) if request.operation else located(request, NEEDS_KEY)
-    return sized(out + b"\0\0")
+    out = answer(request, giop.NEEDS_ADDRESSING_MODE) if request.operation else located(request, giop.NEEDS_ADDRESSING_MODE)
+    return sized(out + struct.pack("<H", giop.KEY))
 
 
 def located(request, status):

@@ -65,49 +65,46 @@ class Caller:
     """A connection that somebody has made to us: what came of its messages, and answers that have not left yet."""
 
     def __init__(self, connection):
-        self.socket, self.minor = connection, 0
-        self.data, self.end = bytearray(), 0  # what came is data[:end]
-        self.wanted = self.largest = 0  # octets: of the message that has begun; of the largest one so far
+        self.socket, self.minor, self.last = connection, 0, None
+        self.data, self.begin, self.end = bytearray(), 0, 0  # data[begin:end] has come; data never shrinks while it is in use
         self.parts = {}  # messages whose fragments are still coming, by the id of the request
         self.out = bytearray()
         self.since = time.monotonic()  # when the last message was complete
 
     def held(self):
-        """How much memory its unfinished messages take."""
+        """How much memory its messages take."""
         return len(self.data) + sum(map(len, self.parts.values()))
 
     def is_unfinished(self):
         """True within a message, or while answers cannot leave."""
-        return bool(self.end or self.parts or self.out)
+        return bool(self.end > self.begin or self.parts or self.out)
 
     def receive(self):
         """Take what has come. Raises OSError, EOFError."""
+        if self.begin:
+            self.end -= self.begin
+            self.data[:self.end] = self.data[self.begin:self.begin + self.end]
+            self.begin = 0
         if self.end == len(self.data):
-            most = max(ROOM, self.wanted - self.end)
-            grown = bytearray(self.end + min(most, max(ROOM, self.end, self.largest - self.end)))
+            wanted = giop.HEADER + giop.size(self.data) if self.end else 0
+            grown = bytearray(max(ROOM, min(wanted, 2 * self.end)))
             grown[:self.end] = self.data
             self.data = grown
-        with memoryview(self.data) as whole, whole[self.end:] as room:
-            got = self.socket.recv_into(room)
+        got = self.socket.recv_into(memoryview(self.data)[self.end:])
         if not got:
             raise EOFError
         self.end += got
 
     def message(self):
-        """The next message that is complete, or None. Raises Garbled."""
-        while self.end >= giop.HEADER:
-            self.wanted = size = giop.HEADER + giop.size(self.data)
-            if self.end < size:
+        """The next message that is complete, to be used at once, or None. Raises Garbled."""
+        while self.end - self.begin >= giop.HEADER:
+            data = memoryview(self.data)[self.begin:self.end]
+            size = giop.HEADER + giop.size(data)
+            if len(data) < size:
                 return None
-            self.largest = max(self.largest, size)
-            if size == len(self.data):
-                taken, self.data = self.data, bytearray()
-            else:
-                taken = self.data[:size]
-                del self.data[:size]
-            self.end -= size
-            self.wanted, self.minor = 0, taken[5]
-            whole = self.joined(taken)
+            self.begin += size
+            self.minor = data[5]
+            whole = self.joined(data[:size])
             if whole is not None:
                 self.since = time.monotonic()
                 return whole
@@ -118,20 +115,23 @@ class Caller:
         kind, more = data[7], data[6] & giop.MORE
         if kind != giop.FRAGMENT and not more:
             return data
-        number = data[12:16] if data[5] == 2 else b""
-        whole, size = data, len(data) + sum(map(len, self.parts.values()))
+        number = bytes(data[12:16]) if data[5] == 2 else b""
+        size = len(data) + sum(map(len, self.parts.values()))
         if size > giop.LARGEST or len(self.parts) > MOST_PARTS or data[5] == 0 or data[5] == 2 and len(number) < 4:
             raise giop.Garbled("fragments that make no message")
-        if kind == giop.FRAGMENT:
-            whole = self.parts.pop(bytes(number), None)
-            if whole is None:
-                raise giop.Garbled("a fragment of nothing")
-            with memoryview(data) as view, view[giop.HEADER + len(number):] as rest:
-                whole += rest
-        if not more:
-            return whole
-        self.parts[bytes(number)] = whole
-        return None
+        if kind != giop.FRAGMENT:
+            self.parts[number] = bytearray(data)
+            return None
+        if number not in self.parts:
+            raise giop.Garbled("a fragment of nothing")
+        self.parts[number] += data[giop.HEADER + len(number):]
+        return None if more else memoryview(self.parts.pop(number))
+
+    def request(self, data):
+        """The Request in a message; most differ from the last one only in their ids and arguments. Raises as Request does."""
+        if self.last is None or not self.last.again(data):
+            self.last = requests.Request(data)
+        return self.last
 
     def send(self, data=b""):
         """Send an answer, and those before it, as far as the caller takes them. Raises OSError."""
@@ -189,7 +189,7 @@ class Server:
                 caller.send()
             else:
                 caller.receive()
-                if caller.held() > 16 * ROOM:
+                if caller.parts or len(caller.data) > 16 * ROOM:
                     self.make_room()
             while caller in self.callers and not caller.out:
                 data = caller.message()
@@ -208,9 +208,13 @@ class Server:
             self.selector.modify(caller.socket, selectors.EVENT_WRITE if caller.out else selectors.EVENT_READ, caller)
 
     def make_room(self):
-        """Close who has not completed a message for longest, until what all have sent fits."""
+        """Take memory from who does not use it, and close who has not completed a message for longest, until all is within the limit."""
         while sum(caller.held() for caller in self.callers) > MOST_OCTETS:
-            self.close(min(filter(Caller.held, self.callers), key=lambda caller: caller.since))
+            unused = [caller for caller in self.callers if caller.data and caller.begin == caller.end]
+            for caller in unused:
+                caller.data, caller.begin, caller.end = bytearray(), 0, 0
+            if not unused:
+                self.close(min(filter(Caller.held, self.callers), key=lambda caller: caller.since))
 
     def idlest(self):
         return min(self.callers, key=lambda caller: caller.since)
@@ -248,7 +252,7 @@ class Server:
             raise EOFError
         if kind not in (requests.REQUEST, requests.LOCATE):
             raise giop.Garbled("not for a server")
-        request = requests.Request(data)
+        request = caller.request(data)
         if request.key is None:
             answer = requests.needs_key(request)
         elif kind == requests.LOCATE:
@@ -263,14 +267,14 @@ class Server:
         if servant is None:
             return requests.failed(request, "OBJECT_NOT_EXIST")
         try:
-            readers, writers = operations.served(interface, request.operation)
+            readers, writers, octets = operations.served(interface, request.operation)
         except KeyError:
             return requests.failed(request, "BAD_OPERATION")
-        arguments, at = [], request.at
+        data, arguments, at = request.data if octets else bytes(request.data), [], request.at
         try:
             for read in readers[request.little]:
-                value, at = read(request.data, at)
-                arguments.append(bytes(value) if isinstance(value, bytearray) else value)
+                value, at = read(data, at)
+                arguments.append(bytes(value) if octets else value)
         except (ValueError, struct.error, IndexError, RecursionError):
             return requests.failed(request, "MARSHAL")
         out = requests.answer(request)

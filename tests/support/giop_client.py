@@ -1,0 +1,169 @@
+"""Who calls our own ORB: GIOP by hand, right and wrong, and servants to be called."""
+import socket
+import struct
+import threading
+import unittest
+
+from rtshell_lite.corba import descriptors, idl, ior
+from rtshell_lite.corba.iiop import giop, requests, server
+
+LIMIT = 60.0  # seconds that anything may take on a busy machine
+PORT_OK = descriptors.items(idl.descriptor("IDL:OpenRTM/PortStatus:1.0"))[0]
+CLOSE, ERROR = requests.word(giop.CLOSE, 2), requests.word(giop.ERROR, 2)
+
+
+class Port:
+    """A servant that keeps what it is given."""
+
+    interface = "dataport.OpenRTM.InPortCdr"
+
+    def __init__(self):
+        self.taken, self.came = [], threading.Semaphore(0)
+
+    def put(self, data):
+        if data == b"raise":
+            raise LookupError("a fault of ours")
+        self.taken.append(data)
+        self.came.release()
+        return PORT_OK
+
+
+class Observer:
+    """A servant of an interface that inherits, with an operation that is oneway."""
+
+    interface = "observer.OpenRTM.ComponentObserver"
+
+    def __init__(self):
+        self.heard = []
+
+    def update_status(self, kind, hint):
+        self.heard.append((kind._n, hint))
+
+
+def request(key, operation, body=b"", number=1, minor=2, order="<", is_answered=True, contexts=b"", kind=requests.REQUEST):
+    """A Request, or a LocateRequest, as octets. `contexts`: octets of one service context, which is ignored."""
+    def aligned(data, size):
+        return data + b"\xee" * (-len(data) % size)  # padding is what happens to be in memory
+
+    def octets(data):
+        return struct.pack(order + "I", len(data)) + data
+
+    known = struct.pack(order + "II", 1, 7) + octets(contexts) if contexts else struct.pack(order + "I", 0)
+    asks = kind == requests.REQUEST
+    head = bytes(12)
+    if minor < 2:
+        head = aligned(head + known, 4) if asks else head
+        head += struct.pack(order + "I", number) + (bytes([is_answered]) + b"\xee" * (3 if minor else 0) if asks else b"")
+        head = aligned(head, 4) + octets(key)
+        if asks:
+            head = aligned(aligned(head, 4) + octets(operation.encode() + b"\0"), 4) + octets(b"who")
+    else:
+        head += struct.pack(order + "I", number) + (bytes([3 if is_answered else 0]) + b"\xee" * 3 if asks else b"")
+        head += struct.pack(order + "H", 0) + b"\xee\xee" + octets(key)
+        if asks:
+            head = aligned(aligned(head, 4) + octets(operation.encode() + b"\0"), 4) + known
+            head = aligned(head, 8) if body else head
+    if minor < 2 and body:
+        head = aligned(head, 4)
+    return whole(kind, head[12:] + body, minor, order)
+
+
+def whole(kind, payload, minor=2, order="<", more=False):
+    return b"GIOP\1" + bytes([minor, (order == "<") | more << 1, kind]) + struct.pack(order + "I", len(payload)) + payload
+
+
+def block(data, order="<"):
+    return struct.pack(order + "I", len(data)) + data
+
+
+def text(words, order="<"):
+    return block(words.encode() + b"\0", order)
+
+
+def fragments(message, *cuts):
+    """A message as one with fragments, cut at these places."""
+    order, minor = ("<" if message[6] & 1 else ">"), message[5]
+    parts = [message[a:b] for a, b in zip((12,) + cuts, cuts + (len(message),))]
+    ahead = message[12:16] if minor == 2 else b""
+    return [whole(message[7] if i == 0 else giop.FRAGMENT, (b"" if i == 0 else ahead) + part, minor, order, i < len(parts) - 1)
+            for i, part in enumerate(parts)]
+
+
+class Client:
+    """A connection to our server."""
+
+    def __init__(self, port):
+        self.socket = socket.create_connection(("127.0.0.1", port), LIMIT)
+        self.data = b""
+
+    def send(self, *messages):
+        self.socket.sendall(b"".join(messages))
+
+    def answer(self):
+        """The next message, or b"" at the end."""
+        while len(self.data) < 12 or len(self.data) < 12 + giop.size(self.data):
+            piece = self.socket.recv(65536)
+            if not piece:
+                return b""
+            self.data += piece
+        size = 12 + giop.size(self.data)
+        found, self.data = self.data[:size], self.data[size:]
+        return found
+
+    def ask(self, *messages):
+        self.send(*messages)
+        return self.answer()
+
+    def last_words(self):
+        """All that still comes until the connection is closed."""
+        found = self.data
+        while True:
+            try:
+                piece = self.socket.recv(65536)
+            except ConnectionResetError:  # closed while we were sending
+                return found
+            if not piece:
+                return found
+            found += piece
+
+    def close(self):
+        self.socket.close()
+
+
+def result(message):
+    """What a reply says: the octets of its results, or the name of the system exception and whether it was completed."""
+    number, status, little, at = giop.reply(message)
+    if status == giop.NO_EXCEPTION:
+        return message[at:]
+    assert status == giop.SYSTEM_EXCEPTION, message
+    size, = struct.unpack_from("<I", message, at)
+    name = message[at + 4:at + 3 + size].decode()
+    completed = struct.unpack_from("<I", message, len(message) - 4)[0]
+    return name[len("IDL:omg.org/CORBA/"):-len(":1.0")], completed
+
+
+class Served(unittest.TestCase):
+    """Base of test cases: servants, and clients of them."""
+
+    def setUp(self):
+        self.port, self.observer = Port(), Observer()
+        self.key, self.withdraw = self.serve(self.port)
+        self.observed, _ = self.serve(self.observer)
+
+    def serve(self, servant):
+        found, withdraw = server.serve(servant)
+        self.addCleanup(withdraw)
+        address = ior.address(found)
+        self.at = address.port
+        return address.key, withdraw
+
+    def client(self):
+        made = Client(self.at)
+        self.addCleanup(made.close)
+        return made
+
+    def ask(self, *arguments, **keywords):
+        return result(self.client().ask(request(*arguments, **keywords)))
+
+    def still_served(self):
+        self.assertEqual(self.ask(self.key, "_non_existent"), b"\0")

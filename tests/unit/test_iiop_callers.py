@@ -1,0 +1,134 @@
+"""Our own ORB as a server: no caller harms the others, or us, whatever it sends."""
+import os
+import socket
+import struct
+import time
+import unittest
+from unittest import mock
+
+from giop_client import CLOSE, ERROR, LIMIT, Served, block, fragments, request, result, whole
+from rtshell_lite.corba.iiop import giop, requests, server
+
+
+class Hostile(Served):
+    def assertRefused(self, *messages):
+        here = self.client()
+        try:
+            here.send(*messages)
+        except (BrokenPipeError, ConnectionResetError):
+            pass
+        self.assertIn(here.last_words(), (ERROR[:5] + b"\0" + ERROR[6:], ERROR, b""))
+        self.still_served()
+
+    def test_what_is_no_request(self):
+        put = request(self.key, "put", block(b""))
+        for data in (b"GET / HTTP/1.1\r\n\r\n", b"GIOP\1\3" + put[6:], b"GIOP\2" + put[5:], whole(giop.REPLY, bytes(12)),
+                     whole(requests.LOCATED, bytes(8)), whole(giop.FRAGMENT, bytes(8)), whole(9, b""), whole(0, b""),
+                     whole(0, b"\xff" * 8 + bytes(4) + b"\xff" * 40),
+                     whole(3, b"\0"), whole(0, b"\xff" * 40, 0), put[:40] + b"\xff" * 40, whole(0, put[12:40] + b"\xff" * 8),
+                     whole(giop.FRAGMENT, b"", more=True), whole(0, b"", more=True), whole(0, b"12", 0, more=True),
+                     struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, giop.LARGEST + 1), b"GIOP\1\2\1\0\xff\xff\xff\xff"):
+            self.assertRefused(data)
+
+    def test_service_contexts_without_number(self):
+        """Millions of empty ones would take seconds, during which nobody else were served."""
+        head = request(self.key, "put")[:-4]
+        self.assertRefused(whole(0, head[12:] + struct.pack("<I", 1 << 20) + bytes(8 << 20)))
+
+    def test_the_other_side_ends(self):
+        for kind in (giop.CLOSE, giop.ERROR):
+            here = self.client()
+            here.send(whole(kind, b""))
+            self.assertEqual(here.last_words()[7:8], bytes([giop.CLOSE]))
+
+    def test_half_messages_block_nobody(self):
+        put = request(self.key, "put", block(b"x" * 100))
+        for cut in range(1, len(put), 7):
+            self.client().send(put[:cut])
+        self.still_served()
+        slow = self.client()
+        for octet in put:
+            slow.send(bytes([octet]))
+        self.assertEqual(result(slow.answer()), bytes(4))
+
+    def test_nothing_is_allocated_for_what_is_announced(self):
+        callers = [self.client() for _ in range(30)]
+        for each in callers:
+            each.send(struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, giop.LARGEST), b"x" * 100)
+        self.still_served()
+        self.assertLess(max(caller.held() for caller in list(server._server.callers)), 64 * server.ROOM)
+
+    def test_endless_fragments(self):
+        first, rest = fragments(request(self.key, "put", block(b"x" * 2000000)), 1000000)
+        more = whole(giop.FRAGMENT, rest[12:], more=True)
+        self.assertRefused(first, *[more] * (giop.LARGEST // 1000000 + 5))
+        self.assertRefused(*[fragments(request(self.key, "put", number=i, body=bytes(40)), 50)[0] for i in range(20)])
+        self.assertRefused(fragments(request(self.key, "put", bytes(40), minor=0), 50)[0])
+
+    def test_much_that_is_never_complete(self):
+        """Who has waited for longest gives way to others."""
+        with mock.patch.object(server, "MOST_OCTETS", 8 << 20):
+            callers = [self.client() for _ in range(12)]
+            for each in callers:
+                each.send(struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, giop.LARGEST), bytes(1 << 20))
+            end = time.monotonic() + LIMIT
+            self.still_served()
+            data = os.urandom(3 << 20)
+            self.assertEqual(self.ask(self.key, "put", block(data)), bytes(4))
+            self.assertTrue(self.port.taken.pop() == data)
+            while sum(caller.held() for caller in list(server._server.callers)) > 8 << 20:
+                self.assertLess(time.monotonic(), end)
+
+    def test_answers_that_nobody_reads(self):
+        here, ask = self.client(), request(self.key, "_non_existent")
+        here.socket.settimeout(1)
+        with self.assertRaises(socket.timeout):
+            while True:
+                here.socket.sendall(ask * 1000)
+        self.still_served()
+        self.assertLess(max(len(caller.out) for caller in list(server._server.callers)), 1000)
+
+    def test_a_thousand_connections(self):
+        with mock.patch.object(server, "MOST", 40):
+            kept = self.client()
+            self.assertEqual(result(kept.ask(request(self.key, "_non_existent"))), b"\0")
+            first = self.client()
+            for _ in range(1000):
+                socket.create_connection(("127.0.0.1", self.at), LIMIT).close()
+            for _ in range(60):
+                self.client()
+                self.assertEqual(result(kept.ask(request(self.key, "_non_existent"))), b"\0")  # it is used: it stays
+            self.assertIn(first.last_words()[7:8], (bytes([giop.CLOSE]), b""))
+
+    def test_idle_and_unfinished_connections_end(self):
+        idle, half = self.client(), self.client()
+        for each in (idle, half):
+            self.assertEqual(result(each.ask(request(self.key, "_non_existent"))), b"\0")
+        half.send(b"GIOP")
+        busy, now = self.client(), time.monotonic()
+        with mock.patch.object(server, "UNFINISHED", 0.5), mock.patch.object(server, "SWEEP", 0.1):
+            while time.monotonic() < now + 0.2:
+                self.assertEqual(result(busy.ask(request(self.key, "_non_existent"))), b"\0")
+            self.still_served()
+            self.assertEqual(half.last_words()[7:8], bytes([giop.CLOSE]))
+            with mock.patch.object(server, "IDLE", 0.5):
+                self.assertEqual(idle.last_words(), CLOSE)
+        self.still_served()
+
+    def test_out_of_files(self):
+        """Somebody who is idle gives way, and the thread does not end."""
+        idle = self.client()
+        self.assertEqual(result(idle.ask(request(self.key, "_non_existent"))), b"\0")
+        true, failures = server._server.listening, [OSError(24, "Too many open files")]
+
+        class Listening:
+            def accept(self):
+                if failures:
+                    raise failures.pop()
+                return true.accept()
+        with mock.patch.object(server._server, "listening", Listening()):
+            self.still_served()
+
+
+if __name__ == "__main__":
+    unittest.main()
