@@ -2,7 +2,7 @@
 """Change modules of rtshell_lite in one place after another, and see whether a test fails. What survives is a hole in the tests,
 or a change that changes nothing.
 
-    python3 tests/mutate.py data/statistics.py … [--seed N] [--most N] [--tests N]
+    python3 tests/mutate.py data/statistics.py … [--seed N] [--most N] [--tests N] [--transcripts N]
 
 Runs in a copy of the checkout, on a Python from 3.8 on that has omniORBpy: this one, or what `tests/run` has made below
 .venv-tests. Which tests cover a module is read from imports: the nearest of tests/unit that import it, directly or through
@@ -189,9 +189,9 @@ def imported(path):
                                                        for root in (ROOT, os.path.join(ROOT, "tests", "support"))])
 
 
-def covering(path, most):
-    """Test modules of tests/unit that import a file, the nearest first, and transcripts of the nearest commands, by turns; at most
-    so many of each: `unit/test_path` …, `commands/rtls.t` …"""
+def covering(path):
+    """Test modules of tests/unit that import a file, the nearest first: `unit/test_path` …; and the tests of the nearest commands,
+    by turns: `commands/rtls.t` …"""
     files = [file for pattern in ("rtshell_lite/**/*.py", "tests/support/*.py", "tests/unit/test_*.py", "bin/rt*")
              for file in sorted(glob.glob(os.path.join(glob.escape(ROOT), pattern), recursive=True)) if "/idl_stubs/" not in file]
     arrows = {file: set(imported(file)) for file in files}
@@ -206,7 +206,7 @@ def covering(path, most):
     by_turns = itertools.zip_longest(*[
         [file for file in written if re.match(r"(%s(-.*)?\.t|test_%s\.py)$" % (name, name), file)] for name in commands])
     transcripts = ["commands/" + re.sub(r"\.py$", "", file) for turn in by_turns for file in turn if file]
-    return modules[:most] + transcripts[:most]
+    return modules, transcripts
 
 
 PROBES = '''\
@@ -347,7 +347,8 @@ def options():
     parser.add_argument("module", nargs="+", help="a file below rtshell_lite, such as data/statistics.py")
     parser.add_argument("--seed", default="1", help="which places are chosen (1)")
     parser.add_argument("--most", type=int, default=40, metavar="N", help="places at most (40)")
-    parser.add_argument("--tests", type=int, default=8, metavar="N", help="so many test modules, and transcripts, at most (8)")
+    parser.add_argument("--tests", type=int, default=8, metavar="N", help="test modules of tests/unit at most (8)")
+    parser.add_argument("--transcripts", type=int, default=8, metavar="N", help="transcripts at most (8); they take their time")
     args = parser.parse_args()
     for module in args.module:
         if not os.path.isfile(os.path.join(ROOT, "rtshell_lite", module)):
@@ -364,7 +365,8 @@ def spoil(module, tests, args):
         source = Source(file.read())
     places = sorted({place for place in mutations(source) if source.spoilt(*place)})
     chosen = sorted(random.Random(args.seed).sample(places, min(args.most, len(places))))
-    names = covering(os.path.join(ROOT, inner), args.tests)
+    modules, transcripts = covering(os.path.join(ROOT, inner))
+    names = modules[:args.tests] + transcripts[:args.transcripts]
     print("%s, covered by: %s" % (module, " ".join(names)), flush=True)
     survived = 0
     for start, end, new in chosen:
