@@ -2,13 +2,13 @@
 """Change modules of rtshell_lite in one place after another, and see whether a test fails. What survives is a hole in the tests,
 or a change that changes nothing.
 
-    python3 tests/mutate.py data/statistics.py … [--seed N] [--most N] [--tests N]
+    python3 tests/mutate.py data/statistics.py … [--seed N] [--most N] [--tests N] [--transcripts N]
 
 Runs in a copy of the checkout, on a Python from 3.8 on that has omniORBpy: this one, or what `tests/run` has made below
 .venv-tests. Which tests cover a module is read from imports: the nearest of tests/unit that import it, directly or through
-others, and the transcripts of the nearest commands that do. They run up to the first that fails: those that were quick and
-noticed much come first. Each runs unspoilt before it is needed for the first time: it is left out if it fails, and later, if it
-takes three times as long, and 10 s, it fails.
+others, and the transcripts of the nearest commands that do. Each runs unspoilt before it is needed for the first time, which says
+what functions it enters: it is left out if it fails, or does not enter the function that is spoilt; if it takes three times as
+long later, and 10 s, it fails. They run up to the first that fails: those that were quick and noticed much come first.
 """
 import argparse
 import ast
@@ -57,6 +57,30 @@ class Source:
             return data if ast.dump(ast.parse(data)) != self.meaning else None
         except (SyntaxError, ValueError):
             return None
+
+    def functions(self):
+        """Pairs of the functions that do anything and their first statements, docstrings aside."""
+        for node in ast.walk(self.tree):
+            if isinstance(node, ast.FunctionDef):
+                statements = node.body[ast.get_docstring(node) is not None:]
+                if statements:
+                    yield node, statements[0]
+
+    def function(self, position):
+        """The line where the innermost function around a position begins, None where there is none."""
+        around = [node.lineno for node, first in self.functions() if self.start(first) <= position < self.end(node)]
+        return max(around) if around else None
+
+    def probed(self, probe):
+        """The text with an expression, `probe % line`, where each function begins; `line` is that of its def."""
+        data = self.data
+        for node, first in sorted(self.functions(), key=lambda pair: -self.start(pair[1])):
+            line = min([first.lineno] + [decorator.lineno for decorator in getattr(first, "decorator_list", ())]) - 1
+            start = self.lines[line] + first.col_offset
+            margin = data[self.lines[line]:start]
+            between = b"; " if margin.strip() else b"\n" + margin
+            data = data[:start] + (probe % node.lineno).encode() + between + data[start:]
+        return data
 
 
 def mutations(source):
@@ -165,9 +189,9 @@ def imported(path):
                                                        for root in (ROOT, os.path.join(ROOT, "tests", "support"))])
 
 
-def covering(path, most):
-    """Test modules of tests/unit that import a file, the nearest first, and transcripts of the nearest commands, by turns; at most
-    so many of each: `unit/test_path` …, `commands/rtls.t` …"""
+def covering(path):
+    """Test modules of tests/unit that import a file, the nearest first: `unit/test_path` …; and the tests of the nearest commands,
+    by turns: `commands/rtls.t` …"""
     files = [file for pattern in ("rtshell_lite/**/*.py", "tests/support/*.py", "tests/unit/test_*.py", "bin/rt*")
              for file in sorted(glob.glob(os.path.join(glob.escape(ROOT), pattern), recursive=True)) if "/idl_stubs/" not in file]
     arrows = {file: set(imported(file)) for file in files}
@@ -179,9 +203,67 @@ def covering(path, most):
     modules.sort(key="unit/test_{}".format(os.path.basename(path)[:-3]).__ne__)  # the one of its name comes first
     commands = [os.path.basename(file) for file in near if os.path.dirname(file) == os.path.join(ROOT, "bin")]
     written = sorted(os.listdir(os.path.join(ROOT, "tests", "commands")), key=lambda file: ("-" in file, file))
-    by_turns = itertools.zip_longest(*[[file for file in written if re.match(name + r"(-.*)?\.t$", file)] for name in commands])
-    transcripts = ["commands/" + file for turn in by_turns for file in turn if file]
-    return modules[:most] + transcripts[:most]
+    by_turns = itertools.zip_longest(*[
+        [file for file in written if re.match(r"(%s(-.*)?\.t|test_%s\.py)$" % (name, name), file)] for name in commands])
+    transcripts = ["commands/" + re.sub(r"\.py$", "", file) for turn in by_turns for file in turn if file]
+    return modules, transcripts
+
+
+PROBES = '''\
+"""Write down what is entered: a line `file:line` for each function, once a process."""
+import os
+
+_entered = set()
+
+
+def entered(place):
+    if place not in _entered:
+        _entered.add(place)
+        file = os.open(%r, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o666)
+        os.write(file, (place + "\\n").encode())
+        os.close(file)
+'''
+
+
+class Probed:
+    """While it lasts, the package in a copy of the checkout writes down which functions are entered."""
+
+    def __init__(self, copy):
+        self.package, self.aside = os.path.join(copy, "rtshell_lite"), os.path.join(copy, ".rtshell_lite")
+        self.file = os.path.join(copy, ".entered")
+        shutil.copytree(self.package, self.aside)
+        with open(os.path.join(self.aside, "probes.py"), "w") as file:
+            file.write(PROBES % self.file)
+        for path in glob.glob(os.path.join(glob.escape(self.aside), "**", "*.py"), recursive=True):
+            inner = os.path.relpath(path, self.aside)
+            if inner != "probes.py" and not inner.startswith("idl_stubs"):
+                with open(path, "rb+") as file:
+                    data = Source(file.read()).probed("__import__('rtshell_lite.probes').probes.entered('%s:%%d')" % inner)
+                    file.seek(0)
+                    file.write(data)
+
+    def __enter__(self):
+        self._swap()
+        return self
+
+    def __exit__(self, *exception):
+        self._swap()
+
+    def _swap(self):
+        os.rename(self.package, self.package + ".old")
+        os.rename(self.aside, self.package)
+        os.rename(self.package + ".old", self.aside)
+
+    def entered(self):
+        """What was entered since the last call: a set of `file:line`."""
+        try:
+            with open(self.file) as file:
+                return set(file.read().split())
+        except FileNotFoundError:
+            return set()
+        finally:
+            with open(self.file, "w"):
+                pass
 
 
 class Tests:
@@ -189,13 +271,14 @@ class Tests:
 
     def __init__(self, copy, python):
         shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(".git", ".venv*", "__pycache__", ".*.tmp"))
+        self.probed = Probed(copy)
         subprocess.call([python, "-m", "compileall", "-q", copy], stdout=subprocess.DEVNULL)
         sys.path.insert(0, os.path.join(copy, "tests", "support"))
         import runner  # of the copy: all that it starts is of the copy, too
         runner.hear_signals()
         self.copy, self.python, self.runner, self.marker = copy, python, runner, runner.mark()
         self.environment = dict(os.environ, PYTHONPATH=copy, PYTHONDONTWRITEBYTECODE="1")
-        self.limits, self.killed = {}, collections.Counter()
+        self.limits, self.entered, self.killed = {}, {}, collections.Counter()
 
     def passes(self, name, limit):
         """Does a test pass within so many seconds?"""
@@ -207,41 +290,47 @@ class Tests:
         outcomes = [outcome[1] for outcome in self.runner.run_module(name, self.python, self.environment, [])]
         return "pass" in outcomes and "fail" not in outcomes
 
-    def limit(self, name):
-        """The seconds that a test may take, None where it fails unspoilt. Ask while nothing is spoilt."""
-        if name not in self.limits:
+    def try_out(self, name):
+        """Learn the seconds that a test may take, None where it fails unspoilt, and what it enters. Nothing may be spoilt now."""
+        with self.probed:
             begun = time.monotonic()
             passed = self.passes(name, 120)
-            self.limits[name] = 3 * (time.monotonic() - begun) + 10 if passed else None
-            if not passed:
-                print("left out, as it fails unspoilt: " + name, flush=True)
-        return self.limits[name]
+            self.entered[name] = self.probed.entered() if passed else None
+        if not passed:  # one that reads the source, say: the probes are in it
+            begun = time.monotonic()
+            passed = self.passes(name, 120)
+        self.limits[name] = 3 * (time.monotonic() - begun) + 10 if passed else None
+        if not passed:
+            print("left out, as it fails unspoilt: " + name, flush=True)
 
-    def killer(self, path, data, names):
-        """The first test that fails when the file at `path` is `data`, or None."""
-        kept = self._replace(path, None)
+    def concerned(self, names, place):
+        """Those of the tests that enter a function, `file:line`, or None for what is outside of functions; the best first."""
         for name in sorted(names, key=lambda name: (name.endswith(".t"), (self.limits.get(name) or 30) / (1 + self.killed[name]))):
-            limit = self.limit(name)
-            self._replace(path, data)
-            try:
-                if limit and not self.passes(name, limit):
-                    self.killed[name] += 1
-                    return name
-            finally:
-                self._replace(path, kept)
-                self.runner.left_behind(self.marker)
-        return None
+            if name not in self.limits:
+                self.try_out(name)
+            if self.limits[name] and (not place or self.entered[name] is None or place in self.entered[name]):
+                yield name
+
+    def fails(self, name, path, data):
+        """Does a test fail when the file at `path` is `data`?"""
+        kept = self._replace(path, data)
+        try:
+            failed = not self.passes(name, self.limits[name])
+        finally:
+            self._replace(path, kept)
+            self.runner.left_behind(self.marker)
+        self.killed[name] += failed
+        return failed
 
     @staticmethod
     def _replace(path, data):
-        """Write a module, unless `data` is None; return what it was."""
+        """Write a module; return what it was."""
         for compiled in glob.glob(os.path.join(os.path.dirname(path), "__pycache__", os.path.basename(path)[:-3] + ".*")):
             os.remove(compiled)
         with open(path, "rb") as file:
             old = file.read()
-        if data is not None:
-            with open(path, "wb") as file:
-                file.write(data)
+        with open(path, "wb") as file:
+            file.write(data)
         return old
 
 
@@ -258,7 +347,8 @@ def options():
     parser.add_argument("module", nargs="+", help="a file below rtshell_lite, such as data/statistics.py")
     parser.add_argument("--seed", default="1", help="which places are chosen (1)")
     parser.add_argument("--most", type=int, default=40, metavar="N", help="places at most (40)")
-    parser.add_argument("--tests", type=int, default=8, metavar="N", help="so many test modules, and transcripts, at most (8)")
+    parser.add_argument("--tests", type=int, default=8, metavar="N", help="test modules of tests/unit at most (8)")
+    parser.add_argument("--transcripts", type=int, default=8, metavar="N", help="transcripts at most (8); they take their time")
     args = parser.parse_args()
     for module in args.module:
         if not os.path.isfile(os.path.join(ROOT, "rtshell_lite", module)):
@@ -275,15 +365,22 @@ def spoil(module, tests, args):
         source = Source(file.read())
     places = sorted({place for place in mutations(source) if source.spoilt(*place)})
     chosen = sorted(random.Random(args.seed).sample(places, min(args.most, len(places))))
-    names = covering(os.path.join(ROOT, inner), args.tests)
+    modules, transcripts = covering(os.path.join(ROOT, inner))
+    names = modules[:args.tests] + transcripts[:args.transcripts]
     print("%s, covered by: %s" % (module, " ".join(names)), flush=True)
     survived = 0
     for start, end, new in chosen:
-        if tests.killer(os.path.join(tests.copy, inner), source.spoilt(start, end, new), names) is None:
+        data, function, tried = source.spoilt(start, end, new), source.function(start), 0
+        for name in tests.concerned(names, function and "%s:%d" % (module, function)):
+            if tests.fails(name, os.path.join(tests.copy, inner), data):
+                break
+            tried += 1
+        else:
             survived += 1
             line = source.data.count(b"\n", 0, start) + 1
             whole = source.data.splitlines()[line - 1].decode().strip()
-            print("%s:%d: %r -> %r in: %s" % (inner, line, source.data[start:end].decode(), new, whole), flush=True)
+            print("%s:%d: %r -> %r in: %s (seen by %d tests)" % (
+                inner, line, source.data[start:end].decode(), new, whole, tried), flush=True)
     print("%s: %d of %d places spoilt, %d killed, %d survived" % (
         module, len(chosen), len(places), len(chosen) - survived, survived), flush=True)
     return survived

@@ -4,6 +4,7 @@ world: services
 world: many 30 --context many.host_cxt/%n.rtc
 world: these ConsoleIn ConsoleOut ConsoleOut:ConsoleOut1 --context away.host_cxt/arm.cxt/%n.rtc
 world: these SequenceInComponent Motor Sensor
+world: these ConsoleOut:Twice0 --context first.host_cxt/%n.rtc,many.host_cxt/%n.rtc
 
 Service ports: interfaces, and which side provides them.
 
@@ -118,8 +119,16 @@ Three ports in one connection, and a component connected to itself, of which its
   -DataInPort: in
    +Connected to  /localhost:$PORT/test.host_cxt/Sensor0.rtc:out
 
-What is connected is shown even if it is bound nowhere, its process hangs, or has died:
+A component that is bound twice: the name beside the one that is connected with it.
 
+  $ rtcon ../many.host_cxt/Mock1.rtc:out ../first.host_cxt/Twice0.rtc:in
+  $ rtcat -l ../many.host_cxt/Mock1.rtc:out | grep Connected
+   +Connected to  /localhost:$PORT/many.host_cxt/Twice0.rtc:in
+
+What is connected is shown even if it does not say what it is, is bound nowhere, its process hangs, or has died:
+
+  $ ctl @these3 fail get_port_profile 1 UNKNOWN; rtcat -l ../many.host_cxt/Mock1.rtc:out | grep Connected
+   +Connected to  Unknown (127.0.0.1:*: CORBA.UNKNOWN) (glob)
   $ rtdel $far/ConsoleOut0.rtc
   $ rtcat -l ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected
    +Connected to  Unknown (ConsoleOut0.in)

@@ -73,6 +73,14 @@ class Files(Case):
             1000, written[0][1], written[-1][1], {"a": 500, "b": 500}, True))
         self.assertEqual(list(log.notes()), [])
 
+    def test_the_format_stays_as_it_is(self):
+        """Logs of earlier versions are read: numbers are little-endian, without gaps between them."""
+        block = b"".join(blocks.entry(7, -2, 3, True, b"data"))
+        self.assertEqual(block[:5] + block[9:], b"R\x17\0\0\0" + b"\7" + bytes(7) + b"\xfe" + b"\xff" * 7 + b"\3\0\1data")
+        data = self.write(messages(1))
+        self.assertEqual((data[:9], data[-8:]), (b"\x89RTLOG\r\nH", b"rtlogend"))
+        self.assertEqual(data[struct.unpack("<Q", data[-16:-8])[0]:][:1], b"I")
+
     def test_only_what_is_torn_is_cut_off(self):
         """To go on with a file whose middle is damaged would throw away all behind that; half a large record may go."""
         data = self.write(messages(100, 40000), close=False)

@@ -28,10 +28,13 @@ class Picture:
             self.boxes.append((x, y, x + width, y + height))
         self.colours = [rect.get("fill") for rect in root.findall(SVG + "rect")[1:]]
         self.texts = {(int(text.get("x")), int(text.get("y")), text.text or "") for text in root.findall(SVG + "text")}
-        self.lines = []
+        self.lines, self.turns = [], []
         for path in root.findall(SVG + "path"):
             x, y = re.match(r"M(-?\d+),(-?\d+)", path.get("d")).groups()
             around = re.search(r"V(-?\d+) H(-?\d+)\Z", path.get("d"))
+            if around:  # it turns beside the boxes
+                turns = re.match(r"M(-?\d+),-?\d+ H(-?\d+) V-?\d+ H(-?\d+) V-?\d+ H(-?\d+)\Z", path.get("d")).groups()
+                self.turns.append(tuple(map(int, turns)))
             end = (around.group(2), around.group(1)) if around else re.search(r"(-?\d+),(-?\d+)\Z", path.get("d")).groups()
             self.lines.append(((int(x), int(y)), tuple(map(int, end))))
 
@@ -50,6 +53,9 @@ class Svg(unittest.TestCase):
                 right = port in found.boxes[number].right
                 self.assertEqual(x, picture.boxes[number][2 if right else 0])
                 self.assertIn((x - 6 if right else x + 6, y + 5, graph_svg.printable(port)), picture.texts)
+        for left, turn, other_turn, right in picture.turns:
+            for end, beside in ((left, turn), (right, other_turn)):
+                self.assertTrue(graph_svg._LANE <= abs(end - beside) < 5 * graph_svg._LANE, (end, beside))
         self.assertEqual(list(graph_svg.lines(found)), list(graph_svg.lines(found)))
         return picture
 
@@ -64,6 +70,13 @@ class Svg(unittest.TestCase):
         a, c, b, _ = found.boxes
         self.assertTrue(a[2] < b[0] and b[2] < c[0])
         self.assertEqual(found.colours, ["salmon", "white", "white", "white"])
+
+    def test_colours(self):
+        states = ["Inactive", "Active", "Error", "Created", "Unknown", "Strange"]
+        profile = model.RtsProfile(components=[test_graph.component(state) for state in states])
+        found = self.check(graph.of(profile, {"localhost/%s.rtc" % state: state for state in states}))
+        self.assertEqual(found.colours, ["lightblue", "palegreen", "salmon", "white", "lightgrey", "lightgrey"])
+        self.assertEqual(graph.COLOURS["Unknown"], "lightgrey")
 
     def test_random_ones(self):
         for seed in range(100):

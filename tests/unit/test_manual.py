@@ -22,7 +22,7 @@ class Sets:
 
 class Order(unittest.TestCase):
     def test_without_a_word_from_the_author(self):
-        self.assertEqual(manual._order({}), list(manual.TITLES))
+        self.assertEqual(manual._order({}), ["intro", "reqs", "install", "usage", "ports", "config", "misc", "changelog"])
 
     def test_sections_of_the_authors_own_follow(self):
         self.assertEqual(manual._order({"history": "x", "intro": "y", "__url__": "z"})[-2:], ["changelog", "history"])
@@ -70,6 +70,14 @@ class Formats(unittest.TestCase):
         lines = manual_formats.latex(self.manual)
         self.assertEqual([line for line in lines if line.startswith(r"\end{document}")], [lines[-1]])
         self.assertNotIn(r"\end{document} {x", "\n".join(lines[:-1]).split(r"\begin{verbatim}")[0])
+
+    def test_whole_documents(self):
+        short = manual.Manual("Arm", "Moves", [("Vendor", "us")], [manual.Section("usage", "Usage", ["Start it."])], [])
+        self.assertEqual(manual_formats.rst(short), ["Arm", "===", "Moves", "", ":Vendor: us", "", "Usage", "-----", "Start it.", ""])
+        self.assertEqual(manual_formats.latex(short), [
+            r"\documentclass{article}", r"\usepackage[utf8]{inputenc}", r"\usepackage[T1]{fontenc}", r"\usepackage{longtable}",
+            r"\begin{document}", r"\section*{Arm}", "Moves", "", r"\begin{description}", r"\item[Vendor] us", r"\end{description}",
+            r"\subsection*{Usage}", "Start it.", r"\end{document}"])
 
     def test_rst_cells_stay_in_their_rows(self):
         row = [line for line in manual_formats.rst(self.manual) if "two lines" in line]

@@ -234,6 +234,8 @@ class Written(unittest.TestCase):
                 ("RTC.TimedChar({time}, 'ab')", "RTC.TimedChar: data: not a char: 'ab'"),
                 ("RTC.TimedString({time}, 'a\\0b')", "RTC.TimedString: data: a string holds no NUL"),
                 ("RTC.TimedString({time}, 5)", "RTC.TimedString: data: not a string: 5"),
+                ("RTC.TimedLong({time}, null)", "RTC.TimedLong: data: not a long: None"),
+                ("RTC.TimedLongSeq({time}, 5)", "RTC.TimedLongSeq: data: not a sequence<long>: 5"),
                 ("RTC.TimedOctet({time}, b'xy')", "RTC.TimedOctet: data: not an octet: b'xy'"),
                 ("RTC.TimedOctet({time}, b'')", "RTC.TimedOctet: data: not an octet: b''"),
                 ("RTC.TimedOctetSeq({time}, [1, 256])",

@@ -5,6 +5,7 @@ the other form beside it, both must say the same. One dropped into tests/data/in
 NAME.error if there is one. Real files are taken from $RTSHELL_PROFILES or from shared/data/profiles beside the repository.
 """
 import copy
+import gc
 import glob
 import os
 import sys
@@ -179,6 +180,8 @@ class Meaning(unittest.TestCase):
     def test_times_of_version_0_1(self):
         profile = load(os.path.join(DATA, "valid", "version-0.1.xml"))
         self.assertEqual([c.wait_time and c.wait_time.wait_time for c in profile.start_up.targets], [1500, None, None])
+        for form in FORMS:  # what is written is of 0.2
+            self.assertEqual(load(os.path.join(DATA, "valid", "version-0.1." + form)).version, "0.2")
 
     def test_boolean_and_number_spellings(self):
         for text, value in (("true", True), ("TRUE", True), ("1", True), ("0", False), ("False", False), ("", False)):
@@ -192,6 +195,17 @@ class Meaning(unittest.TestCase):
     def test_an_unknown_field_is_a_mistake_of_the_program(self):
         with self.assertRaises(TypeError):
             model.Property(nam="a")
+
+    def test_what_tests_show_of_an_element(self):
+        self.assertEqual(repr(model.Component(id="a", properties=[model.Property(name="b")])),
+                         "Component(id='a', properties=[Property(name='b')])")
+
+    def test_reading_leaves_the_collector_as_it_was(self):
+        self.addCleanup(gc.enable)
+        for switch, is_on in ((gc.enable, True), (gc.disable, False)):
+            switch()
+            read_xml("")
+            self.assertIs(gc.isenabled(), is_on)
 
 
 class Forms(unittest.TestCase):

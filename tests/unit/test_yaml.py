@@ -54,6 +54,7 @@ class Reading(unittest.TestCase):
 
     def test_an_alias_is_the_same_value(self):
         self.assertEqual(read("- &x {a: &y 1}\n- *x\n- *y\n- &z 2\n- *z\n"), [{"a": 1}, {"a": 1}, 1, 2, 2])
+        self.assertEqual(read("- &a k\n- *a : v\n"), ["k", {"k": "v"}])
 
     def test_an_anchor_belongs_to_the_key_or_to_what_is_below(self):
         self.assertEqual(read("&a k: v\nx: *a\n"), {"k": "v", "x": "k"})

@@ -1,0 +1,78 @@
+"""What rttop shows of each component: if this fails, trouble is not sorted to the top, or figures are printed wrongly."""
+import unittest
+
+from rtshell_lite import errors
+from rtshell_lite.data.statistics import Rate
+from rtshell_lite.top import rows
+
+
+def row(name, **changes):
+    return rows.Row("/robot/" + name, name, "component", None, None, None, None, None, None)._replace(**changes)
+
+
+class Arranged(unittest.TestCase):
+    def names(self, given, *sort):
+        return [each.name for each in rows.arranged(given, *sort)]
+
+    def test_by_state_trouble_comes_first(self):
+        states = [None, "Unknown", "Created", "Inactive", "Active", "-", "?", "Error"]
+        self.assertEqual(self.names([row(str(state), state=state) for state in states], "state"),
+                         [str(state) for state in reversed(states)])
+
+    def test_by_figures_the_most_comes_first(self):
+        given = [row("unknown"), row("few", rate=1.0, connections=1), row("many", rate=1000.0, connections=12)]
+        for sort in ("rate", "connections"):
+            self.assertEqual(self.names(given, sort), ["many", "few", "unknown"])
+
+    def test_the_order_stays_where_nothing_differs(self):
+        self.assertEqual(self.names([row("b"), row("a"), row("C")]), ["b", "a", "C"])
+
+    def test_words(self):
+        """All of them match: a part of a path, a whole state."""
+        given = [row("Arm0.rtc", state="Active"), row("Arm1.rtc", state="Inactive"), row("active.rtc", state="Error"), row("new.rtc")]
+        for words, expected in (("", 4), ("ROBOT", 4), ("arm", 2), ("active", 2), ("arm active", 1), ("arm error", 0)):
+            self.assertEqual(len(rows.arranged(given, "name", words)), expected, words)
+
+
+class Shown(unittest.TestCase):
+    def test_summary(self):
+        given = [row(str(number), state=state) for number, state in enumerate(["Active", "Error", "Active", "?", "-", None])]
+        self.assertEqual(rows.summary(given + [row("part", kind="unknown", state="?")]),
+                         "6 components: 1 Error, 1 silent, 1 zombie, 2 Active, 1 not asked yet")
+        self.assertEqual([rows.summary([]), rows.summary(given[:1])], ["0 components", "1 component: 1 Active"])
+
+    def test_line(self):
+        for given, expected in (
+                (row("a.rtc"), "                 -     -  a.rtc"),
+                (row("a.rtc", state="Active", rate=1000.0, running=True, connections=0), "Active        1000     0  a.rtc"),
+                (row("a.rtc", state="Inactive", rate=0.5, running=False, connections=12), "Inactive   stopped    12  a.rtc"),
+                (row("a.rtc", kind="zombie", state="-"), "-                -     -  *a.rtc"),
+                (row("a.rtc", kind="silent", state="?", failure=errors.Silent("/robot/a.rtc", "no answer within 3 s")),
+                 "?                -     -  ?a.rtc: no answer within 3 s"),
+                (row("a.rtc", failure=errors.Failed("/robot", "bad \x1b")), "                 -     -  a.rtc: /robot: bad \\x1b")):
+            self.assertEqual(rows.line(given), expected)
+
+    def test_rates(self):
+        for given, expected in (
+                (Rate("a:out", 12.34, 999.4, None), "    12.3 Hz      999 B/s  a:out"),
+                (Rate("a:out", 0.0, 1000.0, None), "     0.0 Hz     1.0 kB/s  a:out"),
+                (Rate("a:out", 1000.0, 1e6, None), "  1000.0 Hz     1.0 MB/s  a:out"),
+                (Rate("a:out", 1000.0, 2.55e9, None), "  1000.0 Hz     2.5 GB/s  a:out"),
+                (Rate("a:out", None, None, None), "       - Hz            -  a:out"),
+                (Rate("a:out", None, None, errors.Failed("a:out", "gone \x1b")), "       ? Hz            ?  a:out: gone \\x1b")):
+            self.assertEqual(rows.rate_line(given), expected)
+
+    def test_json(self):
+        self.assertEqual(rows.rate_as_dict(Rate("a", 1.23456, 9.87, None), 5.0), {
+            "time": 5.0, "path": "a", "kind": "port", "values_per_second": 1.235, "bytes_per_second": 9.9})
+        failed = errors.Failed("a", "gone")
+        self.assertEqual(rows.rate_as_dict(Rate("a", None, None, failed), 5.0), {
+            "time": 5.0, "path": "a", "kind": "port", "values_per_second": None, "bytes_per_second": None, "error": "a: gone"})
+        self.assertEqual(rows.as_dict(row("a"), 5.0), {
+            "time": 5.0, "path": "/robot/a", "name": "a", "kind": "component", "state": None, "rate": None, "running": None,
+            "ports": None, "connections": None})
+        self.assertEqual(rows.as_dict(row("a", failure=failed), 5.0)["error"], "a: gone")
+
+
+if __name__ == "__main__":
+    unittest.main()
