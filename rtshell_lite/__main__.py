@@ -17,7 +17,6 @@ if __name__ == "__main__" and not sys.flags.isolated and not getattr(sys.flags, 
 from rtshell_lite import start
 start.quietly(__name__)
 
-import difflib
 import shlex
 
 from rtshell_lite import cli, errors
@@ -47,8 +46,7 @@ def unpack(directory, wheels):
 
 def unknown(name):
     """The message for an unknown command."""
-    near = difflib.get_close_matches(name, installation.commands(), 1)
-    return f"{name}: no such command" + (f"; did you mean {near[0]}?" if near else "")
+    return f"{name}: no such command{text.near(name, installation.commands())}"
 
 
 def summaries():

@@ -88,6 +88,8 @@ def _settle(quiet, verbose, session):
 class _Closed(io.TextIOBase):
     """stdout of a command that was started without one: writing is an error, as it is for cat."""
 
+    buffer = property(lambda self: self)
+
     def write(self, s):
         raise OSError(errno.EBADF, "cannot write the output: " + os.strerror(errno.EBADF))
 

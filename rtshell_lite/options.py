@@ -161,6 +161,15 @@ def parsed(words):
     return [path.parse(word) for word in words]
 
 
+def command(args, known):
+    """Check that args.command, which follows args.path, is one of these words. Raises Usage."""
+    if args.command in known:
+        return
+    if args.path in known:
+        raise errors.Usage(f"the path comes first: {text.shell_word(args.command)} {args.path} …")
+    raise errors.Usage(f"no such command: {text.printable(args.command)}{text.candidates(args.command, known)}")
+
+
 def execution_context(parser):
     """-e: which execution context."""
     parser.add_argument("-e", "--exec-context", "--exec_context", type=int, default=0, metavar="N",

@@ -184,7 +184,7 @@ def canonical(node):
 def change_all(paths, transition, index=0, wait=None, dry_run=False):
     """`change` for the component at each path, in parallel: a line that says what was done, or an errors.Error, for each.
 
-    With `dry_run` nothing changes, and the line is the command that would change the component, '' where none is needed.
+    If one is something else than a component, none is changed, and only the WrongKinds are returned. With `dry_run` nothing changes, and the line is the command that would change the component, '' where none is needed.
     """
     def change_one(node):
         if dry_run:
@@ -192,7 +192,9 @@ def change_all(paths, transition, index=0, wait=None, dry_run=False):
             words = [transition.command] + ["-e", str(index)] * bool(index) + [shell_word(str(node.path))]
             return "" if now == transition.target else " ".join(words)
         return f"{node.path}: {change(node, transition, index, wait)}"
-    return tree.on_components(paths, change_one)
+    orb.start()
+    nodes = tree.at_each(paths, tree.component)
+    return [node for node in nodes if isinstance(node, errors.WrongKind)] or tree.on_nodes(nodes, change_one)
 
 
 def _members_first(node, ref, wait):

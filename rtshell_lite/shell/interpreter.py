@@ -1,6 +1,5 @@
 """How rtsh reads commands and runs them in its own process, with one ORB and open connections."""
 import contextlib
-import difflib
 import io
 import os
 import re
@@ -9,7 +8,7 @@ import sys
 
 from rtshell_lite import cli, errors
 from rtshell_lite.shell import installation
-from rtshell_lite.text import printable
+from rtshell_lite.text import near, printable
 
 # A word of sh, an operator or a comment, after blanks.
 _TOKEN = re.compile(r"""\s*(?: (?P<word> (?: [^\s;&|<>()'"\\\#] | \\. | '[^']*' | "(?:[^"\\]|\\.)*" )
@@ -81,9 +80,7 @@ class Interpreter:
         for name in ({"cd": "rtcwd"}.get(word, word), "rt" + word):
             if name in self.files:
                 return name
-        near = difflib.get_close_matches(word, sorted(self.files), 1)
-        hint = f"; did you mean {near[0]}?" if near else ""
-        raise errors.BadLine(f"{printable(word) or repr('')}: no such command{hint}")
+        raise errors.BadLine(f"{printable(word) or repr('')}: no such command{near(word, sorted(self.files))}")
 
     def run_line(self, line):
         """Run the commands of a line. Raises BadLine, Left."""

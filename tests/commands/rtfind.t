@@ -226,10 +226,10 @@ What cannot be:
   rtfind: a:b:c: bad path (one colon stands before a port; write \: in a name)
   [2]
   $ rtfind / -t cx
-  rtfind: -t: no such type: x (see --help)
+  rtfind: -t: no such type: x (there are: c, d, m, n, z) (see --help)
   [2]
   $ rtfind / --state sleepy
-  rtfind: --state: no such state: sleepy (see --help)
+  rtfind: --state: no such state: sleepy (there are: active, inactive, error, created, unknown) (see --help)
   [2]
   $ rtfind / -m -1
   rtfind: -m: below 0: -1 (see --help)
