@@ -19,7 +19,7 @@ start.quietly(__name__)
 
 import shlex
 
-from rtshell_lite import cli, errors
+from rtshell_lite import cli, errors, text
 from rtshell_lite.shell import installation
 
 
@@ -33,7 +33,7 @@ def run(args):
         return unpack(args.unpack, args.words)
     if args.words:
         raise errors.Usage(unknown(args.words[0]))
-    print("\n".join(["commands (COMMAND --help says more):"] + summaries()))
+    print("\n".join(["commands (COMMAND --help says more):"] + installation.summaries()))
 
 
 def unpack(directory, wheels):
@@ -49,13 +49,6 @@ def unknown(name):
     return f"{name}: no such command{text.near(name, installation.commands())}"
 
 
-def summaries():
-    """A line for each command: its name and the first line of its help."""
-    commands = installation.commands()
-    width = max(map(len, commands))
-    return [f"  {name:{width}}  {installation.summary(installation.read(path))}" for name, path in sorted(commands.items())]
-
-
 def run_command(path, words):
     """Become that command, as if the shell had started it."""
     sys.argv = [path] + words
@@ -68,7 +61,7 @@ def main():
     words = sys.argv[1:]
     try:
         command = words and installation.commands().get(words[0])
-        doc = __doc__ + "\ncommands:\n" + "\n".join(summaries()) if words[:1] in (["-h"], ["--help"]) else __doc__
+        doc = __doc__ + "\ncommands:\n" + "\n".join(installation.summaries()) if words[:1] in (["-h"], ["--help"]) else __doc__
     except (errors.Error, OSError) as e:
         sys.exit(cli.complain(e))
     if command:

@@ -149,6 +149,16 @@ def one_of(*words):
     return check
 
 
+def state(word):
+    """An option type: a state of a component, in any case."""
+    if word.lower() not in state.words:
+        raise argparse.ArgumentTypeError(f"no such state: {text.printable(word)}{text.candidates(word, state.words)}")
+    return word
+
+
+state.words = [name.lower() for name in text.STATES]  # for completion
+
+
 # ---- options that commands share ------------------------------------------------------------------------------
 
 def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):

@@ -184,7 +184,8 @@ def canonical(node):
 def change_all(paths, transition, index=0, wait=None, dry_run=False):
     """`change` for the component at each path, in parallel: a line that says what was done, or an errors.Error, for each.
 
-    If one is something else than a component, none is changed, and only the WrongKinds are returned. With `dry_run` nothing changes, and the line is the command that would change the component, '' where none is needed.
+    If one is something else than a component, none is changed, and only the WrongKinds are returned.
+    With `dry_run` nothing changes, and the line is the command that would change the component, '' where none is needed.
     """
     def change_one(node):
         if dry_run:

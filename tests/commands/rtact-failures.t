@@ -18,9 +18,6 @@ Wrong usage:
   $ rtact --dry ConsoleIn0.rtc
   rtact: unrecognized arguments: --dry (see --help)
   [2]
-  $ rtact ''
-  rtact: empty path
-  [2]
   $ rtact 'a\q.rtc'
   rtact: a\q.rtc: bad escape \q
   [2]

@@ -105,9 +105,6 @@ Not a component, no such component:
   $ rtconf ConfigSample0.rtc/
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: not a directory (it is a component)
   [3]
-  $ rtconf ''
-  rtconf: empty path
-  [2]
 
 Dead and silent peers:
 

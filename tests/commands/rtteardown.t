@@ -82,9 +82,12 @@ A port that its component has not got any more, and components of which none is 
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:old: done
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
   rtteardown: 2 done, 1 already so
-  $ sed 's/ConsoleIn0/Gone0/g; s/ConsoleOut/Gone/g; s/MyService[CP][a-z]*0/&9/g' a.xml > c.xml; rtteardown c.xml
-  rtteardown: /localhost:$PORT/test.host_cxt/Gone0.rtc: the file has two components here
-  [1]
+  $ sed 's/ConsoleIn/AwayIn/g; s/ConsoleOut/AwayOut/g; s/MyService[CP][a-z]*0/&9/g' a.xml > c.xml; rtteardown c.xml
+  rtteardown: /localhost:$PORT/test.host_cxt/AwayIn0.rtc: no such path
+  rtteardown: /localhost:$PORT/test.host_cxt/AwayOut0.rtc: no such path
+  rtteardown: /localhost:$PORT/test.host_cxt/AwayOut1.rtc: no such path
+  rtteardown: /localhost:$PORT/test.host_cxt/MyServiceConsumer09.rtc: no such path; did you mean MyServiceConsumer0.rtc?
+  rtteardown: /localhost:$PORT/test.host_cxt/MyServiceProvider09.rtc: no such path; did you mean MyServiceProvider0.rtc?
 
 What is silent cannot be freed:
 

@@ -189,9 +189,6 @@ Wrong usage is found before anything is asked:
   $ rttop -n many
   rttop: argument -n/--number: invalid int value: 'many' (see --help)
   [2]
-  $ rttop ''
-  rttop: empty path
-  [2]
   $ ctl calls
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):
