@@ -17,10 +17,9 @@ if __name__ == "__main__" and not sys.flags.isolated and not getattr(sys.flags, 
 from rtshell_lite import start
 start.quietly(__name__)
 
-import difflib
 import shlex
 
-from rtshell_lite import cli, errors
+from rtshell_lite import cli, errors, text
 from rtshell_lite.shell import installation
 
 
@@ -34,7 +33,7 @@ def run(args):
         return unpack(args.unpack, args.words)
     if args.words:
         raise errors.Usage(unknown(args.words[0]))
-    print("\n".join(["commands (COMMAND --help says more):"] + summaries()))
+    print("\n".join(["commands (COMMAND --help says more):"] + installation.summaries()))
 
 
 def unpack(directory, wheels):
@@ -47,15 +46,7 @@ def unpack(directory, wheels):
 
 def unknown(name):
     """The message for an unknown command."""
-    near = difflib.get_close_matches(name, installation.commands(), 1)
-    return f"{name}: no such command" + (f"; did you mean {near[0]}?" if near else "")
-
-
-def summaries():
-    """A line for each command: its name and the first line of its help."""
-    commands = installation.commands()
-    width = max(map(len, commands))
-    return [f"  {name:{width}}  {installation.summary(installation.read(path))}" for name, path in sorted(commands.items())]
+    return f"{name}: no such command{text.near(name, installation.commands())}"
 
 
 def run_command(path, words):
@@ -70,7 +61,7 @@ def main():
     words = sys.argv[1:]
     try:
         command = words and installation.commands().get(words[0])
-        doc = __doc__ + "\ncommands:\n" + "\n".join(summaries()) if words[:1] in (["-h"], ["--help"]) else __doc__
+        doc = __doc__ + "\ncommands:\n" + "\n".join(installation.summaries()) if words[:1] in (["-h"], ["--help"]) else __doc__
     except (errors.Error, OSError) as e:
         sys.exit(cli.complain(e))
     if command:

@@ -13,6 +13,9 @@ from rtshell_lite.corba import lanes
 
 FLUSH_LIMIT = 1.0  # seconds for flushing the output after a signal: its reader may have stopped
 
+# Variables by the names that manuals of rtshell give them, and their real ones
+MISNAMED = {"RTCSH_NAMESERVERS": "RTCTREE_NAMESERVERS", "RTSH_CWD": "RTCSH_CWD"}
+
 _quiet = _verbose = False
 _left_out = set()  # type: set  # lines already printed by left_out()
 
@@ -44,6 +47,9 @@ def command(arguments, run, doc, argv):
     try:
         args = options.parser(arguments, doc, os.path.basename(sys.argv[0])).parse_args(argv)
         _settle(args.quiet, args.verbose, lanes.Session(args.timeout))
+        for name in MISNAMED.keys() & os.environ.keys():
+            del os.environ[name]  # rtsh reports it once
+            note(f"{name} is not read; the variable is {MISNAMED[name]}")
         return run(args) or (errors.Partial.status if _left_out else 0)
     except errors.Error as e:
         return complain(e)
@@ -87,6 +93,8 @@ def _settle(quiet, verbose, session):
 
 class _Closed(io.TextIOBase):
     """stdout of a command that was started without one: writing is an error, as it is for cat."""
+
+    buffer = property(lambda self: self)
 
     def write(self, s):
         raise OSError(errno.EBADF, "cannot write the output: " + os.strerror(errno.EBADF))
@@ -159,6 +167,12 @@ def note(line):
     """Print a remark that is not a failure on stderr, unless --quiet is given."""
     if not is_quiet():
         _say(line)
+
+
+def reading(name, what):
+    """Say that a command waits for what the user types, if it reads the file `name` from a terminal (`-`)."""
+    if name == "-" and sys.stdin is not None and sys.stdin.isatty():
+        note(f"reading {what} from standard input; Ctrl-D ends it")
 
 
 def is_quiet():

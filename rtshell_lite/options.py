@@ -161,6 +161,16 @@ def one_of(*words):
     return check
 
 
+def state(word):
+    """An option type: a state of a component, in any case."""
+    if word.lower() not in state.words:
+        raise argparse.ArgumentTypeError(f"no such state: {text.printable(word)}{text.candidates(word, state.words)}")
+    return word
+
+
+state.words = [name.lower() for name in text.STATES]  # for completion
+
+
 # ---- options that commands share ------------------------------------------------------------------------------
 
 def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
@@ -171,6 +181,15 @@ def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
 def parsed(words):
     """The paths that the user typed; nothing is contacted. Raises BadPath."""
     return [path.parse(word) for word in words]
+
+
+def command(args, known):
+    """Check that args.command, which follows args.path, is one of these words. Raises Usage."""
+    if args.command in known:
+        return
+    if args.path in known:
+        raise errors.Usage(f"the path comes first: {text.shell_word(args.command)} {args.path} …")
+    raise errors.Usage(f"no such command: {text.printable(args.command)}{text.candidates(args.command, known)}")
 
 
 def execution_context(parser):

@@ -88,10 +88,11 @@ def _spelt_server(server):
 
 
 def parse(text, cwd=None):
-    """The Path that a user typed. `cwd` is where relative paths start (default: $RTCSH_CWD). Raises BadPath."""
-    if not text:
-        raise errors.BadPath("empty path")
-    elements = _elements(text)
+    """The Path that a user typed. `cwd` is where relative paths start (default: $RTCSH_CWD). Raises BadPath.
+
+    An empty path is the working directory, as for rtshell.
+    """
+    elements = _elements(text or ".")
     if not text.startswith("/"):
         elements = _elements(_working_directory(cwd)) + elements
     directory = elements[-1] in ("", ".", "..")

@@ -83,12 +83,27 @@ def judged(s):
 
 
 LONGEST = 1 << 17  # characters of a word on a command line, at most
+CHOICES = 12  # words offered in place of a wrong one
 BEGINNING = 1000  # characters that are shown of a longer text
 
 
 def cut(s):
     """`s`, or the beginning of one that is too long to read or type, and how much is left out."""
     return s if len(s) <= LONGEST else f"{s[:BEGINNING]}… ({len(s) - BEGINNING} more characters)"
+
+
+def near(word, known):
+    """What a message about a wrong word ends with: the one of the words `known` that resembles it; '' if none does."""
+    import difflib
+    close = difflib.get_close_matches(word, known, 1)
+    return f"; did you mean {printable(close[0])}?" if close else ""
+
+
+def candidates(word, known):
+    """What a message about a wrong word ends with: the one of the words `known` that resembles it, else the first CHOICES."""
+    known = list(known)
+    choices = ", ".join(map(printable, known[:CHOICES])) + ", …" * (len(known) > CHOICES)
+    return near(word, known) or f" (there are: {choices or 'none'})"
 
 
 def _escape(c):

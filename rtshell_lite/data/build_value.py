@@ -162,7 +162,7 @@ class _Builder:
         if given is None and timed(descriptor):
             given = {"data": written}
         if given is None:
-            _unfit(descriptor, written, where)
+            _unfit(descriptor, written, where, "; {time} is the present" if is_time(descriptor) else "")
         values = []
         for name, inner in members(descriptor):
             if name == "tm" and name not in given and is_time(inner):
@@ -240,8 +240,8 @@ def _member(names, name):
     return name[1:] if name[:1] == "_" and name[1:] in names else "_" + name if "_" + name in names else name
 
 
-def _unfit(descriptor, written, where):
-    raise errors.BadValue(where, f"not {_a(descriptor)}: {_shown(written)}")
+def _unfit(descriptor, written, where, hint=""):
+    raise errors.BadValue(where, f"not {_a(descriptor)}: {_shown(written)}{hint}")
 
 
 def _a(descriptor):

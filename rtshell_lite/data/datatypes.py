@@ -83,7 +83,8 @@ class Types:
     """The standard types, and those of the user.
 
     `modules` are names of stubs to import, `path` directories to look in first, `idl` IDL files, `include` directories of
-    files that these include. They are read when a type is not a standard one.
+    files that these include. They are read when a type is not a standard one, and IDL files in any case: what they define
+    counts before the standard type of that name.
     """
 
     def __init__(self, modules=(), path=(), idl=(), include=()):
@@ -101,6 +102,10 @@ class Types:
             for name in self.modules:
                 self._users.update(_of_module(_imported(name, self.path)))
         return self
+
+    def scopes(self):
+        """Names of the Python modules in which omniidl puts the user's types, as far as they have been read: Arm, Arm.Joint."""
+        return sorted({".".join(_parts(type_id)[:-1]) or "_GlobalIDL" for type_id in self._users or ()})
 
     def named(self, name):
         """The Type of a name: TimedLong, RTC.TimedLong, RTC::TimedLong, IDL:RTC/TimedLong:1.0. Raises NoSuch, BadIdl."""
@@ -128,9 +133,10 @@ class Types:
     def _find(self, name):
         if name not in self._known:
             descriptor = standard(name)
-            if descriptor is None:
+            if descriptor is None or self.idl:
                 self.load()
-                descriptor = _best(self._users, name)
+                own = self._users.get(descriptors.type_id(descriptor)) if descriptor else _best(self._users, name)
+                descriptor = own or descriptor
             self._known[name] = descriptor and Type(descriptor)
         return self._known[name]
 

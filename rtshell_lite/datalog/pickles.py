@@ -179,7 +179,8 @@ class Machine:
         elif self._known(module, name):
             self.push(Class(module, name))
         else:
-            raise Refused(f"{printable(module)}.{printable(name)} is none of the classes that a log holds")
+            raise Refused(f"{printable(module)}.{printable(name)} is none of the classes that a log holds; "
+                          "-m MODULE names a module of your own")
 
     def find_on_stack(self):
         name, module = self._pop(), self._pop()

@@ -99,9 +99,11 @@ class Log:
         return machine
 
     def _may_appear(self, module, name):
-        if (module, name) in _RTSHELL or (module, name) == ("omniORB", "EnumItem") or module in self._modules:
+        if (module, name) in _RTSHELL or (module, name) == ("omniORB", "EnumItem"):
             return True
         parts = module.split(".")
+        if any(".".join(parts[start:]) in self._modules for start in range(len(parts))):  # stubs may be in a package
+            return True
         return parts[0] in _HOMES and parts[-1] in _STANDARD
 
     def _entry(self, number, loaded, length):

@@ -195,6 +195,7 @@ async def canonical(node):
 def change_all(paths, transition, index=0, wait=None, dry_run=False):
     """`change` for the component at each path, in parallel: a line that says what was done, or an errors.Error, for each.
 
+    If one is something else than a component, none is changed, and only the WrongKinds are returned.
     With `dry_run` nothing changes, and the line is the command that would change the component, '' where none is needed.
     """
     @tasks.task
@@ -205,7 +206,9 @@ def change_all(paths, transition, index=0, wait=None, dry_run=False):
             return "" if now == transition.target else " ".join(words)
         now = await change.task(node, transition, index, wait)
         return f"{node.path}: {now}"
-    return tree.on_components(paths, change_one)
+    orb.start()
+    nodes = tree.at_each(paths, tree.component)
+    return [node for node in nodes if isinstance(node, errors.WrongKind)] or tree.on_nodes(nodes, change_one)
 
 
 async def _members_first(node, ref, wait):

@@ -5,7 +5,7 @@ import re
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, tasks
 from rtshell_lite.robot import tree
-from rtshell_lite.text import from_wire, printable, shell_word, to_wire, unescaped
+from rtshell_lite.text import candidates, from_wire, printable, shell_word, to_wire, unescaped
 
 # One configuration set: `values` an OrderedDict of texts in the component's order, `active` True for the one in use.
 Set = collections.namedtuple("Set", "id description values active")
@@ -59,14 +59,15 @@ class Configuration:
             raise errors.Refused(self.where, "has no active configuration set; name one with -s")
         set_id = self.active if set_id is None else set_id
         if set_id not in self.raw or hidden(set_id) and not with_hidden:
-            raise errors.NoSuch(self.where, "configuration set", printable(set_id))
+            known = [one_set.id for one_set in self.sets(with_hidden)]
+            raise errors.NoSuch(self.where, "configuration set", printable(set_id) + candidates(set_id, known))
         return self._set(set_id)
 
     def check(self, values, within):
         """Raise NoSuch unless the Set `within` has every parameter in `values`."""
         for name in values:
             if name not in within.values:
-                raise errors.NoSuch(self.where, "configuration parameter", printable(name))
+                raise errors.NoSuch(self.where, "configuration parameter", printable(name) + candidates(name, within.values))
 
     def store(self, values, within):
         """Set `values` (a dict) in the Set `within`. The active set is activated again: a component forgets it otherwise.
@@ -85,7 +86,7 @@ class Configuration:
     def check_active(self, set_id):
         """Raise NoSuch or Refused unless `set_id` can be made the active set."""
         if set_id not in self.raw:
-            raise errors.NoSuch(self.where, "configuration set", printable(set_id))
+            self.set(set_id)
         if hidden(set_id):
             raise errors.Refused(self.where, f"configuration set {printable(set_id)} holds metadata and cannot be active")
 

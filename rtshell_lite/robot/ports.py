@@ -19,6 +19,11 @@ DEFAULTS = (("dataport.dataflow_type", "push"), ("dataport.interface_type", "cor
 
 RATES = ("dataport.publisher.push_rate", "dataport.push_rate", "dataport.outport.publisher.push_rate",
          "dataport.outport.push_rate")  # where components look for the rate of a periodic connection
+# Properties of a connection that OpenRTM-aist reads (InPortConnector, OutPortConnector, PublisherNew, CdrRingBuffer)
+PROPERTIES = ["dataport." + name for name in (
+    "buffer.length", "buffer.read.empty_policy", "buffer.read.timeout", "buffer.write.full_policy", "buffer.write.timeout",
+    "data_type", "dataflow_type", "interface_type", "publisher.push_policy", "publisher.push_rate", "publisher.skip_count",
+    "serializer.cdr.endian", "subscription_type")]
 MOST_PORTS, MOST_PARTS, MOST_ENDS = 1000, 1000, 16  # of a component, of a port, of a connector; more are not taken
 
 ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push

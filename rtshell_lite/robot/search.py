@@ -27,11 +27,16 @@ def _expression(pattern):
 
 
 def find(paths, wanted):
-    """The Nodes at and below `paths` that are Wanted, in the order of the tree, and a list of the errors met."""
+    """The Nodes at and below `paths` that are Wanted, in the order of the tree, a list of the errors met, and near misses.
+
+    These are nodes whose names would match without their kinds, if no name does.
+    """
     parts, failures = errors.parted(tree.at_each(paths, lambda path: _below(path, wanted)))
     nodes = [node for part in parts for node in part]
     failures += [node.error for node in nodes if node.error is not None and node.kind != "zombie"]
-    nodes = [node for node in nodes if not wanted.names or any(match(node.name) for match in wanted.names)]
+    named = [node for node in nodes if not wanted.names or _matches(node.name, wanted.names)]
+    close = [] if named else [node for node in nodes if node.path.names and _matches(node.path.names[-1].id, wanted.names)]
+    nodes = named
     if wanted.kinds:
         nodes = [node for node in nodes if node.kind == "unsure" or wanted.kinds & CAN_BE.get(node.kind, {node.kind})]
     if wanted.kinds or wanted.state:  # only then it matters what lives
@@ -41,7 +46,11 @@ def find(paths, wanted):
     if wanted.state:
         nodes, more = _in_state(nodes, wanted.state.capitalize())
         failures += more
-    return nodes, failures + [node.error for node in nodes if node.kind == "silent"]
+    return nodes, failures + [node.error for node in nodes if node.kind == "silent"], close
+
+
+def _matches(name, patterns):
+    return any(match(name) for match in patterns)
 
 
 def _below(path, wanted):

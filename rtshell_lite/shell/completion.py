@@ -132,7 +132,8 @@ def _of_kind(kind, word, positional):
 
 # ---- the RTC Tree ---------------------------------------------------------------------------------------------
 
-_Entry = collections.namedtuple("_Entry", "name kind")  # a printable name in a directory; directory, manager or object
+# A printable name in a directory; directory, manager, component (of kind rtc) or another object
+_Entry = collections.namedtuple("_Entry", "name kind")
 
 
 def _paths(wanted, port_types=(), port_needed=False):
@@ -147,8 +148,10 @@ def _paths(wanted, port_types=(), port_needed=False):
             descend = entry.kind == "directory" or entry.kind == "manager" and "manager" not in wanted
             if descend:
                 found.append(Candidate(_no_option(above + entry.name) + "/", False, ""))
-            elif entry.kind in wanted or entry.kind == "object" and port_types:
-                found.append(Candidate(_no_option(above + entry.name) + (":" if port_needed else ""), not port_types, ""))
+            elif entry.kind == "component" and port_types:
+                found.append(Candidate(_no_option(above + entry.name) + (":" if port_needed else ""), False, ""))
+            elif entry.kind in wanted and not port_needed:
+                found.append(Candidate(_no_option(above + entry.name), True, ""))
         return found
     return complete
 
@@ -174,12 +177,14 @@ def _entries(path):
     if node.kind == "unsure":
         node, = tree.look([node])
     if node.kind in ("server", "directory"):
-        return [_Entry(str(name), "directory" if context else "manager" if name.kind == "mgr" else "object")
+        return [_Entry(str(name), "directory" if context else _BY_NAME.get(name.kind, "object"))
                 for name, context in tree.bound(node)]
     if node.kind not in tree.DIRECTORIES:
         return []
-    kinds = {"component": "object", "server": "directory"}
-    return [_Entry(child.name, kinds.get(child.kind, child.kind)) for child in tree.children(node)]
+    return [_Entry(child.name, "directory" if child.kind == "server" else child.kind) for child in tree.children(node)]
+
+
+_BY_NAME = {"mgr": "manager", "rtc": "component"}  # kinds in names
 
 
 def _ports(component, types):
@@ -224,7 +229,14 @@ def _directories(word, positional):
 
 
 _DATA, _ALL = ("DataInPort", "DataOutPort"), ("DataInPort", "DataOutPort", "CorbaPort", "Port")
-_OBJECTS = ("object",)
+_OBJECTS = ("component", "object")
+
+
+def _properties(_, __):
+    """Properties of connections that OpenRTM knows."""
+    from rtshell_lite.robot import ports
+    return [Candidate(name + "=", False, "") for name in ports.PROPERTIES]
+
 
 KINDS = {
     "PATH": _paths(_OBJECTS), "OTHER": _paths(_OBJECTS), "PATH|SERVER": _paths(_OBJECTS),
@@ -233,5 +245,5 @@ KINDS = {
     "PATH:PORT": _paths(_OBJECTS, _ALL, True), "PATH:PORT[.NAME]": _paths(_OBJECTS, _DATA, True),
     "PATH[:PORT]": _paths(_OBJECTS, _ALL), "PATH[:PORT,…]": _paths(_OBJECTS, _ALL),
     "PATH:OUT": _paths(_OBJECTS, _DATA[1:], True), "PATH:IN": _paths(_OBJECTS, _DATA[:1], True),
-    "SET": _sets, "PARAM": _parameters, "FILE": _files, "DIR": _directories,
+    "SET": _sets, "PARAM": _parameters, "FILE": _files, "DIR": _directories, "KEY=VALUE": _properties,
 }

@@ -74,6 +74,13 @@ def summary(source):
     return (ast.get_docstring(ast.parse(source)) or "").partition("\n")[0]
 
 
+def summaries():
+    """A line for each command: its name and the first line of its help."""
+    known = commands()
+    width = max(map(len, known))
+    return [f"  {name:{width}}  {summary(read(path))}" for name, path in sorted(known.items())]
+
+
 def _in_wheel(archive):
     with zipfile.ZipFile(archive) as members:
         scripts = [name for name in members.namelist() if re.match(r"rtshell_lite-[^/]+\.data/scripts/[^/]+$", name)]

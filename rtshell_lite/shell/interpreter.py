@@ -1,6 +1,5 @@
 """How rtsh reads commands and runs them in its own process, with one ORB and open connections."""
 import contextlib
-import difflib
 import io
 import os
 import re
@@ -9,7 +8,7 @@ import sys
 
 from rtshell_lite import cli, errors
 from rtshell_lite.shell import installation
-from rtshell_lite.text import printable
+from rtshell_lite.text import near, printable
 
 # A word of sh, an operator or a comment, after blanks.
 _TOKEN = re.compile(r"""\s*(?: (?P<word> (?: [^\s;&|<>()'"\\\#] | \\. | '[^']*' | "(?:[^"\\]|\\.)*" )
@@ -69,10 +68,10 @@ def lines(read):
 
 
 class Interpreter:
-    """Runs commands; `status` is the exit status of the last one, `stop`: a failure ends rtsh."""
+    """Runs commands; `status` is the exit status of the last one, `stop`: a failure ends rtsh. `show(text)` prints help."""
 
-    def __init__(self, stop=False):
-        self.stop, self.status = stop, 0
+    def __init__(self, stop=False, show=None):
+        self.stop, self.status, self.show = stop, 0, show
         self.files = {name: path for name, path in installation.commands().items() if name != "rtsh"}
         self._modules = {}
 
@@ -81,9 +80,7 @@ class Interpreter:
         for name in ({"cd": "rtcwd"}.get(word, word), "rt" + word):
             if name in self.files:
                 return name
-        near = difflib.get_close_matches(word, sorted(self.files), 1)
-        hint = f"; did you mean {near[0]}?" if near else ""
-        raise errors.BadLine(f"{printable(word) or repr('')}: no such command{hint}")
+        raise errors.BadLine(f"{printable(word) or repr('')}: no such command{near(word, sorted(self.files))}")
 
     def run_line(self, line):
         """Run the commands of a line. Raises BadLine, Left."""
@@ -91,6 +88,9 @@ class Interpreter:
             cli.detail(" ".join(map(shlex.quote, words)))
             if words[0] == "exit":
                 raise Left(_status(words[1:], self.status))
+            if words[0] == "help":
+                self.status = self._help(words[1:])
+                continue
             self.status = self.run(words)
             if self.status and self.stop or self.status == 141:
                 raise Left(self.status)
@@ -104,6 +104,13 @@ class Interpreter:
         if name == "rtcwd" and not re.match("-h$|--help$|--version$|--shell", " ".join(words[1:2])):
             return self._change_directory(name, words[1:])
         return self._run(name, words[1:])
+
+    def _help(self, words):
+        if words:
+            return self.run(words[:1] + ["--help"])
+        self.show("\n".join(["commands, with or without rt; help COMMAND says more:"] + installation.summaries() + [
+            "  cd  changes the working directory, as rtcwd does", "  exit [STATUS]  ends rtsh"]))
+        return 0
 
     def _run(self, name, words):
         if name not in self._modules:

@@ -68,5 +68,5 @@ class Editor:
     def _names(self, typed):
         """Names of commands without rt, or with it if `typed` has it."""
         full = sorted(self.interpreter.files)
-        names = full if typed.startswith("rt") else sorted(["cd", "exit"] + [name[len("rt"):] for name in full])
+        names = full if typed.startswith("rt") else sorted(["cd", "exit", "help"] + [name[len("rt"):] for name in full])
         return [name + " " for name in names if name.startswith(typed)]

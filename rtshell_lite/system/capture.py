@@ -3,7 +3,7 @@ import collections
 import functools
 import re
 
-from rtshell_lite import errors, path
+from rtshell_lite import cli, errors, path
 from rtshell_lite.corba import orb, tasks
 from rtshell_lite.robot import component, places, ports, snapshot, tree
 from rtshell_lite.robot.snapshot import BRIEF, FULL
@@ -257,6 +257,7 @@ def shown_path(each):
 def read(name, form=None):
     """The profile in a file (`-`: stdin). Raises OSError, BadProfile."""
     from rtshell_lite import files
+    cli.reading(name, "an RtsProfile")
     return rtsprofile.load(files.read(name), name, form)
 
 

@@ -190,7 +190,15 @@ class Disconnect(Connection):
     command = ""  # once it has been seen that it is there
 
     def _living(self):
-        return [(site, name) for site, name in self.ends if site.error is None]
+        return [(site, name) for site, name in self.ends if site.error is None and not self._is_lost(site, name)]
+
+    @staticmethod
+    def _is_lost(site, name):
+        return isinstance(site.port(name), errors.Error)
+
+    def lost_ports(self):
+        """The errors.NoSuch of ends whose component is there without that port."""
+        return [site.port(name) for site, name in self.ends if site.error is None and self._is_lost(site, name)]
 
     def is_done(self, answers):
         living, failures = errors.parted(answers)

@@ -183,18 +183,20 @@ def _strange_ends(step):
 # ---- tearing down -----------------------------------------------------------------------------------------------
 
 def tearing_down(profile, options):
-    """(the apply.Outcomes of the steps that remove the connections of a profile, notes on components that are gone).
+    """(the apply.Outcomes of the steps that remove the connections of a profile, notes on components and ports that are gone).
 
-    Where one end is gone, the others are freed. That no component is there at all is a failure.
+    Where one end is gone, the others are freed. That not even the directories of components are there is a failure.
     """
     listed = _sites(profile)
     sites.look(listed, _ports_only)
     lost = [site for site in listed if site.error is not None]
-    some = len(lost) < len(listed) or not listed
+    some = not listed or any(site.error is None or site.error.where == site.where for site in listed)
     outcomes = [_presence(site) for site in lost if not (some and sites.is_gone(site.error))]
     notes = [str(site.error) for site in lost if some and sites.is_gone(site.error)]
     site_of = sites.finder(capture.locator(profile, options.strict), listed)
-    outcomes += [apply.judged(step) for step in connect_steps.disconnecting(profile, site_of)]
+    removals = connect_steps.disconnecting(profile, site_of)
+    notes += [str(error) for step in removals if step.kind == "disconnect" for error in step.lost_ports()]
+    outcomes += [apply.judged(step) for step in removals]
     if not some:
         for outcome in outcomes:
             if outcome.status == apply.ALREADY:

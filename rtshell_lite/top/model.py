@@ -217,8 +217,8 @@ class Top:
                     paths_of.setdefault(identity, path)  # the first, if it is bound twice
                 failed.update(self._failed[top])
             entries = [(path, self._entries[identity]) for identity, path in paths_of.items()]
-        counts = collections.Counter(entry.node.name for _, entry in entries)
-        rows = [entry.row(path, entry.node.name if counts[entry.node.name] == 1 else path) for path, entry in entries]
+        unique = len({entry.node.name for _, entry in entries}) == len(entries)
+        rows = [entry.row(path, entry.node.name if unique else path) for path, entry in entries]
         rows += [Row(path, path, "unknown", "?", None, None, None, None, failure) for path, failure in failed.items()]
         return sorted(rows, key=lambda row: (row.name, row.path))
 

@@ -12,15 +12,18 @@ from rtshell_lite.robot import component
 from rtshell_lite.top import rows
 
 TICK = 0.1  # seconds to wait for a key
+PAUSE = 1.0  # seconds without a character after which a paste counts as complete
 ESCAPE = "\x1b"
+PASTE, PASTE_END = "\x1b[200~", "\x1b[201~"  # around what is pasted, once a terminal has got BRACKETS (mode 2004 of xterm)
+BRACKETS, NO_BRACKETS = b"\x1b[?2004h", b"\x1b[?2004l"
 ENTER = ("\n", "\r", curses.KEY_ENTER)
 BACKSPACE = ("\x08", "\x7f", curses.KEY_BACKSPACE)
 HINTS = "? keys  q end  / filter  s sort  a activate  d deactivate  r reset  c cat"
 
 HELP = f"""up down j k   select a component; also PgUp PgDn Home End
-a             activate the selected component, as rtact does
-d             deactivate it, as rtdeact
-r             reset it, as rtreset
+a y           activate the selected component, as rtact does
+d y           deactivate it, as rtdeact
+r y           reset it, as rtreset
 c Enter       show all about it, as rtcat -l
 s             sort by the next of: {', '.join(rows.SORTS)}
 /             filter: words of paths, or states, all of which have to match;
@@ -60,12 +63,13 @@ def screen():
         curses.noecho()
         curses.cbreak()
         window.keypad(True)
-        window.timeout(int(TICK * 1000))
+        curses.putp(BRACKETS)
         with contextlib.suppress(curses.error):  # some terminals cannot
             curses.curs_set(0)
         yield window
     finally:
         with contextlib.suppress(curses.error):  # the terminal is gone
+            curses.putp(NO_BRACKETS)
             curses.endwin()
 
 
@@ -124,6 +128,7 @@ class Page:
         self.number = self.first = self.room = 0  # index of the selected Row, of the first one shown; how many can be shown
         self.message = ""
         self.typing = False  # whether the user types the filter
+        self.asked = None  # the component.Transition and the Row that wait for a y
         self.overlay = None  # lines shown instead of the rows: of rtcat, the keys
         self.overlay_first = 0
         self.ended = False
@@ -143,8 +148,19 @@ class Page:
                 due = 0.0
 
     def _key(self):
-        """A character, or a number for other keys, or None after TICK."""
+        """A character, or a number for other keys, or None after TICK; Esc with all that comes at once with it, such as a paste."""
+        key = self._character(TICK)
+        more = self._character(0) if key == ESCAPE else None
+        while more is not None:
+            key += str(more)
+            if key.startswith(PASTE) and key.endswith(PASTE_END):
+                break
+            more = self._character(PAUSE if key.startswith(PASTE) else TICK)
+        return key
+
+    def _character(self, seconds):
         try:
+            self.window.timeout(int(seconds * 1000))
             return self.window.get_wch()
         except curses.error:
             time.sleep(0)  # lets signals be handled
@@ -178,6 +194,8 @@ class Page:
             return
         if key == "\x0c":
             self.window.redrawwin()
+        elif self.asked:
+            self._confirm(key)
         elif self.typing:
             self._type(key)
         elif self.overlay is not None:
@@ -193,8 +211,9 @@ class Page:
             self.typing, self.wanted = False, ""
         elif key in BACKSPACE:
             self.wanted = self.wanted[:-1]
-        elif isinstance(key, str) and key.isprintable():
-            self.wanted += key
+        elif isinstance(key, str):
+            pasted = key.replace(PASTE, "").replace(PASTE_END, "")
+            self.wanted += "" if pasted.startswith(ESCAPE) else "".join(filter(str.isprintable, pasted))
 
     def _obey_overlay(self, key):
         step = self._step(key)
@@ -218,6 +237,8 @@ class Page:
             self.typing = True
         elif key == ESCAPE:
             self.wanted = ""
+        elif str(key).startswith(PASTE):
+            self.message = "what is pasted is not taken for keys"
         else:
             self._act(key)
 
@@ -236,11 +257,16 @@ class Page:
         if (transition is None and key != "c" and key not in ENTER) or self.selected is None:
             return
         if transition:
-            self.message = f"{transition.command}: {self.selected} …"
-            self.looking.change(self.selected, transition)
+            self.asked = transition, self.rows[self.number]
         else:
             self.message = f"rtcat: {self.selected} …"
             self.looking.show(self.selected)
+
+    def _confirm(self, key):
+        (transition, row), self.asked = self.asked, None
+        if key in ("y", "Y"):
+            self.message = f"{transition.command}: {row.path} …"
+            self.looking.change(row.path, transition)
 
     # ---- drawing ----
 
@@ -264,7 +290,8 @@ class Page:
 
     def _draw_head(self, components, height, width):
         """The summary, the flow of ports, the head of the columns; returns the number of lines."""
-        self._put(0, f"{rows.summary(components)}{'; those with: ' + self.wanted if self.wanted else ''}", curses.A_BOLD)
+        matching = f"; {len(self.rows)} with: {self.wanted}" if self.wanted else ""
+        self._put(0, f"{rows.summary(components)}{matching}", curses.A_BOLD)
         rates = [rows.rate_line(meter.rate()) for meter in self.meters]
         most = max(height // 3, 1)
         if len(rates) > most:
@@ -292,7 +319,9 @@ class Page:
     def _foot(self, width):
         """The last lines: what is typed, what was done, what is wrong with the selected component, or the keys."""
         row = self.rows[self.number] if self.rows else None
-        if self.typing:
+        if self.asked:
+            line = f"{self.asked[0].name} {self.asked[1].name}? y/N"
+        elif self.typing:
             line = "/" + self.wanted + "_"
         elif self.message:
             line = text.safe(self.message)

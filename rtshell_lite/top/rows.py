@@ -7,10 +7,10 @@ from rtshell_lite.views.listing import MARKS
 SORTS = ("name", "state", "rate", "connections")
 STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)  # the order by state: trouble first
 
-# One component. `name` distinguishes it from the others; `kind` is component, zombie or silent, or unknown: a part of the tree that
-# cannot be listed. `state` is ? for what does not answer and - for a zombie; `rate` in Hz, of the first context that runs, else
-# of the first one; `running` whether any does; `ports` and `connections` are counts. None is unknown (yet). `failure`
-# is an errors.Error or None.
+# One component. `name` is its own, or the path where two have the same; `kind` is component, zombie or silent, or unknown: a
+# part of the tree that cannot be listed. `state` is ? for what does not answer and - for a zombie; `rate` in Hz, of the first
+# context that runs, else of the first one; `running` whether any does; `ports` and `connections` are counts. None is unknown
+# (yet). `failure` is an errors.Error or None.
 Row = collections.namedtuple("Row", "path name kind state rate running ports connections failure")
 
 HEAD = "STATE         RATE  CONN  COMPONENT"

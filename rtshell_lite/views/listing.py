@@ -25,9 +25,7 @@ def blocks(path, recurse=False, shown="."):
     names has one for the first. One that cannot be listed is in its parent's block with its `error` set. Raises what
     `tree.resolve` raises, and WrongKind.
     """
-    if path.port is not None:
-        raise errors.WrongKind(str(path), "directory or component", "port; rtcat shows it")
-    top = tree.resolve(path)
+    top = _resolved(path)
     if top.kind not in tree.DIRECTORIES:
         if path.directory:
             raise errors.WrongKind(str(path), "directory", top.what)
@@ -44,6 +42,18 @@ def blocks(path, recurse=False, shown="."):
     if top.error is not None:
         raise top.error
     return list(listed.values())
+
+
+def _resolved(path):
+    if path.port is None:
+        return tree.resolve(path)
+    try:
+        tree.resolve(path)
+    except errors.NotFound:
+        if path.port.isdigit():  # a name server, without the slash before it
+            raise errors.Misspelt(str(path), f"/{path.names[-1]}:{path.port}")
+        raise
+    raise errors.WrongKind(str(path), "directory or component", "port; rtcat shows it")
 
 
 def look(nodes, long=False):

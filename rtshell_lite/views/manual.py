@@ -31,7 +31,7 @@ def collect(node, graph=False):
         parts = generated[key]() if key in generated else [texts[key]] if key in texts else []
         if parts:
             sections.append(Section(key, TITLES.get(key, key), parts))
-        elif "__order__" in texts:
+        elif key in _authors_order(texts):
             notes.append(f"unknown section in order: {printable(key)}")
     return Manual(profile.type_name, profile.description, fields, sections, notes)
 
@@ -41,9 +41,14 @@ def _values(sets, set_id):
 
 
 def _order(texts):
-    """The keys of sections: as the author orders them, then all others."""
-    ordered = [key.strip() for key in texts["__order__"].split(",")] if "__order__" in texts else list(TITLES)
-    return ordered + [key for key in texts if not key.startswith("__") and key not in ordered]
+    """The keys of sections: as the author orders them, then those about ports and configuration, then all others."""
+    ordered = _authors_order(texts) or list(TITLES)
+    others = ["ports", "config"] + [key for key in texts if not key.startswith("__")]
+    return list(collections.OrderedDict.fromkeys(ordered + others))
+
+
+def _authors_order(texts):
+    return [key.strip() for key in texts.get("__order__", "").split(",") if key.strip()]
 
 
 # ---- tables ---------------------------------------------------------------------------------------------------

@@ -92,6 +92,7 @@ class Element:
 
     FIELDS = ()
     XSI_TYPE = None  # the xsi:type in XML; rtsprofile writes it on some elements only, and so do we
+    comments_before = comments_inside = ()  # of XML: texts before the element, and after the last element inside; no part of its value
 
     def __init__(self, **values):
         own = self.__dict__

@@ -8,6 +8,7 @@ import re
 from xml.parsers import expat
 
 from rtshell_lite import errors
+from rtshell_lite.text import safe
 from rtshell_lite.xmlprofile import escape, fields, model, names, values, version01
 from rtshell_lite.xmlprofile.yaml import reader as yaml_reader, scalars, writer as yaml_writer
 
@@ -27,14 +28,15 @@ _DECLARATION = re.compile(br"""\s*<\?xml[^>]{0,200}?\sencoding\s*=\s*["']([A-Za-
 # ---- reading: text to nodes -------------------------------------------------------------------------------------
 
 class Node:
-    """An XML element; names are as in expat."""
+    """An XML element; names are as in expat. `before` and `inside` are comments, as in fields.Element."""
 
-    __slots__ = "tag", "attributes", "content", "line", "column"
+    __slots__ = "tag", "attributes", "content", "line", "column", "before", "inside"
 
     def __init__(self, tag, attributes, line, column):
         self.tag = tag
         self.attributes = attributes
         self.content = []
+        self.before = self.inside = ()
         self.line = line
         self.column = column
 
@@ -54,7 +56,7 @@ class _Reader:
 
     def __init__(self, name):
         self.name = name
-        self.open = []
+        self.open, self.comments = [], []
         self.root = None
         self.count = self.fed = 0
         self.parser = expat.ParserCreate("utf-8", names.SEPARATOR)
@@ -62,6 +64,7 @@ class _Reader:
         self.parser.StartElementHandler = self.start
         self.parser.EndElementHandler = self.end
         self.parser.CharacterDataHandler = self.data
+        self.parser.CommentHandler = self.comment
         self.parser.StartDoctypeDeclHandler = self.doctype
 
     def fail(self, reason):
@@ -70,13 +73,28 @@ class _Reader:
     def doctype(self, *_):
         self.fail("a DOCTYPE is not supported here")
 
-    def start(self, tag, attributes):
+    def comment(self, text):
+        self.one_more()
+        self.comments.append(text)
+
+    def taken(self):
+        """The comments since the last tag."""
+        if not self.comments:
+            return ()
+        taken, self.comments = tuple(self.comments), []
+        return taken
+
+    def one_more(self):
         self.count += 1
         if self.count > MOST_ELEMENTS:
             self.fail("more than %d elements" % MOST_ELEMENTS)
+
+    def start(self, tag, attributes):
+        self.one_more()
         if len(self.open) >= DEEPEST:
             self.fail("more than %d levels of elements" % DEEPEST)
         node = Node(tag, attributes or _NO_ATTRIBUTES, self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1)
+        node.before = self.taken()
         if self.open:
             self.open[-1].content.append(node)
         else:
@@ -85,7 +103,7 @@ class _Reader:
 
     def end(self, _):
         node = self.open.pop()
-        node.content = fields.tidy(node.content)
+        node.content, node.inside = fields.tidy(node.content), self.taken()
 
     def data(self, text):
         if self.open:
@@ -116,6 +134,7 @@ def _nodes(data, name):
         chunk = data[start:start + _CHUNK]
         reader.feed(_decoded(decoder, chunk, start + _CHUNK >= len(data), reader) if decoder else chunk)
     reader.feed(b"", True)
+    reader.root.inside += reader.taken()
     return reader.root
 
 
@@ -170,6 +189,8 @@ def _element(node, cls, fail):
         else:
             found[field.name] = _element(child, field.kind, fail)
     element = cls(**found)
+    if node.before or node.inside:
+        element.comments_before, element.comments_inside = node.before, node.inside
     fault = element.fault(found)
     if fault:
         fail(node, f"{node.local}: {fault}")
@@ -239,9 +260,15 @@ def write(profile):
     writer.element("rts:RtsProfile", profile, "")
     spaces = "".join(f' xmlns:{prefix}="{escape.marked(uri)}"' for uri, prefix in writer.prefixes.items()
                      if uri != names.XML)
-    head = "<rts:RtsProfile"
+    head, comments = "<rts:RtsProfile", _comments(profile.comments_before, "")
     writer.lines[0] = head + spaces + writer.lines[0][len(head):]  # all namespaces are known only now
-    return '<?xml version="1.0" encoding="UTF-8"?>\n' + "\n".join(writer.lines) + "\n"
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + "\n".join(comments + writer.lines) + "\n"
+
+
+def _comments(texts, indent):
+    """Comments as lines. What is not printable is escaped as on a terminal: comments have no references."""
+    parts = [[[safe(part) for part in line.split("\t")] for line in text.split("\n")] for text in texts]
+    return [f"{indent}<!--{text}-->" for text in ("\n".join(map("\t".join, lines)) for lines in parts)]
 
 
 _NOTHING = fields.Foreign()
@@ -268,7 +295,7 @@ class _Writer:
                 head.append(f' {field.tag}="{escape.quoted(values.to_text(field, value))}"')
         foreign = element.foreign or _NOTHING
         head += [self.attribute(*pair) for pair in sorted(foreign.attributes.items())]
-        if not (children or foreign.elements or foreign.keys):
+        if not (children or foreign.elements or foreign.keys or element.comments_inside):
             self.lines.append("".join(head) + "/>")
             return
         self.lines.append("".join(head) + ">")
@@ -279,12 +306,14 @@ class _Writer:
         for key, data in sorted(foreign.keys.items()):
             item = fields.ForeignElement(names.clark(names.YAML_KEY), {"name": key}, [yaml_writer.write(data)])
             self.lines.append(indent + "    " + self.foreign(item))
+        self.lines += _comments(element.comments_inside, indent + "    ")
         self.lines.append(f"{indent}</{tag}>")
 
     def child(self, field, value, indent):
         if field.kind == fields.TEXT:
             self.lines.append(f"{indent}<{field.tag}>{escape.quoted(value)}</{field.tag}>")
         else:
+            self.lines += _comments(value.comments_before, indent)
             self.element(field.tag, value, indent)
 
     def name(self, clark):

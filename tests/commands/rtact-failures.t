@@ -18,9 +18,6 @@ Wrong usage:
   $ rtact --dry ConsoleIn0.rtc
   rtact: unrecognized arguments: --dry (see --help)
   [2]
-  $ rtact ''
-  rtact: empty path
-  [2]
   $ rtact 'a\q.rtc'
   rtact: a\q.rtc: bad escape \q
   [2]
@@ -77,6 +74,19 @@ Not a component:
   $ rtact ConsoleIn0.rtc:out
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: not a component (it is a port)
   [3]
+
+… among components: none of them moves:
+
+  $ rtact ConsoleIn0.rtc ConsoleOut0.rtc:in . ConsoleOut0.rtc
+  rtact: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not a component (it is a port)
+  rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
+  [3]
+  $ rtls -l ConsoleIn0.rtc ConsoleOut0.rtc | cut -c 1-8
+  Inactive
+  Inactive
+
+What else has such a name:
+
   $ odd=../odd.host_cxt
   $ rtact $odd/NotAComponent0.rtc
   rtact: /localhost:$PORT/odd.host_cxt/NotAComponent0.rtc: not a component (it is a CORBA object of unknown kind)

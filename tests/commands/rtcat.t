@@ -286,9 +286,6 @@ Wrong usage:
   $ rtcat
   rtcat: the following arguments are required: PATH[:PORT] (see --help)
   [2]
-  $ rtcat ''
-  rtcat: empty path
-  [2]
   $ rtcat -x ConsoleIn0.rtc
   rtcat: unrecognized arguments: -x (see --help)
   [2]

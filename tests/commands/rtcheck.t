@@ -30,7 +30,7 @@ States are to be Active unless you say otherwise:
   $ rtcheck -s Error a.xml 2>&1 | head -1
   Component /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc is in incorrect state Active
   $ rtcheck -s bogus a.xml
-  rtcheck: no such state: bogus (Active, Inactive, Error, Created, Unknown) (see --help)
+  rtcheck: argument -s/--state: no such state: bogus (there are: active, inactive, error, created, unknown) (see --help)
   [2]
 
 Configuration: values in any set, hidden or not, and which set is active:

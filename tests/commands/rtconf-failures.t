@@ -9,41 +9,41 @@ world: fragile
 No such set or parameter; of several, nothing is set then:
 
   $ rtconf ConfigSample0.rtc -s mode9
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode9
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode9; did you mean mode1?
   [3]
   $ rtconf ConfigSample0.rtc -s __widget__
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: __widget__
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: __widget__ (there are: default, mode0, mode1)
   [3]
   $ rtconf ConfigSample0.rtc -s __widget__ get int_param0
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: __widget__
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: __widget__ (there are: default, mode0, mode1)
   [3]
   $ rtconf ConfigSample0.rtc get int_param9
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration parameter: int_param9
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration parameter: int_param9; did you mean int_param1?
   [3]
   $ rtconf ConfigSample0.rtc set int_param0=7 int_param9=7
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration parameter: int_param9
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration parameter: int_param9; did you mean int_param1?
   [3]
   $ rtconf ConfigSample0.rtc get int_param0
   -999
   $ rtconf ConfigSample0.rtc -s mode9 set int_param0 7
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode9
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode9; did you mean mode1?
   [3]
   $ rtconf ../cpp.host_cxt/ConfigSample0.rtc -s mode9 set int_param0 7; rtconf ../cpp.host_cxt/ConfigSample0.rtc
-  rtconf: /localhost:$PORT/cpp.host_cxt/ConfigSample0.rtc: no such configuration set: mode9
+  rtconf: /localhost:$PORT/cpp.host_cxt/ConfigSample0.rtc: no such configuration set: mode9; did you mean mode1?
   +default
   +mode0
   +mode1*
   $ rtconf ConfigSample0.rtc act mode9
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode9
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode9; did you mean mode1?
   [3]
   $ rtconf ConfigSample0.rtc act __widget__
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: __widget__
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: __widget__ (there are: default, mode0, mode1)
   [3]
   $ rtconf ConfigSample0.rtc act mode9 --dry-run
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode9
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode9; did you mean mode1?
   [3]
   $ rtconf ConfigSample0.rtc set int_param9 1 --dry-run
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration parameter: int_param9
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration parameter: int_param9; did you mean int_param1?
   [3]
 
 Metadata cannot be activated:
@@ -105,9 +105,6 @@ Not a component, no such component:
   $ rtconf ConfigSample0.rtc/
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: not a directory (it is a component)
   [3]
-  $ rtconf ''
-  rtconf: empty path
-  [2]
 
 Dead and silent peers:
 
@@ -145,16 +142,19 @@ A component without parameters; the one that dies of being asked for its profile
   [default] active
   22
   $ rtconf Fragile0.rtc set any 1
-  rtconf: /localhost:$PORT/test.host_cxt/Fragile0.rtc: no such configuration parameter: any
+  rtconf: /localhost:$PORT/test.host_cxt/Fragile0.rtc: no such configuration parameter: any (there are: none)
   [3]
   $ rtconf Fragile0.rtc get any
-  rtconf: /localhost:$PORT/test.host_cxt/Fragile0.rtc: no such configuration parameter: any
+  rtconf: /localhost:$PORT/test.host_cxt/Fragile0.rtc: no such configuration parameter: any (there are: none)
   [3]
 
 Output that cannot be written:
 
   $ rtconf ConfigSample0.rtc -l > /dev/full
   rtconf: No space left on device
+  [1]
+  $ rtconf ConfigSample0.rtc dump >&-
+  rtconf: cannot write the output: Bad file descriptor
   [1]
   $ rtconf ConfigSample0.rtc get int_param0 >&-
   rtconf: cannot write the output: Bad file descriptor

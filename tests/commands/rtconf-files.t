@@ -135,13 +135,13 @@ Sets and parameters of odd names, 64 kB:
 All is checked before the first change:
 
   $ printf '[mode1]\nint_param0=9\n[mode9]\nint_param0=9\n' > bad.conf; rtconf ConfigSample0.rtc load bad.conf
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode9
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode9; did you mean mode1?
   [3]
   $ printf '[mode1]\nint_param0=9\nint_param9=9\n' > bad.conf; rtconf ConfigSample0.rtc load bad.conf
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration parameter: int_param9
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration parameter: int_param9; did you mean int_param1?
   [3]
   $ printf '[mode1]\nint_param0=9\n[mode2] active\n' > bad.conf; rtconf ConfigSample0.rtc load bad.conf
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode2
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode2; did you mean mode1?
   [3]
   $ printf '[mode1]\nint_param0=9\n[__widget__] active\n' > bad.conf; rtconf ConfigSample0.rtc load bad.conf
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: configuration set __widget__ holds metadata and cannot be active

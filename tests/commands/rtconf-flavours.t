@@ -57,15 +57,15 @@ Unknown sets and parameters; a component without sets:
 
   $ each rtconf ConfigSample0.rtc act nonsense
   cpp11:
-  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: no such configuration set: nonsense
+  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: no such configuration set: nonsense (there are: default, mode0, mode1)
   status 3
   $ each rtconf ConfigSample0.rtc -s nonsense set a b
   cpp11:
-  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: no such configuration set: nonsense
+  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: no such configuration set: nonsense (there are: default, mode0, mode1)
   status 3
   $ each rtconf ConfigSample0.rtc -s default set nonsense b
   cpp11:
-  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: no such configuration parameter: nonsense
+  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: no such configuration parameter: nonsense (there are: double_param0, double_param1, int_param0, int_param1, str_param0, str_param1, vector_param0)
   status 3
   $ each rtconf ConsoleIn0.rtc list
   cpp11:

@@ -119,16 +119,28 @@ A value may hold anything: equals signs, newlines, blanks, any script, escapes, 
   $ rtconf ConfigSample0.rtc set str_param0 '  two
   > lines	\n  '; rtconf ConfigSample0.rtc get str_param0
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0:   two\x0alines\x09\\n   does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
-    two\\x0alines\\x09\\\\n\x20\x20 (esc)
+    two
+  lines\t\\n\x20\x20 (esc)
   $ rtconf ConfigSample0.rtc set str_param0 "$(printf 'a\033[31m\377')"; rtconf ConfigSample0.rtc get str_param0
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: a\x1b[31m\xff does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
-  a\x1b[31m\xff
+  a\x1b[31m\xff (esc)
   $ rtconf ConfigSample0.rtc get str_param0 --json
   {"str_param0": "a\u001b[31m\udcff"}
   $ rtconf ConfigSample0.rtc set str_param0 ''; rtconf ConfigSample0.rtc get str_param0 | od -c
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: '' does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   0000000  \n
   0000001
+
+What get prints is what set takes; only on a terminal it is escaped, as far as it would harm it:
+
+  $ sample() { rtconf -q ConfigSample0.rtc "$@"; }
+  $ for value in 'C:\new\x41' "$(printf 'a\tb\n \033[31m\377\\')" '-n' ''; do
+  >   sample set -- str_param0 "$value"; x=$(sample get str_param0); [ "$x" = "$value" ] || echo changed
+  >   sample set -- str_param0 "$x"; [ "$(sample get str_param0)" = "$value" ] || echo "changed again"
+  > done
+  $ sample set str_param0 "$(printf 'C:\\new \033[31m')"; tty 80 rtconf ConfigSample0.rtc get str_param0
+  C:\new \x1b[31m
+  $ sample set str_param0 ''
 
 set keeps active what is active, wherever it changes something; act changes that:
 
@@ -222,8 +234,14 @@ Wrong usage:
   $ rtconf
   rtconf: the following arguments are required: PATH (see --help)
   [2]
+  $ rtconf set ConfigSample0.rtc int_param0 1
+  rtconf: the path comes first: ConfigSample0.rtc set … (see --help)
+  [2]
+  $ rtconf ConfigSample0.rtc sit int_param0 1
+  rtconf: no such command: sit; did you mean set? (see --help)
+  [2]
   $ rtconf ConfigSample0.rtc erase
-  rtconf: no such command: erase (see --help)
+  rtconf: no such command: erase (there are: list, get, set, act, dump, load, diff) (see --help)
   [2]
   $ rtconf ConfigSample0.rtc get
   rtconf: get: too few arguments (see --help)
@@ -241,8 +259,8 @@ Wrong usage:
   rtconf: set: not PARAM=VALUE: int_param0 (see --help)
   [2]
   $ rtconf ConfigSample0.rtc set int_param0=1 2
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration parameter: int_param0=1
-  [3]
+  rtconf: set: not PARAM=VALUE: 2 (see --help)
+  [2]
   $ rtconf ConfigSample0.rtc set int_param0=1 int_param0=2
   rtconf: set: int_param0 is given twice (see --help)
   [2]

@@ -112,11 +112,13 @@ What does not exist, or does not answer:
   $ interrupt 0.3 rtcwd /localhost:$SILENT
   [130]
 
-Wrong usage:
+An empty directory is the root:
 
   $ rtcwd ''
-  rtcwd: empty path
-  [2]
+  /
+
+Wrong usage:
+
   $ rtcwd a b
   rtcwd: unrecognized arguments: b (see --help)
   [2]

@@ -156,9 +156,6 @@ Wrong usage:
   $ rtdoctor --profile
   rtdoctor: argument --profile: expected one argument (see --help)
   [2]
-  $ rtdoctor ''
-  rtdoctor: empty path
-  [2]
   $ rtdoctor --nonsense
   rtdoctor: unrecognized arguments: --nonsense (see --help)
   [2]

@@ -138,7 +138,7 @@ Wrong usage:
   rtec: the following arguments are required: PATH (see --help)
   [2]
   $ rtec ConsoleIn0.rtc faster
-  rtec: no such command: faster (see --help)
+  rtec: no such command: faster; did you mean rate? (see --help)
   [2]
   $ rtec ConsoleIn0.rtc rate
   rtec: rate: too few arguments (see --help)

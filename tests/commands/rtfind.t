@@ -63,6 +63,11 @@ Everything at and below a path, a directory before what is in it:
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
   /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
+  $ rtfind / -n ConsoleIn0
+  rtfind: nothing found; did you mean ConsoleIn0.rtc? The kind belongs to the name
+  $ rtfind / -n ConsoleIn0 -q
+  [1]
+  $ rtfind / -n ConsoleIn
   $ rtfind . -n 'Console???.rtc' -n ErrStart0.rtc
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
   /localhost:$PORT/test.host_cxt/arm.cxt/ErrStart0.rtc
@@ -219,17 +224,14 @@ What cannot be:
   $ rtfind
   rtfind: the following arguments are required: PATH (see --help)
   [2]
-  $ rtfind ''
-  rtfind: empty path
-  [2]
   $ rtfind a:b:c
   rtfind: a:b:c: bad path (one colon stands before a port; write \: in a name)
   [2]
   $ rtfind / -t cx
-  rtfind: -t: no such type: x (see --help)
+  rtfind: -t: no such type: x (there are: c, d, m, n, z) (see --help)
   [2]
   $ rtfind / --state sleepy
-  rtfind: --state: no such state: sleepy (see --help)
+  rtfind: argument --state: no such state: sleepy (there are: active, inactive, error, created, unknown) (see --help)
   [2]
   $ rtfind / -m -1
   rtfind: -m: below 0: -1 (see --help)

@@ -15,7 +15,7 @@ of C++.
   closed
   $ ctl fsm Microwave0 cooking
   $ rtfsm getstate Microwave0.rtc; rtfsm Microwave0.rtc getstate
-  rtfsm: no such command: Microwave0.rtc (see --help)
+  rtfsm: the path comes first: Microwave0.rtc getstate … (see --help)
   cooking
   $ rtfsm Microwave0.rtc geteventprofiles
   open:TimedLong, close:TimedLong, start:TimedLong, stop:TimedLong
@@ -132,7 +132,7 @@ Wrong usage is found before anything is asked:
   rtfsm: the following arguments are required: COMMAND (see --help)
   [2]
   $ rtfsm Microwave0.rtc explode
-  rtfsm: no such command: explode (see --help)
+  rtfsm: no such command: explode (there are: getstate, geteventprofiles, getstructure, seteventprofiles, setstructure) (see --help)
   [2]
   $ rtfsm Microwave0.rtc seteventprofiles
   rtfsm: seteventprofiles: no argument given (see --help)

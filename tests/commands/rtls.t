@@ -223,11 +223,26 @@ What is of another kind.
   rtls: a:b:c: bad path (one colon stands before a port; write \: in a name)
   [2]
 
-Wrong usage contacts nobody.
+An empty path is the working directory. A name server needs the slash before it, unless the working directory is the root:
 
   $ rtls ''
-  rtls: empty path
-  [2]
+  ConsoleIn0.rtc
+  ConsoleOut0.rtc
+  $ rtls localhost:1
+  rtls: /localhost:$PORT/test.host_cxt/localhost:1: no such path; did you mean /localhost:1?
+  [3]
+  $ rtls localhost:$PORT
+  rtls: /localhost:$PORT/test.host_cxt/localhost:$PORT: no such path; did you mean /localhost:$PORT?
+  [3]
+  $ rtls Nope0.rtc:in
+  rtls: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
+  [3]
+  $ RTCSH_CWD=/ rtls localhost:1
+  rtls: /localhost:1: connection refused; is the name server running?
+  [4]
+
+Wrong usage contacts nobody.
+
   $ rtls -x
   rtls: unrecognized arguments: -x (see --help)
   [2]

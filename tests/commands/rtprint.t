@@ -141,6 +141,9 @@ Wrong usage:
   $ rtprint --raw --field data ConsoleIn0.rtc:out
   rtprint: --raw knows no fields (see --help)
   [2]
+  $ rtprint --field tm --field data ConsoleIn0.rtc:out
+  rtprint: --field: only one (see --help)
+  [2]
   $ rtprint --property push ConsoleIn0.rtc:out
   rtprint: not KEY=VALUE: push (see --help)
   [2]

@@ -31,6 +31,17 @@ JSON:
   $ RTCSH_CWD='/robot/"a.cxt' rtpwd --json
   {"path": "/robot/\"a.cxt"}
 
+Variables by the names that manuals of rtshell give them:
+
+  $ RTCSH_NAMESERVERS=robot rtpwd; RTSH_CWD=/robot rtpwd -q
+  rtpwd: RTCSH_NAMESERVERS is not read; the variable is RTCTREE_NAMESERVERS
+  /
+  /
+  $ RTCSH_NAMESERVERS=robot rtsh -c 'pwd; pwd'
+  rtsh: RTCSH_NAMESERVERS is not read; the variable is RTCTREE_NAMESERVERS
+  /
+  /
+
 Nothing else is taken:
 
   $ rtpwd /robot

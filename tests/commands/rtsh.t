@@ -94,6 +94,19 @@ The exit status is that of the last command; with -e that of the first that fail
   rtsh: exit: not a status: 1 2
   [2]
 
+help lists the commands, and helps with one:
+
+  $ rtsh -c help | grep -e commands -e rtact -e cd -e exit; rtsh -c 'help pwd' | head -1; rtsh -c 'help nothing'
+  commands, with or without rt; help COMMAND says more:
+    rtact        Activate components.
+    rtexit       Make components exit: they are finalised and leave the name server by themselves.
+    rtsh         Run many commands in one process, with open connections: from the keyboard, a file, a pipe, or -c.
+    cd  changes the working directory, as rtcwd does
+    exit [STATUS]  ends rtsh
+  usage: rtpwd [--json] [-v] [-q] [--timeout SECONDS] [--version] [-h]
+  rtsh: nothing: no such command
+  [2]
+
 What it does not understand, or leaves to a real shell; in a file the line is reported, and the others are run:
 
   $ rtsh -c 'rtlss; pwd'

@@ -74,6 +74,21 @@ Where one end is dead, the others are freed:
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
   rtteardown: 2 done, 1 already so
 
+A port that its component has not got any more, and components of which none is there any more, are no failure either:
+
+  $ rtresurrect -q a.xml 2>/dev/null; sed 's/ConsoleOut0[.]in/ConsoleOut0.old/' a.xml > b.xml; rtteardown -v b.xml
+  rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: no such path; did you mean ConsoleOut2.rtc?
+  rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no such port: old (its ports: in)
+  rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:old: done
+  rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
+  rtteardown: 2 done, 1 already so
+  $ sed 's/ConsoleIn/AwayIn/g; s/ConsoleOut/AwayOut/g; s/MyService[CP][a-z]*0/&9/g' a.xml > c.xml; rtteardown c.xml
+  rtteardown: /localhost:$PORT/test.host_cxt/AwayIn0.rtc: no such path
+  rtteardown: /localhost:$PORT/test.host_cxt/AwayOut0.rtc: no such path
+  rtteardown: /localhost:$PORT/test.host_cxt/AwayOut1.rtc: no such path
+  rtteardown: /localhost:$PORT/test.host_cxt/MyServiceConsumer09.rtc: no such path; did you mean MyServiceConsumer0.rtc?
+  rtteardown: /localhost:$PORT/test.host_cxt/MyServiceProvider09.rtc: no such path; did you mean MyServiceProvider0.rtc?
+
 What is silent cannot be freed:
 
   $ rtresurrect -q a.xml 2>/dev/null; hang services; within 0.4-3 rtteardown --timeout 0.5 -v a.xml

@@ -64,6 +64,14 @@ In another order, and only some: words of paths, or states, in capitals or not:
   Error         1000     0  Broken0.rtc
   $ top -f nobody
 
+Two components of one name: all have their paths, so that they can be compared:
+
+  $ mock these Motor --context b.host_cxt/%n.rtc
+  $ top -f tor0 && end-mock these
+  STATE         RATE  CONN  COMPONENT
+  Inactive      1000     0  /localhost:$PORT/b.host_cxt/Motor0.rtc
+  Active        1000     2  /localhost:$PORT/test.host_cxt/Motor0.rtc
+
 The flow of ports, over a second, by a connection that is gone at the end:
 
   $ top -p ../src.host_cxt/Source0.rtc:number -p ../src.host_cxt/Source0.rtc:block -f source
@@ -180,9 +188,6 @@ Wrong usage is found before anything is asked:
   [2]
   $ rttop -n many
   rttop: argument -n/--number: invalid int value: 'many' (see --help)
-  [2]
-  $ rttop ''
-  rttop: empty path
   [2]
   $ ctl calls
 

@@ -1,6 +1,7 @@
 """TAB in the user's shell: if one of these fails, an operator gets wrong names, none, or a shell that hangs."""
 import os
 import pty
+import re
 import select
 import shutil
 import socket
@@ -38,6 +39,7 @@ def setUpModule():
     World.one = World("these", "ConsoleIn:ConsoleIn0", "ConsoleOut:ConsoleOut0", "Sensor:Sensor0", "ConfigSample:ConfigSample0",
                       "MyServiceProvider:MyServiceProvider0")
     World.manager = World("manager", "ConsoleIn")
+    World.one.resolve().bind(orb.naming_name([("odd", "thing")]), World.one.resolve("ConsoleIn0.rtc"))
     hostile = World.one.resolve().bind_new_context(orb.naming_name([("hostile", "cxt")]))
     for name in HOSTILE:
         hostile.bind_new_context(orb.naming_name([(name, "x")]))
@@ -153,6 +155,11 @@ class InShell:
                 ("rtconf ConfigSample0.rtc get str_param1", "rtconf ConfigSample0.rtc get str_param1 "),
                 ("rtconf ConfigSample0.rtc act def", "rtconf ConfigSample0.rtc act default "),
                 ("rtmgr -r ma", "rtmgr -r manager.mgr "),
+                ("rtcat odd", "rtcat odd.thing "),
+                ("rtcon odd", "rtcon odd"),
+                ("rtfind --state err", "rtfind --state error "),
+                ("rtfind --state=err", "rtfind --state=error "),
+                ("rtcheck -s act", "rtcheck -s active "),
                 ("rtls ma", "rtls manager.mgr/"),
                 ("rtls manager.mgr/C", "rtls manager.mgr/ConsoleIn0.rtc "),
                 ("rtls -- Sens", "rtls -- Sensor0.rtc "),
@@ -164,6 +171,11 @@ class InShell:
                 ("rtls $HOME/", "rtls $HOME/"),
                 ]:
             self.check(typed, wanted)
+
+    def test_properties(self):
+        """What follows a complete name, before its value, is each shell's own."""
+        said = self.terminal.line("rtcon -p dataport.data_t\t")
+        self.assertTrue(re.match(r"rtcon -p dataport\.data_type(\\?= ?)?$", said), said)
 
     def test_names_that_begin_alike(self):
         self.check("rtls Con", "rtls Con")

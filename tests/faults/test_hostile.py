@@ -93,7 +93,7 @@ class Case:
             said = OWN.sub("", said.replace("\r\n", "\n"))
         if self.command == "rtmgr":
             said = said.replace("instance name:\t", "")  # as rtshell writes it
-        if self.line == "A getstructure" and not self.on_terminal:
+        if self.line in ("A getstructure", "A get p") and not self.on_terminal:
             said = said[:0]  # which has to come as it is, to be given back
         if ran.status in USAGE.get(self.command, {2, 70}) or ran.status > 128 or "Traceback" in said or "internal error" in said:
             yield "status %d" % ran.status

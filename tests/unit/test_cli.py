@@ -177,6 +177,15 @@ class Command(unittest.TestCase):
         ran.stderr.close()
 
 
+class Reading(unittest.TestCase):
+    def test_a_command_that_waits_for_the_terminal_says_so(self):
+        for name, on_terminal, wanted in ("-", True, "Ctrl-D"), ("-", False, ""), ("file", True, ""):
+            stdin = mock.Mock(isatty=lambda: on_terminal)
+            with mock.patch.object(sys, "stdin", stdin), mock.patch.object(sys, "stderr", io.StringIO()) as said:
+                cli.reading(name, "an RtsProfile")
+            self.assertEqual("reading an RtsProfile from standard input; Ctrl-D ends it" in said.getvalue(), bool(wanted))
+
+
 class Files(unittest.TestCase):
     def test_two_that_write_to_one_file(self):
         """The file is the one that either of them wrote, and there are no others."""

@@ -143,6 +143,20 @@ class Named(unittest.TestCase):
             types.named("S")
         self.assertIn("it may be IDL:A/S:1.0 or IDL:B/S:1.0", str(caught.exception))
 
+    def test_a_type_of_the_user_counts_before_the_standard_one(self):
+        mine = self.file("own.idl", "module RTC { struct Time { long s; }; struct TimedLong { Time tm; double mine; }; };")
+        types = datatypes.Types(idl=[mine])
+        for name in "TimedLong", "RTC.TimedLong", "IDL:RTC/TimedLong:1.0":
+            self.assertEqual([name for name, _ in descriptors.members(types.named(name).descriptor)], ["tm", "mine"])
+        self.assertEqual(types.named("RTC.TimedShort").id, "IDL:RTC/TimedShort:1.0")
+
+    def test_a_type_that_an_include_defines_too_names_both_files(self):
+        mine = self.file("own.idl", '#include "BasicDataType.idl"\nmodule RTC {\nstruct TimedLong { long mine; };\n};')
+        with self.assertRaises(errors.BadIdl) as caught:
+            datatypes.Types(idl=[mine]).load()
+        self.assertRegex(str(caught.exception), r"own.idl:3:8: TimedLong is declared already, in .*BasicDataType.idl:\d+; "
+                                                "leave one of the two out$")
+
     def test_faults_show_at_once(self):
         with self.assertRaises(errors.BadIdl):
             datatypes.Types(idl=[self.file("broken.idl", "struct {")]).load()

@@ -29,7 +29,11 @@ class Order(unittest.TestCase):
 
     def test_the_authors_order(self):
         said = {"__order__": "usage, intro,nothing", "intro": "a", "usage": "b", "extra": "c"}
-        self.assertEqual(manual._order(said), ["usage", "intro", "nothing", "extra"])
+        self.assertEqual(manual._order(said), ["usage", "intro", "nothing", "ports", "config", "extra"])
+
+    def test_an_empty_order_is_none(self):
+        for empty in "", " ", ",":
+            self.assertEqual(manual._order({"__order__": empty}), list(manual.TITLES))
 
 
 class Configuration(unittest.TestCase):

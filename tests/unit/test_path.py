@@ -21,6 +21,7 @@ class Parsing(unittest.TestCase):
         self.check("C0.rtc", "/localhost/a.host_cxt/C0.rtc", "/localhost/a.host_cxt")
         self.check("../b.host_cxt/./C0.rtc", "/localhost/b.host_cxt/C0.rtc", "/localhost/a.host_cxt")
         self.check("..", "/", "/")
+        self.check("", "/localhost/a.host_cxt", "/localhost/a.host_cxt")
         self.check("../../../..", "/", "/localhost/a")
         self.check("a//b", "/localhost/a/b", "/localhost")
         self.check("//localhost///a", "/localhost/a")
@@ -67,7 +68,7 @@ class Parsing(unittest.TestCase):
         self.assertFalse(parse("/h/a").directory)
 
     def test_what_cannot_be_a_path_is_refused_before_any_network(self):
-        for typed in ("", "/h/a:b:c", "/h/a:", "/h/a.rtc:in/", "/h:x/a", "/:1/a", "/h:0", "/h:65536", "/h/\\q", "/h/a\\"):
+        for typed in ("/h/a:b:c", "/h/a:", "/h/a.rtc:in/", "/h:x/a", "/:1/a", "/h:0", "/h:65536", "/h/\\q", "/h/a\\"):
             with self.assertRaises(errors.BadPath, msg=typed) as caught:
                 parse(typed, "/")
             self.assertEqual(caught.exception.status, 2)

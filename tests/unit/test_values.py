@@ -247,7 +247,7 @@ class Written(unittest.TestCase):
                 ("RTC.TimedLong({time}, 1, 2)", "RTC.TimedLong: takes 2 values (tm, data), not 3"),
                 ("RTC.TimedLong({time}, tm={time})", "RTC.TimedLong: tm is given twice"),
                 ("RTC.TimedLong(dat=1)", "RTC.TimedLong: no member dat (its members: tm, data)"),
-                ("RTC.TimedLong(5, 1)", "RTC.TimedLong: tm: not a Time: 5"),
+                ("RTC.TimedLong(5, 1)", "RTC.TimedLong: tm: not a Time: 5; {time} is the present"),
                 ("RTC.TimedLong({time}, {time})", "RTC.TimedLong: data: not a long: {time}"),
                 ("RTC.TimedLong({time}, os.getpid())", "RTC.TimedLong: data: not a long: os.getpid"),
                 ("RTC.LimbState({time}, 1, LIMB)", "RTC.LimbState: oapMatrix: not an OAP: 1"),

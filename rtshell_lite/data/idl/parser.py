@@ -152,11 +152,18 @@ class Parser:
         """Add a name to this scope. Raises BadIdl when it is there already, in whatever case."""
         old = self.scope.names.get(entry.name.lower())
         if old is not None:
-            raise self.fault(f"{entry.name} is declared already{'' if old.name == entry.name else ' as ' + old.name}", token)
+            raise self.twice(entry.name, old, token)
         if entry.name.lower() == self.scope.name.lower() and self.scope.name:
             raise self.fault(f"{entry.name} is the name of what is around it", token)
         self.scope.names[entry.name.lower()] = entry
+        entry.token = entry.token or token
         return entry
+
+    def twice(self, name, old, token):
+        """The BadIdl for a name whose Entry is there already."""
+        other = old.token and old.token.file != token.file
+        where = f", in {printable(old.token.file)}:{old.token.line}; leave one of the two out" if other else ""
+        return self.fault(f"{name} is declared already{'' if old.name == name else ' as ' + old.name}{where}", token)
 
     def look_up(self):
         """The Entry of the scoped name that comes next. Raises BadIdl."""
@@ -234,12 +241,13 @@ class Parser:
         token = self.token
         name = self.name("a " + word if word == "module" else "an interface")
         entry = self.scope.names.get(name.lower())
+        announced = word == "interface" and self.is_mark(";")  # before its definition, or again after it
         reopened = entry is not None and entry.sort == word and entry.name == name and (
-            word == "module" or not entry.what.names and not entry.what.bases)
+            word == "module" or announced or not entry.what.names and not entry.what.bases)
         if not reopened:
             entry = self.declare(Entry(name, word, Scope(name, self.scope), self.new_id(name), token=first), token)
         entry.what.prefix = "/".join(filter(None, [self.scope.prefix, name]))
-        if word == "interface" and self.is_mark(";"):
+        if announced:
             return
         if word == "interface" and self.is_mark(":"):
             self._bases(entry)

@@ -147,7 +147,7 @@ def constructed(parser, depth):
     if parser.is_mark(";"):
         return None
     if entry.sort == "type":
-        raise parser.fault(f"{name} is declared already", token)
+        raise parser.twice(name, entry, token)
     if word == "struct" or not parser.is_word("switch"):
         parser.take("{")
     made = within(parser, entry, lambda: (_struct if word == "struct" else _union)(parser, entry, name, depth))
