@@ -1,0 +1,162 @@
+"""Remote questions on behalf of many requests: shared by those who wait for the same answer, on a bounded number of threads."""
+import collections
+import threading
+import time
+
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes
+
+MOST = 256  # threads that ask, at most
+
+
+class Crew:
+    """Threads that run jobs, functions without arguments; at most `most` at a time with the same key, in their order."""
+
+    def __init__(self):
+        self._lock = threading.Lock()
+        self._waiting = collections.OrderedDict()  # by key: a deque of jobs
+        self._running = collections.Counter()  # by key
+        self._kept = []  # Sources with a value
+
+    def start(self, key, job, most=lanes.LANES):
+        """Run job() as soon as its turn has come."""
+        with self._lock:
+            self._waiting.setdefault(key, collections.deque()).append(job)
+            if self._running[key] >= most or sum(self._running.values()) >= MOST:
+                return  # one of them will take it
+            self._running[key] += 1
+        try:
+            lanes.start(self._work, key)
+        except errors.Shortage:  # one that runs takes it, else it would wait for ever
+            with self._lock:
+                self._ended(key)
+                if not self._running:
+                    raise
+
+    def _work(self, key):
+        while True:
+            with self._lock:
+                if key not in self._waiting:
+                    self._ended(key)
+                    key = next((other for other in self._waiting if not self._running[other]), None)
+                    if key is None:
+                        self._running += collections.Counter()  # drops zeros
+                        return
+                    self._running[key] += 1
+                jobs = self._waiting[key]
+                job = jobs.popleft()
+                if not jobs:
+                    del self._waiting[key]
+            job()
+
+    def keep(self, source):
+        """Note that a Source has a value, which `sweep` is to free."""
+        with self._lock:
+            self._kept.append(source)
+
+    def sweep(self):
+        """Free the values that are believed no longer."""
+        with self._lock:
+            kept, self._kept = self._kept, []
+        kept = [source for source in kept if source.drop()]
+        with self._lock:
+            self._kept += kept
+
+    def _ended(self, key):
+        self._running[key] -= 1
+        if not self._running[key]:
+            del self._running[key]
+
+
+class Source:
+    """The answer to a remote question, believed for some `seconds`; 0: each request wants one that was asked for after it came.
+
+    `place()` gives (endpoint, where) of the peer, `ask()` the value, on a lane of the peer.
+    """
+
+    __slots__ = ("_crew", "place", "ask", "seconds", "value", "_until", "_coming", "_flight", "_lock")
+
+    def __init__(self, crew, place, ask, seconds):
+        self._crew, self.place, self.ask, self.seconds = crew, place, ask, seconds
+        self.value, self._until, self._lock = None, 0.0, threading.Lock()
+        self._coming = self._flight = None  # those who wait for a question that has not been asked yet; that has been
+
+    def is_fresh(self):
+        """Whether `value` can be believed."""
+        return self._until > time.monotonic()
+
+    def expire(self):
+        """Believe nothing that was asked before now."""
+        with self._lock:
+            self._until, self._flight = 0.0, None
+
+    def drop(self):
+        """Free a value that is believed no longer. Returns whether there is one that is."""
+        with self._lock:
+            if not self.is_fresh():
+                self.value = None
+            return self.value is not None
+
+    def want(self, waiter):
+        """Have waiter(value) called, or waiter(error), when it has been answered; on a thread that asks."""
+        with self._lock:
+            if self.seconds and self._flight is not None:
+                self._flight.append(waiter)
+                return
+            if self._coming is not None:
+                self._coming.append(waiter)
+                return
+            self._coming = [waiter]
+        self._crew.start(self.place()[0], self._run)
+
+    def _run(self):
+        with self._lock:
+            waiters, self._coming = self._coming, None
+            self._flight = waiters
+        answer = self._answer()
+        with self._lock:
+            if self._flight is waiters:  # nothing has changed since it was asked
+                self._flight = None
+                self._keep(answer)
+        for waiter in waiters:
+            waiter(answer)
+
+    def _answer(self):
+        if self.is_fresh():
+            return self.value
+        try:
+            answer, = lanes.gather([lanes.Job(*self.place(), self.ask)])
+        except Exception as e:  # a bug of ours must not leave anybody waiting
+            return e
+        return answer
+
+    def _keep(self, answer):
+        if self.seconds and answer is not None and not isinstance(answer, Exception):
+            if self.value is None:
+                self._crew.keep(self)
+            self.value, self._until = answer, time.monotonic() + self.seconds
+
+    def get(self):
+        """The value, asked for on this thread if need be. Raises what `ask` raises."""
+        if self.is_fresh():
+            return self.value
+        value = self.ask()
+        with self._lock:
+            self._keep(value)
+        return value
+
+
+class Given(Source):
+    """A value that needs no asking."""
+
+    __slots__ = ()
+
+    def __init__(self, value):
+        super().__init__(None, None, None, 0)
+        self.value = value
+
+    def is_fresh(self):
+        return True
+
+    def get(self):
+        return self.value
