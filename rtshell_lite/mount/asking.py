@@ -7,65 +7,85 @@ from rtshell_lite import errors
 from rtshell_lite.corba import lanes
 
 MOST = 256  # threads that ask, at most
+IDLE = 5.0  # seconds that a thread waits for more to do
 
 
 class Crew:
     """Threads that run jobs, functions without arguments; at most `most` at a time with the same key, in their order."""
 
     def __init__(self):
-        self._lock = threading.Lock()
-        self._waiting = collections.OrderedDict()  # by key: a deque of jobs
-        self._running = collections.Counter()  # by key
-        self._kept = []  # Sources with a value
+        self._changed = threading.Condition(threading.Lock())
+        self._waiting = {}  # by key: a deque of jobs
+        self._running = collections.Counter()  # by key; what is `_ready` is counted
+        self._ready = collections.deque()  # keys of which a job can be run
+        self._threads = self._idle = 0
 
     def start(self, key, job, most=lanes.LANES):
         """Run job() as soon as its turn has come."""
-        with self._lock:
+        with self._changed:
             self._waiting.setdefault(key, collections.deque()).append(job)
-            if self._running[key] >= most or sum(self._running.values()) >= MOST:
-                return  # one of them will take it
+            if self._running[key] >= most:
+                return
             self._running[key] += 1
+            self._ready.append(key)
+            if self._idle >= len(self._ready):
+                self._changed.notify()
+                return
+            if self._threads >= MOST:
+                return
+            self._threads += 1
         try:
-            lanes.start(self._work, key)
-        except errors.Shortage:  # one that runs takes it, else it would wait for ever
-            with self._lock:
-                self._ended(key)
-                if not self._running:
+            lanes.start(self._work)
+        except errors.Shortage:
+            with self._changed:
+                self._threads -= 1
+                if not self._threads:  # nobody will ever do it
                     raise
 
-    def _work(self, key):
-        while True:
-            with self._lock:
-                if key not in self._waiting:
-                    self._ended(key)
-                    key = next((other for other in self._waiting if not self._running[other]), None)
-                    if key is None:
-                        self._running += collections.Counter()  # drops zeros
-                        return
-                    self._running[key] += 1
-                jobs = self._waiting[key]
-                job = jobs.popleft()
-                if not jobs:
-                    del self._waiting[key]
+    def _work(self):
+        key = self._next(None)
+        while key is not None:
+            with self._changed:
+                job = self._waiting[key].popleft()
             job()
+            key = self._next(key)
 
-    def keep(self, source):
-        """Note that a Source has a value, which `sweep` is to free."""
+    def _next(self, done):
+        """The key of the job to run after one with the key `done`; None if the thread is needed no longer."""
+        with self._changed:
+            if done is not None and self._waiting[done]:
+                self._ready.append(done)
+            elif done is not None:
+                self._running[done] -= 1
+                if not self._running[done]:
+                    del self._running[done], self._waiting[done]
+            self._idle += 1
+            has_work = self._changed.wait_for(lambda: self._ready, IDLE)
+            self._idle -= 1
+            if has_work:
+                return self._ready.popleft()
+            self._threads -= 1
+            return None
+
+
+class Kept:
+    """The Sources with a value, which is to be freed when it is believed no longer."""
+
+    def __init__(self):
+        self._lock, self._sources = threading.Lock(), []
+
+    def add(self, source):
+        """Note that a Source has a value."""
         with self._lock:
-            self._kept.append(source)
+            self._sources.append(source)
 
     def sweep(self):
         """Free the values that are believed no longer."""
         with self._lock:
-            kept, self._kept = self._kept, []
-        kept = [source for source in kept if source.drop()]
+            sources, self._sources = self._sources, []
+        sources = [source for source in sources if source.drop()]
         with self._lock:
-            self._kept += kept
-
-    def _ended(self, key):
-        self._running[key] -= 1
-        if not self._running[key]:
-            del self._running[key]
+            self._sources += sources
 
 
 class Source:
@@ -74,10 +94,10 @@ class Source:
     `place()` gives (endpoint, where) of the peer, `ask()` the value, on a lane of the peer.
     """
 
-    __slots__ = ("_crew", "place", "ask", "seconds", "value", "_until", "_coming", "_flight", "_lock")
+    __slots__ = ("_crew", "_kept", "place", "ask", "seconds", "value", "_until", "_coming", "_flight", "_lock")
 
-    def __init__(self, crew, place, ask, seconds):
-        self._crew, self.place, self.ask, self.seconds = crew, place, ask, seconds
+    def __init__(self, crew, kept, place, ask, seconds):
+        self._crew, self._kept, self.place, self.ask, self.seconds = crew, kept, place, ask, seconds
         self.value, self._until, self._lock = None, 0.0, threading.Lock()
         self._coming = self._flight = None  # those who wait for a question that has not been asked yet; that has been
 
@@ -133,7 +153,7 @@ class Source:
     def _keep(self, answer):
         if self.seconds and answer is not None and not isinstance(answer, Exception):
             if self.value is None:
-                self._crew.keep(self)
+                self._kept.add(self)
             self.value, self._until = answer, time.monotonic() + self.seconds
 
     def get(self):
@@ -152,7 +172,7 @@ class Given(Source):
     __slots__ = ()
 
     def __init__(self, value):
-        super().__init__(None, None, None, 0)
+        super().__init__(None, None, None, None, 0)
         self.value = value
 
     def is_fresh(self):

@@ -1,4 +1,5 @@
 """The files of a component in a mounted RTC Tree."""
+import functools
 import math
 
 from rtshell_lite import errors
@@ -28,7 +29,7 @@ class ComponentDirectory(Directory):
         self.contexts = source(lambda: component.context_refs(self.node))
         self.state = source(self._state, 0)
         self.ports = source(lambda: Snapshot(self.node).ask(ports=EACH))
-        self.profile = source(lambda: self.ports.get().ask(profile=FULL).profile)
+        self.profile = source(self._profile)
         self.configuration = source(lambda: configuration.Configuration(self.node))
         self.organisations = source(lambda: list(self._members()))
         self.everything = source(self._everything)
@@ -47,7 +48,13 @@ class ComponentDirectory(Directory):
         self.node = node
 
     def place(self):
-        return self.node.endpoint if self.node.ref is not None else None, self.where
+        return self.node.endpoint if self.node.ref is not None else None, self.node.path
+
+    def _profile(self):
+        snapshot = self.ports.get()  # before the profile: see `component.profile`
+        if snapshot.refusing:
+            raise snapshot.refusing[0][1]
+        return snapshot.ask(profile=FULL).profile
 
     def _state(self):
         owned, participating = self.contexts.get()
@@ -64,7 +71,7 @@ class ComponentDirectory(Directory):
     def entries(self, value):
         found = {"state": (Control, self.state, lambda state: state + "\n", self._change)}
         for field in FIELDS:
-            found[field] = Text, self.profile, lambda profile, field=field: line(getattr(profile, field))
+            found[field] = Text, self.profile, functools.partial(_field, field)
         found["profile.json"] = Text, self.everything, lambda fields: json_line(fields) + "\n"
         found["properties"] = Items, self.profile, lambda profile: profile.properties
         found["ports"] = (PortsDirectory, self.ports)
@@ -82,6 +89,10 @@ class ComponentDirectory(Directory):
         if text not in TRANSITIONS:
             raise errors.BadValue(self.where + "/state", f"not {', '.join(TRANSITIONS)}")
         component.change(self.node, TRANSITIONS[text], wait=WAIT)
+
+
+def _field(name, profile):
+    return line(getattr(profile, name))
 
 
 class MembersDirectory(Directory):

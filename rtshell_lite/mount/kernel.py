@@ -113,7 +113,9 @@ def _received(channel):
     _, ancillary, _, _ = channel.recvmsg(1, socket.CMSG_SPACE(4))
     for level, kind, data in ancillary:
         if (level, kind) == (socket.SOL_SOCKET, socket.SCM_RIGHTS):
-            return array.array("i", data[:4])[0]
+            fd = array.array("i", data[:4])[0]
+            os.set_inheritable(fd, False)
+            return fd
     return None
 
 

@@ -20,7 +20,7 @@ class ManagerDirectory(Directory):
         self.node = node
 
     def place(self):
-        return self.node.endpoint, self.where
+        return self.node.endpoint, self.node.path
 
     def entries(self, value):
         def lines(operation, key=None):

@@ -1,4 +1,5 @@
 """The upper part of a mounted RTC Tree: its root, name servers, naming contexts, and what is bound in them."""
+import posixpath
 import stat
 
 from rtshell_lite import errors
@@ -7,7 +8,8 @@ from rtshell_lite.mount.components import ComponentDirectory
 from rtshell_lite.mount.managers import ManagerDirectory
 from rtshell_lite.mount.nodes import NOTHING, Absent, Directory, File, Link, Text, file_name, relative
 from rtshell_lite.path import Path, parse
-from rtshell_lite.robot import aliases, naming, tree
+from rtshell_lite.robot import naming, tree
+from rtshell_lite.robot.node import bound
 
 MOST_SERVERS = 64  # that the root lists because somebody has named them
 README = """This is the RTC Tree, the tree of OpenRTM-aist components, as files. One value a file.
@@ -95,7 +97,7 @@ class Root(Directory):
         if path is None or name.startswith("."):  # .git, .hidden … of programs that look everywhere
             raise Absent(self.where + "/" + name)
         node = tree.resolve(path)
-        source = self.mount.source(lambda: (node.endpoint, name), lambda: _is_server(node), 0)
+        source = self.mount.source(lambda: (node.endpoint, name), lambda: bound(node), 0)
         return source, lambda _: self.child(name, (ServerDirectory, path.server))
 
 
@@ -108,11 +110,6 @@ def _server_path(name):
     return path if path.server is not None and not path.names and file_name(path.server) == name else None
 
 
-def _is_server(node):
-    tree.resolve(node.path)
-    return node.call("_is_a", "IDL:omg.org/CosNaming/NamingContext:1.0")
-
-
 class ContextDirectory(Directory):
     """A naming context."""
 
@@ -123,14 +120,16 @@ class ContextDirectory(Directory):
         super().__init__(above, name)
         self.node, self._bindings = node, {}
         self.source = self.mount.source(self.place, self._listed)
+        self.mount.contexts.setdefault(orb.identity(node.ref), self)
 
     def renew(self, node):
         if not orb.same(self.node.ref, node.ref):
             self.expire()
+            self.mount.contexts[orb.identity(node.ref)] = self
         self.node = node
 
     def place(self):
-        return self.node.endpoint, self.where
+        return self.node.endpoint, self.node.path
 
     def _listed(self):
         return self.mount.census.judged(tree.children(self.node))
@@ -172,9 +171,13 @@ class ContextDirectory(Directory):
 
     def _made(self, node):
         """(class, arguments) for what is bound here."""
-        if node.kind in ("server", "directory"):
-            above = self._loop(node)
-            return (Link, relative(above.path, self)) if above else (ContextDirectory, node)
+        if node.kind == "directory":
+            known = self._entered(node)
+            if known is not None:
+                return Link, relative(known.path, self)
+            if len(node.path.names) > tree.DEPTH:
+                return Link, f"more than {tree.DEPTH} directories deep"
+            return ContextDirectory, node
         if node.kind == "zombie":
             return Zombie, node
         if node.kind == "manager" or node.kind == "unsure" and node.path.names[-1].kind == "mgr":
@@ -183,15 +186,10 @@ class ContextDirectory(Directory):
             return Text, NOTHING, lambda _: node.what + "\n"
         return ComponentDirectory, node
 
-    def _loop(self, node):
-        """The directory above that is the same context as `node`, or None: a tree must end."""
-        place, known = self, aliases.Known()
-        while type(place) in (ContextDirectory, ServerDirectory):
-            known.enter(place.node)
-            if known.path(node):
-                return place
-            place = place.above
-        return None
+    def _entered(self, node):
+        """The directory by which the kernel knows the context `node` already, or None: a tree must end."""
+        known = self.mount.contexts.get(orb.identity(node.ref))
+        return None if known is None or known.path == posixpath.join(self.path, file_name(node.path.names[-1])) else known
 
 
 def _absent(where):

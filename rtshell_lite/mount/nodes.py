@@ -8,9 +8,10 @@ import posixpath
 import stat
 import threading
 import time
+import weakref
 
 from rtshell_lite import errors
-from rtshell_lite.mount.asking import Crew, Given, Source
+from rtshell_lite.mount.asking import Crew, Given, Kept, Source
 from rtshell_lite.mount.census import Census
 from rtshell_lite.path import parse
 from rtshell_lite.text import cut, printable, safe, unescaped
@@ -37,10 +38,11 @@ class Mount:
         """`report` is called with each failure."""
         self.report = report
         self.directory, self.ttl, self.read_only = directory, ttl, read_only
-        self.crew, self.lock = Crew(), threading.RLock()
+        self.crew, self.kept, self.lock = Crew(), Kept(), threading.RLock()
         self.census = Census(self.crew, ttl)
         self.errors = collections.deque(maxlen=MOST_ERRORS)
         self.streams = set()  # that are connected
+        self.contexts = weakref.WeakValueDictionary()  # directories of naming contexts by the identity of these
         self.began = int(time.time())
 
     def complain(self, sentence):
@@ -50,7 +52,7 @@ class Mount:
 
     def source(self, place, ask, seconds=None):
         """A Source that is believed for `seconds`, by default the ttl."""
-        return Source(self.crew, place, ask, self.ttl if seconds is None else seconds)
+        return Source(self.crew, self.kept, place, ask, self.ttl if seconds is None else seconds)
 
 
 # ---- names ----------------------------------------------------------------------------------------------------
@@ -213,8 +215,8 @@ class Link(Node):
         super().__init__(above, name)
         self._target = target
 
-    def renew(self, target):
-        self._target = target
+    def renew(self, *arguments):
+        self._target, = arguments
 
     def target(self):
         """(Source, function) of the text."""

@@ -60,9 +60,10 @@ class PortDirectory(Directory):
         if port.type in ports.DATA:
             found["data_type"] = (Text, self.source,
                                   lambda snapshot: line(self.port(snapshot).properties.get("dataport.data_type", "")))
-        found["properties"] = (Items, self.source, lambda snapshot: sorted(self.port(snapshot).properties.items()))
-        found["interfaces"] = (Items, self.source, lambda snapshot: [
-            (one.instance_name, f"{one.polarity} {one.type_name}") for one in self.port(snapshot).interfaces])
+        else:
+            found["interfaces"] = (Items, self.source, lambda snapshot: [
+                (one.instance_name, f"{one.polarity} {one.type_name}") for one in self.port(snapshot).interfaces])
+        found["properties"] = (Items, self.source, lambda snapshot: self.port(snapshot).properties.items())
         found["connections"] = (ConnectionsDirectory,)
         return found
 
@@ -138,7 +139,7 @@ class Connection(Link):
     def __init__(self, above, name):
         super().__init__(above, name, None)
 
-    def renew(self):
+    def renew(self, *arguments):
         pass
 
     def target(self):

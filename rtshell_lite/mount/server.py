@@ -24,6 +24,9 @@ ERRNOS = (
     (errors.Refused, errno.EPERM), (errors.Failed, errno.EPERM))
 
 
+QUIET = wire.LOOKUP, wire.READDIR, wire.READDIRPLUS, wire.READ, wire.READLINK
+
+
 def errno_of(error):
     """The errno for an exception."""
     if isinstance(error, OSError):
@@ -71,14 +74,14 @@ class Server:
         handler = HANDLERS.get(request.opcode)
         try:
             if handler is None:
-                raise OSError(REFUSED.get(request.opcode, errno.ENOSYS), "")
+                raise OSError(errno.ENOSYS, "")
             handler(self, request)
         except Exception as e:  # one request must not end all others
             self.fail(request, e)
 
     def _tidy(self):
         while not self._ended.wait(SWEEP):
-            self.mount.crew.sweep()
+            self.mount.kept.sweep()
             self.mount.census.sweep()
             for stream in list(self.mount.streams):
                 stream.look()
@@ -99,8 +102,8 @@ class Server:
         return True
 
     def fail(self, request, error):
-        """Answer a request by the errno of a failure, and keep the words."""
-        if not isinstance(error, (Absent, OSError)):
+        """Answer a request by the errno of a failure, and keep the words; not of a look at a name that is not there."""
+        if not isinstance(error, OSError) and not (isinstance(error, Absent) and request.opcode in QUIET):
             known = isinstance(error, errors.Error)
             self.mount.complain(str(error) if known else f"internal error: {type(error).__name__}: {printable(str(error))}")
         self.reply(request, error=errno_of(error))
@@ -203,7 +206,7 @@ class Server:
 
     def setattr(self, request):
         if wire.changed(request.body) & ~wire.HARMLESS:
-            raise OSError(errno.EPERM, "")
+            raise errors.Refused(self._node(request, object).where, "modes and owners cannot be changed")
         self.getattr(request)
 
     def readlink(self, request):
@@ -225,7 +228,7 @@ class Server:
         name, = wire.names(request.body)
         node = self._node(request, Directory).known.get(name)
         if not isinstance(node, Link):
-            raise OSError(errno.EPERM, "")
+            self.refuse(request)
         self.change(request, node, node.remove)
 
     def open(self, request):
@@ -273,6 +276,10 @@ class Server:
     def done(self, request):
         self.reply(request)
 
+    def refuse(self, request):
+        where = self._node(request, object).where
+        raise errors.Refused(where, "nothing can be made, moved or removed here but connections and zombies")
+
     # ---- directories ------------------------------------------------------------------------------------------
 
     def opendir(self, request):
@@ -318,8 +325,11 @@ class Server:
     def close(self):
         """Disconnect everything, after the end of `serve`."""
         self._ended.set()
-        for stream in list(self.mount.streams):
-            stream.close()
+        closing = [threading.Thread(target=stream.close, daemon=True) for stream in list(self.mount.streams)]
+        for thread in closing:
+            thread.start()
+        for thread in closing:
+            thread.join()
 
 
 HANDLERS = {
@@ -329,4 +339,5 @@ HANDLERS = {
     wire.RELEASE: Server.release, wire.RELEASEDIR: Server.release, wire.INTERRUPT: Server.interrupt, wire.STATFS: Server.statfs,
     wire.OPENDIR: Server.opendir, wire.READDIR: Server.readdir, wire.READDIRPLUS: Server.readdir, wire.FSYNC: Server.done,
     wire.FSYNCDIR: Server.done, wire.DESTROY: Server.done}
-REFUSED = dict.fromkeys((wire.MKNOD, wire.MKDIR, wire.RMDIR, wire.RENAME, wire.RENAME2, wire.LINK, wire.CREATE), errno.EPERM)
+HANDLERS.update(dict.fromkeys((wire.MKNOD, wire.MKDIR, wire.RMDIR, wire.RENAME, wire.RENAME2, wire.LINK, wire.CREATE),
+                              Server.refuse))
