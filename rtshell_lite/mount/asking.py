@@ -69,10 +69,18 @@ class Crew:
 
 
 class Kept:
-    """The Sources with a value, which is to be freed when it is believed no longer."""
+    """The Sources with a value, which is to be freed when it is believed no longer.
+
+    changes   how often something has been changed: nothing is believed that was asked before the last time
+    """
 
     def __init__(self):
-        self._lock, self._sources = threading.Lock(), []
+        self._lock, self._sources, self.changes = threading.Lock(), [], 0
+
+    def expire(self):
+        """Something has been changed."""
+        with self._lock:
+            self.changes += 1
 
     def add(self, source):
         """Note that a Source has a value."""
@@ -94,16 +102,17 @@ class Source:
     `place()` gives (endpoint, where) of the peer, `ask()` the value, on a lane of the peer.
     """
 
-    __slots__ = ("_crew", "_kept", "place", "ask", "seconds", "value", "_until", "_coming", "_flight", "_lock")
+    __slots__ = ("_crew", "_kept", "place", "ask", "seconds", "value", "_until", "_changes", "_asked", "_coming", "_flight", "_lock")
 
     def __init__(self, crew, kept, place, ask, seconds):
         self._crew, self._kept, self.place, self.ask, self.seconds = crew, kept, place, ask, seconds
         self.value, self._until, self._lock = None, 0.0, threading.Lock()
+        self._changes = self._asked = 0  # `Kept.changes` when the value was asked for; when the question in flight was asked
         self._coming = self._flight = None  # those who wait for a question that has not been asked yet; that has been
 
     def is_fresh(self):
         """Whether `value` can be believed."""
-        return self._until > time.monotonic()
+        return self._until > time.monotonic() and self._changes == self._kept.changes
 
     def expire(self):
         """Believe nothing that was asked before now."""
@@ -120,7 +129,7 @@ class Source:
     def want(self, waiter):
         """Have waiter(value) called, or waiter(error), when it has been answered; on a thread that asks."""
         with self._lock:
-            if self.seconds and self._flight is not None:
+            if self.seconds and self._flight is not None and self._asked == self._kept.changes:
                 self._flight.append(waiter)
                 return
             if self._coming is not None:
@@ -132,12 +141,13 @@ class Source:
     def _run(self):
         with self._lock:
             waiters, self._coming = self._coming, None
-            self._flight = waiters
+            self._flight, changes = waiters, self._kept.changes
+            self._asked = changes
         answer = self._answer()
         with self._lock:
             if self._flight is waiters:  # nothing has changed since it was asked
                 self._flight = None
-                self._keep(answer)
+                self._keep(answer, changes)
         for waiter in waiters:
             waiter(answer)
 
@@ -145,24 +155,26 @@ class Source:
         if self.is_fresh():
             return self.value
         try:
-            answer, = lanes.gather([lanes.Job(*self.place(), self.ask)])
+            endpoint, where = self.place()
+            answer, = lanes.gather([lanes.Job(endpoint, where, self.ask)])
         except Exception as e:  # a bug of ours must not leave anybody waiting
             return e
         return answer
 
-    def _keep(self, answer):
-        if self.seconds and answer is not None and not isinstance(answer, Exception):
+    def _keep(self, answer, changes):
+        if self.seconds and changes == self._kept.changes and answer is not None and not isinstance(answer, Exception):
             if self.value is None:
                 self._kept.add(self)
-            self.value, self._until = answer, time.monotonic() + self.seconds
+            self.value, self._until, self._changes = answer, time.monotonic() + self.seconds, changes
 
     def get(self):
         """The value, asked for on this thread if need be. Raises what `ask` raises."""
         if self.is_fresh():
             return self.value
+        changes = self._kept.changes
         value = self.ask()
         with self._lock:
-            self._keep(value)
+            self._keep(value, changes)
         return value
 
 

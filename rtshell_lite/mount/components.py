@@ -140,12 +140,9 @@ class ConfigurationDirectory(Directory):
         self.change(lambda found: found.activate(meant(text, self.where)))
 
     def change(self, function):
-        """function(Configuration), read anew; what was known is believed no longer."""
+        """function(Configuration), which is read anew."""
         self.source.expire()
-        try:
-            function(self.source.get())
-        finally:
-            self.source.expire()
+        function(self.source.get())
 
 
 class SetDirectory(Directory):

@@ -39,9 +39,6 @@ class ManagerDirectory(Directory):
         except errors.Usage as e:
             raise errors.BadValue(self.where + "/create", str(e).replace(" (see --help)", ""))
         manager.create(self.node, text, WAIT)
-        for directory in (self.above, self.known.get("components")):
-            if directory is not None:
-                directory.source.expire()
 
 
 class ManagedDirectory(Directory):

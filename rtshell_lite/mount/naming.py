@@ -223,4 +223,3 @@ class Zombie(Link):
     def remove(self):
         for _ in naming.delete(self._target.path, self.mount.errors.append, zombie_only=True):
             pass
-        self.above.expire()

@@ -100,7 +100,7 @@ class Node:
 
     __slots__ = ("id", "above", "name", "lookups")
     mode = 0
-    writable = False
+    is_part = True  # of the tree: others may look different after it has been changed
 
     def __init__(self, above, name):
         self.id, self.above, self.name, self.lookups = 0, above, name, 0

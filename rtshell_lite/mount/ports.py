@@ -111,13 +111,7 @@ class ConnectionsDirectory(Directory):
         if not isinstance(other, PortDirectory):
             raise errors.BadValue(where, f"{line(target).strip()} is no port of this mount; a link's target starts where the link is")
         connectors.connect([self.above.fresh(), other.fresh()], meant(name, where))
-        self._changed(other)
         return self.child(name, (Connection,))
-
-    def _changed(self, *others):
-        for directory in (self.above, *others):
-            directory.source.expire()
-        self.far.expire()
 
     def disconnect(self, name):
         """Remove the connection of this file name."""
@@ -125,10 +119,7 @@ class ConnectionsDirectory(Directory):
         end = self.named(self.source.get()).get(name)
         if end is None:
             raise Absent(posixpath.join(self.where, name))
-        try:
-            connectors.disconnect(port, end.connector)
-        finally:
-            self._changed()
+        connectors.disconnect(port, end.connector)
 
 
 class Connection(Link):

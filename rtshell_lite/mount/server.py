@@ -4,6 +4,7 @@ have to be asked. What waits is a record, not a thread.
 import errno
 import itertools
 import os
+import posixpath
 import stat
 import threading
 
@@ -127,8 +128,15 @@ class Server:
 
     def change(self, request, node, function, payload=b""):
         """Call function() on a thread that may ask, one at a time for a peer's node, and reply `payload` or what it returns."""
+        def changed(_):
+            try:
+                return function() or payload
+            finally:
+                if node.is_part:
+                    self.mount.kept.expire()
+
         def run():
-            self._arrived(request, lambda _: function() or payload, None)
+            self._arrived(request, changed, None)
         self.mount.crew.start(("change", node.where), run, most=1)
 
     # ---- nodes that the kernel knows --------------------------------------------------------------------------
@@ -219,6 +227,7 @@ class Server:
 
         def make():
             node = directory.make_link(name, target)
+            self.mount.kept.expire()
             with self.mount.lock:
                 if not self.reply(request, self._entry(node)):
                     self._forget(node, 1)
@@ -248,6 +257,8 @@ class Server:
 
     def read(self, request):
         number, offset, size = wire.reading(request.body)
+        if not wire.is_direct(request.body):  # sendfile would take our sizes for true; programs then read as they do elsewhere
+            raise OSError(errno.EINVAL, "")
         handle = self._handles[number]
         self._pending[request.unique] = handle
         handle.read(self, request, offset, size)
@@ -277,7 +288,7 @@ class Server:
         self.reply(request)
 
     def refuse(self, request):
-        where = self._node(request, object).where
+        where = posixpath.join(self._node(request, object).where, printable(wire.named(request.opcode, request.body)))
         raise errors.Refused(where, "nothing can be made, moved or removed here but connections and zombies")
 
     # ---- directories ------------------------------------------------------------------------------------------

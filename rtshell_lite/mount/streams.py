@@ -265,6 +265,7 @@ class Sending(File):
     """What is written to it is sent to an in port. All who write to a port share a connection, while any has the file open."""
 
     __slots__ = ("_open", "_made")
+    is_part = False
     mode = stat.S_IFREG | 0o200
 
     def __init__(self, above, name):

@@ -10,12 +10,14 @@ LOOKUP, FORGET, GETATTR, SETATTR, READLINK, SYMLINK = range(1, 7)
 MKNOD, MKDIR, UNLINK, RMDIR, RENAME, LINK, OPEN, READ, WRITE, STATFS = range(8, 18)
 RELEASE, FSYNC, INIT, OPENDIR, READDIR, RELEASEDIR, FSYNCDIR = 18, 20, 26, 27, 28, 29, 30
 CREATE, INTERRUPT, DESTROY, BATCH_FORGET, READDIRPLUS, RENAME2 = 35, 36, 38, 42, 44, 45
+_NAME_AT = {MKNOD: 16, MKDIR: 8, RENAME: 8, RENAME2: 16, LINK: 8, CREATE: 16}  # where names begin, if not at 0
 UNANSWERED = (FORGET, BATCH_FORGET, INTERRUPT)
 
 VERSION = 7, 31  # asks for nothing that came later
 MOST_WRITTEN = 1 << 17  # bytes in one WRITE, the most that kernels send without further flags
 LONGEST = MOST_WRITTEN + 4096  # bytes of a request
 ATOMIC_O_TRUNC, DO_READDIRPLUS, PARALLEL_DIROPS = 1 << 3, 1 << 13, 1 << 18  # flags of INIT
+LOCK_OWNER = 1 << 1  # flag of READ: it is for one program
 DIRECT_IO = 1  # flag of OPEN: the kernel keeps no content and believes no size
 # What SETATTR may change: the size, times, and bits that change nothing (a handle, the owner of a lock).
 HARMLESS = 1 << 3 | 1 << 4 | 1 << 5 | 1 << 7 | 1 << 8 | 1 << 10 | 1 << 6 | 1 << 9
@@ -56,6 +58,11 @@ def names(body):
     return [name.decode("utf-8", "surrogateescape") for name in body.split(b"\0")[:-1]]
 
 
+def named(opcode, body):
+    """The first name in the body of a request that makes, moves or removes something."""
+    return names(body[_NAME_AT.get(opcode, 0):])[0]
+
+
 def init(body):
     """((major, minor), flags) that the kernel offers."""
     major, minor, _, flags = struct.unpack_from("=IIII", body)
@@ -88,6 +95,11 @@ def handle(body):
 def reading(body):
     """(handle, offset, size) of READ, READDIR and READDIRPLUS."""
     return _IO.unpack_from(body)[:3]
+
+
+def is_direct(body):
+    """Whether a READ is a program's own. Others are for the kernel's page cache, for sendfile(2) say, which believes sizes."""
+    return _IO.unpack_from(body)[3] & LOCK_OWNER
 
 
 def writing(body):

@@ -243,26 +243,9 @@ Names that files cannot have are escaped as in our paths, slashes as \x2f; what 
   sp ace.rtc
   tab\x09new\x0aline.rtc
   ?????????.rtc
-  $ ls | grep -c 'xxx.*\\~[0-9a-f]*$'
-  0
-  [1]
-  $ for name in *.rtc; do [ -L "$name" ] || cat "$name/instance_name"; done
+  $ for name in *.rtc; do [ -d "./$name" ] && cat "./$name/instance_name"; done
   $(id);'"*
-  cat: invalid option -- 'l'
-  BusyBox v1.35.0 (Debian 1:1.35.0-4+deb12u1+b1) multi-call binary.
-
-  Usage: cat [-nbvteA] [FILE]...
-
-  Print FILEs to stdout
-
-  \t-n\tNumber output lines (esc)
-  \t-b\tNumber nonempty lines (esc)
-  \t-v\tShow nonprinting characters as ^x or M-x (esc)
-  \t-t\t...and tabs as ^I (esc)
-  \t-e\t...and end lines with $ (esc)
-  \t-A\tSame as -vte (esc)
-  cat: can't open 'Nil0.rtc/instance_name': Not a directory
-  cat: can't open 'NotAComponent0.rtc/instance_name': Not a directory
+  -l
   Same0
   Twin0
   Twin0
@@ -296,40 +279,40 @@ Attributes: the owner may write what can be changed, others read.
   $ df $root | sed 1d
   rtmount                      0         0         0   0% $TMP/m
 
-Whatever is listed can be read by anyone, and nothing changes, blocks or connects by it. One call a file at most, and those of the
-profile, the configuration, the contexts and the composition:
+Whatever is listed can be read by anyone, and nothing changes, blocks or connects by it. Of one value a call, of the profile, the
+ports, the configuration and the composition their own calls, however many files they are; profile.json asks for all of it.
 
-  $ cd ConsoleIn0.rtc; PATH=$tools ctl reset; grep -r . . >$TMP/all; find . -type f -exec cat {} + >$TMP/cat; sort $TMP/all | head -n 4
-  ./category:example
-  ./configuration/active:default
-  ./contexts/0/kind:Periodic
-  ./contexts/0/owner:ConsoleIn0
-  $ cd ..; PATH=$tools calls ConsoleIn0
+  $ cd $TMP; PATH=$tools rtmount -u m; PATH=$tools rtmount --ttl 60 m; cd m/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
+  $ PATH=$tools ctl reset; grep -r . . | wc -l; find . -type f -exec cat {} + | wc -l
+  59
+  69
+  $ PATH=$tools calls ConsoleIn0
   1 get_active_configuration_set
-  1 get_component_profile
-  2 get_component_state
+  2 get_component_profile
+  3 get_component_state
   1 get_configuration
   1 get_configuration_sets
-  1 get_owned_contexts
-  1 get_participating_contexts
-  1 get_port_profile
-  1 get_ports
+  2 get_context_handle
+  1 get_organizations
+  2 get_owned_contexts
+  2 get_owned_organizations
+  2 get_participating_contexts
+  2 get_port_profile
+  2 get_ports
+  2 get_profile
   2 get_rate
-  2 is_running
-  $ tar cf - ConsoleIn0.rtc 2>$TMP/err | tar tf - | grep -c properties; cat $TMP/err
-  tar: short read
-  0
-  tar: short read
-  $ cp -r ConsoleIn0.rtc/ports $TMP/copy; cat $TMP/copy/out/type
+  1 get_sdo_id
+  4 is_running
+  $ cp -r ports $TMP/copy; cat $TMP/copy/out/type; cd ..
   DataOutPort
   $ PATH=$tools rtcat -l ConsoleIn0.rtc:out | grep Conn
    +Connected to  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
 
-Polling: one call a value, two more a second.
+Polling: one call a value.
 
   $ PATH=$tools ctl reset; i=0; while [ $i -lt 100 ]; do read -r state <ConsoleIn0.rtc/state; i=$((i + 1)); done; echo "$state"
   Inactive
-  $ PATH=$tools calls ConsoleIn0 | grep state
+  $ PATH=$tools calls ConsoleIn0 | grep -v exist
   100 get_component_state
 
 Other name servers appear when they are named; the root lists them then:
@@ -346,6 +329,7 @@ Other name servers appear when they are named; the root lists them then:
 The end:
 
   $ cd $TMP; PATH=$tools rtmount -u m; ls m
-  $ PATH=$tools
 
-local: it mounts
+local: it contacts nobody before somebody reads
+prepared: mkdir robot
+example: rtmount -u robot <- [ -e robot/README ]
