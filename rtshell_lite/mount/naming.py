@@ -1,5 +1,6 @@
 """The upper part of a mounted RTC Tree: its root, name servers, naming contexts, and what is bound in them."""
 import posixpath
+import re
 import stat
 
 from rtshell_lite import errors
@@ -11,6 +12,7 @@ from rtshell_lite.path import Path, parse
 from rtshell_lite.robot import naming, tree
 from rtshell_lite.robot.node import bound
 
+HOST = re.compile(r"[\w[][\w.:\]-]*\Z")  # not .git, .hidden …, for which programs look everywhere
 MOST_SERVERS = 64  # that the root lists because somebody has named them
 README = """This is the RTC Tree, the tree of OpenRTM-aist components, as files. One value a file.
 
@@ -94,7 +96,7 @@ class Root(Directory):
         if name in self.entries(()):
             return super().find(name)
         path = _server_path(name)
-        if path is None or name.startswith("."):  # .git, .hidden … of programs that look everywhere
+        if path is None or not HOST.match(name):
             raise Absent(self.where + "/" + name)
         node = tree.resolve(path)
         source = self.mount.source(lambda: (node.endpoint, name), lambda: bound(node), 0)

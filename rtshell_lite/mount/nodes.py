@@ -59,8 +59,8 @@ class Mount:
 
 def file_name(name):
     """`name`, a text or a path.Name, as the name of a file: escaped as in our paths, and if it is too long, shortened."""
-    spelt = printable(name) if isinstance(name, str) else str(name)
-    spelt = {"": "\\e", ".": "\\.", "..": "\\.\\."}.get(spelt) or spelt.replace("\\/", "/").replace("/", "\\x2f")
+    spelt = printable(name) if isinstance(name, str) else str(name).replace("\\/", "/")
+    spelt = {"": "\\e", ".": "\\.", "..": "\\.\\."}.get(spelt) or spelt.replace("/", "\\x2f")
     raw = spelt.encode("utf-8")
     if len(raw) <= NAME_MAX:
         return spelt

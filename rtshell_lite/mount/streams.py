@@ -8,6 +8,8 @@ from rtshell_lite import errors
 from rtshell_lite.data import datatypes, reading, sender, values, writing
 from rtshell_lite.mount.nodes import File
 from rtshell_lite.mount.opened import Opened
+from rtshell_lite.robot import ports
+from rtshell_lite.text import printable
 
 NAME = "rtmount"  # of our connectors
 ROOM = 1 << 22  # bytes of lines that wait for a slow reader; the oldest are dropped
@@ -17,8 +19,9 @@ def data_type(port):
     """The datatypes.Type of a port's values. Raises Unsupported where it is not known."""
     try:
         return datatypes.Types().of_port(port)
-    except errors.NoSuch as e:
-        raise errors.Unsupported(e.where, e.why)
+    except errors.NoSuch:
+        name = printable(port.properties.get("dataport.data_type", "")) or "no type"
+        raise errors.Unsupported(ports.label(port), f"{name} is no standard data type; rtprint and rtinject take others (--idl)")
 
 
 # ---- out of components ----------------------------------------------------------------------------------------
@@ -302,6 +305,7 @@ class Sending(File):
             kind = data_type(port)
             values.Expression(line, datatypes.Types(), kind)
             writer = writing.Writer(port, name=NAME)
+            writer.hint = ""
             writer.__enter__()
             self._made = writer, kind
             self.mount.streams.add(self)

@@ -331,5 +331,5 @@ The end:
   $ cd $TMP; PATH=$tools rtmount -u m; ls m
 
 local: it contacts nobody before somebody reads
-prepared: mkdir robot
-example: rtmount -u robot <- [ -e robot/README ]
+prepared: mkdir robot; rtact Motor0.rtc
+example: grep -l Error robot/localhost/*/*.rtc/state -> 1

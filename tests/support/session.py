@@ -192,6 +192,12 @@ def play_hang(words):
     processes.tell(words, signal.SIGSTOP, "stopped")
 
 
+def play_start_again(words):
+    """start-again SERVER: start a name server that was killed, at its old port, with its old names."""
+    with open(processes.session_file(words[0] + ".command")) as file:
+        processes.start(words[0], json.load(file))
+
+
 def play_resume(words):
     """resume WORLD: let it go on."""
     processes.tell(words, signal.SIGCONT, "running")
