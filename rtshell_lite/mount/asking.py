@@ -1,5 +1,6 @@
 """Remote questions on behalf of many requests: shared by those who wait for the same answer, on a bounded number of threads."""
 import collections
+import re
 import threading
 import time
 
@@ -8,6 +9,7 @@ from rtshell_lite.corba import lanes
 
 MOST = 256  # threads that ask, at most
 IDLE = 5.0  # seconds that a thread waits for more to do
+NUMERIC = re.compile(r"[0-9.]+\Z|.*:")  # an address; to look a name up may take longer than any deadline of the ORB
 
 
 class Crew:
@@ -96,6 +98,23 @@ class Kept:
             self._sources += sources
 
 
+def _asked(endpoint, where, ask):
+    """ask() or its errors.Error, on this thread, which becomes a lane of the peer."""
+    if endpoint and not NUMERIC.match(endpoint[0]):
+        answer, = lanes.gather([lanes.Job(endpoint, where, ask)])
+        return answer
+    lanes.become_lane(endpoint)
+    peer, begun = lanes.Peer(endpoint), time.monotonic()
+    if peer.silence:
+        return errors.Silent(str(where), peer.silence)
+    try:
+        return ask()
+    except errors.Error as e:
+        if isinstance(e, errors.Silent):
+            peer.fall_silent(e.why, begun)
+        return lanes.alone(e)
+
+
 class Source:
     """The answer to a remote question, believed for some `seconds`; 0: each request wants one that was asked for after it came.
 
@@ -156,10 +175,9 @@ class Source:
             return self.value
         try:
             endpoint, where = self.place()
-            answer, = lanes.gather([lanes.Job(endpoint, where, self.ask)])
+            return _asked(endpoint, where, self.ask)
         except Exception as e:  # a bug of ours must not leave anybody waiting
             return e
-        return answer
 
     def _keep(self, answer, changes):
         if self.seconds and changes == self._kept.changes and answer is not None and not isinstance(answer, Exception):

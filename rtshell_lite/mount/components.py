@@ -30,7 +30,7 @@ class ComponentDirectory(Directory):
         self.state = source(self._state, 0)
         self.ports = source(lambda: Snapshot(self.node).ask(ports=EACH))
         self.profile = source(self._profile)
-        self.configuration = source(lambda: configuration.Configuration(self.node))
+        self.configuration = source(lambda: configuration.of(self.node))
         self.organisations = source(lambda: list(self._members()))
         self.everything = source(self._everything)
 

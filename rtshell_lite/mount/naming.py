@@ -61,6 +61,10 @@ class Local(File):
     def size(self):
         return len(self._text().encode())
 
+    @property
+    def seconds(self):
+        return 0
+
     def content(self):
         return NOTHING, lambda _: self._text()
 

@@ -38,8 +38,9 @@ class Mount:
         """`report` is called with each failure."""
         self.report = report
         self.directory, self.ttl, self.read_only = directory, ttl, read_only
-        self.crew, self.kept, self.lock = Crew(), Kept(), threading.RLock()
-        self.census = Census(self.crew, ttl)
+        self.crew, self.changes = Crew(), Crew()  # those that ask are lanes, see `lanes.become_lane`; those that change are none
+        self.kept, self.lock = Kept(), threading.RLock()
+        self.census = Census(self.changes, ttl)
         self.errors = collections.deque(maxlen=MOST_ERRORS)
         self.streams = set()  # that are connected
         self.contexts = weakref.WeakValueDictionary()  # directories of naming contexts by the identity of these
@@ -115,6 +116,11 @@ class Node:
     @property
     def size(self):
         return 0
+
+    @property
+    def seconds(self):
+        """How long the kernel may believe its name and size."""
+        return self.mount.ttl
 
     def place(self):
         """(endpoint, where) of the peer that its changes are asked of."""

@@ -137,7 +137,7 @@ class Server:
 
         def run():
             self._arrived(request, changed, None)
-        self.mount.crew.start(("change", node.where), run, most=1)
+        self.mount.changes.start(("change", node.where), run, most=1)
 
     # ---- nodes that the kernel knows --------------------------------------------------------------------------
 
@@ -170,7 +170,7 @@ class Server:
             self.nodes[node.id] = node
         node.above.known[node.name] = node
         node.lookups += 1
-        return wire.entry(node.id, self._attributes(node), self.mount.ttl)
+        return wire.entry(node.id, self._attributes(node), node.seconds)
 
     def _forget(self, node, count):
         """Forget a node when the kernel has; the lock is held."""
@@ -210,7 +210,7 @@ class Server:
 
     def getattr(self, request):
         node = self._node(request, object)
-        self.reply(request, wire.attributes_reply(self._attributes(node), self.mount.ttl))
+        self.reply(request, wire.attributes_reply(self._attributes(node), node.seconds))
 
     def setattr(self, request):
         if wire.changed(request.body) & ~wire.HARMLESS:

@@ -41,13 +41,13 @@ class Feed:
         """Give lines to a Reading from now on."""
         with self._lock:
             self._readers.add(reader)
-        self._mount.crew.start(("feed", self._where), self._settle, most=1)
+        self._mount.changes.start(("feed", self._where), self._settle, most=1)
 
     def detach(self, reader):
         """Stop that."""
         with self._lock:
             self._readers.discard(reader)
-        self._mount.crew.start(("feed", self._where), self._settle, most=1)
+        self._mount.changes.start(("feed", self._where), self._settle, most=1)
 
     def _settle(self):
         """Connect, or disconnect, as there are readers or none."""
@@ -318,7 +318,7 @@ class Sending(File):
         """An open file of it is closed."""
         self._open -= 1
         if not self._open:
-            self.mount.crew.start(("change", self.where), self._closed, most=1)
+            self.mount.changes.start(("change", self.where), self._closed, most=1)
 
     def _closed(self):
         if not self._open:

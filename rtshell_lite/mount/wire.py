@@ -16,7 +16,7 @@ UNANSWERED = (FORGET, BATCH_FORGET, INTERRUPT)
 VERSION = 7, 31  # asks for nothing that came later
 MOST_WRITTEN = 1 << 17  # bytes in one WRITE, the most that kernels send without further flags
 LONGEST = MOST_WRITTEN + 4096  # bytes of a request
-ATOMIC_O_TRUNC, DO_READDIRPLUS, PARALLEL_DIROPS = 1 << 3, 1 << 13, 1 << 18  # flags of INIT
+DO_READDIRPLUS, PARALLEL_DIROPS = 1 << 13, 1 << 18  # flags of INIT; FUSE_ATOMIC_O_TRUNC would make the kernel believe a size of 0
 LOCK_OWNER = 1 << 1  # flag of READ: it is for one program
 DIRECT_IO = 1  # flag of OPEN: the kernel keeps no content and believes no size
 # What SETATTR may change: the size, times, and bits that change nothing (a handle, the owner of a lock).
@@ -122,7 +122,7 @@ def reply(unique, payload=b"", error=0):
 
 def init_reply(version, flags):
     """The answer to INIT, with those of `flags` that we use. Kernels older than 7.31 are answered by their own version."""
-    flags &= ATOMIC_O_TRUNC | DO_READDIRPLUS | PARALLEL_DIROPS
+    flags &= DO_READDIRPLUS | PARALLEL_DIROPS
     major, minor = min(version, VERSION)
     return _INIT.pack(major, minor, 0, flags, 64, 48, MOST_WRITTEN, 1, 0, 0, 0, *[0] * 7)
 

@@ -23,7 +23,7 @@ Wrong usage and what cannot be mounted; each is reported before rtmount returns,
   rtmount: $TMP/file: no such directory
   [1]
   $ rtmount -u a
-  rtmount: a: no RTC Tree is mounted there
+  rtmount: $TMP/a: no RTC Tree is mounted there
   [1]
   $ mkdir m; RTSHELL_ORB=nonsense rtmount m
   rtmount: RTSHELL_ORB: nonsense: neither omniorb nor builtin (see --help)
@@ -33,7 +33,7 @@ Wrong usage and what cannot be mounted; each is reported before rtmount returns,
   [2]
   $ rtmount m; rtmount m; rtmount -u m; rtmount -u m
   rtmount: $TMP/m: an RTC Tree is mounted there already
-  rtmount: m: no RTC Tree is mounted there
+  rtmount: $TMP/m: no RTC Tree is mounted there
   [1]
 
 A name server that is not there, and one that goes and comes back:
@@ -47,7 +47,7 @@ A name server that is not there, and one that goes and comes back:
   /localhost:1: connection refused; is the name server running?
   $ ls m/.git m/con*
   ls: cannot access 'm/.git': No such file or directory
-  ls: cannot access 'm/con*': No route to host
+  ls: cannot access 'm/con*': No such file or directory
   [2]
   $ cd m/localhost:$PORT; kill-mock names; ls . || why
   ls: reading directory '.': No route to host

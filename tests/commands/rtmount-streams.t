@@ -66,6 +66,8 @@ An in port: what is written to it has been read when the write returns, or the w
   $ echo 1 2>&- >Idle0.rtc/ports/in/value || why
   /localhost:$PORT/test.host_cxt/Idle0.rtc:in: it is Inactive and would read the values at some later connection; rtact /localhost:$PORT/test.host_cxt/Idle0.rtc first
   $ cat ConsoleOut0.rtc/ports/in/value
+  cat: read error: Operation not supported
+  [1]
 
 A type that is not known:
 

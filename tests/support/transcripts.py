@@ -33,7 +33,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 COMMANDS = os.path.join(os.path.dirname(HERE), "commands")
 SHELLS = {"dash": ["dash"], "ash": ["busybox", "ash"]}
 TIME_LIMIT = 120.0  # seconds for one file under one shell
-DIRECTIVE = re.compile(r"(world|server|faulty|needs|python|orb|alone|once|"  # see session.py; and for the tests of faults, see invocations.py:
+DIRECTIVE = re.compile(r"(world|server|faulty|needs|python|orb|alone|once|"  # see session.py; for tests of faults, see invocations.py:
                        r"invocation|local|looking|lasting|broken server|broken component|fatal|examples?|prepared): *(.*)$")
 AMBIGUOUS = re.compile(r"[$>]( |$)|\[\d+\]$")  # output that would be read as a command or a status
 SUFFIX = re.compile(r" \((re|glob|esc|no-eol)\)$")
