@@ -97,6 +97,12 @@ class NoSuch(Error):
     status = 3
 
 
+class Unsupported(Error):
+    """{}: {}"""  # what the object, or this program, cannot do
+
+    status = 6
+
+
 class WrongKind(Error):
     """{}: not a {} (it is a {})"""
 
@@ -119,6 +125,10 @@ class LostMember(Unreachable):
 
 class Silent(Unreachable):
     """{}: {}"""
+
+
+class Late(Unreachable):
+    """{}: {}"""  # it answers, but what was asked for has not come to be in time
 
 
 class ConnectionRefused(Unreachable):

@@ -127,6 +127,7 @@ class Writer(Connection):
     """
 
     kind, side, dataflow, flows = "DataInPort", "inport", "push", ("push",)
+    hint = ", or --anyway"  # for the user, where the component does not read the port
 
     def __init__(self, port, properties=None, name="rtshell_lite", anyway=False):
         super().__init__(port, name, properties)
@@ -173,7 +174,7 @@ class Writer(Connection):
         if self.audience:
             why = self.audience.look()
             if why:
-                raise errors.Failed(self.where, "%s and would read the values at some later connection; %s first, or --anyway" % why)
+                raise errors.Failed(self.where, "%s and would read the values at some later connection; %s first" % why + self.hint)
             self.backlog = self._new_backlog()
         super()._open()
         self.was_connected = True

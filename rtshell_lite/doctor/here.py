@@ -6,9 +6,10 @@ import socket
 import sys
 
 from rtshell_lite import errors, path
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import lanes, orb
 from rtshell_lite.doctor import addresses, limits, remedies
 from rtshell_lite.doctor.finding import HERE, fail, ok, reason, warn
+from rtshell_lite.mount import kernel
 from rtshell_lite.robot import tree
 from rtshell_lite.text import printable
 
@@ -23,12 +24,12 @@ Rule = collections.namedtuple("Rule", "text remedy")  # a setting in words, and 
 
 
 def findings():
-    """Findings on Python and omniORB, their settings, the names of this host, and our environment."""
+    """Findings on Python and omniORB, their settings, the names of this host, our environment, and mounted trees."""
     found, lacking = _programs(), limits.findings()
     if lacking:
         return found + lacking
     found += _settings(started=found[-1].level != "fail")
-    return found + _host_name() + _localhost() + _name_servers() + _working_directory()
+    return found + _host_name() + _localhost() + _name_servers() + _working_directory() + _mounts()
 
 
 # ---- programs -------------------------------------------------------------------------------------------------
@@ -216,3 +217,13 @@ def _working_directory():
     except errors.Error as e:
         return [fail("RTCSH_CWD", HERE, f"RTCSH_CWD: {e}", remedies.command("unset", variable="RTCSH_CWD"))]
     return []
+
+
+# ---- rtmount --------------------------------------------------------------------------------------------------
+
+def _mounts():
+    """Mounted RTC Trees whose rtmount has been killed; one that is stopped answers nobody."""
+    places = kernel.mounted()
+    answers = lanes.each(places, kernel.is_stale, lambda place: (("mount", place), printable(place)))
+    return [warn("mount", HERE, f"{printable(place)} is a mount of an rtmount that has been killed", remedies.command(
+        "unmount", directory=place)) for place, stale in zip(places, answers) if stale is True]

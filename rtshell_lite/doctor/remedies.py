@@ -26,6 +26,7 @@ COMMANDS = {
     "delete zombie": "rtdel -z {path}",
     "restore": "rtresurrect {file}",
     "unset": "unset {variable}",
+    "unmount": "rtmount -u {directory}",
 }
 
 # {name} becomes text

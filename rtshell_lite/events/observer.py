@@ -10,7 +10,7 @@ import uuid
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, servants
 from rtshell_lite.robot import snapshot
-from rtshell_lite.text import from_wire
+from rtshell_lite.text import from_wire, printable
 
 OBSERVER = "IDL:OpenRTM/ComponentObserver:1.0"
 FSM_OBSERVER = "IDL:omg.org/RTC/ComponentObserver:1.0"
@@ -37,6 +37,17 @@ _KIND_OF = {status: kind for kind, all_of_it in KINDS.items() for status in all_
 _WORDS = {"UPDATE_CONFIG_SET": "CFG_UPDATE_SET", "UPDATE_CONFIG_PARAM": "CFG_UPDATE_PARAM", "SET_CONFIG_SET": "CFG_SET_SET",
           "ADD_CONFIG_SET": "CFG_ADD_SET", "REMOVE_CONFIG_SET": "CFG_REMOVE_SET", "ACTIVATE_CONFIG_SET": "CFG_ACTIVATE_SET"}
 _PREFIXES = {"EC_EVENT": "EC_", "PORT_EVENT": "PORT_"}
+
+
+def event_line(event, name=""):
+    """An Event as rtwatch prints it; `name` is its component's, where several are watched."""
+    words = [printable(word) for word in (event.subject, event.event) if word]
+    return "[%s%.6f] %s" % (name and name + " ", event.time, " ".join(words))
+
+
+def record_line(record, name):
+    """A Record of the component called `name` as rtvlog prints it."""
+    return "[%s %.6f] %s <%s> %s" % (name, record.time, record.level, printable(record.logger), printable(record.message))
 
 
 # ---- subscriptions of a component ------------------------------------------------------------------------------

@@ -310,7 +310,7 @@ async def stay(node, ref, transition, seconds):
     limit = start + max(seconds, POLL)
     while time.monotonic() < end:
         if time.monotonic() > limit:
-            raise errors.Unreachable(str(node.path), f"Active, but not yet for a period ({1 / rate:g}s) of its execution context")
+            raise errors.Late(str(node.path), f"Active, but not yet for a period ({1 / rate:g}s) of its execution context")
         await tasks.Sleep(max(0, min(POLL, end - time.monotonic())))
         now = await seen.task(state_in.task(node, ref))
         if now != transition.target:
@@ -327,7 +327,7 @@ async def _until(node, ref, transition, now, seconds):
             others = "; it takes part in others, named with -e (see rtec)" if await participating_context_refs.task(node) else ""
             raise errors.Refused(str(node.path), f"cannot {transition.name}: its execution context is stopped{others}")
         if time.monotonic() > limit:
-            raise errors.Unreachable(str(node.path), f"not {transition.target} within {seconds:g}s, still {now}")
+            raise errors.Late(str(node.path), f"not {transition.target} within {seconds:g}s, still {now}")
         await tasks.Sleep(pause)
         pause = min(2 * pause, POLL)
         now = await seen.task(state_in.task(node, ref))

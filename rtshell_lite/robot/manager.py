@@ -3,6 +3,7 @@
 A manager's answer proves nothing: load_module returns RTC_OK for files that do not exist, set_configuration for everything. So
 each change is checked.
 """
+import itertools
 import posixpath
 import re
 
@@ -124,6 +125,12 @@ def modules(node, operation="get_loadable_modules"):
             listed += [] if isinstance(answer, errors.Error) else answer
     distinct = {tuple(sorted(module.items())): module for module in listed}
     return sorted(distinct.values(), key=lambda module: (component_id(module), module.get("file_path", "")))
+
+
+def labels(node, operation, key=None):
+    """What `modules` returns as texts, by a property or by their ids; neighbours that are alike once."""
+    listed = [module.get(key, "") if key else component_id(module) for module in modules(node, operation)]
+    return [label for label, _ in itertools.groupby(listed)]  # a factory may have other defaults in another slave
 
 
 def _modules(node, operation):

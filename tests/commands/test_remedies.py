@@ -13,6 +13,7 @@ import sys
 import time
 import unittest
 
+import mounts
 import running
 import worlds
 
@@ -71,6 +72,8 @@ FAULTS = {
     "another rate than in the profile": fault(
         "linked", before=["rtcryo -o rates.rtsys {}", "rtec {}/test.host_cxt/ConsoleIn0.rtc rate 20"],
         doctor=["{}", "--profile", "rates.rtsys", "--state", "Inactive"], mends={"set rate": ["rate ConsoleIn0"]}),
+    "a stale mount": fault(before=[
+        "mkdir stale; rtmount -f stale & until [ -e stale/README ]; do sleep 0.1; done; kill -9 $!"], mends={"unmount": []}),
     "in Error in the profile": fault(
         "linked", asks=["error ConsoleIn0"], before=["rtcryo -o linked.rtsys {}"], doctor=["{}", "--profile", "linked.rtsys"],
         mends={"reset and activate": ["state ConsoleIn0"], "activate": ["state ConsoleOut0"]}),
@@ -167,6 +170,9 @@ class Following(unittest.TestCase):
         return [finding.Finding(**json.loads(each)) for each in out.splitlines() if each.startswith("{")], err
 
     def follow(self, name):
+        if "unmount" in FAULTS[name].mends and mounts.refused():
+            Following.followed["unmount"] += 1  # it cannot be tried here
+            self.skipTest("nothing can be mounted here: " + mounts.refused())
         fault, rest = FAULTS[name], list(FAULTS[name].mends)
         number = list(FAULTS).index(name)
         server = self.around.name_server("names%d" % number)

@@ -2,6 +2,7 @@
 
 They keep their files in the directory $SESSION: NAME.pid, NAME.out (what they say) and NAME.control.
 """
+import json
 import os
 import re
 import subprocess
@@ -31,6 +32,8 @@ def start_name_server(name, above="12000", published=None):
         data = session_file("%s-%d" % (name, attempt))
         os.mkdir(data)
         server = start(name, nameserver.command(port, data) + publish)
+        with open(session_file(name + ".command"), "w") as file:
+            json.dump(nameserver.command(port, data) + publish, file)
         if wait_until(lambda: nameserver.answers(port), server):
             return str(port)
     raise Failed("omniNames does not start: " + said(name))

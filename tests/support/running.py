@@ -16,6 +16,7 @@ import threading
 import time
 import zlib
 
+import mounts
 import processes
 import session
 import worlds
@@ -219,4 +220,5 @@ class Surroundings:
                 number = int(file.read())
             if number not in [process.pid for process in self.processes]:
                 os.kill(number, signal.SIGKILL)
+        mounts.take_away(self.top)
         shutil.rmtree(self.top, ignore_errors=True)

@@ -8,6 +8,7 @@ Lines at the margin of a transcript that ask for surroundings:
     world: two            mock components, in a process of their own; several such lines, several processes
     server: another       a second omniNames, on $PORT2 (`world: two --nameserver localhost:$PORT2`), and so on
     faulty: silent drip   peers that misbehave, their ports $SILENT and $DRIP; see python3 -m mock_components.faulty -h
+    needs: fuse           skipped where no file systems can be mounted
     python: pure          needs no omniORB: no name server runs (nothing listens on $PORT)
     orb: omniorb          for this ORB only, or for `builtin`; the others are played with both
     alone: it measures    run while nothing else runs
@@ -25,6 +26,7 @@ import sys
 import threading
 import time
 
+import mounts
 import processes
 from mock_components import asking
 
@@ -43,6 +45,8 @@ def run(request):
     pure = ("python", "pure") in asked
     if not pure and not processes.nameserver.binary():
         return {"skip": "omniORBpy is not installed in %s" % sys.prefix}
+    if ("needs", "fuse") in asked and mounts.refused():
+        return {"skip": "nothing can be mounted here: " + mounts.refused()}
     os.environ["SESSION"] = top  # where the functions below keep their files
     keep_alive()
     environment = surroundings(top, home, request["commands"], dict(asked).get("orb", request["orb"]))
@@ -188,6 +192,12 @@ def play_hang(words):
     processes.tell(words, signal.SIGSTOP, "stopped")
 
 
+def play_start_again(words):
+    """start-again SERVER: start a name server that was killed, at its old port, with its old names."""
+    with open(processes.session_file(words[0] + ".command")) as file:
+        processes.start(words[0], json.load(file))
+
+
 def play_resume(words):
     """resume WORLD: let it go on."""
     processes.tell(words, signal.SIGCONT, "running")
@@ -280,6 +290,7 @@ def main():
 
 def die_with_parent(top):
     sys.stdin.read()
+    mounts.take_away(top)
     shutil.rmtree(top, ignore_errors=True)
     os.killpg(0, signal.SIGKILL)
 

@@ -27,11 +27,13 @@ import sys
 import tempfile
 import threading
 
+import mounts
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 COMMANDS = os.path.join(os.path.dirname(HERE), "commands")
 SHELLS = {"dash": ["dash"], "ash": ["busybox", "ash"]}
 TIME_LIMIT = 120.0  # seconds for one file under one shell
-DIRECTIVE = re.compile(r"(world|server|faulty|python|orb|alone|once|"  # see session.py; and for the tests of faults, see invocations.py:
+DIRECTIVE = re.compile(r"(world|server|faulty|needs|python|orb|alone|once|"  # see session.py; for tests of faults, see invocations.py:
                        r"invocation|local|looking|lasting|broken server|broken component|fatal|examples?|prepared): *(.*)$")
 AMBIGUOUS = re.compile(r"[$>]( |$)|\[\d+\]$")  # output that would be read as a command or a status
 SUFFIX = re.compile(r" \((re|glob|esc|no-eol)\)$")
@@ -231,6 +233,7 @@ def _session(items, shell, setting, time_limit):
         reader.join(0 if answer else 1)
     finally:
         _kill_group(worker)
+        mounts.take_away(top)
         shutil.rmtree(top, ignore_errors=True)
     if not answer:
         return {"outputs": [], "problem": "the session broke down: %s" % b"".join(complaint).decode("utf-8", "replace")}

@@ -1,0 +1,236 @@
+"""The files of a component in a mounted RTC Tree."""
+import functools
+import math
+
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.events import observer, watch
+from rtshell_lite.mount.nodes import Control, Directory, Items, Link, Text, WritableItem, line, link_text, meant, unique
+from rtshell_lite.mount.ports import PortsDirectory
+from rtshell_lite.mount.streams import WatchStream
+from rtshell_lite.robot import component, composites, configuration, contexts, places
+from rtshell_lite.robot.snapshot import EACH, FULL, Snapshot
+from rtshell_lite.text import json_line, printable
+from rtshell_lite.views import describe
+
+FIELDS = ("instance_name", "type_name", "category", "vendor", "version", "description")
+TRANSITIONS = {"Active": component.ACTIVATE, "Inactive": component.DEACTIVATE, "reset": component.RESET}
+WAIT = 5.0  # seconds that a state may take to be reached, as with rtact --wait
+
+
+class ComponentDirectory(Directory):
+    """A component. What it has been asked for is shared by all that is below it."""
+
+    __slots__ = ("node", "contexts", "state", "ports", "profile", "configuration", "organisations", "everything")
+
+    def __init__(self, above, name, node):
+        super().__init__(above, name)
+        self.node, source = node, self._source
+        self.contexts = source(lambda: component.context_refs(self.node))
+        self.state = source(self._state, 0)
+        self.ports = source(lambda: Snapshot(self.node).ask(ports=EACH))
+        self.profile = source(self._profile)
+        self.configuration = source(lambda: configuration.of(self.node))
+        self.organisations = source(lambda: list(self._members()))
+        self.everything = source(self._everything)
+
+    def _source(self, ask, seconds=None):
+        def checked():
+            if self.node.ref is None:
+                raise self.node.error or errors.WrongKind(str(self.node.path), "component", self.node.what)
+            return ask()
+        return self.mount.source(self.place, checked, seconds)
+
+    def renew(self, node):
+        if not orb.same(self.node.ref, node.ref):
+            for source in (self.contexts, self.ports, self.profile, self.configuration, self.organisations, self.everything):
+                source.expire()
+        self.node = node
+
+    def place(self):
+        return self.node.endpoint if self.node.ref is not None else None, self.node.path
+
+    def _profile(self):
+        snapshot = self.ports.get()  # before the profile: see `component.profile`
+        if snapshot.refusing:
+            raise snapshot.refusing[0][1]
+        return snapshot.ask(profile=FULL).profile
+
+    def _state(self):
+        owned, participating = self.contexts.get()
+        return component.merged(component.states(self.node, owned + participating))
+
+    def _everything(self):
+        found = describe.collect(self.node, 2)
+        return describe.as_dict(found, places.far_names(found.ports))
+
+    def _members(self):
+        for organisation in composites.owned(self.node):
+            yield from zip((name for name, _ in organisation.members), composites.member_paths(self.node, organisation))
+
+    def entries(self, value):
+        found = {"state": (Control, self.state, lambda state: state + "\n", self._change)}
+        for field in FIELDS:
+            found[field] = Text, self.profile, functools.partial(_field, field)
+        found["profile.json"] = Text, self.everything, lambda fields: json_line(fields) + "\n"
+        found["properties"] = Items, self.profile, lambda profile: profile.properties
+        found["ports"] = (PortsDirectory, self.ports)
+        found["configuration"] = (ConfigurationDirectory, self.configuration)
+        found["contexts"] = (ContextsDirectory, self.contexts)
+        found["members"] = (MembersDirectory, self.organisations)
+        return found
+
+    def hidden(self, value):
+        return {"events": (WatchStream, lambda note: watch.Watch(watch.Events(watch.KINDS), note), observer.event_line),
+                "log": (WatchStream, lambda note: watch.Watch(watch.Records("NORMAL", []), note),
+                        lambda record: observer.record_line(record, self.name))}
+
+    def _change(self, text):
+        if text not in TRANSITIONS:
+            raise errors.BadValue(self.where + "/state", f"not {', '.join(TRANSITIONS)}")
+        component.change(self.node, TRANSITIONS[text], wait=WAIT)
+
+
+def _field(name, profile):
+    return line(getattr(profile, name))
+
+
+class MembersDirectory(Directory):
+    """Links to the members of a composite."""
+
+    __slots__ = ("source",)
+
+    def __init__(self, above, name, source):
+        super().__init__(above, name)
+        self.source = source
+
+    def entries(self, members):
+        names = unique(name if isinstance(name, str) else "unknown" for name, _ in members)
+        return {name: (Link, link_text(path, self)) for name, (_, path) in zip(names, members)}
+
+
+# ---- configuration --------------------------------------------------------------------------------------------
+
+class ConfigurationDirectory(Directory):
+    """The configuration sets, and which is active."""
+
+    __slots__ = ("source",)
+
+    def __init__(self, above, name, source):
+        super().__init__(above, name)
+        self.source = source
+
+    def entries(self, found):
+        return self._sets(found, with_hidden=False)
+
+    def hidden(self, found):
+        return self._sets(found, with_hidden=True)
+
+    def _sets(self, found, with_hidden):
+        if found is None:
+            return {}
+        sets = {one.id: one for one in found.sets(with_hidden=True)}
+        made = {"active": (Control, self.source, lambda now: line(now.active), self._activate)}
+        for name, set_id in zip(unique(["active", *sets]), [None, *sets]):
+            if set_id is not None and (with_hidden or not configuration.hidden(set_id)):
+                made[name] = SetDirectory, self.source, set_id
+        return made
+
+    def _activate(self, text):
+        self.change(lambda found: found.activate(meant(text, self.where)))
+
+    def change(self, function):
+        """function(Configuration), which is read anew."""
+        self.source.expire()
+        function(self.source.get())
+
+
+class SetDirectory(Directory):
+    """The parameters of a configuration set."""
+
+    __slots__ = ("source", "_id")
+
+    def __init__(self, above, name, source, set_id):
+        super().__init__(above, name)
+        self.source, self._id = source, set_id
+
+    def _named(self, found):
+        values = found.set(self._id, with_hidden=True).values
+        return dict(zip(unique(values), values.items()))
+
+    def texts(self, found):
+        """{file name: value}"""
+        return {name: value for name, (_, value) in self._named(found).items()}
+
+    def entries(self, found):
+        return {name: (WritableItem,) for name in self._named(found)}
+
+    def store(self, name, text):
+        """Set the parameter of this file name."""
+        def change(found):
+            parameter = self._named(found)[name][0]
+            found.store({parameter: text}, found.set(self._id, with_hidden=True))
+        self.above.change(change)
+
+
+# ---- execution contexts ---------------------------------------------------------------------------------------
+
+class ContextsDirectory(Directory):
+    """The execution contexts, by their numbers as rtact -e counts them."""
+
+    __slots__ = ("source",)
+
+    def __init__(self, above, name, source):
+        super().__init__(above, name)
+        self.source = source
+
+    def entries(self, refs):
+        owned, participating = refs
+        return {str(index): (ExecutionDirectory, index, ref) for index, ref in enumerate(owned + participating)}
+
+
+class ExecutionDirectory(Directory):
+    """One execution context."""
+
+    __slots__ = ("_index", "_ref", "_profile")
+
+    def __init__(self, above, name, index, ref):
+        super().__init__(above, name)
+        self._index, self._ref = index, ref
+        self._profile = self.mount.source(self.place, lambda: component.context(self._node(), self._ref))
+
+    def renew(self, index, ref):
+        if not orb.same(ref, self._ref):
+            self._profile.expire()
+        self._ref = ref
+
+    def _node(self):
+        return self.above.above.node
+
+    def _asked(self, operation):
+        """A Source of what the context itself answers now."""
+        return self.mount.source(self.place, lambda: orb.call(self.where, self._ref, operation), 0)
+
+    def entries(self, value):
+        return {"state": (Control, self._asked("is_running"), lambda runs: "Running\n" if runs else "Stopped\n", self._run),
+                "rate": (Control, self._asked("get_rate"), "{:g}\n".format, self._set_rate),
+                "kind": (Text, self._profile, lambda context: context.kind + "\n"),
+                "owner": (Text, self.mount.source(self.place, self._owner), line)}
+
+    def _owner(self):
+        return component.instance_name(self._node(), self._profile.get().owner)
+
+    def _run(self, text):
+        changes = {"Running": contexts.start, "Stopped": contexts.stop}
+        if text not in changes:
+            raise errors.BadValue(self.where + "/state", f"not {' or '.join(changes)}")
+        changes[text](self._node(), self._index)
+
+    def _set_rate(self, text):
+        try:
+            rate = float(text)
+        except ValueError:
+            rate = 0.0
+        if not 0 < rate < math.inf:
+            raise errors.BadValue(self.where + "/rate", f"not a number of Hz above 0: {printable(text)}")
+        contexts.set_rate(self._node(), self._index, rate)

@@ -1,0 +1,133 @@
+"""Mounting and unmounting: mount(2) for root, fusermount3 or fusermount for others; what is mounted where. Linux only."""
+import array
+import ctypes
+import errno
+import os
+import re
+import socket
+import sys
+
+from rtshell_lite import errors
+from rtshell_lite.text import printable
+
+DEVICE = "/dev/fuse"
+NAME = "rtmount"
+TYPE = "fuse." + NAME
+HELPERS = ("fusermount3", "fusermount")  # set-uid root; of FUSE 3 and 2
+RDONLY, NOSUID, NODEV, DETACH = 1, 2, 4, 2  # MS_… and MNT_DETACH of <sys/mount.h>
+
+
+# ---- what is mounted ------------------------------------------------------------------------------------------
+
+def mounted():
+    """The directories, absolute, where RTC Trees are mounted. Asks no server."""
+    try:
+        with open("/proc/self/mountinfo", encoding="utf-8", errors="surrogateescape") as file:
+            lines = [line.split(" ") for line in file]
+    except OSError:
+        return []
+    return [_unescaped(fields[4]) for fields in lines if TYPE in fields[6:]]
+
+
+def _unescaped(word):
+    """`word` with the octets that mountinfo writes as \\040 and the like."""
+    raw = word.encode("utf-8", "surrogateescape")
+    return os.fsdecode(re.sub(rb"\\([0-7]{3})", lambda match: bytes([int(match.group(1), 8)]), raw))
+
+
+def is_stale(directory):
+    """Whether a mount has lost its server. Asks that, which may be stopped."""
+    try:
+        os.statvfs(directory)
+    except OSError as e:
+        return e.errno == errno.ENOTCONN
+    return False
+
+
+# ---- mounting -------------------------------------------------------------------------------------------------
+
+def check(directory):
+    """Raise Failed unless a tree can be mounted on this system, at this absolute path; a stale mount there is detached."""
+    if not sys.platform.startswith("linux"):
+        raise errors.Failed(NAME, "works on Linux only")
+    if directory in mounted():
+        if not is_stale(directory):
+            raise errors.Failed(printable(directory), "an RTC Tree is mounted there already")
+        unmount(directory)
+    if not os.path.isdir(directory):
+        raise errors.Failed(printable(directory), "no such directory")
+    if not os.path.exists(DEVICE):
+        raise errors.Failed(DEVICE, "not there: this kernel or container has no FUSE (modprobe fuse)")
+    if os.geteuid() and not _helper():
+        raise errors.Failed(" and ".join(HELPERS), "not found: without them only root can mount")
+
+
+def _helper():
+    places = [os.path.join(place, name) for name in HELPERS for place in os.get_exec_path()]
+    return next((path for path in places if os.access(path, os.X_OK)), None)
+
+
+def mount(directory, read_only=False):
+    """Mount at a directory; returns the file descriptor on which the kernel asks. Raises Failed with the reason."""
+    if os.geteuid():
+        return _by_helper(directory, read_only)
+    try:
+        fd = os.open(DEVICE, os.O_RDWR | os.O_CLOEXEC)
+    except OSError as e:
+        raise errors.Failed(DEVICE, e.strerror)
+    options = f"fd={fd},rootmode=40000,user_id={os.getuid()},group_id={os.getgid()},allow_other,default_permissions"
+    try:
+        _system_call("mount", NAME.encode(), os.fsencode(directory), TYPE.encode(),
+                     ctypes.c_ulong(NOSUID | NODEV | read_only * RDONLY), options.encode())
+    except OSError as e:
+        os.close(fd)
+        raise errors.Failed(printable(directory), f"cannot mount: {e.strerror}")
+    return fd
+
+
+def _system_call(name, *args):
+    library = ctypes.CDLL(None, use_errno=True)
+    if getattr(library, name)(*args):
+        raise OSError(ctypes.get_errno(), os.strerror(ctypes.get_errno()))
+
+
+def _by_helper(directory, read_only):
+    """Have fusermount3 mount: it sends the descriptor over a socket whose number is in _FUSE_COMMFD."""
+    import subprocess
+    options = f"default_permissions,subtype={NAME},fsname={NAME}{',ro' if read_only else ''}"
+    for more in (",allow_other", ""):  # which /etc/fuse.conf may forbid
+        ours, theirs = socket.socketpair()
+        with ours, theirs:
+            done = subprocess.Popen([_helper(), "-o", options + more, "--", directory], pass_fds=[theirs.fileno()],
+                                    env=dict(os.environ, _FUSE_COMMFD=str(theirs.fileno())), stderr=subprocess.PIPE)
+            theirs.close()
+            fd = _received(ours)
+            said = done.communicate()[1].decode("utf-8", "replace").strip()
+        if fd is not None:
+            return fd
+    raise errors.Failed(printable(directory), "cannot mount: " + printable(said or "fusermount gave no reason"))
+
+
+def _received(channel):
+    """The file descriptor that comes over a socket, None if it is closed first."""
+    _, ancillary, _, _ = channel.recvmsg(1, socket.CMSG_SPACE(4))
+    for level, kind, data in ancillary:
+        if (level, kind) == (socket.SOL_SOCKET, socket.SCM_RIGHTS):
+            fd = array.array("i", data[:4])[0]
+            os.set_inheritable(fd, False)
+            return fd
+    return None
+
+
+def unmount(directory):
+    """Take a mount away, also one in use: its open files work on until they are closed. Raises Failed."""
+    try:
+        if os.geteuid():
+            import subprocess
+            done = subprocess.run([_helper() or HELPERS[0], "-u", "-z", "--", directory], stderr=subprocess.PIPE)
+            if done.returncode:
+                raise OSError(errno.EPERM, done.stderr.decode("utf-8", "replace").strip())
+        else:
+            _system_call("umount2", os.fsencode(directory), DETACH)
+    except OSError as e:
+        raise errors.Failed(printable(directory), f"cannot unmount: {printable(e.strerror)}")

@@ -1,0 +1,63 @@
+"""The files of a manager in a mounted RTC Tree."""
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.mount.nodes import NOTHING, Control, Directory, Link, Text, line, link_text, unique
+from rtshell_lite.robot import manager, places, tree
+
+WAIT = 5.0  # seconds until what has been created must be ready, as with rtmgr --wait
+
+
+class ManagerDirectory(Directory):
+    """A manager."""
+
+    __slots__ = ("node",)
+
+    def __init__(self, above, name, node):
+        super().__init__(above, name)
+        self.node = node
+
+    def renew(self, node):
+        self.node = node
+
+    def place(self):
+        return self.node.endpoint, self.node.path
+
+    def entries(self, value):
+        def lines(operation, key=None):
+            return Text, self.mount.source(self.place, lambda: self._modules(operation, key)), "".join
+        return {"components": (ManagedDirectory,), "loaded": lines("get_loaded_modules", "file_path"),
+                "loadable": lines("get_loadable_modules"), "factories": lines("get_factory_profiles"),
+                "create": (Control, NOTHING, lambda _: "", self._create)}
+
+    def _modules(self, operation, key):
+        orb.is_alive(self.where, self.node.ref)  # looking for modules may take long
+        return [line(label) for label in manager.labels(self.node, operation, key)]
+
+    def _create(self, text):
+        try:
+            manager.check_argument(text)
+        except errors.Usage as e:
+            raise errors.BadValue(self.where + "/create", str(e).replace(" (see --help)", ""))
+        manager.create(self.node, text, WAIT)
+
+
+class ManagedDirectory(Directory):
+    """The components of a manager: links to where they are bound, or those that are bound nowhere."""
+
+    __slots__ = ("source",)
+
+    def __init__(self, above, name):
+        super().__init__(above, name)
+        self.source = self.mount.source(self.place, self._listed)
+
+    def _listed(self):
+        """[(Node, the Path where it is bound or None)]"""
+        found = places.Places()
+        return [(node, node.kind == "component" and found.path(node.path.names[-1].id, node.ref, self.above.node))
+                for node in tree.managed(self.above.node)]
+
+    def entries(self, listed):
+        from rtshell_lite.mount.components import ComponentDirectory
+        names = unique(node.path.names[-1] for node, _ in listed)
+        return {name: (Link, link_text(str(path), self)) if path else (ComponentDirectory, node) if node.kind == "component"
+                else (Link, f"{node.kind}: {node.error}") for name, (node, path) in zip(names, listed)}

@@ -1,0 +1,231 @@
+"""The upper part of a mounted RTC Tree: its root, name servers, naming contexts, and what is bound in them."""
+import posixpath
+import re
+import stat
+
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.mount.components import ComponentDirectory
+from rtshell_lite.mount.managers import ManagerDirectory
+from rtshell_lite.mount.nodes import NOTHING, Absent, Directory, File, Link, Text, file_name, relative
+from rtshell_lite.path import Path, parse
+from rtshell_lite.robot import naming, tree
+from rtshell_lite.robot.node import bound
+
+HOST = re.compile(r"[\w[][\w.:\]-]*\Z")  # not .git, .hidden …, for which programs look everywhere
+MOST_SERVERS = 64  # that the root lists because somebody has named them
+README = """This is the RTC Tree, the tree of OpenRTM-aist components, as files. One value a file.
+
+  HOST[:PORT]/CONTEXTS/NAME.rtc/            a component. The name servers are those of RTCTREE_NAMESERVERS; others appear when
+                                            they are named
+    state                                   Inactive, Active, Error ...; write Active, Inactive or reset
+    instance_name, type_name, category, vendor, version, description
+    profile.json                            all of it, as rtcat --json prints it
+    properties/KEY
+    ports/PORT/type, data_type, properties/KEY, interfaces/NAME
+    ports/PORT/connections/NAME             a link to the port at the other end; ln -s connects, rm disconnects
+    configuration/active                    the active set; write a name
+    configuration/SET/PARAM                 read, write
+    contexts/N/state, rate, kind, owner     Running or Stopped, Hz; state and rate can be written
+    members/NAME                            of a composite: links
+  HOST[:PORT]/CONTEXTS/NAME.mgr/            a manager
+    components/NAME                         links to where they are bound, or the component itself
+    loaded, loadable, factories             modules and what they make, one a line
+    create                                  write MODULE?instance_name=NAME
+  HOST[:PORT]/CONTEXTS/DEAD.rtc             a zombie: a link that leads nowhere; rm takes its name away
+  errors                                    the last hundred failures, in words
+
+Not listed, as they wait, connect or change something; opened by name they work:
+
+  ports/PORT/value                          of an in port: write a value; it has been read when the write returns.
+                                            of an out port: the next value
+  ports/PORT/values                         of an out port: one value a line, for ever
+  events, log                               of a component, as rtwatch and rtvlog print them
+
+A write returns when what it asks for is so; a failure is the write's. Control characters, slashes and backslashes in names and
+values are escaped as in the paths of rtls, and read back: \\n is \\x0a, / in a name \\x2f, an empty name \\e.
+More: man rtmount.
+"""
+
+
+class Local(File):
+    """A file whose text is known here."""
+
+    __slots__ = ("_text",)
+
+    def __init__(self, above, name, text):
+        super().__init__(above, name)
+        self._text = text
+
+    @property
+    def size(self):
+        return len(self._text().encode())
+
+    @property
+    def seconds(self):
+        return 0
+
+    def content(self):
+        return NOTHING, lambda _: self._text()
+
+
+class Root(Directory):
+    """The root: name servers, README and errors."""
+
+    __slots__ = ("_mount",)
+    path = ""
+
+    def __init__(self, mount):
+        super().__init__(None, "")
+        self._mount = mount
+
+    @property
+    def mount(self):
+        return self._mount
+
+    @property
+    def where(self):
+        return self.mount.directory
+
+    def entries(self, value):
+        named = [name for name, node in self.known.items() if type(node) is ServerDirectory]
+        servers = {file_name(address): address for address in tree.servers() if _server_path(file_name(address))}
+        servers.update((name, self.known[name].address) for name in named[:MOST_SERVERS])
+        found = {name: (ServerDirectory, servers[name]) for name in sorted(servers)}
+        found["README"] = (Local, lambda: README)
+        found["errors"] = (Local, lambda: "".join(self.mount.errors))
+        return found
+
+    def find(self, name):
+        if name in self.entries(()):
+            return super().find(name)
+        path = _server_path(name)
+        if path is None or not HOST.match(name):
+            raise Absent(self.where + "/" + name)
+        node = tree.resolve(path)
+        source = self.mount.source(lambda: (node.endpoint, name), lambda: bound(node), 0)
+        return source, lambda _: self.child(name, (ServerDirectory, path.server))
+
+
+def _server_path(name):
+    """The Path of the name server that a file's name means, or None."""
+    try:
+        path = parse("/" + name)
+    except errors.BadPath:
+        return None
+    return path if path.server is not None and not path.names and file_name(path.server) == name else None
+
+
+class ContextDirectory(Directory):
+    """A naming context."""
+
+    __slots__ = ("node", "source", "_bindings")
+    mode = stat.S_IFDIR | 0o755
+
+    def __init__(self, above, name, node):
+        super().__init__(above, name)
+        self.node, self._bindings = node, {}
+        self.source = self.mount.source(self.place, self._listed)
+        self.mount.contexts.setdefault(orb.identity(node.ref), self)
+
+    def renew(self, node):
+        if not orb.same(self.node.ref, node.ref):
+            self.expire()
+            self.mount.contexts[orb.identity(node.ref)] = self
+        self.node = node
+
+    def place(self):
+        return self.node.endpoint, self.node.path
+
+    def _listed(self):
+        return self.mount.census.judged(tree.children(self.node))
+
+    def entries(self, nodes):
+        return {file_name(node.path.names[-1]): self._made(node) for node in nodes}
+
+    def find(self, name):
+        if self.source.is_fresh():
+            return super().find(name)
+        path = self._named(name)
+        if path is None:  # shortened, or no name at all
+            return super().find(name) if "\\~" in name else _absent(self.where + "/" + name)
+        source = self._bindings.get(name)
+        if source is None:
+            for old in [key for key, source in self._bindings.items() if not source.is_fresh()]:
+                del self._bindings[old]
+            source = self._bindings[name] = self.mount.source(
+                self.place, lambda: self.mount.census.judged([self._resolved(path)])[0])
+        return source, lambda node: self.child(name, self._made(node))
+
+    def _resolved(self, path):
+        try:
+            return tree.resolve(path)
+        except errors.NotFound as e:
+            raise Absent(e.where)
+
+    def expire(self):
+        """Believe nothing of what is bound here."""
+        self.source.expire()
+        self._bindings = {}
+
+    def _named(self, name):
+        try:
+            names = parse("/server/" + name).names
+        except errors.BadPath:
+            return None
+        return self.node.path.child(names[0]) if len(names) == 1 and file_name(names[0]) == name else None
+
+    def _made(self, node):
+        """(class, arguments) for what is bound here."""
+        if node.kind == "directory":
+            known = self._entered(node)
+            if known is not None:
+                return Link, relative(known.path, self)
+            if len(node.path.names) > tree.DEPTH:
+                return Link, f"more than {tree.DEPTH} directories deep"
+            return ContextDirectory, node
+        if node.kind == "zombie":
+            return Zombie, node
+        if node.kind == "manager" or node.kind == "unsure" and node.path.names[-1].kind == "mgr":
+            return ManagerDirectory, node
+        if node.kind == "unknown":
+            return Text, NOTHING, lambda _: node.what + "\n"
+        return ComponentDirectory, node
+
+    def _entered(self, node):
+        """The directory by which the kernel knows the context `node` already, or None: a tree must end."""
+        known = self.mount.contexts.get(orb.identity(node.ref))
+        return None if known is None or known.path == posixpath.join(self.path, file_name(node.path.names[-1])) else known
+
+
+def _absent(where):
+    raise Absent(where)
+
+
+class ServerDirectory(ContextDirectory):
+    """The root of a name server."""
+
+    __slots__ = ("address",)
+
+    def __init__(self, above, name, address):
+        self.address = address
+        super().__init__(above, name, tree.resolve(Path(address, (), None, False)))
+
+    def renew(self, address):
+        pass
+
+
+class Zombie(Link):
+    """The name of a component that is gone."""
+
+    __slots__ = ()
+
+    def __init__(self, above, name, node):
+        super().__init__(above, name, node)
+
+    def target(self):
+        return NOTHING, lambda _: "zombie: its object is gone"
+
+    def remove(self):
+        for _ in naming.delete(self._target.path, self.mount.errors.append, zombie_only=True):
+            pass

@@ -1,0 +1,163 @@
+"""The files of ports in a mounted RTC Tree, and connections as links."""
+import collections
+import posixpath
+import stat
+
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.mount.nodes import Absent, Directory, Items, Link, Text, line, link_text, meant, unique
+from rtshell_lite.mount.streams import PortStream, Sending
+from rtshell_lite.robot import connectors, places, ports
+
+# A connection of a port, as seen from one of its ends: the Connector, and the reference of one of the other ends.
+Far = collections.namedtuple("Far", "connector ref")
+
+
+class PortsDirectory(Directory):
+    """The ports of a component; `source` gives the Snapshot with them."""
+
+    __slots__ = ("source",)
+
+    def __init__(self, above, name, source):
+        super().__init__(above, name)
+        self.source = source
+
+    def named(self, snapshot):
+        """{file name: Port}"""
+        for _, error, _ in snapshot.refusing:
+            self.mount.complain(str(error))
+        instance = snapshot.node.path.names[-1].id
+        return dict(zip(unique(ports.short_name(port.name, instance) for port in snapshot.ports), snapshot.ports))
+
+    def entries(self, snapshot):
+        return {name: (PortDirectory,) for name in self.named(snapshot)}
+
+
+class PortDirectory(Directory):
+    """One port."""
+
+    __slots__ = ("source", "stream")
+
+    def __init__(self, above, name):
+        super().__init__(above, name)
+        self.source, self.stream = above.source, None
+
+    def port(self, snapshot):
+        """Its ports.Port. Raises Absent."""
+        try:
+            return self.above.named(snapshot)[self.name]
+        except LookupError:
+            raise Absent(self.where)
+
+    def fresh(self):
+        """Its Port as it is now; for threads that may ask."""
+        self.source.expire()
+        return self.port(self.source.get())
+
+    def entries(self, snapshot):
+        port = self.port(snapshot)
+        found = {"type": (Text, self.source, lambda snapshot: line(self.port(snapshot).type))}
+        if port.type in ports.DATA:
+            found["data_type"] = (Text, self.source,
+                                  lambda snapshot: line(self.port(snapshot).properties.get("dataport.data_type", "")))
+        else:
+            found["interfaces"] = (Items, self.source, lambda snapshot: [
+                (one.instance_name, f"{one.polarity} {one.type_name}") for one in self.port(snapshot).interfaces])
+        found["properties"] = (Items, self.source, lambda snapshot: self.port(snapshot).properties.items())
+        found["connections"] = (ConnectionsDirectory,)
+        return found
+
+    def hidden(self, snapshot):
+        kind = self.port(snapshot).type
+        if kind == "DataInPort":
+            return {"value": (Sending,)}
+        return {"value": (PortStream, 1), "values": (PortStream, None)} if kind == "DataOutPort" else {}
+
+
+class ConnectionsDirectory(Directory):
+    """The connections of a port: a link to each other end."""
+
+    __slots__ = ("source", "far")
+    mode = stat.S_IFDIR | 0o755
+
+    def __init__(self, above, name):
+        super().__init__(above, name)
+        self.source = above.source
+        self.far = self.mount.source(self.place, self._far)
+
+    def _far(self):
+        """{file name: text of the link}"""
+        snapshot = self.source.get()
+        ends = places.far_ends([self.above.port(snapshot)])
+
+        def text(ref):
+            end = ref is not None and ends.get(orb.identity(ref))
+            return link_text(places.name(end) if end else "Unknown (nil)", self)
+        return {name: text(far.ref) for name, far in self.named(snapshot).items()}
+
+    def named(self, snapshot):
+        """{file name: Far}"""
+        port = self.above.port(snapshot)
+        ends = [Far(connector, ref) for connector in port.connectors for ref in connector.ports
+                if ref is None or not orb.same(ref, port.ref)]
+        return dict(zip(unique(end.connector.name for end in ends), ends))
+
+    def entries(self, snapshot):
+        return {name: (Connection,) for name in self.named(snapshot)}
+
+    def make_link(self, name, target):
+        where = posixpath.join(self.where, name)
+        other = _walked(self, target, where)
+        if not isinstance(other, PortDirectory):
+            raise errors.BadValue(where, f"{line(target).strip()} is no port of this mount; a link's target starts where the link is")
+        connectors.connect([self.above.fresh(), other.fresh()], meant(name, where))
+        return self.child(name, (Connection,))
+
+    def disconnect(self, name):
+        """Remove the connection of this file name."""
+        port = self.above.fresh()
+        end = self.named(self.source.get()).get(name)
+        if end is None:
+            raise Absent(posixpath.join(self.where, name))
+        connectors.disconnect(port, end.connector)
+
+
+class Connection(Link):
+    """A link to the port at another end of a connection."""
+
+    __slots__ = ()
+
+    def __init__(self, above, name):
+        super().__init__(above, name, None)
+
+    def renew(self, *arguments):
+        pass
+
+    def target(self):
+        return self.above.far, self._text
+
+    def _text(self, texts):
+        try:
+            return texts[self.name]
+        except LookupError:
+            raise Absent(self.where)
+
+    def remove(self):
+        self.above.disconnect(self.name)
+
+
+def _walked(start, target, where):
+    """The node that the target of a link in the directory `start` leads to; for threads that may ask. Raises Absent."""
+    mount, path = start.mount, posixpath.join(start.where, target)
+    path = posixpath.normpath(path)
+    if not path.startswith(mount.directory + "/"):
+        raise errors.BadValue(where, f"{line(target).strip()} leads out of the mount at {mount.directory}")
+    node = start
+    while node.above is not None:
+        node = node.above
+    for name in path[len(mount.directory) + 1:].split("/"):
+        if not isinstance(node, Directory):
+            raise Absent(path)
+        source, function = node.find(name)
+        node = function(source.get())
+    return node

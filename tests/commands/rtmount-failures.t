@@ -1,0 +1,103 @@
+What rtmount cannot do, and what happens to a mounted tree when components, name servers or rtmount itself fail.
+
+needs: fuse
+world: two
+world: many 1 --context hung.host_cxt/%n.rtc
+world: fragile --context fragile.host_cxt/%n.rtc
+
+Wrong usage and what cannot be mounted; each is reported before rtmount returns, and leaves nothing:
+
+  $ rtmount
+  rtmount: the following arguments are required: DIR (see --help)
+  [2]
+  $ rtmount a b
+  rtmount: unrecognized arguments: b (see --help)
+  [2]
+  $ rtmount --ttl 0 a
+  rtmount: argument --ttl: not a number of seconds above 0: 0 (see --help)
+  [2]
+  $ rtmount a
+  rtmount: $TMP/a: no such directory
+  [1]
+  $ touch file; rtmount file
+  rtmount: $TMP/file: no such directory
+  [1]
+  $ rtmount -u a
+  rtmount: $TMP/a: no RTC Tree is mounted there
+  [1]
+  $ mkdir m; RTSHELL_ORB=nonsense rtmount m
+  rtmount: RTSHELL_ORB: nonsense: neither omniorb nor builtin (see --help)
+  [2]
+  $ RTCTREE_ORB_ARGS=-ORBnonsense rtmount m
+  rtmount: RTCTREE_ORB_ARGS: -ORBnonsense: not understood by omniORB (INITIALIZE_InvalidORBInitArgs) (see --help)
+  [2]
+  $ rtmount m; rtmount m; rtmount -u m; rtmount -u m
+  rtmount: $TMP/m: an RTC Tree is mounted there already
+  rtmount: $TMP/m: no RTC Tree is mounted there
+  [1]
+
+A name server that is not there, and one that goes and comes back:
+
+  $ rtmount --ttl 0.1 --timeout 0.5 $PWD/m; root=$PWD/m errors=$PWD/m/errors; why() { tail -n 1 $errors; }
+  $ ls m/nosuchhost.invalid || why
+  ls: cannot access 'm/nosuchhost.invalid': No route to host
+  /nosuchhost.invalid: host name not known
+  $ ls m/localhost:1 || why
+  ls: cannot access 'm/localhost:1': No route to host
+  /localhost:1: connection refused; is the name server running?
+  $ ls m/.git m/con*
+  ls: cannot access 'm/.git': No such file or directory
+  ls: cannot access 'm/con*': No such file or directory
+  [2]
+  $ cd m/localhost:$PORT; kill-mock names; ls . || why
+  ls: reading directory '.': No route to host
+  /localhost:$PORT: connection refused; is the name server running?
+  $ cat test.host_cxt/ConsoleIn0.rtc/state || why
+  cat: test.host_cxt/ConsoleIn0.rtc/state: No route to host
+  /localhost:$PORT: connection refused; is the name server running?
+  $ start-again names; until ls . >/dev/null 2>&1; do sleep 0.1; done; ls
+  fragile.host_cxt
+  hung.host_cxt
+  test.host_cxt
+
+A component that hangs delays only those who ask it; it is listed, and others answer:
+
+  $ cd hung.host_cxt; ls; cat Mock0.rtc/type_name; ctl @many stop
+  Mock0.rtc
+  Mock
+  $ cat Mock0.rtc/state || why
+  cat: Mock0.rtc/state: Connection timed out
+  /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.5s
+  $ ls; time=$(date +%s); grep -r . . >/dev/null 2>&1; test $(($(date +%s) - time)) -le 10
+  Mock0.rtc
+
+A component that dies becomes a link that leads nowhere:
+
+  $ cd ../test.host_cxt; kill-mock two; until [ -L ConsoleIn0.rtc ]; do sleep 0.1; done
+  $ readlink ConsoleIn0.rtc
+  zombie: its object is gone
+  $ rm ConsoleIn0.rtc ConsoleOut0.rtc; ls
+
+Asking does no harm: a profile would end this one before its ports have been asked.
+
+  $ cat ../fragile.host_cxt/Fragile0.rtc/version; ls -l ../fragile.host_cxt/Fragile0.rtc/ports/out/connections | sed 's/.*[0-9] //'
+  1.0
+  total 0
+
+A mount that is in use can be taken away; its files work on until they are closed, and rtmount ends then:
+
+  $ cd $TMP; rtmount -u m; ls m; while pgrep -f "$PWD/m" >/dev/null; do sleep 0.1; done
+
+In front, SIGTERM and Ctrl-C unmount:
+
+  $ rtmount -f m & pid=$!; until [ -e m/README ]; do sleep 0.1; done; kill $pid; wait $pid; ls m
+
+If rtmount is killed, its mount is stale: rtdoctor says so, and the next rtmount takes it away:
+
+  $ rtmount -f m & pid=$!; until [ -e m/README ]; do sleep 0.1; done; kill -9 $pid; wait $pid 2>/dev/null; ls m
+  ls: cannot open directory 'm': Transport endpoint is not connected
+  [2]
+  $ rtdoctor -q | grep $TMP
+  warn  here: $TMP/m is a mount of an rtmount that has been killed; try: rtmount -u $TMP/m
+  $ rtmount m; ls m | head -n 1; rtmount -u m
+  README

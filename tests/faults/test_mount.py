@@ -1,0 +1,213 @@
+"""A mounted tree among peers that hang, die and lie: it answers, frees who waits, and does not grow.
+
+If this fails, a hung component stops every shell that looks at the robot, or a mount of a week fills its memory.
+"""
+import os
+import re
+import signal
+import subprocess
+import threading
+import time
+import unittest
+
+import mounts
+import running
+import worlds
+
+ONCE = "it is about the kernel and the peers"
+
+try:
+    import omniORB  # noqa: F401: the commands need it
+except ImportError:
+    raise unittest.SkipTest("needs omniORBpy")
+
+READERS = 1000
+ROUNDS = 200 if running.THOROUGH else 12
+PROMPT = 0.1  # seconds within which an interrupted reader is free
+QUICK = 1.0  # seconds that a listing may take beside hung peers, on a busy machine
+THREADS = 40  # of a server that a thousand readers wait for
+RESIDENT = 30 * 1024  # kB
+GROWTH = 1024  # kB in the second half of the rounds
+
+
+def setUpModule():
+    global around, server
+    if mounts.refused():
+        raise unittest.SkipTest("nothing can be mounted here: " + mounts.refused())
+    around = running.Surroundings()
+    server = around.name_server()
+    around.world(server, "linked")
+    around.world(server, "many", "20", "--context", "many.host_cxt/%n.rtc")
+    around.world(server, "hostile", "--context", "bad.host_cxt/%n.rtc")
+    around.world(server, "hung", "3", "--context", "hung.host_cxt/%n.rtc")
+    around.world(server, "hung", "3", "--context", "hung2.host_cxt/%n.rtc")
+
+
+def tearDownModule():
+    around.close()
+
+
+class Case(unittest.TestCase):
+    """A mount of its own, at `self.root`; its rtmount is `self.process`."""
+
+    options = ["--timeout", "2"]
+
+    def setUp(self):
+        self.top = around.directory("m%d" % id(self))
+        self.process = running.start(["rtmount", "-f", self.top] + self.options, around.top, {"RTCTREE_NAMESERVERS": server[1:]},
+                                     stderr=subprocess.DEVNULL)
+        worlds.eventually(lambda: os.path.exists(os.path.join(self.top, "README")), "mounted")
+        self.root = os.path.join(self.top, server[1:])
+        self.addCleanup(self.end)
+
+    def end(self):
+        self.process.terminate()
+        self.assertEqual(self.process.wait(worlds.LIMIT), 0)
+        self.assertEqual(os.listdir(self.top), [])
+
+    def resident(self):
+        with open("/proc/%d/statm" % self.process.pid) as file:
+            return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") // 1024
+
+    def threads(self):
+        return len(os.listdir("/proc/%d/task" % self.process.pid))
+
+    def read(self, *names):
+        with open(os.path.join(self.root, *names)) as file:
+            return file.read()
+
+
+class Hung(Case):
+    options = ["--timeout", "5"]
+
+    def test_a_thousand_readers(self):
+        """They wait for hung files; everything else goes on, on few threads."""
+        before, errors = threading.stack_size(1 << 18), []
+        try:
+            files = [(context, "Mock%d.rtc" % i, name) for context in ("hung.host_cxt", "hung2.host_cxt") for i in range(3)
+                     for name in ("state", "version", "contexts/0/rate", "profile.json")]
+
+            def wait(number):
+                try:
+                    self.read(*files[number % len(files)])
+                except OSError as e:
+                    errors.append(e.errno)
+            readers = [threading.Thread(target=wait, args=(number,)) for number in range(READERS)]
+            for reader in readers:
+                reader.start()
+        finally:
+            threading.stack_size(before)
+        slowest = most = 0
+        while readers[-1].is_alive() and not errors:
+            begun = time.monotonic()
+            self.assertEqual(len(os.listdir(os.path.join(self.root, "many.host_cxt"))), 20)
+            self.assertEqual(self.read("many.host_cxt", "Mock1.rtc", "state"), "Inactive\n")
+            self.assertIn("Mock0.rtc", os.listdir(os.path.join(self.root, "hung.host_cxt")))
+            slowest, most = max(slowest, time.monotonic() - begun), max(most, self.threads())
+        for reader in readers:
+            reader.join(worlds.LIMIT)
+        print("%d readers of hung files: looks elsewhere took up to %.2f s, %d threads, %d kB" % (
+            READERS, slowest, most, self.resident()))
+        self.assertEqual(len(errors), READERS)
+        self.assertLess(slowest, QUICK)
+        self.assertLess(most, THREADS)
+        self.assertLess(self.resident(), RESIDENT + 4096)
+
+    def test_ctrl_c(self):
+        for name in ("state", "ports"):
+            reader = subprocess.Popen(["grep", "-r", "x", os.path.join(self.root, "hung.host_cxt", "Mock0.rtc", name)],
+                                      stderr=subprocess.DEVNULL, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+            time.sleep(0.5)
+            self.assertIsNone(reader.poll())
+            begun = time.monotonic()
+            reader.send_signal(signal.SIGINT)
+            self.assertEqual(reader.wait(worlds.LIMIT), -signal.SIGINT)
+            self.assertLess(time.monotonic() - begun, PROMPT + 0.2)
+
+    def test_an_interrupted_reader_that_goes_on(self):
+        """A handled signal ends the read with EINTR, long before the timeout."""
+        class Alarm(Exception):
+            pass
+
+        def ring(*_):
+            raise Alarm
+        old = signal.signal(signal.SIGALRM, ring)
+        try:
+            signal.setitimer(signal.ITIMER_REAL, 0.5)
+            begun = time.monotonic()
+            self.assertRaises(Alarm, self.read, "hung.host_cxt", "Mock1.rtc", "state")
+            self.assertLess(time.monotonic() - begun, 0.5 + PROMPT + 0.2)
+        finally:
+            signal.signal(signal.SIGALRM, old)
+
+
+class Long(Case):
+    def test_it_does_not_grow(self):
+        """All of it is listed and read again and again, written, connected and disconnected."""
+        seen, home = [], os.path.join(self.root, "test.host_cxt", "ConsoleIn0.rtc")
+        place = os.path.join(self.root, "many.host_cxt")
+        link = os.path.join(home, "ports/out/connections/again")
+        for _ in range(ROUNDS):
+            subprocess.run(["ls", "-lR", place], stdout=subprocess.DEVNULL, check=True)
+            subprocess.run(["grep", "-r", "nothing", home], stdout=subprocess.DEVNULL)
+            for state in ("Active", "Inactive", "nonsense"):
+                subprocess.call(["sh", "-c", "echo %s >%s/state" % (state, home)], stderr=subprocess.DEVNULL)
+            os.remove(os.path.join(os.path.dirname(link), os.listdir(os.path.dirname(link))[0]))
+            os.symlink(os.path.join(self.root, "test.host_cxt/ConsoleOut0.rtc/ports/in"), link)
+            self.assertEqual(os.listdir(os.path.dirname(link)), ["again"])
+            subprocess.call(["timeout", "0.05", "cat", os.path.join(home, "ports/out/values")])
+            seen.append((self.resident(), len(os.listdir("/proc/%d/fd" % self.process.pid))))
+        half = seen[len(seen) // 2]
+        print("after %d rounds: %s kB and files, after %d: %s; %d threads" % (len(seen) // 2, half, len(seen), seen[-1], self.threads()))
+        self.assertLess(seen[-1][0] - half[0], GROWTH)
+        self.assertLessEqual(seen[-1][1], half[1] + 4)
+        self.assertLess(seen[-1][0], RESIDENT)
+
+
+class Hostile(Case):
+    def test_nothing_escapes(self):
+        """Whatever the component says, names and contents are printable, and reading all of it ends."""
+        place = os.path.join(self.root, "bad.host_cxt", "Hostile0.rtc")
+        for words in (["find", place], ["grep", "-r", "", place]):
+            said = subprocess.run(words, stdout=subprocess.PIPE, timeout=worlds.LIMIT).stdout.decode()
+            self.assertGreater(len(said.splitlines()), 40)
+            self.assertEqual(re.findall("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e]", said), [])
+        for directory, _, names in os.walk(place):
+            for name in names:
+                self.assertTrue(os.path.lexists(os.path.join(directory, name)), name)
+
+    def test_links_lead_where_the_connection_does(self):
+        ports = os.path.join(self.root, "bad.host_cxt", "Hostile0.rtc", "ports")  # named in full: it is bound by another name
+        place, = [os.path.join(ports, name, "connections") for name in os.listdir(ports) if name.endswith(".plain")]
+        link, = [os.path.join(place, name) for name in os.listdir(place)]
+        self.assertEqual(self.read(link, "type"), "DataInPort\n")
+
+    def test_configuration(self):
+        """What was read can be written, and is the same then."""
+        place = os.path.join(self.root, "bad.host_cxt", "Hostile0.rtc", "configuration", "default")
+        for name in os.listdir(place):
+            path = os.path.join(place, name)
+            before = self.read(path)
+            if len(before) < 10000:
+                with open(path, "w") as file:
+                    file.write(before)
+                self.assertEqual(self.read(path), before)
+
+
+class Killed(Case):
+    def end(self):
+        mounts.take_away(around.top)
+
+    def test_readers_are_freed(self):
+        reader = subprocess.Popen(["cat", os.path.join(self.root, "test.host_cxt/ConsoleIn0.rtc/ports/out/values")],
+                                  stderr=subprocess.PIPE)
+        time.sleep(0.5)
+        self.process.kill()
+        self.process.wait()
+        self.assertEqual(reader.wait(worlds.LIMIT), 1)
+        with reader.stderr:
+            self.assertRegex(reader.stderr.read().decode(), "abort|not connected")
+
+
+if __name__ == "__main__":
+    unittest.main()
