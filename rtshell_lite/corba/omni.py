@@ -12,6 +12,8 @@ CONNECTIONS = 5  # omniORB opens at most so many to one process (maxGIOPConnecti
 
 loop = None  # calls of omniORB cannot be interrupted: threads make them
 
+HEEDED = None  # all settings of omniORB
+
 _started = None  # the ORB, once there is one
 _deadline = None  # s, the deadline that it was given
 _starting = threading.RLock()
@@ -242,9 +244,9 @@ def descriptor(type_id):
     return omniORB.typeMapping.get(type_id)
 
 
-def descriptor_of(value):
-    """The type descriptor of the value in an any."""
-    return value.typecode()._d
+def descriptor_in(nvlist, name):
+    """The descriptor of the type of the value with this name in an SDOPackage::NVList, or None."""
+    return next((nv.value.typecode()._d for nv in nvlist if nv.name == name), None)
 
 
 def nvlist(pairs):

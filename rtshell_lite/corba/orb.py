@@ -44,6 +44,11 @@ def version():
     return (_orb or _chosen()).version()
 
 
+def heeds(option):
+    """Whether the ORB, if there is one, heeds a setting of omniORB, by its name without ORB: clientTransportRule."""
+    return not _orb or _orb.HEEDED is None or option in _orb.HEEDED
+
+
 # ---- references -----------------------------------------------------------------------------------------------
 
 def corbaloc(where, address, key, default_port):
@@ -219,9 +224,9 @@ def descriptor(type_id):
     return _orb.descriptor(type_id)
 
 
-def descriptor_of(value):
-    """The descriptor of the type of the value in an any."""
-    return _orb.descriptor_of(value)
+def descriptor_in(nvlist, name):
+    """The descriptor of the type of the value with this name in an SDOPackage::NVList, or None."""
+    return _orb.descriptor_in(nvlist, name)
 
 
 def nvlist(pairs):

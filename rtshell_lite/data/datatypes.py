@@ -202,11 +202,8 @@ def _offered(port):
     """The Type of the value in a port's profile, or None; one more call."""
     from rtshell_lite.robot import ports
     profile = orb.call(ports.label(port), port.ref, "get_port_profile")
-    for item in profile.properties:
-        if from_wire(item.name) == "dataport.data_value":
-            descriptor = orb.descriptor_of(item.value)
-            return Type(descriptors.adopted(descriptor, orb.descriptor)) if isinstance(descriptor, tuple) else None
-    return None
+    descriptor = orb.descriptor_in(profile.properties, "dataport.data_value")
+    return Type(descriptors.adopted(descriptor, orb.descriptor)) if isinstance(descriptor, tuple) else None
 
 
 def members(type_id):

@@ -71,7 +71,7 @@ def _settings(started):
     for source, settings in sources:
         for option, value in settings:
             why = _harm(option, value, OURS if source == ARGUMENTS else THEIRS)
-            if why:
+            if why and (source != ARGUMENTS or orb.heeds(option)):
                 found.append(warn("ORB", HERE, f"{source} sets {option} to {printable(value)}: {why}", _without(source)))
     if not found and sources and started:
         found.append(ok("ORB", HERE, "settings of omniORB that break nothing: " + ", ".join(name for name, _ in sources)))
@@ -139,7 +139,7 @@ def _harm_of_end_point(value, whom):
 
 def transport_rule():
     """The Rule that may forbid connections, or None; only reported where one fails."""
-    for source, settings in _sources():
+    for source, settings in _sources() if orb.heeds("clientTransportRule") else ():
         for option, value in settings:
             if option == "clientTransportRule":
                 return Rule(f"clientTransportRule {printable(value)} of {source}", _without(source))

@@ -12,7 +12,7 @@ A robot that works: a line for each object, a summary, status 0. With -q, nothin
 a rate for a moment):
 
   $ until rtdoctor > out; ! grep -q "warn.* keeps" out; do :; done; grep -v -e "this host's name" -e failed out
-  ok    here: Python *, omniORBpy * (glob)
+  ok    here: Python [0-9.]*, (omniORBpy .*|builtin ORB) (re)
   ok    here: RTCTREE_NAMESERVERS: localhost:$PORT
   ok    /localhost:$PORT: answers (name * ms, TCP * ms, CORBA * ms, naming * ms) (glob)
   ok    /localhost:$PORT/mgr.host_cxt/ConsoleIn0.rtc: Inactive, claims 20 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)

@@ -9,6 +9,7 @@ from rtshell_lite.corba.iiop.loop import in_turn as loop, invoke  # noqa: F401: 
 from rtshell_lite.path import split_address
 from rtshell_lite.text import from_wire, to_wire
 
+HEEDED = ("endPoint", "endPointPublish")  # settings of omniORB
 _MINORS = {"": 2, "1.0": 0, "1.1": 1, "1.2": 2}  # of GIOP, by the version in a corbaloc
 
 
@@ -114,9 +115,9 @@ def _as_text(value, descriptor):
 descriptor = idl.known
 
 
-def descriptor_of(value):
-    """The descriptor of the type of the value in an any."""
-    return value.descriptor
+def descriptor_in(nvlist, name):
+    """The descriptor of the type of the value with this name in an SDOPackage::NVList, or None."""
+    return next((value.descriptor for known, value in nvlist if known == name.encode() and type(value) is not bytes), None)
 
 
 def nvlist(pairs):
