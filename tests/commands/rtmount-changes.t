@@ -45,7 +45,8 @@ Configuration. Names and values are written as they are read, with escapes:
   mode1
   $ printf '%s\n' 'a\x0ab\\c' >mode0/str_param0; cat mode0/str_param0; PATH=$tools rtconf ConfigSample0.rtc -s mode0 get str_param0
   a\x0ab\\c
-  a\x0ab\\c
+  a
+  b\c
   $ cat mode0/str_param0 >mode0/str_param1; cmp mode0/str_param0 mode0/str_param1
   $ echo 'a\q' 2>&- >mode0/str_param0 || why
   $TMP/m/localhost:$PORT/test.host_cxt/ConfigSample0.rtc/configuration/mode0/str_param0: bad escape \q
@@ -53,7 +54,7 @@ Configuration. Names and values are written as they are read, with escapes:
   mode0
   +mode0*
   $ echo nonsense 2>&- >active || why
-  /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: nonsense
+  /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: nonsense (there are: default, mode0, mode1)
   $ echo __widget__ 2>&- >active || why
   /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: configuration set __widget__ holds metadata and cannot be active
   $ echo 1 2>&- >mode0/new || why; cd ../..

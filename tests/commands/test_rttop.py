@@ -127,7 +127,7 @@ class Page(Terminal):
         self.assertLess(os.path.getsize(os.path.join(self.home, "sent")), 20, "what has not changed is not sent again")
         self.press("s")
         self.shows("^sorted by state$")
-        self.assertEqual(re.findall(r"^(\S+) .*\.rtc", self.screen(), re.MULTILINE), ["Error", "?"] + 7 * ["INACTIVE"])
+        self.assertEqual(re.findall(r"^(\S+) .*\.rtc", self.screen(), re.MULTILINE), ["Error", "?"] + 7 * ["Inactive"])
         self.press("/")
         self.tmux("send-keys", "-l", "ensorx")
         self.press("BSpace")
