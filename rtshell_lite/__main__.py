@@ -17,8 +17,6 @@ if __name__ == "__main__" and not sys.flags.isolated and not getattr(sys.flags, 
 from rtshell_lite import start
 start.quietly(__name__)
 
-import shlex
-
 from rtshell_lite import cli, errors, text
 from rtshell_lite.shell import installation
 
@@ -41,7 +39,7 @@ def unpack(directory, wheels):
     from rtshell_lite.shell.unpack import unpack
     if not directory or ":" in directory:
         raise errors.Usage(f"{directory or repr('')}: cannot be in PATH")
-    print(f"export PATH={shlex.quote(unpack(directory, wheels))}:$PATH")
+    print(f"export PATH={text.quoted(unpack(directory, wheels))}:$PATH")
 
 
 def unknown(name):

@@ -58,6 +58,8 @@ def command(arguments, run, doc, argv):
     except OSError as e:
         complain(e)
         return 1
+    except ModuleNotFoundError as e:
+        return complain(errors.IncompletePython(e.name))
     except SystemExit as e:  # argparse after --help or --version
         return e.code or 0
     except Exception as e:

@@ -57,6 +57,10 @@ class MissingOmniORB(Error):
     """omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or: pip install 'rtshell_lite[omniorb]'"""
 
 
+class IncompletePython(Error):
+    """this Python lacks its module {}, which is needed for that; a whole one has it (Debian: python3, not python3-minimal)"""
+
+
 class Usage(Error):
     """{} (see --help)"""
 

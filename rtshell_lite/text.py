@@ -94,9 +94,17 @@ def cut(s):
 
 def near(word, known):
     """What a message about a wrong word ends with: the one of the words `known` that resembles it; '' if none does."""
-    import difflib
-    close = difflib.get_close_matches(word, known, 1)
-    return f"; did you mean {printable(close[0])}?" if close else ""
+    close = closest(word, known)
+    return f"; did you mean {printable(close)}?" if close is not None else ""
+
+
+def closest(word, known):
+    """The one of the words `known` that resembles a word, None if none does."""
+    try:
+        import difflib
+    except ImportError:  # Debian's python3-minimal has none
+        return None
+    return next(iter(difflib.get_close_matches(word, known, 1)), None)
 
 
 def candidates(word, known):
@@ -156,6 +164,11 @@ def shell_word(s):
     pieces = [(plain, "".join(c for c, _ in piece)) for plain, piece in itertools.groupby(
         judged(s), lambda pair: pair[1] or pair[0] == "\n")]
     return "".join(_quoted(piece) if plain else _by_printf(piece) for plain, piece in pieces) or "''"
+
+
+def quoted(s):
+    """`s` as one word of a POSIX shell command, raw. (shlex is not in Debian's python3-minimal.)"""
+    return s if re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII) else _quoted(s)
 
 
 def _quoted(s):

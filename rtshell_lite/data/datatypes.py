@@ -3,14 +3,13 @@
 A type is looked up among the standard types, in the IDL files and compiled stubs that the user names, and in the component.
 """
 import importlib
-import json
 import struct
 import sys
 
 from rtshell_lite import errors
 from rtshell_lite.corba import cdr, descriptors, idl, orb, stubs
 from rtshell_lite.data import type_json, values
-from rtshell_lite.text import from_wire, printable
+from rtshell_lite.text import printable
 
 STANDARD = ("RTC", "Img")  # modules of our own stubs
 SOURCES = "name its IDL file (--idl FILE) or compiled stubs (-m MODULE -p DIR)"
@@ -61,6 +60,7 @@ class Type:
 
     def to_bytes(self):
         """The type as bytes, for files that are read without IDL; the reverse of `from_bytes`."""
+        import json  # which Debian's python3-minimal lacks, and most commands do not need
         return json.dumps(type_json.plain(self.descriptor), separators=(",", ":")).encode("ascii")
 
 

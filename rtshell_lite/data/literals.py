@@ -7,7 +7,6 @@ reads single literals only, for deeply nested text may crash it.
     argument = [identifier "="] value
     literal = number | string | b"bytes" | True | False | NaN | Infinity | null
 """
-import json
 import re
 import time
 
@@ -61,7 +60,10 @@ def parse(text):
     """(what a text says, for `build_value.build`; whether it is JSON). Raises BadValue."""
     if not re.match(_CALL, text, re.ASCII):
         try:
+            import json
             return json.loads(text, parse_constant=lambda word: build_value.NUMBERS[word], parse_int=_whole), True
+        except ImportError:  # Debian's python3-minimal lacks it; numbers and the constructor form need none
+            pass
         except (ValueError, RecursionError):
             if text.lstrip()[:1] == "{" and not text.lstrip().startswith("{time}"):
                 raise errors.BadValue(_short(text), f"not JSON ({_fault_of(text)})")
@@ -78,6 +80,7 @@ def _whole(word):
 
 
 def _fault_of(text):
+    import json
     try:
         json.loads(text, parse_int=_whole)
     except ValueError as e:

@@ -1,6 +1,5 @@
 """Sending values to in ports at a rate."""
 import math
-import queue
 import select
 import sys
 import threading
@@ -36,7 +35,7 @@ class Lines:
         if sys.stdin is None:
             raise errors.Usage("no -c VALUE, and stdin is closed")
         self.number, self.waiting, self.closed = 0, False, threading.Event()
-        self.asked, self.read = queue.Queue(), interrupts.Mailbox()
+        self.asked, self.read = interrupts.Mailbox(), interrupts.Mailbox()
         lanes.start(self._read)
 
     def next(self, seconds):
@@ -53,7 +52,7 @@ class Lines:
         return result
 
     def _read(self):
-        while self.asked.get():
+        while self.asked.get(float("inf")):
             try:
                 self.read.put(self._line())
             except (EOFError, OSError) as e:

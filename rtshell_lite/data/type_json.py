@@ -6,7 +6,6 @@
     ["object", id, name]  ["fixed", digits, scale]   of which no values are read
     ["see", id]  a struct, union or enum that came before or encloses this
 """
-import json
 
 from rtshell_lite import errors
 from rtshell_lite.corba import descriptors
@@ -51,6 +50,7 @@ def descriptor(data):
     """The descriptor for the JSON of what `plain` returned, as bytes. Raises BadType."""
     if len(data) > LARGEST:
         raise errors.BadType(f"a type of {len(data)} bytes", "too large")
+    import json  # which Debian's python3-minimal lacks
     try:
         return descriptors.adopted(_raw(json.loads(data.decode("ascii")), {}))
     except errors.BadType as e:

@@ -1,5 +1,4 @@
 """The blocks of a log file: kind, length, checksum, body. The package's docstring describes the format."""
-import json
 import struct
 import zlib
 
@@ -40,6 +39,7 @@ def entry(number, received, channel, little, data):
 
 def text(kind, value, footer_at=None):
     """A block whose body is JSON; that of the index ends with the offset at which the block begins."""
+    import json  # which Debian's python3-minimal lacks
     body = [json.dumps(value, sort_keys=True).encode("ascii")]
     if footer_at is not None:
         body.append(FOOTER.pack(footer_at, _END))
@@ -89,6 +89,7 @@ def index_position(file, size):
 
 def parsed(body, footer=False):
     """The JSON value of a block's body. Raises Damaged, also for hostile nesting."""
+    import json
     try:
         return json.loads((body[:-FOOTER.size] if footer else body).decode("ascii"))
     except (ValueError, RecursionError):

@@ -6,7 +6,6 @@ import ipaddress
 import os
 import socket
 import struct
-import termios
 import time
 
 from rtshell_lite import errors
@@ -79,8 +78,9 @@ def arrives(endpoint):
 def _unacknowledged(connection):
     """How many octets sent have not been acknowledged; 0 if the kernel does not report it."""
     try:
+        import termios  # which Debian's python3-minimal lacks
         return struct.unpack("i", fcntl.ioctl(connection, termios.TIOCOUTQ, b"\0" * 4))[0]
-    except OSError:
+    except (OSError, ImportError):
         return 0
 
 

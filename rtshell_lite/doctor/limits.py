@@ -1,6 +1,5 @@
 """What this process may use: without enough descriptors, threads or ports here, peers seem to be at fault."""
 import os
-import resource
 import threading
 
 from rtshell_lite import errors
@@ -37,6 +36,7 @@ def _files():
         for _ in range(FILES):
             taken.append(os.dup(2))
     except OSError as e:
+        import resource  # which Debian's python3-minimal lacks
         return f"{os.strerror(e.errno)}, at {resource.getrlimit(resource.RLIMIT_NOFILE)[0]}"
     finally:
         for descriptor in taken:

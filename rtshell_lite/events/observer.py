@@ -3,9 +3,9 @@
 Sources: OpenRTM-aist's ComponentObserver.idl, Logger.idl, and that of FSM4RTC; the hints are those that C++ and Python send.
 """
 import collections
+import os
 import threading
 import time
-import uuid
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, servants
@@ -66,6 +66,12 @@ def taken(properties):
     return [interface.strip() for interface in listed.split(",") if interface.strip()]
 
 
+def _new_id():
+    """A random UUID (RFC 4122, version 4) as text. (uuid takes long to import; Debian's python3-minimal has none.)"""
+    digits = os.urandom(16).hex()
+    return f"{digits[:8]}-{digits[8:12]}-4{digits[13:16]}-a{digits[17:20]}-{digits[20:]}"
+
+
 class Subscription:
     """A service of ours that a component calls, from `attach` until `detach`; both may be called on any lane."""
 
@@ -74,7 +80,7 @@ class Subscription:
     def __init__(self, node, interface, properties, heard):
         """`heard` is called with an Event or a Record, on a thread of the ORB."""
         self.node, self.where, self.interface, self.properties = node, str(node.path), interface, properties
-        self.id = str(uuid.uuid4())
+        self.id = _new_id()
         self._served = None
         self._servant = _Listener(interface, heard)
         self._lock = threading.Lock()  # it must not be detached before it is attached

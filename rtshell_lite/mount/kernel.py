@@ -1,6 +1,5 @@
 """Mounting and unmounting: mount(2) for root, fusermount3 or fusermount for others; what is mounted where. Linux only."""
 import array
-import ctypes
 import errno
 import os
 import re
@@ -78,7 +77,7 @@ def mount(directory, read_only=False):
     options = f"fd={fd},rootmode=40000,user_id={os.getuid()},group_id={os.getgid()},allow_other,default_permissions"
     try:
         _system_call("mount", NAME.encode(), os.fsencode(directory), TYPE.encode(),
-                     ctypes.c_ulong(NOSUID | NODEV | read_only * RDONLY), options.encode())
+                     NOSUID | NODEV | read_only * RDONLY, options.encode())
     except OSError as e:
         os.close(fd)
         raise errors.Failed(printable(directory), f"cannot mount: {e.strerror}")
@@ -86,6 +85,8 @@ def mount(directory, read_only=False):
 
 
 def _system_call(name, *args):
+    import ctypes  # which Debian's python3-minimal lacks
+    args = [ctypes.c_ulong(arg) if isinstance(arg, int) else arg for arg in args]
     library = ctypes.CDLL(None, use_errno=True)
     if getattr(library, name)(*args):
         raise OSError(ctypes.get_errno(), os.strerror(ctypes.get_errno()))

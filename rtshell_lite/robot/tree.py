@@ -19,7 +19,7 @@ from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_addre
 # other modules use these as tree.look, tree.Node …
 from rtshell_lite.robot.node import (DIRECTORIES, Node, bound, classified, judged, look, name_server_error, on_nodes,
                                      on_nodes_in_turn, unusable)
-from rtshell_lite.text import from_wire, printable
+from rtshell_lite.text import closest, from_wire, printable
 
 AT_ONCE = 1000  # names whose objects are asked for at a time: a pending call takes memory
 DEPTH = 64  # contexts can be bound inside themselves by another name
@@ -171,9 +171,8 @@ def _by_id(names):
 
 
 def _near_miss(path, names):
-    import difflib
-    close = difflib.get_close_matches(path.names[-1].id, names, 1)  # the kinds, all .rtc, would make any two names alike
-    return errors.Misspelt(str(path), str(names[close[0]])) if close else errors.NotFound(str(path))
+    close = closest(path.names[-1].id, names)  # the kinds, all .rtc, would make any two names alike
+    return errors.NotFound(str(path)) if close is None else errors.Misspelt(str(path), str(names[close]))
 
 
 @tasks.task

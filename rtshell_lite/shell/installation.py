@@ -7,7 +7,6 @@ import os
 import re
 import sys
 import sysconfig
-import zipfile
 
 import rtshell_lite
 from rtshell_lite import errors
@@ -33,8 +32,7 @@ def manual_pages():
     """The manual pages, {path below share/man: path}; a path may lead into the wheel file. {} if there are none."""
     archive = wheel()
     if archive:
-        with zipfile.ZipFile(archive) as members:
-            found = re.findall(r"^(rtshell_lite-[^/]+\.data/data/share/man/(.+\.[17]))$", "\n".join(members.namelist()), re.MULTILINE)
+        found = re.findall(r"^(rtshell_lite-[^/]+\.data/data/share/man/(.+\.[17]))$", _members(archive), re.MULTILINE)
         return {below: os.path.join(archive, *name.split("/")) for name, below in found}
     above = os.path.dirname(os.path.dirname(next(iter(commands().values()))))
     for top in os.path.join(above, "man"), os.path.join(above, "share", "man"):  # a checkout, an installation
@@ -81,9 +79,14 @@ def summaries():
     return [f"  {name:{width}}  {summary(read(path))}" for name, path in sorted(known.items())]
 
 
+def _members(archive):
+    """The names of the files in the wheel file, a line each. (zipfile takes long to import; Debian's python3-minimal has none.)"""
+    record = read(os.path.join(archive, f"rtshell_lite-{rtshell_lite.__version__}.dist-info", "RECORD")).decode()
+    return re.sub(",.*", "", record)
+
+
 def _in_wheel(archive):
-    with zipfile.ZipFile(archive) as members:
-        scripts = [name for name in members.namelist() if re.match(r"rtshell_lite-[^/]+\.data/scripts/[^/]+$", name)]
+    scripts = re.findall(r"^rtshell_lite-[^/]+\.data/scripts/[^/]+$", _members(archive), re.MULTILINE)
     return {os.path.basename(name): os.path.join(archive, *name.split("/")) for name in scripts}
 
 

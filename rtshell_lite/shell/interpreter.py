@@ -3,12 +3,11 @@ import contextlib
 import io
 import os
 import re
-import shlex
 import sys
 
 from rtshell_lite import cli, errors
 from rtshell_lite.shell import installation
-from rtshell_lite.text import near, printable
+from rtshell_lite.text import near, printable, quoted
 
 # A word of sh, an operator or a comment, after blanks.
 _TOKEN = re.compile(r"""\s*(?: (?P<word> (?: [^\s;&|<>()'"\\\#] | \\. | '[^']*' | "(?:[^"\\]|\\.)*" )
@@ -85,7 +84,7 @@ class Interpreter:
     def run_line(self, line):
         """Run the commands of a line. Raises BadLine, Left."""
         for words in split(line):
-            cli.detail(" ".join(map(shlex.quote, words)))
+            cli.detail(" ".join(map(quoted, words)))
             if words[0] == "exit":
                 raise Left(_status(words[1:], self.status))
             if words[0] == "help":

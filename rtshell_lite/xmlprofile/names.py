@@ -2,8 +2,6 @@
 
 XML names are as in expat: namespace, SEPARATOR, name. The model has "{namespace}name".
 """
-from xml.parsers import expat
-
 from rtshell_lite.xmlprofile import escape
 
 SEPARATOR = "\x01"  # cannot occur in XML
@@ -93,6 +91,7 @@ def is_clark(name):
         return False
     if not local or set(local) & set(" \t\r\n<>&/=\"':!?"):
         return False
+    from xml.parsers import expat  # which Debian's python3-minimal lacks, and YAML does not need
     try:
         expat.ParserCreate().Parse(f"<{local}/>", True)
     except (expat.ExpatError, UnicodeError):

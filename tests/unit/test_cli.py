@@ -32,6 +32,8 @@ def arguments(parser):
 def run(args):
     if args.paths[:1] == ["bug"]:
         raise KeyError("x")
+    if args.paths[:1] == ["lacking"]:
+        import json_of_some_python
     if args.paths[:1] == ["io"]:
         open("/does/not/exist")
     if args.paths[:1] == ["fail"]:
@@ -144,6 +146,12 @@ class Command(unittest.TestCase):
         status, _, err = self.foo("bug")
         self.assertEqual((status, err.count("\n")), (70, 1))
         self.assertIn("Traceback", self.foo("bug", RTSHELL_DEBUG="1")[2])
+
+    def test_a_python_without_a_standard_module(self):
+        """Debian's python3-minimal lacks json and a dozen others."""
+        self.assertEqual(self.foo("lacking")[0::2], (1, (
+            "rtfoo: this Python lacks its module json_of_some_python, which is needed for that; a whole one has it "
+            "(Debian: python3, not python3-minimal)\n")))
 
     def test_a_local_failure_is_1(self):
         self.assertEqual(self.foo("io")[0::2], (1, "rtfoo: /does/not/exist: No such file or directory\n"))
