@@ -5,6 +5,7 @@ import sys
 import threading
 import time
 import unittest
+from unittest import mock
 
 import simpkl_files
 from test_datalog import CHANNELS, START, Case, messages
@@ -33,6 +34,12 @@ class Playing(Case):
         for start, end, by_index in [(10, None, True), (1800000000, None, False), (None, 1600000000, False)]:
             with self.assertRaises(errors.Failed):
                 self.numbers(start, end, by_index)
+
+    def test_what_is_said_of_a_log_without_entries(self):
+        self.write([])
+        with logfile.load(self.name) as log:
+            said = meaning.as_dict(log)
+        self.assertEqual([said["entries"], [channel["entries"] for channel in said["channels"]]], [0, [0, 0]])
 
     def test_pace(self):
         """Entries come when they are due, neither sooner nor much later; `seconds` end them."""
@@ -159,6 +166,18 @@ class Deep(Case):
 
 
 class Recording(Case):
+    def test_ports_with_one_name_share_a_channel(self):
+        channels = recorder.Channels(mock.Mock(of_port=mock.Mock(side_effect=errors.BadType("x", "y"))))
+        properties = {"dataport.data_type": "IDL:RTC/TimedLong:1.0"}
+        found = []
+        for label, name in (("/h/A.rtc:out", "one"), ("/h/B.rtc:out", "other"), ("/h/C.rtc:out", "one")):
+            with mock.patch.object(recorder.ports, "label", lambda port: label):
+                found.append(channels.add(mock.Mock(properties=properties), name))
+        self.assertEqual((found, [channel.sources for channel in channels.found]),
+                         ([0, 1, 0], [["/h/A.rtc:out", "/h/C.rtc:out"], ["/h/B.rtc:out"]]))
+        with mock.patch.object(recorder.ports, "label", lambda port: "/h/D.rtc:out"), self.assertRaises(errors.Failed):
+            channels.add(mock.Mock(properties={"dataport.data_type": "IDL:RTC/TimedDouble:1.0"}), "one")
+
     def test_a_slow_disk_costs_messages_not_time(self):
         """The sender never waits, not even for a disk that writes nothing until all is sent; what does not fit is counted."""
         message, sent = message_of(b"x" * 1000000), threading.Event()
