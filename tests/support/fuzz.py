@@ -4,7 +4,8 @@ back the same after it was written.
     python3 tests/support/fuzz.py [--seconds N | --cases N] [--seed N] [--list] [TARGET ...]
 
 A case is a file of bytes, made from the seed and its number. One that fails is written to tests/data/fuzz/TARGET/, where
-tests/unit/test_fuzz.py tries it ever after (rename it to what it shows). fuzz_replies.py has the targets `replies` and `builtin`, whole commands with either ORB.
+tests/unit/test_fuzz.py tries it ever after (rename it to what it shows). fuzz_replies.py has the targets `replies` and `builtin`,
+whole commands with either ORB; fuzz_giop.py those of single messages, the others are in fuzz_targets.py.
 """
 import argparse
 import contextlib
