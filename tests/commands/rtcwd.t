@@ -104,7 +104,7 @@ What does not exist, or does not answer:
   rtcwd: /localhost:$SILENT: no answer within 0.3s
   [4]
   $ rtcwd /localhost:$GARBAGE
-  rtcwd: /localhost:$GARBAGE: connection lost
+  rtcwd: /localhost:\$GARBAGE: (connection lost|garbled answer \(not GIOP\)) (re)
   [4]
   $ component=$(rtcat -ll ConsoleIn0.rtc | awk '$1 == "corba.endpoints" {print $2}')
   $ rtcwd /$component 2>&1 | sed "s/$component/HOST:PORT/g"

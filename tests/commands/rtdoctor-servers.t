@@ -18,7 +18,7 @@ faulty: refused dead-host silent drip reset close garbage late-silent late-reset
   fail  /localhost:$CLOSE: cannot tell from here: TCP connects, then connection lost; what listens there does not speak CORBA, or the network is broken; try: look at what is between here and localhost: firewall (port $CLOSE), route (ip route get localhost), MTU and loss (ping localhost)
   [1]
   $ doctor -q localhost:$GARBAGE
-  fail  /localhost:$GARBAGE: cannot tell from here: TCP connects, then connection lost; what listens there does not speak CORBA, or the network is broken; try: look at what is between here and localhost: firewall (port $GARBAGE), route (ip route get localhost), MTU and loss (ping localhost)
+  fail  /localhost:$GARBAGE: *what listens there does not speak CORBA* (glob)
   [1]
   $ doctor -q localhost:$LATE_RESET
   fail  /localhost:$LATE_RESET: its names cannot be listed (connection lost); try: look at what is between here and localhost: firewall (port $LATE_RESET), route (ip route get localhost), MTU and loss (ping localhost)

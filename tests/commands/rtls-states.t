@@ -50,9 +50,9 @@ A component that fails to tell one of the figures:
   rtls: /localhost:$PORT/test.host_cxt/Slow0.rtc: CORBA.NO_IMPLEMENT
   rtls: 1 of 1 did not answer (Slow0.rtc)
   [6]
-  $ ctl @these fail get_owned_contexts 1 COMM_FAILURE; rtls -lv Slow0.rtc
+  $ ctl @these fail get_owned_contexts 1 INV_OBJREF; rtls -lv Slow0.rtc
   ?  -  -  -  -  ?Slow0.rtc
-  rtls: /localhost:$PORT/test.host_cxt/Slow0.rtc: connection lost
+  rtls: /localhost:$PORT/test.host_cxt/Slow0.rtc: garbled answer (CORBA.INV_OBJREF)
   rtls: 1 of 1 did not answer (Slow0.rtc)
   [4]
   $ ctl @these fail get_port_profile 1 TRANSIENT; rtls -lv Slow0.rtc

@@ -286,9 +286,6 @@ Wrong usage contacts nobody.
   ConsoleIn0.rtc
   $ RTSHELL_TIMEOUT=0.5 rtls ConsoleIn0.rtc
   ConsoleIn0.rtc
-  $ RTCTREE_ORB_ARGS='-ORBnonsense;1' rtls
-  rtls: RTCTREE_ORB_ARGS: -ORBnonsense;1: not understood by omniORB (INITIALIZE_InvalidORBInitArgs) (see --help)
-  [2]
   $ RTCTREE_ORB_ARGS='-ORBmaxGIOPConnectionPerServer;2' rtls ConsoleIn0.rtc
   ConsoleIn0.rtc
 

@@ -115,7 +115,7 @@ Nobody there, or nobody who answers:
   rtmgr: corbaloc::localhost:$RESET: connection lost
   [4]
   $ rtmgr -r corbaloc::localhost:$GARBAGE
-  rtmgr: corbaloc::localhost:$GARBAGE: connection lost
+  rtmgr: corbaloc::localhost:\$GARBAGE: (connection lost|garbled answer \(not GIOP\)) (re)
   [4]
 
 Components: a name that is unknown or taken, a module that is unknown, an argument that makes no sense, too many instances:

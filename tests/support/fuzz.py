@@ -4,7 +4,8 @@ back the same after it was written.
     python3 tests/support/fuzz.py [--seconds N | --cases N] [--seed N] [--list] [TARGET ...]
 
 A case is a file of bytes, made from the seed and its number. One that fails is written to tests/data/fuzz/TARGET/, where
-tests/unit/test_fuzz.py tries it ever after (rename it to what it shows). fuzz_replies.py has the target `replies`.
+tests/unit/test_fuzz.py tries it ever after (rename it to what it shows). fuzz_replies.py has the targets `replies` and `builtin`,
+whole commands with either ORB; fuzz_giop.py those of single messages, the others are in fuzz_targets.py.
 """
 import argparse
 import contextlib
@@ -174,9 +175,10 @@ def fuzz(target, seed, seconds=None, cases=None, report=print):
 
 def targets():
     """All targets by name."""
+    import fuzz_giop
     import fuzz_replies
     import fuzz_targets
-    return {cls.name: cls for cls in fuzz_targets.TARGETS + [fuzz_replies.Replies]}
+    return {cls.name: cls for cls in fuzz_targets.TARGETS + fuzz_giop.TARGETS + [fuzz_replies.Replies, fuzz_replies.Builtin]}
 
 
 def saved(name):

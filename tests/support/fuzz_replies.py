@@ -118,6 +118,7 @@ def load():
 
 class Replies(fuzz.Target):
     name = "replies"
+    orb = "omniorb"
     alone = False  # the limits are those of the child
     ended_by_omniorb = 0
 
@@ -188,7 +189,7 @@ class Replies(fuzz.Target):
         if not self.child:
             self.child = subprocess.Popen([sys.executable, os.path.abspath(__file__), "--child"], stdin=subprocess.PIPE,
                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=dict(
-                                              os.environ, RTSHELL_DEBUG="1", RTSHELL_TIMEOUT=str(TIMEOUT)))
+                                              os.environ, RTSHELL_DEBUG="1", RTSHELL_TIMEOUT=str(TIMEOUT), RTSHELL_ORB=self.orb))
         begun = time.monotonic()
         timer = threading.Timer(5 * LIMIT, self.child.send_signal, [signal.SIGABRT])  # faulthandler tells where it hangs
         timer.start()
@@ -216,6 +217,12 @@ class Replies(fuzz.Target):
             for pipe in (self.child.stdin, self.child.stdout, self.child.stderr):
                 pipe.close()
             self.child = None
+
+
+class Builtin(Replies):
+    """The same for our own ORB."""
+
+    name, orb = "builtin", "builtin"
 
 
 # ---- the child ------------------------------------------------------------------------------------------------

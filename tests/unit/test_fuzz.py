@@ -5,7 +5,8 @@ import unittest
 import fuzz
 
 ONCE = True  # one Python of the matrix is enough
-CASES = {"paths": 3000, "xml": 400, "yaml": 400, "logs": 400, "idl": 250, "values": 1500, "cdr": 500, "replies": 60}
+CASES = {"paths": 3000, "xml": 400, "yaml": 400, "logs": 400, "idl": 250, "values": 1500, "cdr": 500, "requests": 1000, "answers": 500,
+         "replies": 60, "builtin": 60}
 
 
 class Fuzz(unittest.TestCase):

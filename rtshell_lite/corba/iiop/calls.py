@@ -46,11 +46,16 @@ class Request:
         return ior.addresses(self.ref.text())
 
     def octets(self, number):
-        """The request. Raises OSError where the reference has no address, TypeError for arguments of another type."""
+        """The request.
+
+        Raises OSError where the reference has no address, Refused for what CORBA cannot send, TypeError for arguments of another type.
+        """
         version, mode, target = self.ref.target(self._mode)
         arguments = list(zip(self.operation.arguments, self.call.args))
         try:
             return giop.request(number, version, mode, target, self.call.operation, arguments)
+        except marshal.Unsendable as e:
+            raise errors.Refused(str(self.call.where), f"cannot be asked: {e}", name="BAD_PARAM")
         except (ValueError, StructError) as e:
             raise TypeError(f"{self.call.operation}: {e}")
 

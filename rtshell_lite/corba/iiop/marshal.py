@@ -16,6 +16,10 @@ def _is_nvlist(descriptor):
     return descriptors.kind(element) == descriptors.STRUCT and descriptors.type_id(element) == _NAME_VALUE
 
 
+class Unsendable(Fault):
+    """A text that CORBA cannot send, whoever it comes from."""
+
+
 class Any:
     """A value with the descriptor of its type."""
 
@@ -78,7 +82,7 @@ class Maker(cdr.Maker):
 
         def octets(out, value):
             if b"\0" in value:
-                raise Fault("a NUL in a string")
+                raise Unsendable("a NUL in a string")
             out += b"\0" * (-len(out) & 3) + pack(len(value) + 1) + value + b"\0"
 
         def write(out, values):
@@ -111,7 +115,7 @@ class Maker(cdr.Maker):
         def write(out, value):
             octets = value.encode("latin-1") + b"\0"
             if octets.find(b"\0") < len(octets) - 1:
-                raise Fault("a NUL in a string")
+                raise Unsendable("a NUL in a string")
             out += b"\0" * (-len(out) & 3) + pack(len(octets)) + octets
         return write
 
