@@ -13,9 +13,13 @@ NUMERIC = re.compile(r"[0-9.]+\Z|.*:")  # an address; to look a name up may take
 
 
 class Crew:
-    """Threads that run jobs, functions without arguments; at most `most` at a time with the same key, in their order."""
+    """Threads that run jobs, functions without arguments; at most `most` at a time with the same key, in their order.
 
-    def __init__(self):
+    report(exception) is called when a job fails, which is a bug of ours.
+    """
+
+    def __init__(self, report):
+        self._report = report
         self._changed = threading.Condition(threading.Lock())
         self._waiting = {}  # by key: a deque of jobs
         self._running = collections.Counter()  # by key; what is `_ready` is counted
@@ -48,8 +52,12 @@ class Crew:
         key = self._next(None)
         while key is not None:
             with self._changed:
-                job = self._waiting[key].popleft()
-            job()
+                job = self._waiting[key].popleft() if self._waiting[key] else None  # another thread has done it
+            try:
+                if job is not None:
+                    job()
+            except Exception as e:  # the thread has more to do
+                self._report(e)
             key = self._next(key)
 
     def _next(self, done):

@@ -72,16 +72,12 @@ class Local(File):
 class Root(Directory):
     """The root: name servers, README and errors."""
 
-    __slots__ = ("_mount",)
+    __slots__ = ()
     path = ""
 
     def __init__(self, mount):
         super().__init__(None, "")
-        self._mount = mount
-
-    @property
-    def mount(self):
-        return self._mount
+        self.mount = mount
 
     @property
     def where(self):

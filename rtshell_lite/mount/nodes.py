@@ -6,6 +6,7 @@ the Source's value, on any thread, without asking anybody.
 import collections
 import posixpath
 import stat
+import sys
 import threading
 import time
 import weakref
@@ -38,13 +39,19 @@ class Mount:
         """`report` is called with each failure."""
         self.report = report
         self.directory, self.ttl, self.read_only = directory, ttl, read_only
-        self.crew, self.changes = Crew(), Crew()  # those that ask are lanes, see `lanes.become_lane`; those that change are none
+        self.crew = Crew(self.fail)  # its threads are lanes, see `lanes.become_lane`
+        self.changes = Crew(self.fail)  # its threads are none
         self.kept, self.lock = Kept(), threading.RLock()
         self.census = Census(self.changes, ttl)
         self.errors = collections.deque(maxlen=MOST_ERRORS)
         self.streams = set()  # that are connected
         self.contexts = weakref.WeakValueDictionary()  # directories of naming contexts by the identity of these
         self.began = int(time.time())
+
+    def fail(self, error):
+        """Keep an exception as `complain` does."""
+        known = isinstance(error, errors.Error)
+        self.complain(str(error) if known else f"internal error: {type(error).__name__}: {printable(str(error))}")
 
     def complain(self, sentence):
         """Keep a failure for DIR/errors; print it, too, if somebody listens."""
@@ -78,7 +85,7 @@ def unique(names):
             number += 1
             spelt = file_name(f"{name}~{number}")
         taken.add(spelt)
-        yield spelt
+        yield sys.intern(spelt)  # components have the same ones
 
 
 def line(text):
@@ -110,10 +117,6 @@ class Node:
         """The same name has been found again, by its directory, with these arguments."""
 
     @property
-    def mount(self):
-        return self.above.mount
-
-    @property
     def size(self):
         return 0
 
@@ -142,6 +145,10 @@ class File(Node):
 
     __slots__ = ()
     mode = stat.S_IFREG | 0o444
+
+    @property
+    def mount(self):
+        return self.above.mount
 
     @property
     def size(self):
@@ -217,6 +224,10 @@ class Link(Node):
     __slots__ = ("_target",)
     mode = stat.S_IFLNK | 0o777
 
+    @property
+    def mount(self):
+        return self.above.mount
+
     def __init__(self, above, name, target):
         super().__init__(above, name)
         self._target = target
@@ -236,12 +247,13 @@ class Link(Node):
 class Directory(Node):
     """A directory. `known` are its nodes that the kernel knows, by name."""
 
-    __slots__ = ("known", "__weakref__")
+    __slots__ = ("mount", "known", "__weakref__")
     mode = stat.S_IFDIR | 0o555
     source = NOTHING  # what it is made of
 
     def __init__(self, above, name):
         super().__init__(above, name)
+        self.mount = above and above.mount
         self.known = {}
 
     def entries(self, value):

@@ -6,6 +6,7 @@ import itertools
 import os
 import posixpath
 import stat
+import sys
 import threading
 
 from rtshell_lite import errors
@@ -14,6 +15,7 @@ from rtshell_lite.mount.nodes import Absent, Directory, Link
 from rtshell_lite.mount.opened import Listing, Opened
 from rtshell_lite.text import printable
 
+SWITCH = 0.0005  # seconds between switches of Python's threads: with the default, 0.005, requests wait for those that ask
 SWEEP = 1.0  # seconds between two looks for what is not needed any more
 
 # The errno of a failure: that of the first class that it is of.
@@ -52,6 +54,7 @@ class Server:
 
     def serve(self):
         """Answer until the tree is unmounted."""
+        sys.setswitchinterval(SWITCH)
         threading.Thread(target=self._tidy, daemon=True).start()
         buffer = bytearray(wire.LONGEST)
         view = memoryview(buffer)
@@ -105,8 +108,7 @@ class Server:
     def fail(self, request, error):
         """Answer a request by the errno of a failure, and keep the words; not of a look at a name that is not there."""
         if not isinstance(error, OSError) and not (isinstance(error, Absent) and request.opcode in QUIET):
-            known = isinstance(error, errors.Error)
-            self.mount.complain(str(error) if known else f"internal error: {type(error).__name__}: {printable(str(error))}")
+            self.mount.fail(error)
         self.reply(request, error=errno_of(error))
 
     def when(self, request, source, function):

@@ -80,7 +80,7 @@ A type that is not known:
 Events and logs:
 
   $ cd ../seen.host_cxt; cat ConsoleIn0.rtc/events >$TMP/events & one=$!
-  $ until grep -q BEAT $TMP/events; do sleep 0.1; done; echo Active >ConsoleIn0.rtc/state
+  $ until grep -qs BEAT $TMP/events; do sleep 0.1; done; echo Active >ConsoleIn0.rtc/state
   $ until grep -q ' ACTIVE$' $TMP/events; do sleep 0.1; done; kill $one; grep ' ACTIVE' $TMP/events
   \[\d+\.\d+\] 0 ACTIVE (re)
   $ cat ConsoleIn0.rtc/log || why

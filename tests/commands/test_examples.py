@@ -43,6 +43,7 @@ STATED = [re.match("(.*) (<-|->) (.*)$", words).groups() for lines in invocation
 PREPARED = {command: lines[0] for command, lines in invocations.stated("prepared").items()}
 PREPARED.update({line: what for line, arrow, what in STATED if arrow == "<-"})
 PREPARED["until rtfind -q --state active / -n Motor0.rtc; do sleep 1; done"] = "rtact Motor0.rtc"  # in README.md
+PREPARED["until grep -q Active robot/localhost/*/Motor0.rtc/state; do sleep 0.1; done"] = "rtact Motor0.rtc"
 # Things that mocks do not have, and what stands for them. All hosts are this one.
 NAMES = [
     ("arm.host_cxt", CONTEXT), ("old.host_cxt=robot2.host_cxt", "%s=%s" % (CONTEXT, CONTEXT)),
@@ -367,7 +368,8 @@ class Tour(unittest.TestCase):
         said = done.stdout.decode("utf-8", "replace")
         self.assertEqual(done.returncode, 0, said)
         self.assertEqual(re.findall(r"\$ (.*)\n(?:[^$\n].*\n)*\(exit status (\d+)\)", said), [
-            ("rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService", "6"), ("rtact Broken0.rtc", "6")], said)
+            ("rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService", "6"), ("rtact Broken0.rtc", "6")] + [
+                ("echo nonsense >ConsoleIn0.rtc/state", "1")] * (not mounts.refused()), said)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """rtmount without a kernel: messages as octets, names of files, questions that are shared."""
 import struct
 import threading
+import time
 import unittest
 
 from rtshell_lite.corba import lanes
@@ -90,7 +91,8 @@ class Asking(unittest.TestCase):
     """Thousands of requests need few threads and few questions."""
 
     def setUp(self):
-        self.crew, self.kept = asking.Crew(), asking.Kept()
+        self.failures = []
+        self.crew, self.kept = asking.Crew(self.failures.append), asking.Kept()
         self.gate, self.calls = threading.Event(), []
 
     def source(self, seconds, endpoint="peer"):
@@ -163,6 +165,28 @@ class Asking(unittest.TestCase):
             self.crew.start("key", lambda number=number: job(number), most=1)
         self.assertTrue(finished.wait(60))
         self.assertEqual((most[0], done), (1, list(range(500))))
+
+    def test_every_job_is_done_whatever_their_order(self):
+        done = threading.Semaphore(0)
+
+        def start(base):
+            for number in range(1000):
+                self.crew.start((base + number) % 7, done.release)
+        starting = [threading.Thread(target=start, args=(base,)) for base in range(4)]
+        for thread in starting:
+            thread.start()
+        for _ in range(4000):
+            self.assertTrue(done.acquire(timeout=60))
+        self.assertEqual(self.failures, [])
+
+    def test_a_job_that_fails_ends_no_thread(self):
+        done = threading.Event()
+        for _ in range(10):
+            self.crew.start("key", lambda: 1 / 0)
+        self.crew.start("key", done.set)
+        self.assertTrue(done.wait(60))
+        while len(self.failures) < 10:
+            time.sleep(0.001)
 
     def test_threads_are_bounded(self):
         before = threading.active_count()
