@@ -13,6 +13,7 @@ CONNECTIONS = 5  # omniORB opens at most so many to one process (maxGIOPConnecti
 
 HAS_SERVANTS = True
 
+shared = False  # True: others in this process may use the ORB, too; deadlines are set for our threads only
 _started = None  # the ORB, once there is one
 _deadline = None  # s, the deadline that it was given
 _starting = threading.RLock()
@@ -27,7 +28,7 @@ def start():
         if _started is None:
             _started = _make_orb()
             _deadline = lanes.session.timeout
-        elif _deadline != lanes.session.timeout:  # another command of rtsh, with a --timeout of its own
+        elif _deadline != lanes.session.timeout and not shared:  # another command of rtsh, with a --timeout of its own
             _deadline = lanes.session.timeout
             _set_deadline()
     return _started
@@ -36,9 +37,10 @@ def start():
 def _make_orb():
     CORBA = import_omniorb()
     arguments = ["rtshell_lite", "-ORBtraceLevel", "0", "-ORBverifyObjectExistsAndType", "0",
-                 "-ORBclientCallTimeOutPeriod", _milliseconds(lanes.session.timeout),
-                 "-ORBclientConnectTimeOutPeriod", _milliseconds(lanes.session.timeout),
                  "-ORBgiopMaxMsgSize", str(32 << 20)]
+    if not shared:
+        arguments += ["-ORBclientCallTimeOutPeriod", _milliseconds(lanes.session.timeout),
+                      "-ORBclientConnectTimeOutPeriod", _milliseconds(lanes.session.timeout)]
     own = [a for a in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if a]
     try:
         return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
@@ -134,7 +136,10 @@ def invoke(where, ref, operation, args, seconds):
     """The result of an operation, with a deadline of so many seconds where that is more than the timeout."""
     from omniORB import CORBA
     longer = seconds if seconds and seconds > lanes.session.timeout else None
-    if longer:
+    if shared:
+        import omniORB
+        omniORB.setClientThreadCallTimeout(int(_milliseconds(longer or lanes.session.timeout)))
+    elif longer:
         import omniORB
         omniORB.setClientCallTimeout(ref, int(_milliseconds(longer)))
     try:
