@@ -1,8 +1,9 @@
-"""Build the wheel, install it with omniORBpy in a private environment, run all tests against it.
+"""Build the wheel, install it with omniORBpy in a private environment, run the tests against it.
 
 Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a test failed or none ran.
 
-  tests/run                       all tests, on the Python that runs this
+  tests/run                       on the Python that runs this: each transcript under one shell, all test modules, of long ones a
+                                  part that changes from day to day (RTSHELL_SEED repeats another day's)
   tests/run rtls test_path        those whose name holds one of these words: tests/commands/rtls.t, tests/unit/test_path.py
   tests/run 'rtls.t (dash)'       one transcript under one shell
   tests/run --python 3.7 rtls     on another Python
@@ -44,6 +45,11 @@ TURNS, SHARE = ["3.7", "3.13"], 5  # the builtin ORB on a Python that has omniOR
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 DIRECTORIES = ("unit", "mocks", "commands", "faults")  # with what is run always
+# One in so many tests of a long module is run without arguments
+PARTS = {"commands/test_examples": 4, "commands/test_completion": 3, "commands/test_packaging": 3, "commands/test_rttop": 2,
+         "unit/test_fuzz": 3, "unit/test_profile_limits": 2}
+PART_OF_FAULTS = 3
+DAILY = "Each transcript under one shell, of long modules a part (RTSHELL_SEED=%s): some 5 minutes on two quiet cores; see --help"
 PACKAGING = "commands/test_packaging"
 
 
@@ -73,9 +79,15 @@ def module_jobs(python, interpreter, commands, wheel, patterns, modules):
         environment["PATH"] = commands + os.pathsep + os.environ["PATH"]
 
     def job(module):
-        return Job("%s %s" % (python.version, module), lambda: run_module(module, interpreter, environment, patterns),
-                   says(module, "ALONE"))
+        return Job("%s %s" % (python.version, module), lambda: run_module(
+            module, interpreter, dict(environment, RTSHELL_PART=part(module)), patterns), says(module, "ALONE"))
     return [job(module) for module in modules]
+
+
+def part(module):
+    """Which tests of a module have their turn, as report.py takes it: all unless this is the run of a day."""
+    number = PARTS.get(module, PART_OF_FAULTS if module.startswith("faults/") else 1)
+    return "%d %s" % (number, os.environ["RTSHELL_SEED"]) if "RTSHELL_SEED" in os.environ and number > 1 else ""
 
 
 def says(module, word):
@@ -145,8 +157,15 @@ def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, acce
         return Job("%s %s" % (label, name), run, transcripts.says(path, "alone"))
     lacks_omniorb = not environments.fetch_omniorb(python)
     return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shell and [shell])
-            if not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
+            if shell in shells_of_the_day(path)
+            and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
             and not (in_matrix and not has_turn(python.version, shell, setting.orb, path))]
+
+
+def shells_of_the_day(path):
+    """The shells under which a transcript runs: one in the run of a day, else all."""
+    known, seed = sorted(transcripts.SHELLS), os.environ.get("RTSHELL_SEED")
+    return known if seed is None else [known[zlib.crc32((seed + os.path.basename(path)).encode()) % len(known)]]
 
 
 def has_turn(version, shell, orb, path):
@@ -176,8 +195,14 @@ class Score:
     """The outcomes so far, which are printed as they come."""
 
     def __init__(self):
-        self.counts = {"pass": 0, "fail": 0, "skip": 0}
-        self.reasons = {}
+        self.counts, self.reasons = {"pass": 0, "fail": 0, "skip": 0}, {}
+        self.left, self.begun = 0, time.monotonic()
+
+    def progress(self):
+        """On a terminal, a line that the next one replaces."""
+        if sys.stdout.isatty():
+            text = "%d jobs left, %d s, %d failed" % (self.left, time.monotonic() - self.begun, self.counts["fail"])
+            print("\x1b[K" + text * bool(self.left), end="\r", flush=True)
 
     def add(self, label, outcomes, seconds=None):
         for line in [text for _, outcome, text in outcomes if outcome == "figures"]:
@@ -211,13 +236,16 @@ def run_jobs(jobs, score):
 
 def _run_some(jobs, lanes, score):
     waiting, finished = queue.Queue(), queue.Queue()
+    score.left += len(jobs)
     for job in jobs:
         waiting.put(job)
     for _ in range(lanes):
         threading.Thread(target=_work, args=(waiting, finished), daemon=True).start()
     for _ in jobs:
         job, outcomes, seconds = finished.get()
+        score.left -= 1
         score.add(job.label, outcomes, seconds)
+        score.progress()
 
 
 def _work(waiting, finished):
@@ -358,6 +386,12 @@ def main():
     if args.real:
         os.environ["RTSHELL_REAL"] = os.pathsep.join(map(os.path.abspath, args.real))
         os.environ["RTSHELL_ROUNDS"] = str(args.rounds)
+    if not (args.pattern or args.all or args.long or args.real or args.compat or args.accept):
+        os.environ.setdefault("RTSHELL_SEED", time.strftime("%Y%m%d"))
+        print(DAILY % os.environ["RTSHELL_SEED"], flush=True)
+    else:
+        os.environ.pop("RTSHELL_SEED", None)
+    environments.need_loopback()
     marker, score = mark(), Score()
     held = environments.lock()
     try:
