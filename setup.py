@@ -1,13 +1,24 @@
-"""What setup.cfg cannot say, as it takes no glob: every file of bin/ is a command, every file below man/ a manual page."""
+"""What setup.cfg cannot say: every file of bin/ is a command, every file below man/ a manual page, and what a checkout only needs."""
 import glob
 import os
 
 import setuptools
+from setuptools.command.build_py import build_py
 
 os.chdir(os.path.dirname(os.path.abspath(__file__)))
+TOOLS = ["idl_stubs/generate.py", "idl_stubs/tabulate.py", "shell/documentation.py", "shell/manpages.py"]
 PAGES = {}
 for path in sorted(glob.glob("man/**/rt*.[17]", recursive=True)):
     PAGES.setdefault("share/" + os.path.dirname(path), []).append(path)
 
+
+class WithoutTools(build_py):
+    """Leaves out of the wheel what writes generated files."""
+
+    def build_module(self, module, module_file, package):
+        if module_file not in [os.path.join("rtshell_lite", tool) for tool in TOOLS]:
+            return super().build_module(module, module_file, package)
+
+
 setuptools.setup(scripts=sorted(path for path in glob.glob("bin/rt*") if os.path.basename(path).isalnum()),
-                 data_files=sorted(PAGES.items()))
+                 data_files=sorted(PAGES.items()), cmdclass={"build_py": WithoutTools})

@@ -1,8 +1,7 @@
 """Worlds for a doctor: connections gone wrong, names that lead astray, components that nothing executes."""
-from rtshell_lite.idl_stubs.component import RTC
-from rtshell_lite.idl_stubs.dataport import OpenRTM
 
 from . import naming
+from .idl import RTC, OpenRTM
 from .properties import nvlist, put
 from .serviceport import MyService
 from .stage import PUSH

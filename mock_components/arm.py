@@ -9,7 +9,8 @@
 """
 import omniORB
 from omniORB import tcInternal
-from rtshell_lite.idl_stubs.data import RTC
+
+from .idl import RTC
 
 NAME = "Arm/Status"
 MODES = omniORB.EnumItem("IDLE", 0), omniORB.EnumItem("MOVING", 1)

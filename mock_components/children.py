@@ -4,8 +4,8 @@ import subprocess
 import sys
 
 from omniORB import CORBA
-from rtshell_lite.idl_stubs.manager import RTM
 
+from .idl import RTM
 from .process import address as endpoint_of
 
 GRACE = 3               # seconds that a process gets for ending in good order

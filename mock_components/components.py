@@ -1,11 +1,11 @@
 """The components that can be played: what their profiles say, and what they do while active."""
 import time
 
-from rtshell_lite.idl_stubs.component import RTC
 
 from . import arm, values
 from .composite import Composite
 from .fsm import StateMachine
+from .idl import RTC
 from .rtc import Component
 from .sources import Source
 

@@ -3,9 +3,9 @@ import time
 import uuid
 
 from rtshell_lite.corba import stubs
-from rtshell_lite.idl_stubs.component import RTC, OpenRTM, SDOPackage
 
 from .context import TRANSITION_TIMEOUT
+from .idl import RTC, OpenRTM, SDOPackage
 from .port import alive
 from .process import later
 from .rtc import Component

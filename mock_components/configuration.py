@@ -1,8 +1,8 @@
 """The configuration of a component: its sets of parameters, one of them active."""
 from omniORB import CORBA
 from rtshell_lite.corba import stubs
-from rtshell_lite.idl_stubs.component import SDOPackage
 
+from .idl import SDOPackage
 from .properties import is_text, nvlist
 
 

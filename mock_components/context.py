@@ -4,8 +4,8 @@ import time
 
 from omniORB import CORBA
 from rtshell_lite.corba import stubs
-from rtshell_lite.idl_stubs.component import RTC
 
+from .idl import RTC
 from .properties import nvlist
 
 QUICKEST = 0.02         # seconds: no component runs more often, whatever rate its context claims

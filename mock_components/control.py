@@ -3,10 +3,9 @@ import os
 import signal
 import socket
 
-from rtshell_lite.idl_stubs.component import RTC
-from rtshell_lite.idl_stubs.dataport import OpenRTM
 
 from . import asking, observers, values
+from .idl import RTC, OpenRTM
 
 
 class Commands:

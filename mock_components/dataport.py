@@ -1,8 +1,8 @@
 """Data ports: what they publish, negotiate and carry."""
 from omniORB import CORBA
-from rtshell_lite.idl_stubs.component import RTC
 
 from . import buffer, transport, values
+from .idl import RTC
 from .port import Port
 from .properties import get, is_text, put, text
 

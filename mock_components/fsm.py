@@ -1,8 +1,7 @@
 """A state machine component with the service of FSM4RTC."""
-from rtshell_lite.idl_stubs.component import RTC, SDOPackage
 from rtshell_lite.corba import stubs
-from rtshell_lite.idl_stubs.fsm import RTC as Fsm
 
+from .idl import RTC, SDOPackage
 from .rtc import Component
 
 SERVICE = "IDL:omg.org/RTC/ExtendedFsmService:1.0"
@@ -23,7 +22,7 @@ class Service(stubs.skeleton("fsm.RTC.ExtendedFsmService")):
     def __init__(self, fate):
         self.fate = fate
         self.state = "closed"
-        self.structure = Fsm.FsmStructure("Microwave", STRUCTURE, [Fsm.FsmEventProfile(*event) for event in EVENTS], [])
+        self.structure = RTC.FsmStructure("Microwave", STRUCTURE, [RTC.FsmEventProfile(*event) for event in EVENTS], [])
 
     def get_current_state(self):
         return self.state

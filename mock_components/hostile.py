@@ -1,10 +1,9 @@
 """A component that puts something hostile into every string it reports."""
 from omniORB import CORBA, any as omniany, tcInternal
-from rtshell_lite.idl_stubs.component import RTC
-from rtshell_lite.idl_stubs.data import RTC as Data
 
 from . import odd, values
 from .components import Spec
+from .idl import RTC
 from .properties import nvlist
 from .rtc import Component
 
@@ -37,7 +36,7 @@ class Hostile(Component):
         return super().properties() + [
             (SHELL, ESCAPES), ("", ""), (ESCAPES, MARKUP), ("long", LONG), ("integer", omniany.to_any(5)),
             ("real", omniany.to_any(1.5)), ("wide", wide), ("null", CORBA.Any(CORBA.TC_null, None)),
-            ("struct", CORBA.Any(values.typecode("TimedLong"), Data.TimedLong(Data.Time(1, 2), 3))),
+            ("struct", CORBA.Any(values.typecode("TimedLong"), RTC.TimedLong(RTC.Time(1, 2), 3))),
             ("object", omniany.to_any(self.reference))]
 
 

@@ -3,12 +3,11 @@ import itertools
 
 import omniORB
 from omniORB import CORBA
-from rtshell_lite.idl_stubs.component import RTC
 from rtshell_lite.corba import stubs
-from rtshell_lite.idl_stubs.manager import RTM
 
 from . import children, modules
 from .creation import Wanted, extract
+from .idl import RTC, RTM
 from .process import later
 from .properties import get, nvlist
 

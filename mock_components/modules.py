@@ -177,5 +177,5 @@ _SURROUNDINGS = [
 
 def profiles(lists):
     """Lists of pairs as a ModuleProfileList."""
-    from rtshell_lite.idl_stubs.manager import RTM
+    from .idl import RTM
     return [RTM.ModuleProfile(nvlist(pairs)) for pairs in lists]

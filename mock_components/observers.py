@@ -4,9 +4,8 @@ import time
 
 import omniORB
 from omniORB import CORBA
-from rtshell_lite.idl_stubs.data import RTC as Data
-from rtshell_lite.idl_stubs.observer import RTC, OpenRTM
 
+from .idl import RTC, OpenRTM
 from .properties import get
 
 # interface types
@@ -117,7 +116,7 @@ class Logger(Consumer):
         if "ALL" not in names and name not in names:
             return
         now = time.time()
-        stamp = Data.Time(int(now), int(now % 1 * 1e9))
+        stamp = RTC.Time(int(now), int(now % 1 * 1e9))
         try:
             self.reference.publish(OpenRTM.LogRecord(stamp, name, getattr(OpenRTM, "RTM_" + level), message))
         except CORBA.SystemException:

@@ -2,9 +2,9 @@
 import contextlib
 import subprocess
 
-from rtshell_lite.idl_stubs.component import RTC, OpenRTM
 
 from . import children, naming
+from .idl import RTC, OpenRTM
 from .properties import nvlist
 from .stage import PUSH
 

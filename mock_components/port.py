@@ -5,9 +5,9 @@ import uuid
 
 from omniORB import CORBA
 from rtshell_lite.corba import stubs
-from rtshell_lite.idl_stubs.component import RTC
 
 from .counting import FOR_EVER
+from .idl import RTC
 from .properties import get, nvlist
 
 TRANSIENT_CONNECT_FAILED = 0x41540002

@@ -1,6 +1,7 @@
 """Name-value lists: what profiles carry in their `properties`."""
 from omniORB import CORBA, tcInternal
-from rtshell_lite.idl_stubs.component import SDOPackage
+
+from .idl import SDOPackage
 
 _STRING = tcInternal.createTypeCode((tcInternal.tv_string, 0))
 

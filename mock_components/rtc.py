@@ -1,9 +1,9 @@
 """An RT Component: profile, contexts, ports and configuration behind one CORBA object."""
 from omniORB import CORBA
 from rtshell_lite.corba import stubs
-from rtshell_lite.idl_stubs.component import RTC, SDOPackage
 
 from . import configuration, context, dataport, naming, observers, serviceport
+from .idl import RTC, SDOPackage
 from .properties import nvlist
 
 LINGER = 0.7            # seconds that the name of an ended component stays bound

@@ -1,7 +1,7 @@
 """Service ports: interfaces provided and required, and the service of the stock examples."""
 from omniORB import CORBA, PortableServer, tcInternal as tc
-from rtshell_lite.idl_stubs.component import RTC
 
+from .idl import RTC
 from .port import Port
 from .properties import get, put
 

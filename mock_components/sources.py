@@ -2,10 +2,9 @@
 import threading
 import time
 
-from rtshell_lite.idl_stubs.component import RTC
-from rtshell_lite.idl_stubs.data import RTC as Data
 
 from . import values
+from .idl import RTC
 from .rtc import Component
 
 PATIENCE = 1.0              # seconds that it may be late before it gives up catching up
@@ -29,7 +28,7 @@ class Source(Component):
             number += 1
             stamped = values.make("TimedLong", number, True)
             self.port("number").write(stamped)
-            self.port("block").write(Data.TimedOctetSeq(stamped.tm, self._octets(number)))
+            self.port("block").write(RTC.TimedOctetSeq(stamped.tm, self._octets(number)))
             due = max(due + 1.0 / self.owned[0].rate, time.monotonic() - PATIENCE)
 
     def _octets(self, number):

@@ -1,9 +1,9 @@
 """Setting up a world: its process, its name server, its components."""
 import threading
 
-from rtshell_lite.idl_stubs.component import RTC
 
 from . import children, components, naming
+from .idl import RTC
 from .process import later
 from .properties import nvlist
 

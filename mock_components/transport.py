@@ -5,9 +5,9 @@ import time
 
 from omniORB import CORBA, tcInternal
 from rtshell_lite.corba import stubs
-from rtshell_lite.idl_stubs.dataport import RTC as DataService, OpenRTM
 
 from . import values
+from .idl import RTC, OpenRTM
 from .properties import get
 
 # interface type -> the word in the property names; shared memory borrows that of corba_cdr
@@ -18,8 +18,8 @@ _GHOSTS = {"shared_memory": "IDL:OpenRTM/PortSharedMemory:1.0",
 _REFERENCE = tcInternal.createTypeCode((tcInternal.tv_objref, "IDL:omg.org/CORBA/Object:1.0", "Object"))
 
 
-_PUSH = {"corba_cdr": (OpenRTM.InPortCdr, "put"), "data_service": (DataService.DataPushService, "push")}
-_PULL = {"corba_cdr": (OpenRTM.OutPortCdr, "get"), "data_service": (DataService.DataPullService, "pull")}
+_PUSH = {"corba_cdr": (OpenRTM.InPortCdr, "put"), "data_service": (RTC.DataPushService, "push")}
+_PULL = {"corba_cdr": (OpenRTM.OutPortCdr, "get"), "data_service": (RTC.DataPullService, "pull")}
 
 
 def operation(interface, reference, kinds):
@@ -96,7 +96,7 @@ class DataPushService(stubs.skeleton("dataport.RTC.DataPushService")):
         self.receiver = receiver
 
     def push(self, data):
-        return getattr(DataService, self.receiver.answer(data))
+        return getattr(RTC, self.receiver.answer(data))
 
 
 class Sender(Transport):
@@ -222,7 +222,7 @@ class DataPullService(stubs.skeleton("dataport.RTC.DataPullService")):
 
     def pull(self):
         status, data = self.provider.get()
-        return getattr(DataService, status), data
+        return getattr(RTC, status), data
 
 
 class Fetcher(Transport):

@@ -3,9 +3,9 @@ import os
 import time
 
 import omniORB
-from rtshell_lite.idl_stubs.data import RTC
 
 from . import arm
+from .idl import RTC
 from .properties import get
 
 CLOCK = float(os.environ.get("MOCK_CLOCK", 0))  # seconds that the clock of this host is ahead of the true time

@@ -5,13 +5,11 @@ Those that hold shell commands make a file called canary when a shell runs them.
 import base64
 import time
 
-from rtshell_lite.idl_stubs.component import RTC
-from rtshell_lite.idl_stubs.data import RTC as Data
-from rtshell_lite.idl_stubs.fsm import RTC as Fsm
 
 from . import modules, observers
 from .components import Spec
 from .fsm import StateMachine
+from .idl import RTC
 from .manager import Manager
 from .properties import nvlist
 
@@ -60,13 +58,13 @@ class Wicked(StateMachine):
     def harass(self):
         said = self.spec.type_name
         self.fsm.state = said
-        self.fsm.structure = Fsm.FsmStructure(said, said, [Fsm.FsmEventProfile(said, said)], nvlist([(said, said)]))
+        self.fsm.structure = RTC.FsmStructure(said, said, [RTC.FsmEventProfile(said, said)], nvlist([(said, said)]))
         while True:
             time.sleep(PERIOD)
             self.observers.log("ERROR", said, said)
             self.report("RTC_STATUS", said)
             self.report("CONFIGURATION", "SET_CONFIG_SET:" + said)
-            self.ports[0].write(Data.TimedString(Data.Time(1, 2), said))
+            self.ports[0].write(RTC.TimedString(RTC.Time(1, 2), said))
 
 
 def spec(said):

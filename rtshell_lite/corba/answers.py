@@ -11,7 +11,7 @@ import functools
 import threading
 
 from rtshell_lite import errors
-from rtshell_lite.corba import ior
+from rtshell_lite.corba import ior, stubs
 from rtshell_lite.text import from_wire, printable
 
 DEEPEST = 64  # values inside values
@@ -32,16 +32,14 @@ def invoke(where, ref, operation, args):
 @functools.lru_cache(maxsize=None)
 def _guarded(objref, operation):
     """The guarded descriptors of an operation of a class of references; None where nothing in them needs to be guarded."""
-    for known in objref.__mro__:
-        if operation in known.__dict__ and known.__name__.startswith("_objref_"):
-            scope = known.__dict__[operation].__globals__["_0_" + known.__module__.rpartition(".")[2]]  # as the stubs do
-            interface = getattr(scope, known.__name__[len("_objref_"):])
-            given, returned, raised = getattr(interface, "_d_" + operation)
-            safe = tuple(ior.guarded(each, _taker, _holder) for each in returned or ())
-            failures = {name: ior.guarded(each, _taker, _holder) for name, each in (raised or {}).items()}
-            same = all(new is old for new, old in zip(safe, returned or ())) and failures == (raised or {})
-            return None if same else (given, safe, failures or None)
-    return None
+    try:
+        given, returned, raised = stubs.operation(objref._NP_RepositoryId, operation)
+    except KeyError:
+        return None  # _non_existent, _is_a
+    safe = tuple(ior.guarded(each, _taker, _holder) for each in returned or ())
+    failures = {name: ior.guarded(each, _taker, _holder) for name, each in (raised or {}).items()}
+    same = all(new is old for new, old in zip(safe, returned or ())) and failures == (raised or {})
+    return None if same else (given, safe, failures or None)
 
 
 # fault: why the answer that this thread is reading must not be used. Functions called meanwhile must not raise: omniORB does not

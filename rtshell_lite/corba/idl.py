@@ -23,29 +23,53 @@ def descriptor(word):
 @functools.lru_cache(maxsize=None)
 def _named(type_id):
     if type_id in INTERFACES:
-        return (OBJECT, type_id, INTERFACES[type_id][0])
-    sort, name, *rest = TYPES[type_id]
+        return (OBJECT, type_id, name(type_id))
+    sort, *rest = TYPES[type_id]
     if sort == ALIAS:
-        return (ALIAS, type_id, name, descriptor(rest[0]))
+        return (ALIAS, type_id, name(type_id), descriptor(rest[0]))
     if sort == ENUM:
-        return descriptors.enum(type_id, name, rest)
+        return descriptors.enum(type_id, name(type_id), rest)
     if sort == UNION:
         switch = descriptor(rest[0])
-        return descriptors.union(type_id, name, switch, [
+        return descriptors.union(type_id, name(type_id), switch, [
             (descriptors.label(switch, label), member, descriptor(word)) for label, member, word in rest[2:]], rest[1])
-    made = descriptors.struct(type_id, name, list(zip(rest[::2], map(descriptor, rest[1::2]))))
+    made = descriptors.struct(type_id, name(type_id), list(zip(rest[::2], map(descriptor, rest[1::2]))))
     return (sort,) + made[1:]
+
+
+def name(type_id):
+    """The name of a type or an interface in its module."""
+    return type_id.rpartition("/")[2].partition(":")[0]
 
 
 def ancestry(interface):
     """The repository ids of an interface and of those that it inherits, the nearest first. Raises KeyError."""
     yield interface
-    for base in INTERFACES[interface][1]:
+    for base in INTERFACES[interface][0]:
         yield from ancestry(base)
+
+
+def operation(interface, name):
+    """What the tables say of an operation of an interface, or of one of those that it inherits. Raises KeyError."""
+    for type_id in ancestry(interface):
+        own = INTERFACES[type_id][1]
+        if name in own:
+            return own[name]
+    raise KeyError(name)
 
 
 @functools.lru_cache(maxsize=None)
 def id_of(name):
-    """The repository id of an interface or a type by its name in the stubs: component.RTC.PortService, CosNaming.NameComponent."""
+    """The repository id of an interface or a type by its name: component.RTC.PortService, CosNaming.NameComponent."""
     tail = "/" + "/".join(name.split(".")[-2:]) + ":"
     return next(type_id for table in (INTERFACES, TYPES) for type_id in table if tail in "/" + type_id.partition(":")[2])
+
+
+def struct(name):
+    """The class of a struct by its name."""
+    return descriptors.factory(_named(id_of(name)))
+
+
+def items(name):
+    """The items of an enum by its name, in their order."""
+    return descriptors.items(_named(id_of(name)))

@@ -4,7 +4,7 @@ import sys
 import threading
 
 from rtshell_lite import errors
-from rtshell_lite.corba import answers, failures, ior, lanes, stubs
+from rtshell_lite.corba import answers, failures, idl, ior, lanes, stubs
 from rtshell_lite.text import from_wire, printable, to_wire
 
 PROBING = 4  # a host has a quarter of the timeout to refuse a connection
@@ -37,6 +37,7 @@ def start():
 
 def _make_orb():
     CORBA = stubs.import_omniorb()
+    stubs.register()
     arguments = ["rtshell_lite", "-ORBtraceLevel", "0", "-ORBverifyObjectExistsAndType", "0",
                  "-ORBgiopMaxMsgSize", str(32 << 20)]
     if not shared:
@@ -102,11 +103,11 @@ def address(ref):
 
 
 def narrow(ref, interface):
-    """`ref` as a reference of an interface by its name in the stubs, on trust."""
-    interface = stubs.named(interface)
-    if type(ref)._NP_RepositoryId == interface._NP_RepositoryId:
+    """`ref` as a reference of an interface by its name, on trust."""
+    type_id = idl.id_of(interface)
+    if type(ref)._NP_RepositoryId == type_id:
         return ref  # narrowing again takes 30 us
-    return ref._unchecked_narrow(interface)
+    return ref._unchecked_narrow(stubs.interface(type_id))
 
 
 def same(one, other):
@@ -214,12 +215,7 @@ def serve(servant):
 
 # ---- values ---------------------------------------------------------------------------------------------------
 
-struct = stubs.named
-
-
-def items(name):
-    """The items of an enum of the IDL by its name in the stubs, in their order."""
-    return stubs.named(name)._items
+struct, items = idl.struct, idl.items
 
 
 def properties(nvlist, only=None):
@@ -257,5 +253,5 @@ def descriptor_in(nvlist, name):
 def nvlist(pairs):
     """(name, value) texts as an SDOPackage::NVList of strings, the one type that every implementation accepts."""
     from omniORB import CORBA
-    from rtshell_lite.idl_stubs.component import SDOPackage
-    return [SDOPackage.NameValue(to_wire(n), CORBA.Any(CORBA.TC_string, to_wire(v))) for n, v in pairs]
+    NameValue = struct("component.SDOPackage.NameValue")
+    return [NameValue(to_wire(n), CORBA.Any(CORBA.TC_string, to_wire(v))) for n, v in pairs]

@@ -1,19 +1,19 @@
-"""omniORB, and the stubs of OpenRTM's IDL for it by name: nothing outside corba/ imports them.
+"""omniORB, and the classes that it needs for OpenRTM's IDL, made of the tables: nothing outside corba/ imports them.
 
-Each package of stubs is imported when first asked for: a command pays only for those that it uses.
+Interfaces and types have the names that they have in the IDL: RTC.PortService.
 """
 import functools
 import sys
 import types
 
 from rtshell_lite import errors
+from rtshell_lite.corba import descriptors, idl
 
-_PREFIX = "rtshell_lite.idl_stubs."
 STANDARD = ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "InterfaceDataTypes_idl", "CameraCommonInterface_idl")
 
 
 def import_omniorb():
-    """Import omniORB without `tempfile`, before any of our stubs do; returns its module CORBA. Raises MissingOmniORB.
+    """Import omniORB without `tempfile`, before any other module does; returns its module CORBA. Raises MissingOmniORB.
 
     Of 18 ms for `import omniORB`, 9 ms are `tempfile`, which only importIDLString uses; we never call that. The empty
     stand-in leaves sys.modules again, so that others import the real one.
@@ -29,42 +29,101 @@ def import_omniorb():
     return CORBA
 
 
-def module(name):
-    """A module of stubs: `data.RTC` of idl_stubs, or omniORB's own `CosNaming`."""
-    full = name if name == "CosNaming" else _PREFIX + name
-    __import__(full)  # importlib takes long to import, and rtls needs nothing else of it
-    return sys.modules[full]
+# ---- interfaces -----------------------------------------------------------------------------------------------
+
+def register():
+    """Let omniORB make references of the interfaces of the tables; those that it knows from elsewhere stay."""
+    import omniORB
+    for type_id in idl.INTERFACES:
+        omniORB.objrefMapping.setdefault(type_id, interface(type_id))
 
 
 @functools.lru_cache(maxsize=None)
-def named(name):
-    """A class of stubs by package, IDL module and name: `component.RTC.PortService`."""
-    where, _, last = name.rpartition(".")
-    return getattr(module(where), last)
+def interface(type_id):
+    """The class of references to an interface; it has a method for each operation."""
+    from omniORB import CORBA
+    bases, operations = idl.INTERFACES[type_id]
+    methods = {each: _method(type_id, each) for each in operations}
+    return type(idl.name(type_id), tuple(map(interface, bases)) or (CORBA.Object,), {"_NP_RepositoryId": type_id, **methods})
+
+
+def _method(type_id, name):
+    return lambda self, *args: self._obj.invoke(name, operation(type_id, name), args)
 
 
 @functools.lru_cache(maxsize=None)
+def operation(type_id, name):
+    """How omniORB calls an operation of an interface or of those that it inherits: descriptors of its arguments, of its results
+    (None for oneway), of its exceptions by their ids (None for no exceptions). Raises KeyError.
+    """
+    given, returned, raised = idl.operation(type_id, name)
+    return (tuple(map(idl.descriptor, given)), None if returned is None else tuple(map(idl.descriptor, returned)),
+            {each: _exception(each) for each in raised} or None)
+
+
+@functools.lru_cache(maxsize=None)
+def _exception(type_id):
+    from omniORB import CORBA
+    kind, plain, type_id, name, *members = idl.known(type_id)
+    return (kind, type(name, (plain, CORBA.UserException), {}), type_id, name, *members)
+
+
 def skeleton(name):
-    """A class to derive servants of an interface from: what omniidl writes for that, made of the stub."""
+    """A class to derive servants of an interface from, by its name."""
+    return _skeleton(idl.id_of(name))
+
+
+@functools.lru_cache(maxsize=None)
+def _skeleton(type_id):
     import omniORB
     from omniORB import PortableServer
-    where, _, last = name.rpartition(".")
-    interface, references = named(name), named(f"{where}._objref_{last}")
-    above = [f"{base.__module__[len(_PREFIX):]}.{base.__name__[len('_objref_'):]}" for base in references.__bases__
-             if base.__module__.startswith(_PREFIX)]
-    bases = tuple(map(skeleton, above)) or (PortableServer.Servant,)
-    operations = {key[3:]: value for key, value in vars(interface).items() if key.startswith("_d_")}
-    for base in map(skeleton, above):
-        operations.update(base._omni_op_d)
-    made = type(last, bases, {"_NP_RepositoryId": interface._NP_RepositoryId, "_omni_op_d": operations})
+    operations = {each: operation(type_id, each) for above in idl.ancestry(type_id) for each in idl.INTERFACES[above][1]}
+    made = type(idl.name(type_id), tuple(map(_skeleton, idl.INTERFACES[type_id][0])) or (PortableServer.Servant,),
+                {"_NP_RepositoryId": type_id, "_omni_op_d": operations})
     made._omni_skeleton = made
-    omniORB.registerSkeleton(made._NP_RepositoryId, made)
+    omniORB.registerSkeleton(type_id, made)
     return made
 
 
+# ---- stubs ----------------------------------------------------------------------------------------------------
+
+def contents(scope):
+    """What stubs of a module of the IDL hold: {name: class, descriptor (_d_…), TypeCode (_tc_…) or item of an enum}.
+
+    `scope` is how their repository ids begin: IDL:RTC/. omniORB gets to know the types.
+    """
+    import omniORB
+    found = {}
+    for type_id in [each for table in (idl.TYPES, idl.INTERFACES) for each in table if each.startswith(scope)]:
+        descriptor = idl.descriptor(type_id)
+        name, kind = idl.name(type_id), descriptors.kind(descriptor)
+        if kind == descriptors.EXCEPTION:
+            descriptor = _exception(type_id)
+        if kind == descriptors.ENUM:
+            found.update((item._n, item) for item in descriptors.items(descriptor))
+        typecode = omniORB.tcInternal.createTypeCode(descriptor)
+        found.update({name: _class(descriptor, type_id), "_d_" + name: descriptor, "_tc_" + name: typecode})
+        omniORB.registerType(type_id, descriptor, typecode)
+    return found
+
+
+def _class(descriptor, type_id):
+    """What bears the name of a type in stubs."""
+    import omniORB
+    kind = descriptors.kind(descriptor)
+    if kind == descriptors.OBJECT:
+        return interface(type_id)
+    if kind == descriptors.ENUM:
+        return omniORB.Enum(type_id, descriptors.items(descriptor))
+    return type("Alias", (), {"_NP_RepositoryId": type_id}) if kind == descriptors.ALIAS else descriptors.factory(descriptor)
+
+
 def lend_standard():
-    """Let a user's stubs import the stubs of the standard IDL files: OpenRTM-aist-Python's if installed, else ours."""
+    """Let a user's stubs import the stubs of the standard IDL files: OpenRTM-aist-Python's if installed, else stand-ins."""
     import importlib.util  # takes long
-    for name in STANDARD:
-        if name not in sys.modules and importlib.util.find_spec(name) is None:
-            sys.modules[name] = module("data." + name)
+    import omniORB
+    missing = [name for name in STANDARD if name not in sys.modules and importlib.util.find_spec(name) is None]
+    for name in missing:
+        sys.modules[name] = types.ModuleType(name)
+    for module in ("RTC", "Img") if missing else ():
+        vars(omniORB.openModule(module)).update(contents(f"IDL:{module}/"))

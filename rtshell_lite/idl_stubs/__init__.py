@@ -1,4 +1,4 @@
-"""CORBA stubs: generated Python, the .idl files that it comes from, and the one command that makes it (generate.py).
+"""OpenRTM's IDL: the .idl files, the tables that say the same in Python, and the command that writes these (generate.py).
 
 component   SDOPackage, RTC, OpenRTM   components, ports, execution contexts, configuration
 manager     RTM                        managers
@@ -7,7 +7,5 @@ observer    OpenRTM, RTC               observers and loggers that a component ca
 fsm         RTC                        state machine components
 data        RTC, Img                   what travels over data ports
 
-Take a module from its package: `from rtshell_lite.idl_stubs.component import RTC`. Who serves objects derives them from
-`corba.stubs.skeleton("component.RTC.PortService")`. One IDL module may live in several packages (RTC in four of them), so
-that a command loads only what it needs; no two of them share a name.
+corba/idl.py reads the tables. A user's IDL files may include ours.
 """

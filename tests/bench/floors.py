@@ -14,7 +14,7 @@ def start(port):
     global CosNaming, OpenRTM, RTC, SDOPackage
     from omniORB import CORBA
     import CosNaming
-    from rtshell_lite.idl_stubs.component import RTC, OpenRTM, SDOPackage
+    from mock_components.idl import RTC, OpenRTM, SDOPackage
     orb = CORBA.ORB_init(["floor", "-ORBclientCallTimeOutPeriod", "3000", "-ORBverifyObjectExistsAndType", "0"], CORBA.ORB_ID)
     root = orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%s/NameService" % port)._unchecked_narrow(CosNaming.NamingContext)
     return root.resolve([CosNaming.NameComponent("test", "host_cxt")])._unchecked_narrow(CosNaming.NamingContext)
@@ -137,7 +137,7 @@ def contexts(port, names):
 def manager(port, names):
     """What a manager has loaded."""
     start(port)
-    from rtshell_lite.idl_stubs.manager import RTM
+    from mock_components.idl import RTM
     from omniORB import CORBA
     root = CORBA.ORB_init([], CORBA.ORB_ID).string_to_object("corbaloc:iiop:1.2@127.0.0.1:%s/NameService" % port)
     found = root._unchecked_narrow(CosNaming.NamingContext).resolve([

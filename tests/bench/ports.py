@@ -29,7 +29,7 @@ def sender():
     here.ledger.own_thread()
     block = values.typecode("TimedOctetSeq")
     import omniORB
-    from rtshell_lite.idl_stubs.data import RTC
+    from mock_components.idl import RTC
     data = {"number": values.encode("TimedLong", values.make("TimedLong", 1234, True), True),
             "block": omniORB.cdrMarshal(block, RTC.TimedOctetSeq(RTC.Time(1, 2), b"\x55" * MB), True)}
     while True:
@@ -48,14 +48,12 @@ def bare():
     """The same loop without us: receive, unmarshal, write a line, as often as told."""
     import omniORB
     from omniORB import CORBA
-    from rtshell_lite.idl_stubs.component import RTC, SDOPackage
-    from rtshell_lite.idl_stubs.data import RTC as Data
+    from mock_components.idl import RTC, OpenRTM, SDOPackage
     from rtshell_lite.corba import stubs
-    from rtshell_lite.idl_stubs.dataport import OpenRTM
     import CosNaming
     server, name, number = sys.argv[2], sys.argv[3], int(sys.argv[4])
     orb = CORBA.ORB_init(["bare", "-ORBgiopMaxMsgSize", "33554432", "-ORBendPoint", "giop:tcp:127.0.0.1:"], CORBA.ORB_ID)
-    kind = Data._tc_TimedLong if name == "number" else Data._tc_TimedOctetSeq
+    kind = RTC._tc_TimedLong if name == "number" else RTC._tc_TimedOctetSeq
     count = [0]
 
     class Receiver(stubs.skeleton("dataport.OpenRTM.InPortCdr")):

@@ -25,7 +25,7 @@ sys.path[:0] = [%r, %r]
 import worlds
 from worlds import CORBA, OpenRTM
 from rtshell_lite.corba import stubs
-from rtshell_lite.idl_stubs.dataport import OpenRTM as Data
+from mock_components.idl import OpenRTM
 class Sink(stubs.skeleton("dataport.OpenRTM.InPortCdr")):
     count = octets = 0
     def put(self, data):
@@ -36,7 +36,7 @@ class Sink(stubs.skeleton("dataport.OpenRTM.InPortCdr")):
         if len(sys.argv) > 4:
             file.write(data)
         self.ended = time.perf_counter()
-        return Data.PORT_OK
+        return OpenRTM.PORT_OK
 orb = CORBA.ORB_init(["bare", "-ORBgiopMaxMsgSize", "104857600"], CORBA.ORB_ID)
 poa = orb.resolve_initial_references("RootPOA")
 poa._get_the_POAManager().activate()

@@ -11,8 +11,7 @@ from worlds import eventually, outcome, raised, value
 ONCE = "mocks are used by the transcripts on every Python"
 try:
     import omniORB
-    from rtshell_lite.idl_stubs.component import RTC, SDOPackage
-    from rtshell_lite.idl_stubs.manager import RTM
+    from mock_components.idl import RTC, RTM, SDOPackage
 except ImportError:
     pass        # then setUpModule skips all
 

@@ -15,8 +15,7 @@ ONCE = "mocks are used by the transcripts on every Python"
 try:
     import omniORB
     from omniORB import any as omniany
-    from rtshell_lite.idl_stubs.component import RTC, SDOPackage
-    from rtshell_lite.idl_stubs.dataport import OpenRTM as Cdr
+    from mock_components.idl import RTC, OpenRTM, SDOPackage
 except ImportError:
     pass        # then setUpModule skips all
 
@@ -118,9 +117,9 @@ class Ports(flavours.Flavoured):
         code, profile = self.inp.connect(connector([self.inp]))
         self.assertEqual(str(code), "RTC_OK")
         sink = worlds.Server.orb.string_to_object(value(profile.properties, "dataport.corba_cdr.inport_ior"))
-        sink = sink._narrow(Cdr.InPortCdr)
+        sink = sink._narrow(OpenRTM.InPortCdr)
         data = bytes.fromhex("0100000002000000") + (12345).to_bytes(4, "little")
-        self.assertEqual(sink.put(data), Cdr.PORT_OK)
+        self.assertEqual(sink.put(data), OpenRTM.PORT_OK)
         self.activate("ConsoleOut0")
         self.assertEqual(self.received(1), "12345")
         self.deactivate("ConsoleOut0")
@@ -134,11 +133,11 @@ class Ports(flavours.Flavoured):
             changes = {"dataflow_type": "pull", "buffer__read__empty_policy": policy}
             code, profile = self.out.connect(connector([self.out], **changes))
             source = worlds.Server.orb.string_to_object(value(profile.properties, "dataport.corba_cdr.outport_ior"))
-            source = source._narrow(Cdr.OutPortCdr)
+            source = source._narrow(OpenRTM.OutPortCdr)
             self.assertEqual(outcome(source.get), before)
             self.world.ctl("write", "ConsoleIn0:out", "7")
             status, data = source.get()
-            self.assertEqual((status, data[8:]), (Cdr.PORT_OK, b"\7\0\0\0"))
+            self.assertEqual((status, data[8:]), (OpenRTM.PORT_OK, b"\7\0\0\0"))
             self.assertEqual(outcome(source.get), after)
             time.sleep(OVER)
             self.out.disconnect(profile.connector_id)
@@ -171,10 +170,10 @@ class Ports(flavours.Flavoured):
         self.put()
         self.assertEqual(self.waiting(), "8")
         self.assertEqual(self.put(1, 2, 3, buffer__length="2", buffer__write__full_policy="do_nothing"),
-                         [Cdr.PORT_OK, Cdr.PORT_OK, Cdr.BUFFER_FULL])
-        self.assertEqual(self.put(4), [Cdr.BUFFER_FULL])
-        self.assertEqual(self.put(4, buffer__write__full_policy="block", buffer__write__timeout="0.1"), [Cdr.BUFFER_TIMEOUT])
-        self.assertEqual(self.put(4, inport__buffer__length="8", buffer__write__full_policy="overwrite"), [Cdr.PORT_OK])
+                         [OpenRTM.PORT_OK, OpenRTM.PORT_OK, OpenRTM.BUFFER_FULL])
+        self.assertEqual(self.put(4), [OpenRTM.BUFFER_FULL])
+        self.assertEqual(self.put(4, buffer__write__full_policy="block", buffer__write__timeout="0.1"), [OpenRTM.BUFFER_TIMEOUT])
+        self.assertEqual(self.put(4, inport__buffer__length="8", buffer__write__full_policy="overwrite"), [OpenRTM.PORT_OK])
         self.assertEqual(self.waiting(), "1")
         self.put(buffer__length="8")
         self.assertEqual((self.waiting(), self.world.ctl("buffer", "ConsoleOut0:in")[1]), ("0", "8 overwrite\n"))
@@ -184,7 +183,7 @@ class Ports(flavours.Flavoured):
         code, profile = self.inp.connect(connector([self.inp], **changes))
         self.assertEqual(str(code), "RTC_OK")
         ior = value(profile.properties, "dataport.corba_cdr.inport_ior")
-        sink = worlds.Server.orb.string_to_object(ior)._narrow(Cdr.InPortCdr)
+        sink = worlds.Server.orb.string_to_object(ior)._narrow(OpenRTM.InPortCdr)
         statuses = [sink.put(bytes(8) + number.to_bytes(4, "little")) for number in numbers]
         if self.state() == RTC.ACTIVE_STATE:
             eventually(lambda: self.waiting() == "0", "reading")
@@ -219,7 +218,7 @@ class Ports(flavours.Flavoured):
         for policy in ({"buffer__read__empty_policy": "do_nothing"}, waits):
             code, profile = out.connect(connector([out], dataflow_type="pull", **policy))
             ior = value(profile.properties, "dataport.corba_cdr.outport_ior")
-            source = worlds.Server.orb.string_to_object(ior)._narrow(Cdr.OutPortCdr)
+            source = worlds.Server.orb.string_to_object(ior)._narrow(OpenRTM.OutPortCdr)
             before = world.count("get")
             fetch = threading.Thread(target=outcome, args=[source.get], daemon=True)
             fetch.start()

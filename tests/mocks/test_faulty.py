@@ -156,7 +156,7 @@ class NamesTest(WithDeadline):
             self.assertTrue(again._is_a(giop.COMPONENT))
 
     def test_hostile_component_profile(self):
-        from rtshell_lite.idl_stubs.component import OpenRTM
+        from mock_components.idl import OpenRTM
         context, bindings = self.listed("hostile")
         component = context.resolve(bindings[0].binding_name)
         self.assertIsNotNone(component._narrow(OpenRTM.DataFlowComponent))

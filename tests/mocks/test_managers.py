@@ -9,8 +9,7 @@ from worlds import eventually, outcome, raised, value
 
 ONCE = "mocks are used by the transcripts on every Python"
 try:
-    from rtshell_lite.idl_stubs.component import RTC
-    from rtshell_lite.idl_stubs.manager import RTM
+    from mock_components.idl import RTC, RTM
 except ImportError:
     pass        # then setUpModule skips all
 

@@ -12,7 +12,7 @@ from worlds import eventually, outcome, raised, value
 ONCE = "mocks are used by the transcripts on every Python"
 try:
     from omniORB import CORBA, any as omniany
-    from rtshell_lite.idl_stubs.component import RTC, OpenRTM, SDOPackage
+    from mock_components.idl import RTC, OpenRTM, SDOPackage
 except ImportError:
     pass        # then setUpModule skips all
 

@@ -12,9 +12,7 @@ ONCE = "mocks are used by the transcripts on every Python"
 try:
     import omniORB
     from rtshell_lite.corba import stubs
-    from rtshell_lite.idl_stubs.component import RTC, SDOPackage
-    from rtshell_lite.idl_stubs.dataport import OpenRTM as Cdr
-    from rtshell_lite.idl_stubs.fsm import RTC as Fsm
+    from mock_components.idl import RTC, OpenRTM, SDOPackage
 except ImportError:
     pass        # then setUpModule skips all
 else:
@@ -46,7 +44,7 @@ else:
     class Receiver(Gathering, stubs.skeleton("dataport.OpenRTM.InPortCdr")):
         def put(self, data):
             self.said.put(data)
-            return Cdr.PORT_OK
+            return OpenRTM.PORT_OK
 
 SERVICE = "IDL:omg.org/RTC/ExtendedFsmService:1.0"
 
@@ -197,7 +195,7 @@ class StateMachines(Case):
         component = self.world.component("Microwave0")
         found, = component.get_service_profiles()
         self.assertEqual((found.id, found.interface_type), (SERVICE, SERVICE))
-        machine = found.service._narrow(Fsm.ExtendedFsmService)
+        machine = found.service._narrow(RTC.ExtendedFsmService)
         self.assertTrue(machine._is_equivalent(component.get_sdo_service(SERVICE)))
         self.assertTrue(machine._is_equivalent(component.get_service_profile(SERVICE).service))
         self.assertEqual(machine.get_current_state(), "closed")
@@ -206,7 +204,7 @@ class StateMachines(Case):
         code, structure = machine.get_fsm_structure()
         self.assertEqual((str(code), structure.name), ("RTC_OK", "Microwave"))
         self.assertIn("<scxml", structure.structure)
-        structure.event_profiles = [Fsm.FsmEventProfile("toggle", "TimedShort")]
+        structure.event_profiles = [RTC.FsmEventProfile("toggle", "TimedShort")]
         self.assertEqual(str(machine.set_fsm_structure(structure)), "RTC_OK")
         self.assertEqual([one.name for one in machine.get_fsm_structure()[1].event_profiles], ["toggle"])
         self.assertEqual(value(component.get_component_profile().properties, "sdo.service.provider.available_services"),

@@ -13,7 +13,7 @@ ONCE = "mocks are used by the transcripts on every Python"
 try:
     import CosNaming
     import omniORB
-    from rtshell_lite.idl_stubs.component import RTC, OpenRTM
+    from mock_components.idl import RTC, OpenRTM
 except ImportError:
     pass        # then setUpModule skips all
 

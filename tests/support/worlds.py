@@ -16,7 +16,7 @@ try:
 except ImportError:
     omniORB = None
 else:
-    from rtshell_lite.idl_stubs.component import RTC, OpenRTM, SDOPackage
+    from mock_components.idl import RTC, OpenRTM, SDOPackage
 
 LIMIT = 60.0            # seconds that anything may take on a busy machine
 LONG = "IDL:RTC/TimedLong:1.0"

@@ -10,7 +10,7 @@ import unittest
 
 from mock_components import faulty, giop, malice
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, ior
+from rtshell_lite.corba import descriptors, idl, ior, stubs
 
 try:
     import omniORB
@@ -124,28 +124,18 @@ class References(unittest.TestCase):
 @unittest.skipIf(omniORB is None, "omniORBpy is not installed")
 class Descriptors(unittest.TestCase):
     def operations(self):
-        from rtshell_lite.idl_stubs.component import RTC, OpenRTM, SDOPackage
-        from rtshell_lite.idl_stubs.manager import RTM
-        import CosNaming
-        for module in (OpenRTM, RTC, SDOPackage, RTM, CosNaming):
-            for name in dir(module):
-                if name.startswith("_objref_"):
-                    yield from ((getattr(module, name), operation) for operation in dir(getattr(module, name))
-                                if not operation.startswith("_"))
+        for type_id in idl.INTERFACES:
+            for above in idl.ancestry(type_id):
+                yield from ((stubs.interface(type_id), operation) for operation in idl.INTERFACES[above][1])
 
     def test_no_operation_can_return_a_reference_that_is_not_looked_at(self):
-        from omniORB import CORBA
         from rtshell_lite.corba import answers
 
         def kinds(found):
             return {descriptors.kind(inner) for each in found for _, inner in descriptors.walk(each, "")}
         count = 0
         for objref, operation in self.operations():
-            if hasattr(CORBA.Object, operation):
-                continue
-            owner = next(known for known in objref.__mro__ if operation in known.__dict__)
-            scope = owner.__dict__[operation].__globals__["_0_" + owner.__module__.rpartition(".")[2]]
-            plain = getattr(getattr(scope, owner.__name__[len("_objref_"):]), "_d_" + operation)
+            plain = stubs.operation(objref._NP_RepositoryId, operation)
             results = list(plain[1] or ()) + [part for each in (plain[2] or {}).values() for part in each[5::2]]
             guarded = answers._guarded(objref, operation)
             if descriptors.OBJECT not in kinds(results):

@@ -10,18 +10,31 @@ import processes
 import random_values
 import worlds
 from rtshell_lite import errors, path
-from rtshell_lite.corba import descriptors, fixed_size, omni, orb
+from rtshell_lite.corba import descriptors, fixed_size, idl, omni, orb
 from rtshell_lite.data import datatypes, values
+from rtshell_lite.data.idl import tokens
 from rtshell_lite.robot import ports
 
 try:
     import omniORB
     from omniORB import CORBA
-    from rtshell_lite.idl_stubs.data import RTC, Img
+    from mock_components.idl import RTC, Img
 except ImportError:
     omniORB = None
 
 DATA = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "data", "idl", "valid")
+USER = """
+#include "data/ExtendedDataTypes.idl"
+#include "data/InterfaceDataTypes.idl"
+#include "data/CameraCommonInterface.idl"
+module User {
+  typedef RTC::Pose2D Place;
+  typedef RTC::GripperStatus Grip;
+  typedef sequence<Img::Vec3> Vectors;
+  union Held switch (RTC::GripperStatus) { case RTC::GRIPPER_STATE_CLOSED: double width; default: octet none; };
+  struct All { RTC::Time tm; RTC::TimedPoint2D at; Place place_; Grip state; Vectors axes; Held it; Img::ColorFormat color; };
+};
+"""
 OMNIIDL = os.path.join(os.path.dirname(sys.executable), "omniidl")
 MINE = "module Mine { struct Reading { long a; sequence<string> from; }; interface I { enum Mode { ON, OFF }; }; };"
 
@@ -48,19 +61,20 @@ class Standard(unittest.TestCase):
             self.assertTrue(str(caught.exception).isprintable())
 
     def every(self):
-        for module in (RTC, Img):
-            for name in sorted(vars(module)):
-                if name.startswith("_d_") and descriptors.kind(getattr(module, name)) == descriptors.STRUCT:
-                    yield module, name[3:]
+        """(name, TypeCode) of each standard struct."""
+        for module, contents in (("RTC", RTC), ("Img", Img)):
+            for type_id in idl.TYPES:
+                if type_id.startswith(f"IDL:{module}/") and descriptors.kind(idl.known(type_id)) == descriptors.STRUCT:
+                    yield f"{module}.{idl.name(type_id)}", getattr(contents, "_tc_" + idl.name(type_id))
 
     def test_beside_omniorb(self):
         """The same bytes, except padding, and the same values, in both byte orders."""
         omni.start()
         rng, count = random.Random(1), 0
-        for module, name in self.every():
+        for name, typecode in self.every():
             if "WChar" in name:
                 continue  # omniORB cannot read them
-            one, typecode = datatypes.Types().named(module.__name__.rpartition(".")[2] + "." + name), getattr(module, "_tc_" + name)
+            one = datatypes.Types().named(name)
             for little in (True, False, True, False):
                 count += 1
                 value = random_values.value(rng, one.descriptor)
@@ -181,6 +195,19 @@ class Named(unittest.TestCase):
         with self.assertRaises(errors.NoSuch) as caught:
             datatypes.Types(modules=["Missing"], path=[self.directory]).load()
         self.assertIn("Missing: no such module", str(caught.exception))
+
+    @unittest.skipUnless(omniORB and os.path.exists(OMNIIDL), "needs omniidl")
+    def test_compiled_stubs_that_use_the_standard_types(self):
+        path = self.file("user.idl", USER)
+        subprocess.check_call([OMNIIDL, "-bpython", "-C" + self.directory, "-I" + tokens.OWN, path])
+        types = datatypes.Types(modules=["User"], path=[self.directory])
+        kind = types.named("User.All")
+        made = values.Expression("User.All({time}, RTC.TimedPoint2D({time}, RTC.Point2D(1, 2)), RTC.Pose2D(RTC.Point2D(1, 2), 3),"
+                                 " GRIPPER_STATE_OPEN, [[1, 2, 3]], {'_d': 'GRIPPER_STATE_CLOSED', '_v': 5}, CF_RGB)", types)
+        data = kind.encode(made.value())
+        self.assertEqual(values.text(kind.decode(data)).partition(" place_=")[2], "(position=(x=1.0, y=2.0), heading=3.0)"
+                         " state=GRIPPER_STATE_OPEN axes=[[1.0, 2.0, 3.0]] it=(width=5.0) color=CF_RGB")
+        self.assertEqual(omniORB.cdrMarshal(sys.modules["User"]._tc_All, kind.decode(data), True), data)
 
     @unittest.skipIf(omniORB is None, "needs omniORBpy")
     def test_ports_of_no_known_type(self):

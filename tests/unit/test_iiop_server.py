@@ -185,7 +185,7 @@ class Callers(Served):
     @unittest.skipIf(omniORB is None, "needs omniORBpy")
     def test_omniorb(self):
         from rtshell_lite.corba import omni
-        from rtshell_lite.idl_stubs.dataport import OpenRTM
+        from mock_components.idl import OpenRTM
         ref = omni.narrow(omni.from_text("w", self.text), "dataport.OpenRTM.InPortCdr")
         self.assertTrue(ref._is_a("IDL:OpenRTM/InPortCdr:1.0"))
         self.assertFalse(ref._non_existent())

@@ -36,7 +36,7 @@ class Operation:
 @functools.lru_cache(maxsize=None)
 def operation(interface, name):
     """The Operation of an interface or one of those that it inherits. Raises KeyError."""
-    return Operation(*_COMMON.get(name) or _row(interface, name))
+    return Operation(*_COMMON.get(name) or idl.operation(interface, name))
 
 
 @functools.lru_cache(maxsize=None)
@@ -45,17 +45,8 @@ def served(interface, name):
 
     Octets may be read from a memoryview, which copies them once. Raises KeyError.
     """
-    given, returned, _ = _COMMON.get(name) or _row(interface, name)
+    given, returned, _ = _COMMON.get(name) or idl.operation(interface, name)
     given = [idl.descriptor(word) for word in given]
     return ([[maker.reader(each) for each in given] for maker in _MAKERS],
             [_MAKERS[1].writer(idl.descriptor(word)) for word in returned or ()],
             all(descriptors.plain(each) == (descriptors.SEQUENCE, descriptors.OCTET, 0) for each in given))
-
-
-def _row(interface, name):
-    """What the tables say of an operation of an interface, or of one of those that it inherits. Raises KeyError."""
-    for type_id in idl.ancestry(interface):
-        own = idl.INTERFACES[type_id][2]
-        if name in own:
-            return own[name]
-    raise KeyError(name)
