@@ -276,7 +276,7 @@ class Tests:
         sys.path.insert(0, os.path.join(copy, "tests", "support"))
         import runner  # of the copy: all that it starts is of the copy, too
         runner.hear_signals()
-        self.copy, self.python, self.runner, self.marker = copy, python, runner, runner.mark()
+        self.copy, self.python, self.runner, self.marker = copy, python, runner, runner.leftovers.mark()
         self.environment = dict(os.environ, PYTHONPATH=copy, PYTHONDONTWRITEBYTECODE="1")
         self.limits, self.entered, self.killed = {}, {}, collections.Counter()
 
@@ -318,7 +318,7 @@ class Tests:
             failed = not self.passes(name, self.limits[name])
         finally:
             self._replace(path, kept)
-            self.runner.left_behind(self.marker)
+            self.runner.leftovers.left_behind(self.marker)
         self.killed[name] += failed
         return failed
 

@@ -28,10 +28,10 @@ import sys
 import tempfile
 import threading
 import time
-import uuid
 import zlib
 
 import environments
+import leftovers
 import transcripts
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -262,30 +262,6 @@ def _work(waiting, finished):
         finished.put((job, outcomes, time.monotonic() - begun))
 
 
-# ---- what is left behind ----
-
-def mark():
-    """Put a mark into the environment that every process of this run inherits."""
-    os.environ["RTSHELL_TESTS"] = uuid.uuid4().hex
-    return ("RTSHELL_TESTS=" + os.environ["RTSHELL_TESTS"]).encode()
-
-
-def left_behind(marker):
-    """Kill the processes that have the mark, except this one; returns their command lines."""
-    found = []
-    for number in (int(name) for name in os.listdir("/proc") if name.isdigit()) if os.path.isdir("/proc") else ():
-        try:
-            with open("/proc/%d/environ" % number, "rb") as file:
-                if number == os.getpid() or marker not in file.read():
-                    continue
-            with open("/proc/%d/cmdline" % number, "rb") as file:
-                found.append(file.read().replace(b"\0", b" ").decode("utf-8", "replace"))
-            os.kill(number, signal.SIGKILL)
-        except OSError:
-            pass
-    return found
-
-
 # ---- what to run ----
 
 def compat_jobs(args):
@@ -392,7 +368,7 @@ def main():
     else:
         os.environ.pop("RTSHELL_SEED", None)
     environments.need_loopback()
-    marker, score = mark(), Score()
+    marker, score = leftovers.mark(), Score()
     held = environments.lock()
     try:
         wheel = environments.build_wheel(builder())
@@ -401,7 +377,7 @@ def main():
         return score.close()
     print("wheel: %s, %d kB" % (os.path.basename(wheel), os.path.getsize(wheel) // 1000))
     run_jobs(gather_jobs(args, wheel, score), score)
-    for line in left_behind(marker):
+    for line in leftovers.left_behind(marker):
         score.add("processes", [("left behind", "fail", line)])
     held.close()
     return score.close()
