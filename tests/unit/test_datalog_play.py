@@ -34,6 +34,12 @@ class Playing(Case):
             with self.assertRaises(errors.Failed):
                 self.numbers(start, end, by_index)
 
+    def test_what_is_said_of_a_log_without_entries(self):
+        self.write([])
+        with logfile.load(self.name) as log:
+            said = meaning.as_dict(log)
+        self.assertEqual([said["entries"], [channel["entries"] for channel in said["channels"]]], [0, [0, 0]])
+
     def test_pace(self):
         """Entries come when they are due, neither sooner nor much later; `seconds` end them."""
         entries = [records.Entry(i, START + i * 10 ** 8, 0, True, b"", None) for i in range(4)]

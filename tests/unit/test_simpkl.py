@@ -74,6 +74,13 @@ class Files(Case):
             self.read(data)
         self.assertEqual(self.read(data, ["mine"])[1][0].value, {"x": 1})
 
+    def test_standard_types_need_no_name(self):
+        """Wherever rtshell took them from."""
+        for module in ("RTC", "Img", "rtctree.rtc.RTC", "OpenRTM_aist.RTM_IDL.Img"):
+            standard = files._class(module, "Own")
+            data = files.log([files.make(standard, x=True, y=False)], classes=files.CLASSES + (standard,))
+            self.assertEqual(self.read(data)[1][0].value, {"x": True, "y": False}, module)
+
     def test_cut_at_every_octet(self):
         data = files.log(files.values(4))
         whole = [entry.value for entry in self.read(data)[1]]
