@@ -7,7 +7,7 @@ import tempfile
 import unittest
 from unittest import mock
 
-from rtshell_lite import cli
+from rtshell_lite import cli, options
 
 COMMAND = '''\
 """Do something for a test.
@@ -101,6 +101,18 @@ class Command(unittest.TestCase):
 
     def said(self, *words, **variables):
         return self.foo(*words, **variables)[1].strip()
+
+    def test_where_the_first_words_of_a_line_lead(self):
+        """For completion: the words, the option whose value comes next, whether options have ended."""
+        parser = options.Parser()
+        parser.add_argument("-l", action="count")
+        parser.add_argument("-n", type=int)
+        for words, expected in ((["a", "-l", "b"], (["a", "b"], None, False)), (["a", "-n"], (["a"], "n", False)),
+                                (["-n", "5"], ([], None, False)), (["-n", "5", "a"], (["a"], None, False)),
+                                (["-n5", "a"], (["a"], None, False)), (["a", "-l"], (["a"], None, False)),
+                                (["a", "--", "-n"], (["a", "-n"], None, True))):
+            found, option, is_ended = parser.unfinished(words)
+            self.assertEqual((found, option and option.dest, is_ended), expected, words)
 
     def test_options_stand_anywhere(self):
         expected = "['a', 'b'] 2 5 None None 3.0"

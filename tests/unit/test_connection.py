@@ -1,9 +1,13 @@
-"""Removing the connectors of many ports: if this fails, Ctrl-C takes longer the more ports there are."""
+"""Connections of data ports: if this fails, Ctrl-C takes longer the more ports there are, or commands report the wrong status."""
+import collections
 import threading
 import time
 import unittest
+from unittest import mock
 
-from rtshell_lite.data import reading
+from rtshell_lite import cli, errors, path
+from rtshell_lite.data import port_words, rates, reading, watcher
+from rtshell_lite.robot import ports
 
 
 def idle_reader():
@@ -31,6 +35,62 @@ class Closing(unittest.TestCase):
         begun = time.monotonic()
         self.assertTrue(reader.is_at_rest())
         self.assertGreater(time.monotonic() - begun, reading.QUIET)
+
+
+class Status(unittest.TestCase):
+    """The exit status of commands that stay connected: that of the failures, or 5 where another connection was of use."""
+
+    def status(self, *failures, **more):
+        connections = [mock.Mock(failure=failure) for failure in failures]
+        tally = cli.Tally()
+        with mock.patch.object(cli, "complain"):
+            watcher.Watcher(connections).count(tally, [connections[number] for number in more.get("of_no_use", ())])
+        return tally.done, tally.status()
+
+    def test_it(self):
+        failure = errors.Silent("a", "no answer")
+        self.assertEqual(self.status(None, None), (2, 0))
+        self.assertEqual(self.status(None, failure), (1, 5))
+        self.assertEqual(self.status(None, failure, of_no_use=[0]), (0, 4))
+        self.assertEqual(self.status(failure, of_no_use=[0]), (0, 4))
+
+
+class Words(unittest.TestCase):
+    """Which port PATH:PORT.NAME means."""
+
+    def found(self, word, *names):
+        known = [ports.Port(None, name, "DataOutPort", {}, [], [], name, None) for name in names]
+        found = port_words._named(port_words.parse([word])[0], known)
+        return str(found) if isinstance(found, errors.Error) else (found.port.name, found.name)
+
+    def test_it(self):
+        self.assertEqual(self.found("/h/A.rtc:out", "A.out"), ("A.out", None))
+        self.assertEqual(self.found("/h/A.rtc:out.one", "A.out"), ("A.out", "one"))
+        self.assertEqual(self.found("/h/A.rtc:out.one", "A.out", "A.out.one"), ("A.out.one", None))
+        for word in ("out.o-ne", "in.one", "one"):
+            self.assertEqual(self.found("/h/A.rtc:" + word, "A.out"), "/h/A.rtc: no such port: %s (its ports: out)" % word)
+
+
+class Rates(unittest.TestCase):
+    """The rate of a component, by what it writes."""
+
+    def measured(self, *counts, **more):
+        node = collections.namedtuple("Node", "path")(path.parse("/h/A.rtc"))
+        kinds = [("A.in", "DataInPort")] + [("A.out%d" % number, "DataOutPort") for number in range(len(counts))]
+        known = [ports.Port(node, name, kind, {}, [], [], name, None) for name, kind in kinds]
+        with mock.patch("rtshell_lite.robot.component.state", return_value=more.get("state", "Active")), \
+                mock.patch("rtshell_lite.robot.ports.ports", return_value=known), \
+                mock.patch("rtshell_lite.data.reading.count_writes", side_effect=[(count, 2.0) for count in counts]):
+            return rates.measured(node, 2.0)
+
+    def test_the_first_port_that_is_written_to(self):
+        self.assertEqual(self.measured(20, 90), (10.0, "writes to out0"))
+        self.assertEqual(self.measured(0, 1, 2), (1.0, "writes to out2"))
+
+    def test_why_not(self):
+        self.assertEqual(self.measured(), (None, "no out port is written to"))
+        self.assertEqual(self.measured(1), (None, "no out port is written to"))
+        self.assertEqual(self.measured(state="Inactive"), (None, "the component is not Active"))
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ import unittest
 import warnings
 from unittest import mock
 
-from rtshell_lite import errors
+from rtshell_lite import __version__, errors
 from rtshell_lite.datalog import blocks, logfile, records, textlog, writer
 from rtshell_lite.datalog.index import POINTS, STRIDE, Index
 
@@ -80,7 +80,7 @@ class Files(Case):
         data = self.write(messages(1))
         self.assertEqual((data[:9], data[-8:]), (b"\x89RTLOG\r\nH", b"rtlogend"))
         self.assertEqual(data[struct.unpack("<Q", data[-16:-8])[0]:][:1], b"I")
-        self.assertIn(b'"program": "rtlog ', data)
+        self.assertIn(b'"program": "rtlog %s"' % __version__.encode(), data)
 
     def test_a_line_of_text(self):
         out = textlog.Writer(self.name, CHANNELS, [None, None])
