@@ -4,7 +4,7 @@ from unittest import mock
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
-from rtshell_lite.robot import component, composites, tree
+from rtshell_lite.robot import component, composites, fsm, tree
 
 NODE = tree.Node(path.parse("/localhost/a.rtc"), "component", None)
 
@@ -37,6 +37,20 @@ class Contexts(unittest.TestCase):
 
     def test_one_that_refuses(self):
         self.assertEqual(self.change("UNSUPPORTED"), "/localhost/a.rtc: cannot activate: UNSUPPORTED, it is Inactive")
+
+
+class Machines(unittest.TestCase):
+    def found(self, *services):
+        """The reference of the machine of a component with these SDO services, pairs (type, reference)."""
+        profiles = [mock.Mock(interface_type=kind, id="1", service=ref) for kind, ref in services]
+        with mock.patch.object(fsm.orb, "narrow", lambda ref, name: ref):
+            return fsm.Machine(mock.Mock(path=NODE.path, call=lambda operation: profiles)).ref
+
+    def test_a_service_without_a_reference_is_none(self):
+        self.assertEqual(self.found(("Other", "other"), (fsm.SERVICE, None), (fsm.SERVICE, "machine")), "machine")
+        for services in ((), (("Other", "other"),), ((fsm.SERVICE, None),)):
+            with self.assertRaises(errors.NoSuch):
+                self.found(*services)
 
 
 class Composites(unittest.TestCase):
