@@ -361,7 +361,7 @@ def options():
 def spoil(module, tests, args):
     """Spoil a module, print what survived; how many did."""
     inner = os.path.join("rtshell_lite", module)
-    with open(os.path.join(ROOT, inner), "rb") as file:
+    with open(os.path.join(tests.copy, inner), "rb") as file:
         source = Source(file.read())
     places = sorted({place for place in mutations(source) if source.spoilt(*place)})
     chosen = sorted(random.Random(args.seed).sample(places, min(args.most, len(places))))
