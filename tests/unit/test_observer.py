@@ -1,6 +1,9 @@
 """What components tell observers, and what we make of it: if this fails, rtwatch shows words of the wire, or the wrong ones."""
 import unittest
+from unittest import mock
 
+from rtshell_lite import errors, path
+from rtshell_lite.events import watch
 from rtshell_lite.events.observer import event
 
 
@@ -36,6 +39,24 @@ class Hints(unittest.TestCase):
         self.check("FSM_STATUS", "closed PRE_ON_EXIT", "FSM_EVENT", "FSM_STATUS", "closed PRE_ON_EXIT")
         self.check("RTC_STATUS", "", "RTC_STATUS", "", "")
         self.check("STATUS_KIND_NUM", "?", "STATUS_KIND_NUM", "", "?")
+
+
+class Names(unittest.TestCase):
+    def names(self, *paths):
+        """What lines of these components begin with; None for one that is not there."""
+        def on_components(wanted, begin):
+            return [begin(mock.Mock(path=each, endpoint=("h", 1))) if each.names else errors.NotFound(str(each)) for each in wanted]
+
+        def begin(watched, node):
+            watched.node = node
+        with mock.patch.object(watch.tree, "on_components", on_components), mock.patch.object(watch.lanes, "start"), \
+                mock.patch.object(watch.Watched, "begin", begin):
+            results = watch.Watch(watch.Event, None).start([path.parse(each) for each in paths])
+        return [getattr(result, "name", None) for result in results]
+
+    def test_those_that_share_one_are_called_by_their_paths(self):
+        self.assertEqual(self.names("/h/a.cxt/Arm0.rtc", "/h", "/h/b.cxt/Arm0.rtc", "/h/b.cxt/Hand0.rtc"),
+                         ["/h/a.cxt/Arm0.rtc", None, "/h/b.cxt/Arm0.rtc", "Hand0.rtc"])
 
 
 if __name__ == "__main__":
