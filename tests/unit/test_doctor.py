@@ -1,10 +1,13 @@
 """What rtdoctor says of robots that are broken in ways that the mocks do not have."""
+import glob
+import os
+import re
 import unittest
 from unittest import mock
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
-from rtshell_lite.doctor import components, connections, here, profile, remedies, servers
+from rtshell_lite.doctor import components, connections, here, profile, rates, remedies, servers, started, waiting
 from rtshell_lite.robot import component, places, ports, snapshot, tree
 from rtshell_lite.xmlprofile import model
 
@@ -30,6 +33,64 @@ class Connections(unittest.TestCase):
         self.assertEqual([finding.message for finding in found], ["dataport.dataflow_type is push here, missing at /localhost/far.rtc:in"])
 
 
+    def test_references_differ_in_spelling(self):
+        """Some implementations give the text of a Python object for one."""
+        node = tree.Node(path.parse("/localhost/In0.rtc"), "component", None)
+        for one, other in (("<object>", "IOR:0"), ("IOR:0", "<object>")):
+            here, there = [ports.Connector("one", "c", [], [("x", value)]) for value in (one, other)]
+            port = ports.Port(node, "In0.out", "DataOutPort", {}, [], [here], None, None)
+            end = places.End(None, port._replace(connectors=[there]), None)
+            self.assertEqual(connections._differences(connections.Link(None, port, here), end, None), [])
+
+
+class Started(unittest.TestCase):
+    def messages(self, connected=(), **states):
+        """What is said of components in these states; some of them are connected with each other."""
+        connector = ports.Connector("one", "c", list(connected), [])
+        snapshots = [mock.Mock(states=state, where="/d/" + name, node=mock.Mock(path=path.parse("/d/" + name)), ports=[
+            ports.Port(None, "p", "DataOutPort", {}, [], [connector] if name in connected else [], name, None)])
+            for name, state in sorted(states.items())]
+        with mock.patch.object(started.component, "merged", lambda states: states), \
+                mock.patch.object(started.orb, "identity", lambda ref: ref):
+            return [(finding.path, finding.message) for finding in started.findings(snapshots)]
+
+    def test_it(self):
+        self.assertEqual(self.messages(A="Inactive", B="Inactive"),
+                         [("/", "all components are Inactive: nothing has been started")])
+        self.assertEqual(self.messages(A="Active", B="Active"), [])
+        self.assertEqual(self.messages(A="Error", B="Inactive"), [])
+        reset = "Inactive, while 1 component of its system is Active; it may have been reset"
+        self.assertEqual(self.messages(A="Active", B="Inactive"), [("/d/B", reset)])
+        for others in ({"C": "Active"}, {"C": "Active", "D": "Error"}):
+            self.assertEqual(self.messages(("A", "B"), A="Inactive", B="Inactive", **others), [])
+        self.assertEqual(self.messages(("A", "B"), A="Active", B="Inactive", C="Active"), [("/d/B", reset)])
+
+
+class Waiting(unittest.TestCase):
+    def test_not_for_its_own_process(self):
+        def node(name, number):
+            return mock.Mock(path=path.parse("/d/" + name), endpoint=("198.51.100.1", number))
+        with mock.patch.object(waiting, "_sockets", lambda endpoint: set()):
+            found = waiting.culprits(mock.Mock(node=node("A", 1)), [node("B", 1), node("C", 2), node("D", 2)])
+        self.assertEqual(found, (["/d/C"], False))
+
+
+class Timestamps(unittest.TestCase):
+    def test_which_types_have_one(self):
+        for data_type, has_one in (("IDL:RTC/TimedLong:1.0", True), ("IDL:RTC/Point2D:1.0", False), ("", False)):
+            port = mock.Mock(properties={"dataport.data_type": data_type})
+            self.assertIs(rates.Watched(mock.Mock(), 100.0, port).stamped, has_one, data_type)
+
+
+class Remedies(unittest.TestCase):
+    def test_all_that_are_named_are_there(self):
+        for file in glob.glob(os.path.join(glob.escape(os.path.dirname(remedies.__file__)), "*.py")):
+            with open(file, encoding="utf-8") as source:
+                named = re.findall(r'remedies\.(command|words)\(\s*"([^"]+)"', source.read())
+            for function, name in named:
+                self.assertIn(name, remedies.COMMANDS if function == "command" else remedies.WORDS, file)
+
+
 class Profile(unittest.TestCase):
     def test_a_rate_that_a_context_has_rounded(self):
         context = model.ExecutionContext(id="0", kind="PERIODIC", rate=30.0)
@@ -46,6 +107,16 @@ class Here(unittest.TestCase):
             finding, = here._programs()
         self.assertEqual(finding.level, "warn")
         self.assertIn("omniORBpy 3.7.1: older than 4.0, untried", finding.message)
+
+
+    def test_no_omniorb(self):
+        with mock.patch.object(orb, "version", side_effect=errors.MissingOmniORB):
+            finding, = here._programs()
+        self.assertEqual((finding.level, finding.check), ("fail", "omniORBpy"))
+
+    def test_addresses_of_name_servers(self):
+        self.assertEqual([here.fault(address) for address in ("robot1:2810", "robot1,robot2", "a b")],
+                         [""] + 2 * ["several are separated by semicolons"])
 
 
 class NameServers(unittest.TestCase):

@@ -45,6 +45,13 @@ class Published(unittest.TestCase):
         self.assertEqual(self.misled("127.0.0.1", ["10.77.0.1"]), ("warn", "publishes 127.0.0.1:4000: only this host can reach it"))
         self.assertIn("10.77.0.9 takes part", self.misled("localhost", ["127.0.0.1"], "10.77.0.9")[1])
 
+    def test_no_home_is_known(self):
+        self.assertIsNone(self.misled("127.0.0.1", [], "10.77.0.9"))
+
+    def test_who_is_outside(self):
+        with mock.patch.object(networks.orb, "addresses", lambda ref: [(ref, 4000)]):
+            self.assertEqual([networks.outside(["", "127.0.0.1", "10.77.0.9"]), networks.outside(["", "localhost"])], ["10.77.0.9", ""])
+
     def test_another_network(self):
         self.assertEqual(self.misled("172.17.0.1", ["10.77.0.1"])[0], "warn")
         self.assertEqual(self.misled("172.17.0.1", ["10.77.0.2"])[0], "fail")
@@ -96,6 +103,23 @@ class BelowManagers(unittest.TestCase):
 
 
 class Arrival(unittest.TestCase):
+    def test_a_connection_has_a_deadline(self):
+        """All addresses of a host share one."""
+        given = []
+
+        def create_connection(address, seconds):
+            given.append(seconds)
+            raise ConnectionRefusedError(errno.ECONNREFUSED, "refused")
+        with mock.patch.object(addresses.socket, "create_connection", create_connection), self.assertRaises(errors.ConnectionRefused):
+            addresses.connect(["198.51.100.1", "198.51.100.2"], 4000)
+        self.assertTrue(0 < given[1] <= given[0] <= lanes.session.timeout, given)
+
+    def test_nobody_listens(self):
+        with socket.socket() as bound:
+            bound.bind(("127.0.0.1", 0))
+            self.assertFalse(addresses.arrives(bound.getsockname()))
+        addresses.arrives.cache_clear()
+
     def test_a_process_that_hangs_takes_what_is_sent(self):
         with socket.socket() as listening:
             listening.bind(("127.0.0.1", 0))
