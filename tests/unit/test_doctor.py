@@ -32,11 +32,10 @@ class Connections(unittest.TestCase):
                                          remedies.words("restart far end"))
         self.assertEqual([finding.message for finding in found], ["dataport.dataflow_type is push here, missing at /localhost/far.rtc:in"])
 
-
     def test_references_differ_in_spelling(self):
         """Some implementations give the text of a Python object for one."""
         node = tree.Node(path.parse("/localhost/In0.rtc"), "component", None)
-        for one, other in (("<object>", "IOR:0"), ("IOR:0", "<object>")):
+        for one, other in (("<object>", "IOR:0"), ("<object>", ""), ("", "IOR:0")):
             here, there = [ports.Connector("one", "c", [], [("x", value)]) for value in (one, other)]
             port = ports.Port(node, "In0.out", "DataOutPort", {}, [], [here], None, None)
             end = places.End(None, port._replace(connectors=[there]), None)
@@ -107,7 +106,6 @@ class Here(unittest.TestCase):
             finding, = here._programs()
         self.assertEqual(finding.level, "warn")
         self.assertIn("omniORBpy 3.7.1: older than 4.0, untried", finding.message)
-
 
     def test_no_omniorb(self):
         with mock.patch.object(orb, "version", side_effect=errors.MissingOmniORB):
