@@ -6,7 +6,7 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import cli, errors, path
-from rtshell_lite.data import port_words, rates, reading, watcher
+from rtshell_lite.data import port_words, rates, reading, sender, watcher
 from rtshell_lite.robot import ports
 
 
@@ -35,6 +35,23 @@ class Closing(unittest.TestCase):
         begun = time.monotonic()
         self.assertTrue(reader.is_at_rest())
         self.assertGreater(time.monotonic() - begun, reading.QUIET)
+
+    def test_a_component_that_pushes_finishes_first(self):
+        """A value has come: the component is let go before the connector is removed, which could end it otherwise."""
+        reader, slept = idle_reader(), []
+        reader.came = mock.Mock(wait=lambda seconds: True)
+        with mock.patch.object(reading.time, "sleep", slept.append):
+            self.assertTrue(reader.is_at_rest())
+        self.assertEqual(slept, [reading.HANDED_OVER])
+
+
+class Live(unittest.TestCase):
+    def test_whom_values_are_sent_to(self):
+        """Silent ones only if there is nobody else; those whose connection failed otherwise never."""
+        silent, refused = errors.Silent("a", "no answer"), errors.Refused("a", "no")
+        for failures, expected in (((None, silent, refused), [0]), ((silent, refused, silent), [0, 2]), ((refused,), [])):
+            writers = [mock.Mock(failure=failure) for failure in failures]
+            self.assertEqual([number for _, number in sender.Injection.live(mock.Mock(writers=writers))], expected)
 
 
 class Status(unittest.TestCase):

@@ -5,6 +5,7 @@ import sys
 import threading
 import time
 import unittest
+from unittest import mock
 
 import simpkl_files
 from test_datalog import CHANNELS, START, Case, messages
@@ -165,6 +166,18 @@ class Deep(Case):
 
 
 class Recording(Case):
+    def test_ports_with_one_name_share_a_channel(self):
+        channels = recorder.Channels(mock.Mock(of_port=mock.Mock(side_effect=errors.BadType("x", "y"))))
+        properties = {"dataport.data_type": "IDL:RTC/TimedLong:1.0"}
+        found = []
+        for label, name in (("/h/A.rtc:out", "one"), ("/h/B.rtc:out", "other"), ("/h/C.rtc:out", "one")):
+            with mock.patch.object(recorder.ports, "label", lambda port: label):
+                found.append(channels.add(mock.Mock(properties=properties), name))
+        self.assertEqual((found, [channel.sources for channel in channels.found]),
+                         ([0, 1, 0], [["/h/A.rtc:out", "/h/C.rtc:out"], ["/h/B.rtc:out"]]))
+        with mock.patch.object(recorder.ports, "label", lambda port: "/h/D.rtc:out"), self.assertRaises(errors.Failed):
+            channels.add(mock.Mock(properties={"dataport.data_type": "IDL:RTC/TimedDouble:1.0"}), "one")
+
     def test_a_slow_disk_costs_messages_not_time(self):
         """The sender never waits, not even for a disk that writes nothing until all is sent; what does not fit is counted."""
         message, sent = message_of(b"x" * 1000000), threading.Event()

@@ -4,6 +4,7 @@ import os
 import stat
 import subprocess
 import sys
+import sysconfig
 import tempfile
 import threading
 import unittest
@@ -13,6 +14,7 @@ from rtshell_lite import errors, files
 from rtshell_lite.data.idl import tokens
 from rtshell_lite.datalog import textlog, writer
 from rtshell_lite.datalog.records import Channel
+from rtshell_lite.shell import unpack
 
 CHANNELS = [Channel("input0", "IDL:RTC/TimedLong:1.0", b"", ("/a.rtc:out",))]
 STRANGER = 12345        # a user that nobody here is
@@ -268,6 +270,22 @@ class WorkingDirectory(Case):
                                  stderr=subprocess.PIPE, env=dict(os.environ, PYTHONPATH=above))
             self.assertNotIn(b"Traceback", ran.stderr)
             self.assertEqual([name for name in os.listdir(self.top) if name.startswith("canary")], [], words)
+
+
+class Wheels(unittest.TestCase):
+    def test_which_fit(self):
+        """A stable ABI of an older Python fits, one of a newer Python does not."""
+        minor, machine = sys.version_info[1], sysconfig.get_platform().rpartition("-")[2]
+        for tags, fits in (("py3-none-any", True), ("cp3%d-cp3%d-linux_%s" % (minor, minor, machine), True),
+                           ("cp3%d-abi3-linux_%s" % (minor - 1, machine), True), ("cp32.cp3%d-abi3-any" % (minor + 1), True),
+                           ("cp3%d-cp3%d-linux_%s" % (minor - 1, minor - 1, machine), False),
+                           ("cp3%d-abi3-linux_%s" % (minor + 1, machine), False),
+                           ("cp3%d-cp3%d-linux_other" % (minor, minor), False), ("py3", False)):
+            with self.subTest(tags):
+                if fits:
+                    unpack._check_tags("own-1.0-%s.whl" % tags)
+                else:
+                    self.assertRaises(errors.Error, unpack._check_tags, "own-1.0-%s.whl" % tags)
 
 
 if __name__ == "__main__":
