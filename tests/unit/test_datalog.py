@@ -80,18 +80,6 @@ class Files(Case):
         self.assertEqual(data[struct.unpack("<Q", data[-16:-8])[0]:][:1], b"I")
         self.assertIn(b'"program": "rtlog %s"' % __version__.encode(), data)
 
-    def test_a_line_of_text(self):
-        out = textlog.Writer(self.name, CHANNELS, [None, None])
-        out.write([(0, START + 5, True, b"\1"), (1, START - 1, True, b"")])
-        out.close()
-        with open(self.name) as file:
-            self.assertEqual(file.read(), "1700000000.000000005\t('a', b'\\x01')\n1699999999.999999999\t('b', b'')\n")
-
-    def test_moments(self):
-        for value, can_be in ((0, True), ((1 << 63) - 1, True), (1 << 63, False), (-1 << 63, True), ((-1 << 63) - 1, False),
-                              (True, False), (1.0, False), (None, False)):
-            self.assertIs(records.is_moment(value), can_be, value)
-
     def test_only_what_is_torn_is_cut_off(self):
         """To go on with a file whose middle is damaged would throw away all behind that; half a large record may go."""
         data = self.write(messages(100, 40000), close=False)
