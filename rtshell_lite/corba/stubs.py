@@ -65,6 +65,8 @@ def skeleton(name):
 def lend_standard():
     """Let a user's stubs import the stubs of the standard IDL files: OpenRTM-aist-Python's if installed, else ours."""
     import importlib.util  # takes long
+    if importlib.util.find_spec("omniORB") is None:
+        return  # the user's stubs will miss it
     for name in STANDARD:
         if name not in sys.modules and importlib.util.find_spec(name) is None:
             sys.modules[name] = module("data." + name)
