@@ -121,7 +121,10 @@ def _class(descriptor, type_id):
 def lend_standard():
     """Let a user's stubs import the stubs of the standard IDL files: OpenRTM-aist-Python's if installed, else stand-ins."""
     import importlib.util  # takes long
-    import omniORB
+    try:
+        import omniORB
+    except ImportError:
+        return  # the user's stubs will miss it
     missing = [name for name in STANDARD if name not in sys.modules and importlib.util.find_spec(name) is None]
     for name in missing:
         sys.modules[name] = types.ModuleType(name)
