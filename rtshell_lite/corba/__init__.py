@@ -3,7 +3,7 @@
 lanes      deadlines, and many calls at once, without an ORB: a silent process costs one timeout; tasks are functions that need not
            block a thread
 orb        the door: references (their address, identity, endpoint), calls with a deadline, exceptions as errors, properties
-omni       omniORB behind it; answers looks at what peers send before omniORB makes objects of it, stubs finds its classes
+omni       omniORB behind it; answers looks at what peers send before omniORB makes objects of it, stubs makes its classes
 iiop/      our own ORB behind it, in Python: client, which orb.py sees; loop, calls, connections; server; what they send
 failures   what the exceptions of peers mean, for both
 servants   objects of ours that components call
@@ -13,7 +13,7 @@ descriptors   types as tuples, and functions that read their parts by name; cdr 
 
 An ORB behind this seam has to offer: references from and to text (IOR, corbaloc), narrowing without a call, equivalence;
 calls by the name of an operation with a deadline to the millisecond, for each reference; TIMEOUT, OBJECT_NOT_EXIST, TRANSIENT,
-COMM_FAILURE, MARSHAL and user exceptions told apart; answers read by our descriptors instead of the stubs'; few
+COMM_FAILURE, MARSHAL and user exceptions told apart; answers read by our descriptors instead of its own; few
 connections to a process; servants by a class of the IDL, and the port that they listen on; TypeCodes of an `any`
 as descriptors. Structs and enums come as objects with the attributes of the IDL; enums have a name `_n` and a number `_v`.
 """

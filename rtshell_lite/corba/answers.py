@@ -1,6 +1,6 @@
 """Answers of peers, checked while omniORB reads them: nothing in them may end our process, or overflow its stack.
 
-Every operation that can return a reference, or a value of any type, is invoked with our descriptor instead of the stubs'
+Every operation that can return a reference, or a value of any type, is invoked with a descriptor that shows us all
 (ior.guarded). A bad reference or a value nested too deep fails that one call.
 
 The TypeCodes in an `any`, and the values that they describe, cannot be checked before omniORB reads them. Names in them that

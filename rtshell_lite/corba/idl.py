@@ -66,10 +66,10 @@ def id_of(name):
 
 
 def struct(name):
-    """The class of a struct by its name."""
+    """The class of a struct by its name (component.RTC.ConnectorProfile), called with its members."""
     return descriptors.factory(_named(id_of(name)))
 
 
 def items(name):
-    """The items of an enum by its name, in their order."""
+    """The items of an enum by its name (dataport.OpenRTM.PortStatus), in their order: each with a name `_n` and a number `_v`."""
     return descriptors.items(_named(id_of(name)))

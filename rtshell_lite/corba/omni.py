@@ -215,9 +215,6 @@ def serve(servant):
 
 # ---- values ---------------------------------------------------------------------------------------------------
 
-struct, items = idl.struct, idl.items
-
-
 def properties(nvlist, only=None):
     """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to text.
 
@@ -240,7 +237,7 @@ def _as_text(value, CORBA):
 
 
 def descriptor(type_id):
-    """The type descriptor that stubs registered with omniORB for a repository id, or None."""
+    """The type descriptor that a user's stubs registered with omniORB for a repository id, or None."""
     import omniORB
     return omniORB.typeMapping.get(type_id)
 
@@ -253,5 +250,5 @@ def descriptor_in(nvlist, name):
 def nvlist(pairs):
     """(name, value) texts as an SDOPackage::NVList of strings, the one type that every implementation accepts."""
     from omniORB import CORBA
-    NameValue = struct("component.SDOPackage.NameValue")
+    NameValue = idl.struct("component.SDOPackage.NameValue")
     return [NameValue(to_wire(n), CORBA.Any(CORBA.TC_string, to_wire(v))) for n, v in pairs]

@@ -5,7 +5,7 @@ RTSHELL_ORB chooses the ORB behind it: omniorb (omni.py) or builtin (iiop/). Uns
 import os
 
 from rtshell_lite import errors
-from rtshell_lite.corba import ior, lanes, stubs, tasks
+from rtshell_lite.corba import idl, ior, lanes, stubs, tasks
 from rtshell_lite.path import PROTOCOLS, SCHEMES, split_address
 from rtshell_lite.text import printable, to_wire
 
@@ -198,16 +198,7 @@ def serve(servant):
 
 # ---- values ---------------------------------------------------------------------------------------------------
 
-def struct(name):
-    """The class of a struct of the IDL (component.RTC.ConnectorProfile), called with its members."""
-    start()
-    return _orb.struct(name)
-
-
-def items(name):
-    """The items of an enum of the IDL (dataport.OpenRTM.PortStatus), in their order: each with a name `_n` and a number `_v`."""
-    start()
-    return _orb.items(name)
+struct, items = idl.struct, idl.items
 
 
 def properties(nvlist, only=None):

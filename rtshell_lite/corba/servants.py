@@ -1,6 +1,6 @@
 """Our objects that components call, such as receivers of data. None of them is bound in a name server.
 
-A servant is any object with a method for each operation of its `interface`, which is named as in the stubs.
+A servant is any object with a method for each operation of its `interface`, named as in corba/idl.py.
 """
 import os
 import socket

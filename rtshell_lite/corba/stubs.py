@@ -1,6 +1,6 @@
 """omniORB, and the classes that it needs for OpenRTM's IDL, made of the tables: nothing outside corba/ imports them.
 
-Interfaces and types have the names that they have in the IDL: RTC.PortService.
+All that a command uses is made when it is first asked for; classes of references are made at the start, as omniORB looks them up.
 """
 import functools
 import sys

@@ -11,7 +11,7 @@ from rtshell_lite.corba import cdr, descriptors, idl, orb, stubs
 from rtshell_lite.data import type_json, values
 from rtshell_lite.text import printable
 
-STANDARD = ("RTC", "Img")  # modules of our own stubs
+STANDARD = ("RTC", "Img")  # modules of the IDL
 SOURCES = "name its IDL file (--idl FILE) or compiled stubs (-m MODULE -p DIR)"
 REMEDY = SOURCES + ", or look at the bytes (--raw)"
 

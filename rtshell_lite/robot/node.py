@@ -59,7 +59,7 @@ class Node:
 
     @property
     def typed(self):
-        """`ref` as a reference of the interface that its kind implies; the stubs are imported only here."""
+        """`ref` as a reference of the interface that its kind implies."""
         if not self._is_typed:
             self.ref, self._is_typed = self._narrowed(), True  # only this one is kept: a reference takes 800 bytes
         return self.ref

@@ -10,19 +10,24 @@ sys.path.append(ROOT)
 
 
 def start(port):
-    """The directory, and the stubs of what is in it."""
-    global CosNaming, OpenRTM, RTC, SDOPackage
+    """The directory. References are made as our commands make them, by the tables: stubs take longer to import."""
+    global CosNaming, idl, stubs
     from omniORB import CORBA
     import CosNaming
-    from mock_components.idl import RTC, OpenRTM, SDOPackage
+    from rtshell_lite.corba import idl, stubs
+    stubs.register()
     orb = CORBA.ORB_init(["floor", "-ORBclientCallTimeOutPeriod", "3000", "-ORBverifyObjectExistsAndType", "0"], CORBA.ORB_ID)
     root = orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%s/NameService" % port)._unchecked_narrow(CosNaming.NamingContext)
     return root.resolve([CosNaming.NameComponent("test", "host_cxt")])._unchecked_narrow(CosNaming.NamingContext)
 
 
+def interface(name):
+    return stubs.interface(idl.id_of(name))
+
+
 def components(directory, names):
     for name in names:
-        yield directory.resolve([CosNaming.NameComponent(name, "rtc")])._unchecked_narrow(OpenRTM.DataFlowComponent)
+        yield directory.resolve([CosNaming.NameComponent(name, "rtc")])._unchecked_narrow(interface("OpenRTM.DataFlowComponent"))
 
 
 def nothing(port, names):
@@ -111,9 +116,9 @@ def _ends(port, names):
 def connect(port, names):
     from omniORB import any as omniany
     ends = _ends(port, names)
-    properties = [SDOPackage.NameValue("dataport." + key, omniany.to_any(value)) for key, value in (
+    properties = [idl.struct("SDOPackage.NameValue")("dataport." + key, omniany.to_any(value)) for key, value in (
         ("data_type", "IDL:RTC/TimedLong:1.0"), ("interface_type", "corba_cdr"), ("dataflow_type", "push"), ("subscription_type", "flush"))]
-    print(ends[0].connect(RTC.ConnectorProfile("out_in", "", ends, properties))[0])
+    print(ends[0].connect(idl.struct("RTC.ConnectorProfile")("out_in", "", ends, properties))[0])
 
 
 def disconnect(port, names):
@@ -137,12 +142,11 @@ def contexts(port, names):
 def manager(port, names):
     """What a manager has loaded."""
     start(port)
-    from mock_components.idl import RTM
     from omniORB import CORBA
     root = CORBA.ORB_init([], CORBA.ORB_ID).string_to_object("corbaloc:iiop:1.2@127.0.0.1:%s/NameService" % port)
     found = root._unchecked_narrow(CosNaming.NamingContext).resolve([
-        CosNaming.NameComponent("beside", "host_cxt"), CosNaming.NameComponent("manager", "mgr")])._unchecked_narrow(RTM.Manager)
-    print(found.get_loaded_modules())
+        CosNaming.NameComponent("beside", "host_cxt"), CosNaming.NameComponent("manager", "mgr")])
+    print(found._unchecked_narrow(interface("RTM.Manager")).get_loaded_modules())
 
 
 def system(port, names):
@@ -177,7 +181,7 @@ def compared(port, words):
         if told.get(rts + "activeConfigurationSet") != active or kept != sets:
             print(name, "differs")
         for context in contexts + each.get_participating_contexts():
-            if context.get_component_state(each) != RTC.INACTIVE_STATE:
+            if context.get_component_state(each) != idl.items("RTC.LifeCycleState")[1]:
                 print(name, "is not Inactive")
 
 

@@ -25,7 +25,6 @@ sys.path[:0] = [%r, %r]
 import worlds
 from worlds import CORBA, OpenRTM
 from rtshell_lite.corba import stubs
-from mock_components.idl import OpenRTM
 class Sink(stubs.skeleton("dataport.OpenRTM.InPortCdr")):
     count = octets = 0
     def put(self, data):

@@ -7,7 +7,7 @@ import unittest
 import worlds
 from giop_peers import CLOSE, Peer, answer
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, lanes, orb
+from rtshell_lite.corba import descriptors, idl, lanes, orb
 from rtshell_lite.corba.iiop import client, giop, marshal, operations, references
 
 try:
@@ -229,7 +229,7 @@ class Beside(unittest.TestCase):
         world = worlds.World("two")
         self.addCleanup(world.close)
         root = client.narrow(client.from_url("w", "corbaloc::127.0.0.1:%d/NameService" % worlds.Server.port), "CosNaming.NamingContext")
-        name = [client.struct("CosNaming.NameComponent")("nobody", "")]
+        name = [idl.struct("CosNaming.NameComponent")("nobody", "")]
         with self.assertRaises(errors.Refused) as caught:
             client.invoke(orb.Call("w", root, "resolve", name))
         self.assertEqual(caught.exception.name, "NotFound")

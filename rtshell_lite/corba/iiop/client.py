@@ -57,7 +57,7 @@ def address(ref):
 
 
 def narrow(ref, interface):
-    """`ref` as a reference of an interface by its name in the stubs, on trust."""
+    """`ref` as a reference of an interface by its name, on trust."""
     type_id = idl.id_of(interface)
     return ref if ref.interface == type_id else ref.narrowed(type_id)
 
@@ -76,16 +76,6 @@ def serve(servant):
 
 
 # ---- values ---------------------------------------------------------------------------------------------------
-
-def struct(name):
-    """The class of a struct of the IDL by its name in the stubs."""
-    return descriptors.factory(idl.descriptor(idl.id_of(name)))
-
-
-def items(name):
-    """The items of an enum of the IDL by its name in the stubs, in their order."""
-    return descriptors.items(idl.descriptor(idl.id_of(name)))
-
 
 def properties(nvlist, only=None):
     """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to text.
