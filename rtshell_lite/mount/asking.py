@@ -141,6 +141,11 @@ class Source:
         """Whether `value` can be believed."""
         return self._until > time.monotonic() and self._changes == self._kept.changes
 
+    def now(self):
+        """The value if it can be believed, else None."""
+        value = self.value  # first: it is freed as soon as it is not believed
+        return value if self.is_fresh() else None
+
     def expire(self):
         """Believe nothing that was asked before now."""
         with self._lock:
@@ -179,8 +184,9 @@ class Source:
             waiter(answer)
 
     def _answer(self):
-        if self.is_fresh():
-            return self.value
+        value = self.now()
+        if value is not None:
+            return value
         try:
             endpoint, where = self.place()
             return _asked(endpoint, where, self.ask)
@@ -195,8 +201,9 @@ class Source:
 
     def get(self):
         """The value, asked for on this thread if need be. Raises what `ask` raises."""
-        if self.is_fresh():
-            return self.value
+        value = self.now()
+        if value is not None:
+            return value
         changes = self._kept.changes
         value = self.ask()
         with self._lock:

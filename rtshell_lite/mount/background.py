@@ -1,4 +1,5 @@
 """Mounting, and serving in the background until the tree is unmounted."""
+import io
 import os
 import sys
 
@@ -15,7 +16,7 @@ def serve(directory, ttl, read_only=False, foreground=False):
     """
     kernel.check(directory)
     if foreground:
-        return _served(directory, ttl, read_only, lambda: None, cli.complain)
+        return _served(directory, ttl, read_only, None)
     ours, theirs = os.pipe()
     child = os.fork()
     if child:
@@ -23,12 +24,11 @@ def serve(directory, ttl, read_only=False, foreground=False):
         return 0 if os.read(ours, 1) else os.WEXITSTATUS(os.waitpid(child, 0)[1])
     os.close(ours)
     os.setsid()
-    return _served(directory, ttl, read_only, lambda: _leave_terminal(theirs), lambda sentence: None)
+    return _served(directory, ttl, read_only, lambda: _leave_terminal(theirs))
 
 
 def _leave_terminal(pipe):
     """Let the parent return, and keep nothing of its terminal or directory."""
-    sys.stdout.flush()
     null = os.open(os.devnull, os.O_RDWR)
     for fd in range(3):
         os.dup2(null, fd)
@@ -38,21 +38,41 @@ def _leave_terminal(pipe):
     os.close(pipe)
 
 
-def _served(directory, ttl, read_only, ready, report):
+class Sentences(io.TextIOBase):
+    """In the place of stderr: what is said there belongs to the failures of the Mount."""
+
+    def __init__(self, mount):
+        self._mount = mount
+
+    def write(self, text):
+        for line in text.splitlines():
+            self._mount.complain(line.partition(": ")[2] or line)  # without the command's name
+        return len(text)
+
+
+def _served(directory, ttl, read_only, leave):
+    """Serve to the end; `leave` is called when the tree can be used, None in the foreground."""
     orb.start()
     from rtshell_lite.mount import naming, nodes, server
-    mount = nodes.Mount(directory, ttl, read_only, report)
+    stderr = sys.stderr
+    mount = nodes.Mount(directory, ttl, read_only, lambda sentence: leave or not stderr or stderr.write(f"{kernel.NAME}: {sentence}\n"))
+
+    def ready():
+        if leave:
+            leave()
+        sys.stderr = Sentences(mount)
     cli.unwind_when_ended()
     fd = kernel.mount(directory, read_only)
     serving = server.Server(mount, naming.Root(mount), fd, ready)
     try:
         serving.serve()
     except cli.Ended:
-        return 0
+        pass
     finally:
         try:
             kernel.unmount(directory)
         except errors.Failed:
             pass  # that is why it ended
         serving.close()
+        sys.stderr = stderr
     return 0

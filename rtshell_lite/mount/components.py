@@ -4,14 +4,11 @@ import math
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
-from rtshell_lite.events import observer, watch
 from rtshell_lite.mount.nodes import Control, Directory, Items, Link, Text, WritableItem, line, link_text, meant, unique
 from rtshell_lite.mount.ports import PortsDirectory
-from rtshell_lite.mount.streams import WatchStream
-from rtshell_lite.robot import component, composites, configuration, contexts, places
+from rtshell_lite.robot import component, composites, configuration, contexts, places, tree
 from rtshell_lite.robot.snapshot import EACH, FULL, Snapshot
 from rtshell_lite.text import json_line, printable
-from rtshell_lite.views import describe
 
 FIELDS = ("instance_name", "type_name", "category", "vendor", "version", "description")
 TRANSITIONS = {"Active": component.ACTIVATE, "Inactive": component.DEACTIVATE, "reset": component.RESET}
@@ -38,8 +35,24 @@ class ComponentDirectory(Directory):
         def checked():
             if self.node.ref is None:
                 raise self.node.error or errors.WrongKind(str(self.node.path), "component", self.node.what)
-            return ask()
+            try:
+                return ask()
+            except (errors.Gone, errors.ConnectionRefused):
+                if not self._has_come_back():
+                    raise
+                return ask()
         return self.mount.source(self.place, checked, seconds)
+
+    def _has_come_back(self):
+        """Whether another object has its name now: the kernel does not look up again what is a working directory."""
+        try:
+            node = tree.resolve(self.node.path)
+        except errors.Error:
+            return False
+        is_another = node.ref is not None and not orb.same(node.ref, self.node.ref)
+        if is_another:
+            self.renew(node)
+        return is_another
 
     def renew(self, node):
         if not orb.same(self.node.ref, node.ref):
@@ -61,6 +74,7 @@ class ComponentDirectory(Directory):
         return component.merged(component.states(self.node, owned + participating))
 
     def _everything(self):
+        from rtshell_lite.views import describe
         found = describe.collect(self.node, 2)
         return describe.as_dict(found, places.far_names(found.ports))
 
@@ -81,6 +95,8 @@ class ComponentDirectory(Directory):
         return found
 
     def hidden(self, value):
+        from rtshell_lite.events import observer, watch
+        from rtshell_lite.mount.streams import WatchStream
         return {"events": (WatchStream, lambda note: watch.Watch(watch.Events(watch.KINDS), note), observer.event_line),
                 "log": (WatchStream, lambda note: watch.Watch(watch.Records("NORMAL", []), note),
                         lambda record: observer.record_line(record, self.name))}

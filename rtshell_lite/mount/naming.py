@@ -5,8 +5,6 @@ import stat
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
-from rtshell_lite.mount.components import ComponentDirectory
-from rtshell_lite.mount.managers import ManagerDirectory
 from rtshell_lite.mount.nodes import NOTHING, Absent, Directory, File, Link, Text, file_name, relative
 from rtshell_lite.path import Path, parse
 from rtshell_lite.robot import naming, tree
@@ -182,6 +180,8 @@ class ContextDirectory(Directory):
             return ContextDirectory, node
         if node.kind == "zombie":
             return Zombie, node
+        from rtshell_lite.mount.components import ComponentDirectory  # much, which the first ls does not need
+        from rtshell_lite.mount.managers import ManagerDirectory
         if node.kind == "manager" or node.kind == "unsure" and node.path.names[-1].kind == "mgr":
             return ManagerDirectory, node
         if node.kind == "unknown":

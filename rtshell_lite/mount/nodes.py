@@ -15,11 +15,11 @@ from rtshell_lite import errors
 from rtshell_lite.mount.asking import Crew, Given, Kept, Source
 from rtshell_lite.mount.census import Census
 from rtshell_lite.path import parse
-from rtshell_lite.text import cut, printable, safe, unescaped
+from rtshell_lite.text import printable, safe, unescaped
 
 NAME_MAX = 255  # bytes of a file's name
 SIZE = 4096  # bytes that a file of unknown size claims, as in /sys: what claims 0 is not read by some programs
-MOST_ERRORS = 100  # that DIR/errors shows
+MOST_ERRORS, LONGEST = 100, 2000  # failures that DIR/errors shows, characters of each
 NOTHING = Given(())
 
 
@@ -55,7 +55,8 @@ class Mount:
 
     def complain(self, sentence):
         """Keep a failure for DIR/errors; print it, too, if somebody listens."""
-        self.errors.append(safe(cut(sentence)) + "\n")
+        sentence = safe(sentence[:LONGEST])
+        self.errors.append(sentence + "\n")
         self.report(sentence)
 
     def source(self, place, ask, seconds=None):

@@ -28,8 +28,8 @@ class Opened:
         text, self.begun = self.begun.decode("utf-8", "surrogateescape"), b""
         server.change(request, self.node, lambda: self.node.store(text.rstrip("\n")), wire.written(len(data)))
 
-    def interrupt(self, request):
-        """A request is waited for no longer."""
+    def interrupt(self, unique):
+        """The request is waited for no longer."""
 
     def close(self):
         """The last descriptor is closed."""

@@ -6,7 +6,6 @@ import stat
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.mount.nodes import Absent, Directory, Items, Link, Text, line, link_text, meant, unique
-from rtshell_lite.mount.streams import PortStream, Sending
 from rtshell_lite.robot import connectors, places, ports
 
 # A connection of a port, as seen from one of its ends: the Connector, and the reference of one of the other ends.
@@ -68,6 +67,7 @@ class PortDirectory(Directory):
         return found
 
     def hidden(self, snapshot):
+        from rtshell_lite.mount.streams import PortStream, Sending  # with all that sends and receives data
         kind = self.port(snapshot).type
         if kind == "DataInPort":
             return {"value": (Sending,)}

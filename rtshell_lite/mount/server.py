@@ -11,7 +11,7 @@ import threading
 
 from rtshell_lite import errors
 from rtshell_lite.mount import wire
-from rtshell_lite.mount.nodes import Absent, Directory, Link
+from rtshell_lite.mount.nodes import Absent, Directory, Link, Node
 from rtshell_lite.mount.opened import Listing, Opened
 from rtshell_lite.text import printable
 
@@ -25,8 +25,7 @@ ERRNOS = (
     (errors.Unreachable, errno.EHOSTUNREACH), (errors.Unsupported, errno.EOPNOTSUPP), (errors.BadType, errno.EOPNOTSUPP),
     (errors.BadValue, errno.EINVAL), (errors.BadPath, errno.EINVAL), (errors.Usage, errno.EINVAL),
     (errors.Refused, errno.EPERM), (errors.Failed, errno.EPERM))
-
-
+# Of these a name that is not there is no failure worth keeping.
 QUIET = wire.LOOKUP, wire.READDIR, wire.READDIRPLUS, wire.READ, wire.READLINK
 
 
@@ -113,8 +112,9 @@ class Server:
 
     def when(self, request, source, function):
         """Reply function(value of the Source), bytes, as soon as it is there."""
-        if source.is_fresh():
-            self.reply(request, function(source.value))
+        value = source.now()
+        if value is not None:
+            self.reply(request, function(value))
         else:
             source.want(lambda value: self._arrived(request, function, value))
 
@@ -152,8 +152,9 @@ class Server:
                 if not self.reply(request, payload):
                     self._forget(node, 1)
             return None
-        if source.is_fresh():
-            reply(source.value)
+        value = source.now()
+        if value is not None:
+            reply(value)
         else:
             source.want(lambda value: self._arrived_entry(request, reply, value))
 
@@ -211,12 +212,12 @@ class Server:
                     self._forget(self.nodes[number], count)
 
     def getattr(self, request):
-        node = self._node(request, object)
+        node = self._node(request, Node)
         self.reply(request, wire.attributes_reply(self._attributes(node), node.seconds))
 
     def setattr(self, request):
         if wire.changed(request.body) & ~wire.HARMLESS:
-            raise errors.Refused(self._node(request, object).where, "modes and owners cannot be changed")
+            raise errors.Refused(self._node(request, Node).where, "modes and owners cannot be changed")
         self.getattr(request)
 
     def readlink(self, request):
@@ -243,7 +244,7 @@ class Server:
         self.change(request, node, node.remove)
 
     def open(self, request):
-        node = self._node(request, object)
+        node = self._node(request, Node)
         flags = wire.opening(request.body)
         if flags & os.O_ACCMODE != os.O_RDONLY and not node.mode & stat.S_IWUSR:  # root is not stopped by modes
             raise OSError(errno.EACCES, "")
@@ -290,7 +291,7 @@ class Server:
         self.reply(request)
 
     def refuse(self, request):
-        where = posixpath.join(self._node(request, object).where, printable(wire.named(request.opcode, request.body)))
+        where = posixpath.join(self._node(request, Node).where, printable(wire.named(request.opcode, request.body)))
         raise errors.Refused(where, "nothing can be made, moved or removed here but connections and zombies")
 
     # ---- directories ------------------------------------------------------------------------------------------
@@ -311,8 +312,9 @@ class Server:
             with self.mount.lock:
                 listing.nodes = make(value)
             self._reply_entries(request, listing, offset, size)
-        if source.is_fresh():
-            entries(source.value)
+        value = source.now()
+        if value is not None:
+            entries(value)
         else:
             source.want(lambda value: self._arrived_entry(request, entries, value))
 

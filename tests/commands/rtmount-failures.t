@@ -71,9 +71,19 @@ A component that hangs delays only those who ask it; it is listed, and others an
   $ ls; time=$(date +%s); grep -r . . >/dev/null 2>&1; test $(($(date +%s) - time)) -le 10
   Mock0.rtc
 
-A component that dies becomes a link that leads nowhere:
+A component that dies is out of reach; when it is started again, even those whose working directory it was find it:
 
-  $ cd ../test.host_cxt; kill-mock two; until [ -L ConsoleIn0.rtc ]; do sleep 0.1; done
+  $ cd ../test.host_cxt/ConsoleIn0.rtc; cat state; kill-mock two; cat state || why
+  Inactive
+  cat: state: No route to host
+  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection refused; its process is gone (zombie)
+  $ (cd /; mock two); cat state; echo Active >state && cat state; cd ..
+  Inactive
+  Active
+
+The name of one that has died is a link that leads nowhere:
+
+  $ kill-mock two2; until [ -L ConsoleIn0.rtc ]; do sleep 0.1; done
   $ readlink ConsoleIn0.rtc
   zombie: its object is gone
   $ rm ConsoleIn0.rtc ConsoleOut0.rtc; ls
