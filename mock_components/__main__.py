@@ -1,5 +1,6 @@
 """`python3 -m mock_components WORLD [ARGUMENT …]`: start a world; `… ctl PATH COMMAND …`: talk to a running one."""
 import argparse
+import ast
 import os
 import signal
 import sys
@@ -29,6 +30,19 @@ def arguments():
     return parser
 
 
+def listed():
+    """(name, help) of each world, read from the source, as to import it needs omniORB."""
+    for file in "worlds.py", "deployment.py", "ailments.py":
+        with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), file), encoding="utf-8") as source:
+            tree = ast.parse(source.read())
+        docs = {node.name: ast.get_docstring(node) for node in tree.body if isinstance(node, ast.FunctionDef)}
+        for node in tree.body:
+            if isinstance(node, ast.Assign) and node.targets[0].id == "WORLDS":  # {world.__name__: world for world in (…)}
+                yield from ((name.id, docs[name.id]) for name in node.value.generators[0].iter.elts)
+            elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) and isinstance(node.value.args[0], ast.Dict):
+                yield from ((ast.literal_eval(name), docs[world.id]) for name, world in zip(node.value.args[0].keys, node.value.args[0].values))
+
+
 class Options:
     """Options for components; worlds override some."""
 
@@ -49,11 +63,11 @@ def main(argv):
         return asking.ask(argv[1], argv[2:])
     parser = arguments()
     args = parser.parse_args(argv)
-    from . import flavour, worlds
     if args.list:
-        for name, world in worlds.WORLDS.items():
-            print(f"{name:10} {world.__doc__}")
+        for name, words in listed():
+            print(f"{name:10} " + words.replace("\n", "\n    "))
         return 0
+    from . import flavour, worlds
     if args.world not in worlds.WORLDS:
         parser.error(f"no such world: {args.world} (see --list)")
     if args.flavour not in flavour.NAMES:

@@ -14,6 +14,7 @@ loop = None  # calls of omniORB cannot be interrupted: threads make them
 
 HEEDED = None  # all settings of omniORB
 
+shared = False  # True: others in this process may use the ORB, too; deadlines are set for our threads only
 _started = None  # the ORB, once there is one
 _deadline = None  # s, the deadline that it was given
 _starting = threading.RLock()
@@ -28,7 +29,7 @@ def start():
         if _started is None:
             _started = _make_orb()
             _deadline = lanes.session.timeout
-        elif _deadline != lanes.session.timeout:  # another command of rtsh, with a --timeout of its own
+        elif _deadline != lanes.session.timeout and not shared:  # another command of rtsh, with a --timeout of its own
             _deadline = lanes.session.timeout
             _set_deadline()
     return _started
@@ -37,9 +38,10 @@ def start():
 def _make_orb():
     CORBA = stubs.import_omniorb()
     arguments = ["rtshell_lite", "-ORBtraceLevel", "0", "-ORBverifyObjectExistsAndType", "0",
-                 "-ORBclientCallTimeOutPeriod", _milliseconds(lanes.session.timeout),
-                 "-ORBclientConnectTimeOutPeriod", _milliseconds(lanes.session.timeout),
                  "-ORBgiopMaxMsgSize", str(32 << 20)]
+    if not shared:
+        arguments += ["-ORBclientCallTimeOutPeriod", _milliseconds(lanes.session.timeout),
+                      "-ORBclientConnectTimeOutPeriod", _milliseconds(lanes.session.timeout)]
     own = [a for a in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if a]
     try:
         return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
@@ -119,7 +121,10 @@ def invoke(call):
     from omniORB import CORBA
     where, ref, operation, args, seconds = call.where, call.ref, call.operation, call.args, call.seconds
     longer = seconds if seconds and seconds > lanes.session.timeout else None
-    if longer:
+    if shared:
+        import omniORB
+        omniORB.setClientThreadCallTimeout(int(_milliseconds(longer or lanes.session.timeout)))
+    elif longer:
         import omniORB
         omniORB.setClientCallTimeout(ref, int(_milliseconds(longer)))
     try:

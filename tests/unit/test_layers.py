@@ -11,7 +11,7 @@ ONCE = "it reads the source: one Python is enough"
 
 # Files and packages of rtshell_lite import from those before them, never from those after them.
 ORDER = """__init__ start errors interrupts text files path idl_stubs corba options cli
-           robot data xmlprofile datalog system events views mount top doctor shell __main__ bin""".split()
+           robot data xmlprofile datalog system events views mount top doctor shell api __main__ bin""".split()
 OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only, like stubs
 PRINTING = ("bin", "__main__.py", "cli.py", "options.py", "system/reports.py")
 CATCH_ALL = ("cli.py", "corba/lanes.py", "corba/tasks.py", "corba/iiop/loop.py", "corba/iiop/server.py", "mount/asking.py",

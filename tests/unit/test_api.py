@@ -1,0 +1,178 @@
+"""rtshell_lite.api, as programs use it: if one of these fails, somebody's launch script does."""
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+
+import processes
+import worlds
+from rtshell_lite import api, errors
+
+ROOT = processes.ROOT
+DOCS = os.path.join(ROOT, "docs")
+PUBLIC = ["rtshell_lite.api", "rtshell_lite.xmlprofile.model", "rtshell_lite.xmlprofile.fields"]
+
+# What a host finds after it has used the library: its handlers, and its ORB with calls that may take as long as they like
+HOST = """
+import signal, sys, threading, time
+from omniORB import CORBA
+import CosNaming
+orb = CORBA.ORB_init(["host", "-ORBtraceLevel", "0"], CORBA.ORB_ID)
+before = signal.getsignal(signal.SIGINT)
+from rtshell_lite import api
+api.set_timeout(0.3)
+assert api.component(sys.argv[1]).state == "Inactive"
+from mock_components import asking
+assert asking.request(sys.argv[2], ["delay", "get_component_profile", "0.8"])[0]
+found = orb.string_to_object("corbaname::%s#test.host_cxt/ConsoleIn0.rtc" % sys.argv[1].split("/")[1])
+from rtshell_lite.idl_stubs.component import RTC
+assert found._narrow(RTC.RTObject).get_component_profile().instance_name == "ConsoleIn0"
+assert signal.getsignal(signal.SIGINT) is before and signal.default_int_handler is before
+print("as before")
+"""
+
+
+class World(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        worlds.start_name_server()
+        cls.world = worlds.World("console")
+        cls.home = "/127.0.0.1:%d/test.host_cxt/" % worlds.Server.port
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.world.close()
+        worlds.Server.stop()
+
+    def test_states_and_ports(self):
+        sink = api.component(self.home + "ConsoleOut0.rtc")
+        self.assertEqual(sink.state, "Inactive")
+        sink.activate(wait=10)
+        self.assertEqual(sink.state, "Active")
+        sink.deactivate(wait=10)
+        self.assertEqual([(port.path, port.type) for port in sink.ports()], [(sink.path + ":in", "DataInPort")])
+        with self.assertRaises(api.Error) as caught:
+            sink.activate(context=7)
+        self.assertEqual((caught.exception.where, caught.exception.status), (sink.path, 3))
+
+    def test_connections_and_values(self):
+        source, sink = (api.component(self.home + name) for name in ("ConsoleIn0.rtc", "ConsoleOut0.rtc"))
+        one, other = source.path + ":out", sink.path + ":in"
+        with api.connected(one, other, subscription_type="flush") as made:
+            self.assertEqual(source.ports()[0].connections, [made])
+        self.assertEqual(source.ports()[0].connections, [])
+        made = api.connect(one, other, **{"dataport.subscription_type": "new"})
+        self.assertEqual(api.disconnect(one, other), 1)
+        self.assertEqual(api.disconnect(one), 0)
+        sink.activate(wait=10)
+        api.send(other, 42)
+        self.assertIn("42", self.world.ctl("received", "ConsoleOut0:in", "1")[1])
+        sink.deactivate(wait=10)
+        with self.assertRaises(errors.Failed):
+            api.send(other, {"data": 42})
+
+    def test_values_come_until_the_generator_is_closed(self):
+        port = self.home + "ConsoleIn0.rtc:out"
+        came = []
+
+        def read():
+            came.append(api.next_value(port, timeout=worlds.LIMIT).data)
+        reader = threading.Thread(target=read)
+        reader.start()
+        number = 0
+        while reader.is_alive():
+            number += 1
+            self.world.ctl("write", "ConsoleIn0:out", str(number))
+        self.assertTrue(1 <= came[0] <= number)
+        self.assertEqual(api.component(self.home + "ConsoleIn0.rtc").ports()[0].connections, [])
+        with self.assertRaisesRegex(errors.Unreachable, "no value within 0.3s"):
+            api.next_value(port, timeout=0.3)
+
+    def test_systems(self):
+        with api.connected(self.home + "ConsoleIn0.rtc:out", self.home + "ConsoleOut0.rtc:in"), \
+                tempfile.TemporaryDirectory() as directory:
+            profile, path = api.capture(self.home), os.path.join(directory, "robot.rtsys")
+            api.dump_profile(profile, path)
+            again = api.load_profile(path)
+            self.assertEqual(again, profile)
+            self.assertEqual(api.check(again, "Inactive"), [])
+            api.disconnect(self.home + "ConsoleIn0.rtc:out")
+            self.assertEqual(len(api.check(again, "Inactive")), 1)
+            api.restore(again)
+            self.assertEqual(api.check(again, "Inactive"), [])
+            again.components[0].path_uri += ".gone"
+            with self.assertRaises(errors.NotFound):
+                api.restore(again)
+
+    def test_what_is_not_there(self):
+        for wait in 0, 0.3:
+            with self.assertRaises(errors.NotFound) as caught:
+                api.component(self.home + "Nobody0.rtc", wait=wait)
+            self.assertEqual(caught.exception.why, "no such path")
+        with self.assertRaises(errors.WrongKind):
+            api.component(self.home)
+        with self.assertRaises(errors.Usage):
+            api.connect(self.home + "ConsoleIn0.rtc", self.home + "ConsoleOut0.rtc:in")
+
+    def test_several_threads(self):
+        states = []
+
+        def ask(name):
+            states.append(api.component(self.home + name).state)
+        threads = [threading.Thread(target=ask, args=(name,)) for name in ("ConsoleIn0.rtc", "ConsoleOut1.rtc") * 4]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join(worlds.LIMIT)
+        self.assertEqual(states, ["Inactive"] * 8)
+        self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
+
+    def test_a_host_keeps_its_signals_and_deadlines(self):
+        done = subprocess.run([sys.executable, "-c", HOST, self.home + "ConsoleIn0.rtc", self.world.control],
+                              env=dict(worlds.ENVIRONMENT), stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.addCleanup(self.world.ctl, "reset")
+        self.assertEqual(done.stdout.decode(), "as before\n")
+
+
+class Documents(unittest.TestCase):
+    def test_the_example(self):
+        worlds.start_name_server()
+        worlds.Server.stop()
+        done = subprocess.run([sys.executable, os.path.join(DOCS, "example_test.py")], env=worlds.ENVIRONMENT,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.assertEqual(done.returncode, 0, done.stdout.decode())
+
+    def test_the_table_names_what_there_is(self):
+        import re
+        with open(os.path.join(DOCS, "library.md"), encoding="utf-8") as file:
+            named = set(re.findall(r"\bapi\.(\w+)", file.read()))
+        self.assertEqual(named - set(api.__all__), set())
+        self.assertEqual(set(api.__all__) - named - {"Component", "Port"}, set())
+
+
+class Types(unittest.TestCase):
+    """The stubs are true, and a program that is annotated can use them. (mypy is a developer's tool: .ci/run installs it.)"""
+
+    def mypy(self, *words):
+        tools = os.path.join(ROOT, ".venv-tools", "bin", "python")
+        for python in tools, sys.executable:
+            if os.path.exists(python) and not subprocess.call([python, "-c", "import mypy"], stderr=subprocess.DEVNULL):
+                with tempfile.TemporaryDirectory() as cache:
+                    done = subprocess.run([python, "-m"] + list(words), cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                          env=dict(os.environ, MYPYPATH=ROOT, PYTHONPATH=ROOT, MYPY_CACHE_DIR=cache))
+                self.assertEqual(done.returncode, 0, done.stdout.decode())
+                return
+        self.skipTest("needs mypy")
+
+    def test_stubs_are_true(self):
+        self.mypy("mypy.stubtest", "--ignore-missing-stub", "--concise", *PUBLIC)
+
+    def test_the_example_is_well_typed(self):
+        self.mypy("mypy", "--strict", "--follow-imports=silent", "--config-file", os.devnull, os.path.join(DOCS, "example_test.py"))
+
+
+if __name__ == "__main__":
+    unittest.main()
