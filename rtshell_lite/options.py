@@ -9,9 +9,11 @@ from rtshell_lite import __version__, errors, path, text
 FOREVER = float("inf")  # s
 
 EXIT_STATUSES = """exit status:
-  0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
-  4 the peer is dead, silent or garbled, 5 some succeeded and some failed, 6 the peer refused,
-  70 a bug in the tool, 130 Ctrl-C, 141 the reader of the output went away, 129 SIGHUP, 143 SIGTERM"""
+  0 done, 1 the answer is no or local work failed, 2 wrong usage,
+  3 no such path or not that kind of object, 4 the peer is dead, silent or
+  garbled, 5 some succeeded and some failed, 6 the peer refused,
+  70 a bug in the tool, 130 Ctrl-C, 141 the reader of the output went away,
+  129 SIGHUP, 143 SIGTERM"""
 
 
 # ---- reading it ----------------------------------------------------------------------------------------------
@@ -127,9 +129,29 @@ class _Version(argparse.Action):
         parser.exit()
 
 
+class _Help(argparse.RawDescriptionHelpFormatter):
+    """Wraps the paragraphs of docstrings, and entries with remarks beside them."""
+
+    def _fill_text(self, text, width, indent):
+        import textwrap
+        lines = []
+        for paragraph in text.split("\n\n"):
+            block = paragraph.split("\n")
+            for line in block if any(line.startswith(" ") for line in block) else [" ".join(block)]:
+                further = " " * (len(line) - len(line.lstrip()) + 2) if line.startswith(" ") else ""
+                if len(line) > width and re.search(r"\S {2,}\S", line):  # the remark goes below
+                    above, line = re.split(r"(?<=\S) {2,}", line, 1)
+                    further = " " * 8
+                    lines.append(above)
+                    line = further + line
+                lines += textwrap.wrap(line, width, subsequent_indent=further, break_on_hyphens=False, break_long_words=False)
+            lines.append("")
+        return "\n".join(lines[:-1])
+
+
 def _formatter(prog):
     # argparse makes a formatter for every option; without a width that imports shutil, 2 ms
-    return argparse.RawDescriptionHelpFormatter(prog, width=text.width() - 2)
+    return _Help(prog, width=text.width() - 2)
 
 
 def _default_timeout():

@@ -10,7 +10,7 @@ import sysconfig
 import zipfile
 
 import rtshell_lite
-from rtshell_lite import errors
+from rtshell_lite import errors, text
 
 PACKAGE = os.path.dirname(os.path.abspath(rtshell_lite.__file__))
 
@@ -76,9 +76,11 @@ def summary(source):
 
 def summaries():
     """A line for each command: its name and the first line of its help."""
+    import textwrap
     known = commands()
-    width = max(map(len, known))
-    return [f"  {name:{width}}  {summary(read(path))}" for name, path in sorted(known.items())]
+    size = max(map(len, known)) + 4
+    return [line for name, path in sorted(known.items()) for line in textwrap.wrap(
+        summary(read(path)), text.width() - 2, initial_indent=f"  {name}".ljust(size), subsequent_indent=" " * size)]
 
 
 def _in_wheel(archive):

@@ -13,6 +13,7 @@ SECTIONS = {
 SUMMARIES = {"README.md": "shell commands for robots built from OpenRTM-aist components",
              "README.ja.md": "OpenRTM-aist のコンポーネントで作られたロボットのためのシェルコマンド"}
 WIDEST = 76
+DATE = "2026-11-22"  # of the pages, in their heads
 
 
 def pages(readmes):
@@ -44,20 +45,35 @@ def _command_page(name, path):
     if details.strip():
         lines += [".SH DESCRIPTION"] + _paragraphs(details.strip("\n"))
     lines += [".SH OPTIONS"]
+    common = {(action.dest, action.help) for action in options.parser(lambda parser: None, "", name)._actions}
     for action in sorted(shown, key=lambda action: bool(action.option_strings)):
+        if (action.dest, action.help) in common:
+            continue  # rtshell_lite(7) has them
         lines += [".TP", _label(action), _text(parser._get_formatter()._expand_help(action))]
     if fields:
         lines += [".SH JSON"] + _entries(fields)
-    statuses = options.EXIT_STATUSES.partition("\n")[2]
     lines += [".SH EXAMPLES"] + _literal(examples.rstrip().split("\n"))
-    lines += [".SH EXIT STATUS"] + _paragraphs("\n".join(line.strip() for line in statuses.split("\n")))
-    lines += [".SH ENVIRONMENT", "See", ".BR rtshell_lite (7).", ".SH SEE ALSO", ".BR rtshell_lite (7)"]
-    return "\n".join(lines) + "\n"
+    lines += [".SH SEE ALSO", ".BR rtshell_lite (7):", "options of all commands, paths, exit statuses, environment"]
+    return _page(lines)
+
+
+def _page(lines):
+    """The text of a page: lines of at most 79 columns, where they may be broken, and no paragraph that begins a section."""
+    page, literal = [], False
+    for line in lines:
+        literal = line == ".nf" or literal and line != ".fi"
+        if line == ".PP" and page[-1].startswith(".SH "):
+            continue
+        if literal or line.startswith(".") or page[-1] == ".TP":
+            page.append(line)
+        else:
+            page += ["\\&" + part if part[0] in ".'" else part for part in re.findall(r"(?! ).{1,79}(?![^ ])|[^ ]+", line)]
+    return "\n".join(page) + "\n"
 
 
 def _header(name, section):
-    return '.\\" Written by python3 -m rtshell_lite.shell.documentation\n.TH %s %d "" "rtshell_lite %s" "rtshell_lite"\n.nh\n.ad l' % (
-        name.upper() if section == 1 else name, section, __version__)
+    return '.\\" Written by python3 -m rtshell_lite.shell.documentation\n.TH %s %d %s "rtshell_lite %s" "rtshell_lite"\n.nh\n.ad l' % (
+        name.upper(), section, DATE, __version__)
 
 
 def _argument(action):
@@ -104,7 +120,7 @@ def _overview(readme, text, commands):
     for title in titles:
         lines += [".SH " + title.upper()] + _markdown(parts[title])
     links = [f"\\fB{command}\\fR(1)" for command in sorted(commands)]
-    return "\n".join(lines + [".SH " + see_also, ", ".join(links)]) + "\n"
+    return _page(lines + [".SH " + see_also, ", ".join(links)])
 
 
 def _markdown(text):

@@ -55,6 +55,15 @@ def printed():
                     yield os.path.basename(path), commands, value
 
 
+class Help(unittest.TestCase):
+    def test_it_fits_into_80_columns(self):
+        environment = dict(os.environ, PYTHONPATH=ROOT, COLUMNS="80", PYTHONDONTWRITEBYTECODE="1", PYTHONIOENCODING="utf-8")
+        lines = [[os.path.join(ROOT, "bin", name), "--help"] for name in names("bin")]
+        for words in lines + [["-m", "rtshell_lite", "--help"], [os.path.join(ROOT, "bin", "rtsh"), "-c", "help"]]:
+            said = subprocess.check_output([sys.executable] + words, stdin=subprocess.DEVNULL, env=environment).decode("utf-8")
+            self.assertEqual([line for line in said.splitlines() if len(line) > 80], [], words)
+
+
 class Generated(unittest.TestCase):
     def test_up_to_date(self):
         """The pages in man/ and the rows of README.ja.md agree with docstrings, parsers and READMEs."""
@@ -108,6 +117,9 @@ class Pages(unittest.TestCase):
     def test_groff_has_nothing_to_say(self):
         """No warning, and no line of code that begins with a dot is lost."""
         pages = sorted(glob.glob(os.path.join(ROOT, "man", "**", "*.[17]"), recursive=True))
+        if shutil.which("mandoc"):
+            lint = subprocess.run(["mandoc", "-Tlint", "-Wwarning"] + pages, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            self.assertEqual(lint.stdout.decode(), "")
         for options, chosen in ([], [page for page in pages if "/ja/" not in page]), (["-K", "utf8"], pages):
             said = subprocess.run(["groff", "-man", "-ww", "-z", "-Tutf8"] + options + chosen, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT)
