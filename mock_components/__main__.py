@@ -40,7 +40,8 @@ def listed():
             if isinstance(node, ast.Assign) and node.targets[0].id == "WORLDS":  # {world.__name__: world for world in (…)}
                 yield from ((name.id, docs[name.id]) for name in node.value.generators[0].iter.elts)
             elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) and isinstance(node.value.args[0], ast.Dict):
-                yield from ((ast.literal_eval(name), docs[world.id]) for name, world in zip(node.value.args[0].keys, node.value.args[0].values))
+                named = node.value.args[0]
+                yield from ((ast.literal_eval(name), docs[world.id]) for name, world in zip(named.keys, named.values))
 
 
 class Options:

@@ -10,7 +10,7 @@ import sys
 from rtshell_lite import errors
 from rtshell_lite.corba import cdr, descriptors, idl, orb, stubs
 from rtshell_lite.data import type_json, values
-from rtshell_lite.text import from_wire, printable
+from rtshell_lite.text import printable
 
 STANDARD = ("RTC", "Img")  # modules of our own stubs
 SOURCES = "name its IDL file (--idl FILE) or compiled stubs (-m MODULE -p DIR)"

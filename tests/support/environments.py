@@ -10,6 +10,7 @@ import hashlib
 import os
 import re
 import shutil
+import socket
 import subprocess
 import sys
 import tempfile
@@ -45,6 +46,17 @@ def run(words, **keywords):
     if process.returncode:
         raise Failed("%s\n%s" % (" ".join(words), process.stdout.decode("utf-8", "replace").strip()))
     return process.stdout.decode().strip()
+
+
+def need_loopback():
+    """End with a message in a network namespace in which nothing can run."""
+    with socket.socket() as probe:
+        try:
+            probe.bind(("127.0.0.1", 0))
+            probe.listen(1)
+            socket.create_connection(probe.getsockname(), 5).close()
+        except OSError as e:
+            sys.exit("tests/run: 127.0.0.1 does not work here (%s); in a new network namespace: ip link set lo up" % e.strerror)
 
 
 # ---- Pythons ----

@@ -1,8 +1,9 @@
-"""Build the wheel, install it with omniORBpy in a private environment, run all tests against it.
+"""Build the wheel, install it with omniORBpy in a private environment, run the tests against it.
 
 Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a test failed or none ran.
 
-  tests/run                       all tests, on the Python that runs this
+  tests/run                       on the Python that runs this: each transcript under one shell, all test modules, of long ones a
+                                  part that changes from day to day (RTSHELL_SEED repeats another day's)
   tests/run rtls test_path        those whose name holds one of these words: tests/commands/rtls.t, tests/unit/test_path.py
   tests/run 'rtls.t (dash)'       one transcript under one shell
   tests/run --python 3.7 rtls     on another Python
@@ -30,6 +31,7 @@ import time
 import uuid
 import zlib
 
+import daily
 import environments
 import transcripts
 
@@ -44,7 +46,6 @@ TURNS, SHARE = ["3.7", "3.13"], 5  # the builtin ORB on a Python that has omniOR
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 DIRECTORIES = ("unit", "mocks", "commands", "faults")  # with what is run always
-PACKAGING = "commands/test_packaging"
 
 
 class Job:
@@ -73,8 +74,8 @@ def module_jobs(python, interpreter, commands, wheel, patterns, modules):
         environment["PATH"] = commands + os.pathsep + os.environ["PATH"]
 
     def job(module):
-        return Job("%s %s" % (python.version, module), lambda: run_module(module, interpreter, environment, patterns),
-                   says(module, "ALONE"))
+        return Job("%s %s" % (python.version, module), lambda: run_module(
+            module, interpreter, dict(environment, RTSHELL_PART=daily.part(module)), patterns), says(module, "ALONE"))
     return [job(module) for module in modules]
 
 
@@ -145,7 +146,7 @@ def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, acce
         return Job("%s %s" % (label, name), run, transcripts.says(path, "alone"))
     lacks_omniorb = not environments.fetch_omniorb(python)
     return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shell and [shell])
-            if not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
+            if shell in daily.shells(path) and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
             and not (in_matrix and not has_turn(python.version, shell, setting.orb, path))]
 
 
@@ -176,8 +177,14 @@ class Score:
     """The outcomes so far, which are printed as they come."""
 
     def __init__(self):
-        self.counts = {"pass": 0, "fail": 0, "skip": 0}
-        self.reasons = {}
+        self.counts, self.reasons = {"pass": 0, "fail": 0, "skip": 0}, {}
+        self.left, self.begun = 0, time.monotonic()
+
+    def progress(self):
+        """On a terminal, a line that the next one replaces."""
+        if sys.stdout.isatty():
+            text = "%d jobs left, %d s, %d failed" % (self.left, time.monotonic() - self.begun, self.counts["fail"])
+            print("\x1b[K" + text * bool(self.left), end="\r", flush=True)
 
     def add(self, label, outcomes, seconds=None):
         for line in [text for _, outcome, text in outcomes if outcome == "figures"]:
@@ -211,13 +218,16 @@ def run_jobs(jobs, score):
 
 def _run_some(jobs, lanes, score):
     waiting, finished = queue.Queue(), queue.Queue()
+    score.left += len(jobs)
     for job in jobs:
         waiting.put(job)
     for _ in range(lanes):
         threading.Thread(target=_work, args=(waiting, finished), daemon=True).start()
     for _ in jobs:
         job, outcomes, seconds = finished.get()
+        score.left -= 1
         score.add(job.label, outcomes, seconds)
+        score.progress()
 
 
 def _work(waiting, finished):
@@ -358,6 +368,8 @@ def main():
     if args.real:
         os.environ["RTSHELL_REAL"] = os.pathsep.join(map(os.path.abspath, args.real))
         os.environ["RTSHELL_ROUNDS"] = str(args.rounds)
+    daily.choose(args.pattern or args.all or args.long or args.real or args.compat or args.accept)
+    environments.need_loopback()
     marker, score = mark(), Score()
     held = environments.lock()
     try:

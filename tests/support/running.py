@@ -112,11 +112,14 @@ def together(function, cases, parallel=PARALLEL):
 
 
 def sample(cases, count, seed=1):
-    """Some of the cases, the same ones even when others come or go; all of them when RTSHELL_FAULTS is set."""
-    cases = list(cases)
+    """Some of the cases, the same ones even when others come or go; all of them when RTSHELL_FAULTS is set.
+
+    RTSHELL_SEED, the day in a run of all tests, chooses others.
+    """
+    cases, seed = list(cases), "%s%d" % (os.environ.get("RTSHELL_SEED", ""), seed)
     if THOROUGH or len(cases) <= count:
         return cases
-    ranks = [zlib.crc32(("%d %s" % (seed, case)).encode()) for case in cases]
+    ranks = [zlib.crc32(("%s %s" % (seed, case)).encode()) for case in cases]
     limit = sorted(ranks)[count - 1]
     return [case for case, rank in zip(cases, ranks) if rank <= limit]
 

@@ -1,5 +1,6 @@
 """The order of packages and other rules, checked in the source."""
 import ast
+import functools
 import os
 import re
 import sys
@@ -36,6 +37,17 @@ def source(path):
         return file.read()
 
 
+@functools.lru_cache(maxsize=None)
+def parsed(path):
+    return ast.parse(source(path))
+
+
+@functools.lru_cache(maxsize=None)
+def walk(tree):
+    """ast.walk as a list, made once: most rules look at every node."""
+    return list(ast.walk(tree))
+
+
 def place(path):
     """A file's place in ORDER; None for one that is not there."""
     name = "bin" if path.startswith("bin") else re.split(r"[/.]", path)[1]
@@ -50,9 +62,9 @@ def is_in(path, names):
 
 def imports(tree):
     """(dotted name, whether it is inside a function) of all imports of a module."""
-    inner = {node for function in ast.walk(tree) if isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef))
-             for node in ast.walk(function)}
-    for node in ast.walk(tree):
+    inner = {node for function in walk(tree) if isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef))
+             for node in walk(function)}
+    for node in walk(tree):
         if isinstance(node, ast.Import):
             yield from ((name.name, node in inner) for name in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -63,7 +75,7 @@ class Layers(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.paths = below("rtshell_lite") + below("bin")
-        cls.trees = {path: ast.parse(source(path)) for path in cls.paths}
+        cls.trees = {path: parsed(path) for path in cls.paths}
         cls.arrows = [(path, dotted, inside) for path in cls.paths for dotted, inside in imports(cls.trees[path])]
 
     def target(self, dotted):
@@ -123,7 +135,7 @@ class Rules(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         paths = [path for directory in ("rtshell_lite", "bin", "mock_components", "tests") for path in below(directory)]
-        cls.trees = {path: ast.parse(source(path)) for path in paths}
+        cls.trees = {path: parsed(path) for path in paths}
 
     def check(self, faults):
         """No file has a fault; faults(path, tree) gives line numbers."""
@@ -138,7 +150,7 @@ class Rules(unittest.TestCase):
 
     def test_no_shell_between(self):
         def faults(path, tree):
-            for node in ast.walk(tree):
+            for node in walk(tree):
                 if isinstance(node, ast.Call) and any(word.arg == "shell" for word in node.keywords):
                     yield node.lineno
                 elif isinstance(node, ast.Attribute) and node.attr in ("system", "popen") and \
@@ -148,7 +160,7 @@ class Rules(unittest.TestCase):
 
     def test_exceptions_are_named(self):
         def faults(path, tree):
-            for node in ast.walk(tree):
+            for node in walk(tree):
                 if isinstance(node, ast.ExceptHandler):
                     catch_all = node.type is not None and names(node.type) & {"Exception", "BaseException"}
                     free = path.startswith(("tests", "mock_components")) or is_in(path, CATCH_ALL)
@@ -163,12 +175,12 @@ class Rules(unittest.TestCase):
 
 
 def names(node):
-    return {inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name)}
+    return {inner.id for inner in walk(node) if isinstance(inner, ast.Name)}
 
 
 def calls(tree, functions):
     """Lines where one of these plain names is called."""
-    return [node.lineno for node in ast.walk(tree)
+    return [node.lineno for node in walk(tree)
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in functions]
 
 
