@@ -46,6 +46,7 @@ TURNS, SHARE = ["3.7", "3.13"], 5  # the builtin ORB on a Python that has omniOR
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 DIRECTORIES = ("unit", "mocks", "commands", "faults")  # with what is run always
+PACKAGING = "commands/test_packaging"
 
 
 class Job:
