@@ -30,6 +30,7 @@ import threading
 import time
 import zlib
 
+import daily
 import environments
 import leftovers
 import transcripts
@@ -80,7 +81,7 @@ def module_jobs(python, interpreter, commands, wheel, patterns, modules):
 
     def job(module):
         return Job("%s %s" % (python.version, module), lambda: run_module(
-            module, interpreter, dict(environment, RTSHELL_PART=part(module)), patterns), says(module, "ALONE"))
+            module, interpreter, dict(environment, RTSHELL_PART=daily.part(module)), patterns), says(module, "ALONE"))
     return [job(module) for module in modules]
 
 
@@ -157,8 +158,7 @@ def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, acce
         return Job("%s %s" % (label, name), run, transcripts.says(path, "alone"))
     lacks_omniorb = not environments.fetch_omniorb(python)
     return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shell and [shell])
-            if shell in shells_of_the_day(path)
-            and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
+            if shell in daily.shells(path) and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
             and not (in_matrix and not has_turn(python.version, shell, setting.orb, path))]
 
 
@@ -362,11 +362,7 @@ def main():
     if args.real:
         os.environ["RTSHELL_REAL"] = os.pathsep.join(map(os.path.abspath, args.real))
         os.environ["RTSHELL_ROUNDS"] = str(args.rounds)
-    if not (args.pattern or args.all or args.long or args.real or args.compat or args.accept):
-        os.environ.setdefault("RTSHELL_SEED", time.strftime("%Y%m%d"))
-        print(DAILY % os.environ["RTSHELL_SEED"], flush=True)
-    else:
-        os.environ.pop("RTSHELL_SEED", None)
+    daily.choose(args.pattern or args.all or args.long or args.real or args.compat or args.accept)
     environments.need_loopback()
     marker, score = leftovers.mark(), Score()
     held = environments.lock()

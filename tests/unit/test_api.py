@@ -28,7 +28,7 @@ assert api.component(sys.argv[1]).state == "Inactive"
 from mock_components import asking
 assert asking.request(sys.argv[2], ["delay", "get_component_profile", "0.8"])[0]
 found = orb.string_to_object("corbaname::%s#test.host_cxt/ConsoleIn0.rtc" % sys.argv[1].split("/")[1])
-from rtshell_lite.idl_stubs.component import RTC
+from mock_components.idl import RTC
 assert found._narrow(RTC.RTObject).get_component_profile().instance_name == "ConsoleIn0"
 assert signal.getsignal(signal.SIGINT) is before and signal.default_int_handler is before
 print("as before")
