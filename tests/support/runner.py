@@ -102,7 +102,7 @@ def run_module(module, python, environment, patterns):
         result = os.path.join(directory, "result")
         # Output goes to a file: a process that a test forgot would hold a pipe open.
         with open(os.path.join(directory, "output"), "w+", encoding="utf-8", errors="replace") as output:
-            process = subprocess.Popen([python, os.path.join(HERE, "report.py"), result, module] + patterns,
+            process = subprocess.Popen(leftovers.apart() + [python, os.path.join(HERE, "report.py"), result, module] + patterns,
                                        stdin=subprocess.PIPE, stdout=output, stderr=output, env=environment,
                                        cwd=directory, start_new_session=True)
             why = wait(process)
