@@ -14,7 +14,7 @@ loop = None  # calls of omniORB cannot be interrupted: threads make them
 
 HEEDED = None  # all settings of omniORB
 
-shared = False  # True: others in this process may use the ORB, too; deadlines are set for our threads only
+shared = False  # True: others in this process may use the ORB, too; deadlines are set for our references only
 _started = None  # the ORB, once there is one
 _deadline = None  # s, the deadline that it was given
 _starting = threading.RLock()
@@ -122,12 +122,9 @@ def invoke(call):
     from omniORB import CORBA
     where, ref, operation, args, seconds = call.where, call.ref, call.operation, call.args, call.seconds
     longer = seconds if seconds and seconds > lanes.session.timeout else None
-    if shared:
+    if longer or shared:
         import omniORB
-        omniORB.setClientThreadCallTimeout(int(_milliseconds(longer or lanes.session.timeout)))
-    elif longer:
-        import omniORB
-        omniORB.setClientCallTimeout(ref, int(_milliseconds(longer)))
+        omniORB.setClientCallTimeout(ref, int(_milliseconds(longer or lanes.session.timeout)))
     try:
         try:
             return answers.invoke(where, ref, operation, args)

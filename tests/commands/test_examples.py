@@ -251,8 +251,9 @@ for _command in commands():
 
 
 def indented():
-    """The indented lines of README.md, outside of its scripts."""
-    return re.findall(r"^    (\S.*)$", re.sub(r"```(?:.*\n)*?```", "", read("README.md")), re.MULTILINE)
+    """The indented lines of README.md and docs/reference.md, outside of scripts."""
+    text = read("README.md") + read(os.path.join("docs", "reference.md"))
+    return re.findall(r"^    (\S.*)$", re.sub(r"```(?:.*\n)*?```", "", text), re.MULTILINE)
 
 
 def readme_lines():
@@ -269,7 +270,7 @@ class Special(unittest.TestCase):
         self.assertEqual([line for line in indented() if line not in readme_lines() and not line.startswith(NO_COMMANDS)], [])
 
     def test_values(self):
-        """The values in README.md can be sent, as values of the types that they name."""
+        """The values in docs/reference.md can be sent, as values of the types that they name."""
         types = datatypes.Types().load()
         lines = [re.split("  +", line) for line in indented() if line.startswith(("RTC.", "{"))]
         found = [word for words in lines for word in words[:-1 if len(words) > 1 else None]]
@@ -359,6 +360,8 @@ class Tour(unittest.TestCase):
         with open(python, "w") as file:
             file.write('#!/bin/sh\n[ "$1 $2" = "-m pip" ] || exec "%s" "$@"\n' % sys.executable)
         os.chmod(python, 0o755)
+        with open(os.path.join(top, ".venv-tour", "made-from"), "w") as file:
+            print(sys.base_prefix, *sys.version_info[:3], file=file)
         for package in os.path.join(processes.ROOT, "mock_components"), os.path.dirname(rtshell_lite.__file__):
             os.symlink(package, os.path.join(top, os.path.basename(package)))
         environment = dict(worlds.ENVIRONMENT, PATH=worlds.COMMANDS + os.pathsep + os.environ["PATH"], PYTHON=sys.executable,
