@@ -310,9 +310,11 @@ Help holds what the command is for, its examples, and the exit statuses.
     rtls -l | awk '$1 == "Error"'      components in trouble
 
   exit status:
-    0 done, 1 the answer is no or local work failed, 2 wrong usage, 3 no such path or not that kind of object,
-    4 the peer is dead, silent or garbled, 5 some succeeded and some failed, 6 the peer refused,
-    70 a bug in the tool, 130 Ctrl-C, 141 the reader of the output went away, 129 SIGHUP, 143 SIGTERM
+    0 done, 1 the answer is no or local work failed, 2 wrong usage,
+    3 no such path or not that kind of object, 4 the peer is dead, silent or
+    garbled, 5 some succeeded and some failed, 6 the peer refused,
+    70 a bug in the tool, 130 Ctrl-C, 141 the reader of the output went away,
+    129 SIGHUP, 143 SIGTERM
   $ rtls -h | grep -o '^  --*[a-zR0-9]*' | tr -d '\n'; echo
     -l  -R  -0  --json  -v  -q  --timeout  --version  -h
 

@@ -26,10 +26,10 @@ from rtshell_lite import api
 api.set_timeout(0.3)
 assert api.component(sys.argv[1]).state == "Inactive"
 from mock_components import asking
-assert asking.request(sys.argv[2], ["delay", "get_component_profile", "0.8"])[0]
+assert asking.request(sys.argv[2], ["delay", "_non_existent", "0.8"])[0]
 found = orb.string_to_object("corbaname::%s#test.host_cxt/ConsoleIn0.rtc" % sys.argv[1].split("/")[1])
-from mock_components.idl import RTC
-assert found._narrow(RTC.RTObject).get_component_profile().instance_name == "ConsoleIn0"
+begun = time.monotonic()
+assert not found._non_existent() and time.monotonic() - begun > 0.7
 assert signal.getsignal(signal.SIGINT) is before and signal.default_int_handler is before
 print("as before")
 """
