@@ -33,11 +33,15 @@ def lack(shortage):
 def _files():
     taken = []
     try:
+        import resource
+        most = resource.getrlimit(resource.RLIMIT_NOFILE)[0]
+    except ImportError:  # Debian's python3-minimal lacks it, or there is no file left to import it
+        most = "their limit"
+    try:
         for _ in range(FILES):
             taken.append(os.dup(2))
     except OSError as e:
-        import resource  # which Debian's python3-minimal lacks
-        return f"{os.strerror(e.errno)}, at {resource.getrlimit(resource.RLIMIT_NOFILE)[0]}"
+        return f"{os.strerror(e.errno)}, at {most}"
     finally:
         for descriptor in taken:
             os.close(descriptor)

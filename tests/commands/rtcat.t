@@ -316,7 +316,8 @@ The common options:
   $ rtcat --help | sed -n '/^examples/,/^$/p'
   examples:
     rtcat ConsoleIn0.rtc
-    rtcat -ll ConsoleIn0.rtc:out             a port, its connections and their properties
+    rtcat -ll ConsoleIn0.rtc:out
+          a port, its connections and their properties
     rtcat --json ConsoleIn0.rtc
    (esc)
   $ rtcat -h | grep -o '^  --*[a-zR0-9]*' | tr -d '\n'; echo

@@ -102,7 +102,7 @@ A name that is no directory says so in the same spelling; so does a near miss.
   rtls: /localhost:$PORT/test.host_cxt/sl: no such path
   [3]
   $ rtls 'co:lon.rtc'
-  rtls: /localhost:$PORT/test.host_cxt/co:lon.rtc: not a directory or component (it is a port; rtcat shows it)
+  rtls: /localhost:$PORT/test.host_cxt/co: no such path
   [3]
 
 JSON is ASCII whatever the name, and so can be read anywhere.

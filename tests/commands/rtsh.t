@@ -99,8 +99,8 @@ help lists the commands, and helps with one:
   $ rtsh -c help | grep -e commands -e rtact -e cd -e exit; rtsh -c 'help pwd' | head -1; rtsh -c 'help nothing'
   commands, with or without rt; help COMMAND says more:
     rtact        Activate components.
-    rtexit       Make components exit: they are finalised and leave the name server by themselves.
-    rtsh         Run many commands in one process, with open connections: from the keyboard, a file, a pipe, or -c.
+    rtexit       Make components exit: they are finalised and leave the name
+    rtsh         Run many commands in one process, with open connections: from
     cd  changes the working directory, as rtcwd does
     exit [STATUS]  ends rtsh
   usage: rtpwd [--json] [-v] [-q] [--timeout SECONDS] [--version] [-h]

@@ -99,7 +99,7 @@ class Answers(Target):
     def prepare(self):
         self.recorded = [(name, message) for _, name, _, message in fuzz_replies.load()]
         self.operations = {name: operations.operation(next(
-            (interface for interface, (_, _, own) in operations.idl.INTERFACES.items() if name in own), ""), name)
+            (interface for interface, (_, own) in operations.idl.INTERFACES.items() if name in own), ""), name)
             for name, _ in self.recorded}
         self.seeds = [message for _, message in self.recorded]
 
