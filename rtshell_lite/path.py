@@ -10,7 +10,7 @@ import os
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.text import is_plain, printable, unescaped
+from rtshell_lite.text import is_plain, printable, typed, unescaped
 
 DEFAULT_PORT = 2809
 SCHEMES = "http://", "https://", "ws://", "wss://"  # name servers behind HTTP: the rest of the path follows a '#'
@@ -92,9 +92,9 @@ def parse(text, cwd=None):
 
     An empty path is the working directory, as for rtshell.
     """
-    elements = _elements(text or ".")
+    elements = _elements(typed(text) or ".")
     if not text.startswith("/"):
-        elements = _elements(_working_directory(cwd)) + elements
+        elements = _elements(typed(_working_directory(cwd))) + elements
     directory = elements[-1] in ("", ".", "..")
     resolved = []
     for element in elements:

@@ -26,6 +26,14 @@ def from_wire(s):
         return s
 
 
+def typed(s):
+    """A word of a command line as text. Before Python 3.7, the C locale leaves it bytes, as surrogate escapes."""
+    try:
+        return s if _is_ascii(s) else s.encode("utf-8", "surrogateescape").decode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:  # other surrogates, which no command line has
+        return s
+
+
 def to_wire(s):
     """Turn text into the string that a peer expects: the reverse of `from_wire`. Raises Usage for a lone surrogate."""
     if _is_ascii(s):

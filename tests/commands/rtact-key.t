@@ -1,6 +1,7 @@
 A component may be bound under another reference than the one that its execution contexts know: by its key, or with a
 rewritten address. Its contexts take such a reference for a stranger's. The commands find the right one.
 
+orb: omniorb
 world: two
 
   $ endpoint=$(rtcat -ll ConsoleIn0.rtc | sed -n 's/^ *corba.endpoints  *//p')

@@ -110,7 +110,7 @@ A component without the service, or none, or none that answers:
   [6]
   $ ctl fail get_current_state 1 TRANSIENT
   $ rtfsm Microwave0.rtc getstate
-  rtfsm: /localhost:$PORT/test.host_cxt/Microwave0.rtc: connection refused
+  rtfsm: /localhost:\$PORT/test.host_cxt/Microwave0.rtc: (connection refused|cannot be reached now \(TRANSIENT_ConnectFailed\)) (re)
   [4]
 
 The file:

@@ -28,9 +28,6 @@ Wrong usage and what cannot be mounted; each is reported before rtmount returns,
   $ mkdir m; RTSHELL_ORB=nonsense rtmount m
   rtmount: RTSHELL_ORB: nonsense: neither omniorb nor builtin (see --help)
   [2]
-  $ RTSHELL_ORB=omniorb RTCTREE_ORB_ARGS=-ORBnonsense rtmount m
-  rtmount: RTCTREE_ORB_ARGS: -ORBnonsense: not understood by omniORB (INITIALIZE_InvalidORBInitArgs) (see --help)
-  [2]
   $ rtmount m; rtmount m; rtmount -u m; rtmount -u m
   rtmount: $TMP/m: an RTC Tree is mounted there already
   rtmount: $TMP/m: no RTC Tree is mounted there

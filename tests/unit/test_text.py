@@ -12,6 +12,11 @@ def hostile(rng, most=12):
 
 
 class Wire(unittest.TestCase):
+    def test_bytes_of_a_command_line_are_utf_8(self):
+        """Python 3.6 leaves them undecoded in the C locale."""
+        self.assertEqual(text.typed("\udce6\udc97\udca5.rtc"), "日.rtc")
+        self.assertEqual([text.typed(s) for s in ("a", "日", "bad\udcff", "\ud800")], ["a", "日", "bad\udcff", "\ud800"])
+
     def test_every_byte_string_comes_back_as_it_was(self):
         rng = random.Random(1)
         for _ in range(5000):
