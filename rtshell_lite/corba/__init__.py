@@ -1,7 +1,7 @@
 """The seam to the ORB: the packages above pass and get plain values, and see an errors.Error for each failure.
 
 lanes      deadlines, and many calls at once, without an ORB: a silent process costs one timeout; tasks are functions that need not
-           block a thread
+           block a thread; pool starts functions one by one
 orb        the door: references (their address, identity, endpoint), calls with a deadline, exceptions as errors, properties
 omni       omniORB behind it; answers looks at what peers send before omniORB makes objects of it, stubs makes its classes
 iiop/      our own ORB behind it, in Python: client, which orb.py sees; loop, calls, connections; server; what they send

@@ -3,7 +3,7 @@ import collections
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import lanes, orb, pool
 from rtshell_lite.robot import component, ports
 from rtshell_lite.system import capture, plan, sites, steps
 from rtshell_lite.text import printable
@@ -32,7 +32,7 @@ class Run:
         self.wait = wait or lanes.session.timeout
         self._found = {}  # for each component of the profile, by its id(): (node, _Contexts or None) or an error
         self._asked = set()  # numbers of the actions whose component may have been asked to change
-        self._calls = lanes.Calls()
+        self._calls = pool.Calls()
         self._schedule = plan.Schedule(actions, transition.target)
 
     # ---- before anything is changed ----
@@ -156,7 +156,7 @@ class Run:
             else:
                 self._end(Result(action, plan.NOT_TRIED, errors.NotTried(action.path, "interrupted")))
 
-    # ---- one action, on a thread of lanes.Calls ----
+    # ---- one action, on a thread of pool.Calls ----
 
     def _change(self, action, node, contexts):
         """Take a component through the transition, and return the Result."""

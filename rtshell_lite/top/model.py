@@ -8,7 +8,7 @@ import threading
 import time
 
 from rtshell_lite import errors, path as paths
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import lanes, orb, pool
 from rtshell_lite.robot import component, places, snapshot, tree
 from rtshell_lite.top.rows import Row
 from rtshell_lite.views import describe
@@ -108,7 +108,7 @@ class Top:
         self._ended = threading.Event()
         self._lock = threading.Lock()
         self._gate = threading.Semaphore(DOUBTFUL)
-        self._calls = lanes.Calls()
+        self._calls = pool.Calls()
         self._tops = list(collections.OrderedDict.fromkeys(_each_server(tops)))
         self._found = {}  # by top: {path: identity of a component}
         self._failed = {}  # by top: {path: errors.Error} of what cannot be listed

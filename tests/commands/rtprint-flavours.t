@@ -84,7 +84,7 @@ Values of 10 MB, pushed and fetched, shown and recorded:
   3 values
   $ rtprint --stats --pull -n 3 ../big.host_cxt/Source0.rtc:block | sed 's/.*all: //; s/, .*//'
   3 values
-  $ rtprint -n 1 ../big.host_cxt/Source0.rtc:block | wc -c
+  $ rtprint -n 1 ../big.host_cxt/Source0.rtc:block 2>/dev/null | wc -c
   30000025
   $ rtprint --json -n 1 ../big.host_cxt/Source0.rtc:block | awk '{ print int(length($0) / 1000) }'
   13333

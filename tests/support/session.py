@@ -78,7 +78,8 @@ def surroundings(top, home, commands, orb):
     plays = [name[5:].replace("_", "-") for name in globals() if name.startswith("play_")]
     for name in plays:
         write_tool(os.path.join(tools, name), '"%s" "%s" %s' % (sys.executable, os.path.abspath(__file__), name))
-    environment = {"HOME": home, "TMP": home, "TMPDIR": home, "SESSION": top, "LC_ALL": "C", "TERM": "xterm",
+    is_old = commands and os.path.isdir(os.path.join(os.path.dirname(commands), "lib", "python3.6"))  # it takes the C locale for ASCII
+    environment = {"HOME": home, "TMP": home, "TMPDIR": home, "SESSION": top, "LC_ALL": "C.UTF-8" if is_old else "C", "TERM": "xterm",
                    "RTSHELL_TESTS": os.environ.get("RTSHELL_TESTS", "")}  # how tests/run finds what was left behind
     if orb:
         environment["RTSHELL_ORB"] = orb

@@ -4,7 +4,7 @@ import time
 import unittest
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes
+from rtshell_lite.corba import lanes, pool
 
 
 class Crowd:
@@ -209,7 +209,7 @@ class Gather(unittest.TestCase):
 
 class Calls(unittest.TestCase):
     def ended(self, function):
-        calls = lanes.Calls()
+        calls = pool.Calls()
         calls.start("p", "key", function)
         return calls.ended(5)
 
@@ -222,7 +222,7 @@ class Calls(unittest.TestCase):
         self.assertEqual(self.ended(refuse), ("key", refused))
         with self.assertRaises(KeyError):
             self.ended(lambda: {}["x"])
-        self.assertIsNone(lanes.Calls().ended(0))
+        self.assertIsNone(pool.Calls().ended(0))
 
 
 if __name__ == "__main__":

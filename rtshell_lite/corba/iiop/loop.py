@@ -182,8 +182,7 @@ class _Loop:
         if now - self._checked >= self._tick:
             self._checked = now
             self._give_up(now)
-        if lanes.in_lane():
-            lanes.alive()
+        lanes.still_waiting()
 
     def _begin(self, peer):
         """Begin jobs of a process, up to their first calls."""
