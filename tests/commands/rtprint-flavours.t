@@ -86,7 +86,7 @@ Values of 10 MB, pushed and fetched, shown and recorded:
   3 values
   $ rtprint -n 1 ../big.host_cxt/Source0.rtc:block 2>/dev/null | wc -c
   30000025
-  $ rtprint --json -n 1 ../big.host_cxt/Source0.rtc:block | awk '{ print int(length($0) / 1000) }'
+  $ rtprint --json -n 1 ../big.host_cxt/Source0.rtc:block 2>/dev/null | awk '{ print int(length($0) / 1000) }'
   13333
   $ rtlog -q -i -e 3 -f big.rtlog ../big.host_cxt/Source0.rtc:block; rtlog --json -f big.rtlog | awk '{ print int(length($0) / 1000) }'
   13333

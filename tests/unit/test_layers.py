@@ -15,7 +15,7 @@ ORDER = """__init__ start errors interrupts text files path idl_stubs corba opti
            robot data xmlprofile datalog system events views mount top doctor shell api __main__ bin""".split()
 OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only, like stubs
 PRINTING = ("bin", "__main__.py", "cli.py", "options.py", "system/reports.py")
-CATCH_ALL = ("cli.py", "corba/lanes.py", "corba/tasks.py", "corba/iiop/loop.py", "corba/iiop/server.py", "mount/asking.py",
+CATCH_ALL = ("cli.py", "corba/lanes.py", "corba/pool.py", "corba/tasks.py", "corba/iiop/loop.py", "corba/iiop/server.py", "mount/asking.py",
              "mount/server.py", "mount/streams.py")
 LONGEST = 400
 
