@@ -141,6 +141,3 @@ Out of what a process needs here: nobody else is to blame:
   $ (ulimit -n 16; doctor -q)
   fail  here: out of files here (Too many open files, at 16): nothing can be judged; try: raise the limit in this shell (ulimit -n 1024), or end what uses so many files here
   [1]
-  $ (ulimit -v 80000; doctor -q)
-  fail  here: out of threads here (can't start new thread): nothing can be judged; try: raise the limit in this shell (ulimit -u, ulimit -v), or end what uses so many threads here
-  [1]

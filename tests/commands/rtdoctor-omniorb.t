@@ -12,6 +12,12 @@ orb: omniorb
   ok    here: settings of omniORB that break nothing: RTCTREE_ORB_ARGS
   ok    /localhost:$PORT: answers (name * ms, TCP * ms, CORBA * ms, naming * ms) (glob)
 
+It needs threads:
+
+  $ (ulimit -v 80000; rtdoctor -q)
+  fail  here: out of threads here (can't start new thread): nothing can be judged; try: raise the limit in this shell (ulimit -u, ulimit -v), or end what uses so many threads here
+  [1]
+
 When omniORB cannot be started, that is all that can be said:
 
   $ RTCTREE_ORB_ARGS="-ORBnonsense 1" doctor
