@@ -133,6 +133,27 @@ class Loop(unittest.TestCase):
         self.assertIn(silent.ref.address[1:3], lanes.session.silent)
         self.assertIsInstance(self.run_tasks((silent.ref, ask_silent))[0], errors.Silent)  # not asked again so soon
 
+    def test_a_process_that_hangs_after_some_answers_costs_one_timeout(self):
+        """Answers that came while a request waited for its turn are no sign of life after it was sent."""
+        lanes.session = lanes.Session(0.5)
+        hung = [False]
+
+        def play(pending):
+            if not pending or hung[0]:
+                return None
+            hung[0] = True
+            return answer(pending[0][0])
+
+        peer = self.script(play)
+
+        async def ask():
+            return await orb.Call("w", peer.ref, "_non_existent")
+
+        start = time.monotonic()
+        values = self.run_tasks(*[(peer.ref, ask)] * 100)
+        self.assertLess(time.monotonic() - start, 0.95)
+        self.assertEqual([type(value) for value in values], [bool] + [errors.Silent] * 99)
+
     def test_the_end_of_the_session(self):
         peer = self.script(lambda pending: None)
         lanes.session.end = time.monotonic() + 0.2

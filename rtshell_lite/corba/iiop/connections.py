@@ -170,7 +170,7 @@ class Connection:
                     self._take(piece, found)
                 else:
                     self._end = Closed()
-                if 0 < len(piece) < PIECE:
+                if found or 0 < len(piece) < PIECE:  # who sends without end does not keep us here
                     return found
                 may_wait = False
         except BlockingIOError:

@@ -81,7 +81,7 @@ class _Task:
 
     def __init__(self, loop, peer, number, coroutine):
         self.loop, self.peer, self.number, self.coroutine = loop, peer, number, coroutine
-        self.since = time.monotonic()  # of its last call, or its beginning
+        self.since, self.request = time.monotonic(), None  # of its last call, or its beginning; that call
 
     def go_on(self, value=None, error=None):
         """Run it up to its next call, or its end."""
@@ -92,15 +92,20 @@ class _Task:
                 return self._end(end.value)
             except Exception as e:
                 if isinstance(e, errors.Silent) and e.why != lanes.NO_TIME:
-                    self.peer.fall_silent(e.why, self.since)
+                    self.peer.fall_silent(e.why, self._sent())
                 return self._end(lanes.alone(e))
             if isinstance(awaited, tasks.Sleep):
                 return self.loop.wake(self, awaited.seconds)
-            self.since, request = time.monotonic(), calls.Request(awaited, self.go_on)
+            self.since, self.request = time.monotonic(), calls.Request(awaited, self.go_on)
+            request = self.request
             silence = self._elsewhere(request)
             if not silence:
                 return self.loop.submit(request)
             value, error = None, errors.Unreachable(str(awaited.where), silence)
+
+    def _sent(self):
+        """When its last call was sent: answers that came while it waited for its turn do not show that the process lives."""
+        return self.request and self.request.sent or self.since
 
     def _elsewhere(self, request):
         """Prepare a request to another process than that of the job; why that is not to be asked, or None."""
@@ -111,7 +116,7 @@ class _Task:
         def answered(value, error):
             if isinstance(error, errors.Silent):  # which says nothing about the process of this job
                 if error.why != lanes.NO_TIME:
-                    peer.fall_silent(error.why, request.sent or self.since)
+                    peer.fall_silent(error.why, self._sent())
                 error = errors.Unreachable(*error.args)
             self.go_on(value, error)
         request.resume = answered
@@ -310,11 +315,12 @@ class _Loop:
                 failed, why = peer.connection.give_up_all(), lanes.NO_TIME
             else:
                 failed, why = peer.overdue(now), None
-            if peer.silence or lanes.is_over():
-                failed += peer.waiting
-                peer.waiting.clear()
             if not peer.connection.requests:
                 self._asked.discard(peer)
             self.have_changed.add(peer)
             for request in failed:
                 request.resume(None, errors.Silent(str(request.call.where), why or lanes.no_answer(request.seconds)))
+            if peer.silence or lanes.is_over():  # as those may have shown
+                failed, peer.waiting = peer.waiting, collections.deque()
+                for request in failed:
+                    request.resume(None, errors.Silent(str(request.call.where), peer.silence or lanes.NO_TIME))
