@@ -22,10 +22,10 @@ class Peer:
     def _serve(self):
         while True:
             try:
-                connection, _ = self.listening.accept()
+                self.connection, _ = self.listening.accept()
             except OSError:
                 return
-            with connection:
+            with self.connection as connection:
                 for self.last in iter(lambda: connection.recv(65536), b""):
                     self.asked += 1
                     answer = self.answers.pop(0) if self.answers else b""

@@ -1,4 +1,5 @@
 """Our own ORB: what it writes is what omniORB reads, and the other way round; nothing that a peer sends costs more than one line."""
+import select
 import socket
 import struct
 import time
@@ -8,7 +9,7 @@ import worlds
 from giop_peers import CLOSE, Peer, answer
 from rtshell_lite import errors
 from rtshell_lite.corba import descriptors, idl, lanes, orb
-from rtshell_lite.corba.iiop import client, giop, marshal, operations, references
+from rtshell_lite.corba.iiop import client, connections, giop, marshal, operations, references
 
 try:
     import omniORB
@@ -109,6 +110,29 @@ class Calls(unittest.TestCase):
             with self.assertRaises(errors.Unreachable) as caught:
                 self.ask(*answers)
             self.assertEqual(caught.exception.why, "connection lost")
+
+    def test_a_process_that_was_started_again(self):
+        """What changes something is not sent into the connection that has ended, and cannot be sent twice."""
+        self.peer = Peer(answer(1, bytes(4)), answer(1, bytes(4)))
+        self.addCleanup(self.peer.close)
+        ref = client.narrow(client.from_url("w", f"corbaloc::127.0.0.1:{self.peer.port}/x"), "component.RTC.RTObject")
+        exit_it = orb.Call("w", ref, "exit")
+        client.invoke(exit_it)
+        connection, = connections._idle[ref.address[1:3]]
+        self.peer.connection.shutdown(socket.SHUT_RDWR)
+        select.select([connection.wanted()[0]], [], [], 5)
+        self.assertEqual(str(client.invoke(exit_it)), "RTC_OK")
+
+    def test_connections_that_peers_have_closed_are_not_kept(self):
+        self.ask(answer(1))
+        endpoint = ("127.0.0.1", self.peer.port)
+        connections._sweep()
+        connection, = connections._idle[endpoint]
+        self.peer.connection.shutdown(socket.SHUT_RDWR)
+        select.select([connection.wanted()[0]], [], [], 5)
+        connections._sweep()
+        self.assertNotIn(endpoint, connections._idle)
+        self.assertIsNone(connection.wanted()[0])
 
     def test_garbage(self):
         for bad in (b"HTTP/1.1 400 Bad Request\r\n\r\n", answer(2), answer(1, b""), b"GIOP\1\2\1\6" + bytes(4), answer(1, status=9),

@@ -1,6 +1,7 @@
 """Connections to processes. Nothing here waits, but `replies` where it is told to, for a moment; what comes is bounded."""
 import _socket  # which `socket` is made of: that one takes long to import
 import errno
+import functools
 import itertools
 import os
 import select
@@ -12,7 +13,9 @@ from rtshell_lite.corba.iiop import giop
 
 PIECE = 16384  # octets received at a time: buffers of more are slow to allocate
 _AT_ONCE = _socket.MSG_DONTWAIT
+SWEEP = 10.0  # seconds between two looks for idle connections that the peer has closed
 _idle = {}  # {endpoint: [Connection]} for the next calls, at most one for each lane
+_swept = time.monotonic()
 
 
 class Closed(Exception):
@@ -24,12 +27,29 @@ class Closed(Exception):
 
 
 def kept(endpoint):
-    """A connection that an earlier call has left, or None."""
+    """A connection that an earlier call has left and the peer has not closed, or None."""
     waiting = _idle.get(endpoint)
     try:
-        return waiting.pop() if waiting else None
+        while waiting:
+            connection = waiting.pop()
+            if connection.is_idle():
+                return connection
+            connection.close()
     except IndexError:  # another thread was faster
-        return None
+        pass
+    return None
+
+
+def _sweep():
+    """Close what the peers have closed: a process that is started again has another port, and this one is never asked for again."""
+    global _swept
+    _swept = time.monotonic()
+    for endpoint in list(_idle):
+        still_open = list(iter(functools.partial(kept, endpoint), None))
+        if still_open:
+            _idle[endpoint] = still_open
+        else:
+            _idle.pop(endpoint, None)
 
 
 class Connection:
@@ -225,6 +245,16 @@ class Connection:
 
     # ---- ending ----
 
+    def is_idle(self):
+        """True while nothing has come that nobody asked for, such as the end: then what is sent would be lost."""
+        try:
+            self._socket.recv(1, _AT_ONCE | _socket.MSG_PEEK)
+        except BlockingIOError:
+            return True
+        except OSError:
+            pass
+        return False
+
     def leave(self):
         """Keep it for the next call to its process, or close it."""
         waiting = _idle.setdefault(self.endpoint, [])
@@ -233,6 +263,8 @@ class Connection:
             waiting.append(self)
         else:
             self.close()
+        if time.monotonic() - _swept > SWEEP:
+            _sweep()
 
     def close(self):
         """Close it."""
