@@ -49,6 +49,8 @@ def parsed(type_id, profiles):
             if tag == IIOP:
                 ulong, ushort = _LITTLE if profile[0] & 1 else _BIG
                 end = 8 + ulong(profile, 4)[0]  # of the host, after the version
+                if end > len(profile):  # no place for unpack on a 32-bit system
+                    raise IndexError
                 at = (end + 3 & ~1) + 3 & ~3  # after the port
                 size = ulong(profile, at)[0]
                 if at + 4 + size > len(profile):

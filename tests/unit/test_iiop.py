@@ -8,7 +8,7 @@ import unittest
 import worlds
 from giop_peers import CLOSE, Peer, answer
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, idl, lanes, orb
+from rtshell_lite.corba import descriptors, fixed_size, idl, lanes, orb
 from rtshell_lite.corba.iiop import client, connections, giop, marshal, operations, references
 
 try:
@@ -204,6 +204,13 @@ class Calls(unittest.TestCase):
             data = struct.pack("<I", len(type_id)) + type_id + bytes(-len(type_id) % 4) + struct.pack("<III", 1, 0, 4) + b"\1\1\2\0"
             with self.assertRaises(ValueError):
                 marshal.Maker("<").reader((descriptors.OBJECT, "", ""))(data, 0)
+
+    def test_sizes_that_a_32_bit_system_cannot_add_to_a_place(self):
+        """There, unpack_from raises OverflowError for a place beyond 2 GiB, as it does beyond 8 EiB here."""
+        read = marshal.Maker("<").reader((descriptors.OBJECT, "", ""))
+        for words in ((0xfffffff0, 1, 0, 4), (1, 0, 2, 0, 0xfffffff0, 0, 4)):
+            with self.assertRaises(fixed_size.Fault):
+                read(struct.pack("<%dI" % len(words), *words), 0)
 
     def test_nothing_is_kept_of_a_failure(self):
         type_id = b"IDL:omg.org/CORBA/NO_PERMISSION:1.0\0"

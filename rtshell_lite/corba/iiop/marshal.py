@@ -125,6 +125,8 @@ class Maker(cdr.Maker):
         def read(data, at):
             at += -at & 3
             start, end = at + 4, at + 4 + unpack(data, at)[0]
+            if end > len(data):  # no place for unpack on a 32-bit system
+                raise Fault("a reference longer than it can be")
             at = end + (-end & 3)
             type_id, count, at = data[start:end], unpack(data, at)[0], at + 4
             if count > ior.MOST_PROFILES:
@@ -134,9 +136,9 @@ class Maker(cdr.Maker):
                 at += -at & 3
                 tag, size = pair(data, at)
                 at += 8 + size
+                if at > len(data):
+                    raise Fault("a reference longer than it can be")
                 profiles.append((tag, data[at - size:at]))
-            if at > len(data):
-                raise Fault("a reference longer than it can be")
             if not profiles:
                 return None, at
             ior.check(type_id, profiles)  # other ORBs may end from what it refuses, if that were sent on
