@@ -221,9 +221,13 @@ def _working_directory():
 
 # ---- rtmount --------------------------------------------------------------------------------------------------
 
+def _is_stale(place):
+    return lanes.aside(("mount", place), printable(place), lambda: kernel.is_stale(place))
+
+
 def _mounts():
     """Mounted RTC Trees whose rtmount has been killed; one that is stopped answers nobody."""
     places = kernel.mounted()
-    answers = lanes.each(places, kernel.is_stale, lambda place: (("mount", place), printable(place)))
+    answers = lanes.each(places, _is_stale, lambda place: (("mount", place), printable(place)))
     return [warn("mount", HERE, f"{printable(place)} is a mount of an rtmount that has been killed", remedies.command(
         "unmount", directory=place)) for place, stale in zip(places, answers) if stale is True]

@@ -2,14 +2,27 @@
 import glob
 import os
 import re
+import threading
 import unittest
 from unittest import mock
 
+import worlds
 from rtshell_lite import errors, path
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import lanes, orb
 from rtshell_lite.doctor import components, connections, here, profile, rates, remedies, servers, started, waiting
 from rtshell_lite.robot import component, places, ports, snapshot, tree
 from rtshell_lite.xmlprofile import model
+
+
+class Mounts(unittest.TestCase):
+    def test_a_stopped_rtmount_does_not_hold_the_main_thread(self):
+        """Where the ORB needs no threads, too: nothing interrupts the kernel's question."""
+        stopped = threading.Event()
+        self.addCleanup(stopped.set)
+        with mock.patch.object(lanes, "session", lanes.Session(0.2)), mock.patch.object(lanes, "loop", list), \
+                mock.patch.object(here.kernel, "mounted", lambda: ["/robot"]), \
+                mock.patch.object(here.kernel, "is_stale", lambda place: stopped.wait(worlds.LIMIT)):
+            self.assertEqual(here._mounts(), [])
 
 
 class Connections(unittest.TestCase):
