@@ -168,7 +168,7 @@ def ask(endpoint, where, call):
 
 def aside(key, where, call):
     """`ask` for what cannot be interrupted and is no remote call, such as the look-up of a name: always on a thread of its own."""
-    return _raised(*_in_lanes([Job(key, where, call)]))
+    return _raised(*gather([Job(key, where, call)], apart=True))
 
 
 def _raised(value):
@@ -180,11 +180,13 @@ def _raised(value):
     return value
 
 
-def each(items, function, place=operator.attrgetter("endpoint", "where")):
+def each(items, function, place=operator.attrgetter("endpoint", "where"), apart=False):
     """Call function(item), which may be a task, for each item, in parallel: the values in order, an errors.Error for what failed.
 
-    `place(item)` gives (endpoint, where), see Job.
+    `place(item)` gives (endpoint, where), see Job. `apart`: never on this thread, so that what has begun goes on after Ctrl-C.
     """
+    if apart:
+        return gather([Job(*place(item), functools.partial(function, item)) for item in items], apart)
     return list(each_in_turn(items, function, place))
 
 
@@ -196,9 +198,9 @@ def each_in_turn(items, function, place):
     return loop(jobs) if task else in_turn(jobs)
 
 
-def gather(jobs):
+def gather(jobs, apart=False):
     """Run all `jobs` (iterable of Job) and return their values in order; a failed job's value is its errors.Error."""
-    return list(in_turn(list(jobs)))
+    return list((_in_lanes if apart else in_turn)(list(jobs)))
 
 
 def in_turn(jobs):
@@ -206,12 +208,8 @@ def in_turn(jobs):
 
     The jobs go on meanwhile, so the caller must not make remote calls before the last value.
     """
-    return _here(jobs[0]) if loop and len(jobs) == 1 and _can_stay() else _in_lanes(jobs)
-
-
-def _can_stay():
-    """True where nobody watches this thread, so that it may be a lane itself."""
-    return getattr(_lane, "is_unwatched", True)
+    can_stay = loop and len(jobs) == 1 and getattr(_lane, "is_unwatched", True)  # a lane is watched by who waits for it
+    return _here(jobs[0]) if can_stay else _in_lanes(jobs)
 
 
 def _here(job):

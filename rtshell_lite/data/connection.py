@@ -233,7 +233,7 @@ class Opened:
 
     def _in_lanes(self, step, connections=None):
         connections = self.connections if connections is None else connections
-        results = lanes.each(connections, lambda connection: getattr(connection, step)())
+        results = lanes.each(connections, lambda connection: getattr(connection, step)(), apart=True)  # see _abandon
         for connection, result in zip(connections, results):
             if step == "look" and connection.closing.is_set():
                 continue  # we have removed its connector ourselves

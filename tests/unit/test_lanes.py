@@ -2,6 +2,7 @@
 import threading
 import time
 import unittest
+from unittest import mock
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, pool
@@ -41,6 +42,14 @@ class Gather(unittest.TestCase):
     def test_values_come_in_the_order_of_the_jobs(self):
         jobs = [self.job(i % 3, lambda i=i: i) for i in range(100)]
         self.assertEqual(lanes.gather(jobs), list(range(100)))
+
+    def test_what_is_apart_never_runs_on_this_thread(self):
+        """Where the ORB needs no threads, too: otherwise Ctrl-C leaves a connector behind that is just being made."""
+        with mock.patch.object(lanes, "loop", list):
+            here, = lanes.each(["p"], lambda item: threading.get_ident(), lambda item: (item, item))
+            apart, = lanes.each(["p"], lambda item: threading.get_ident(), lambda item: (item, item), apart=True)
+        self.assertEqual(here, threading.get_ident())
+        self.assertNotEqual(apart, threading.get_ident())
 
     def test_no_jobs(self):
         self.assertEqual(lanes.gather([]), [])
