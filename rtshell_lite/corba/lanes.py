@@ -186,7 +186,8 @@ def each(items, function, place=operator.attrgetter("endpoint", "where"), apart=
     `place(item)` gives (endpoint, where), see Job. `apart`: never on this thread, so that what has begun goes on after Ctrl-C.
     """
     if apart:
-        return gather([Job(*place(item), functools.partial(function, item)) for item in items], apart)
+        places = zip(items, map(place, items))
+        return gather([Job(endpoint, where, functools.partial(function, item)) for item, (endpoint, where) in places], apart)
     return list(each_in_turn(items, function, place))
 
 

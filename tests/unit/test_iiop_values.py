@@ -7,7 +7,7 @@ import unittest
 import random_values
 from rtshell_lite.corba import cdr, descriptors, idl
 from rtshell_lite.corba.fixed_size import Fault
-from rtshell_lite.corba.iiop import marshal, operations, typecodes
+from rtshell_lite.corba.iiop import client, marshal, operations, typecodes
 
 try:
     import omniORB
@@ -107,6 +107,12 @@ class Hostile(unittest.TestCase):
         with self.assertRaises((Fault, struct.error, IndexError)):
             typecodes.read(data, 0, "<")
         self.assertLess(time.process_time() - start, 1)
+
+    def test_a_property_that_is_an_any_in_an_any(self):
+        """Its text is the same each time, or comparing finds differences."""
+        data = struct.pack("<II4sIII", 1, 3, b"ab\0\0", descriptors.ANY, descriptors.LONG, 7)
+        nvlist, _ = marshal.Maker("<").reader(idl.known("IDL:org.omg/SDOPackage/NVList:1.0"))(data, 0)
+        self.assertEqual(client.properties(nvlist), [("ab", "7")])
 
     def test_typecodes(self):
         def capsule(kind, body):

@@ -28,6 +28,9 @@ class Any:
     def __init__(self, descriptor, content):
         self.descriptor, self.content = descriptor, content
 
+    def __repr__(self):  # shown where a property has an any in an any; the same each time
+        return str(self.content)
+
 
 class Maker(cdr.Maker):
     """Readers and writers of one byte order; `depth` counts the values around, each in an any."""
