@@ -13,6 +13,7 @@ class Opened:
     def __init__(self, node):
         self.node, self.text = node, None
         self._begun, self._size = b"", 0  # what has been written and not been done; bytes since the last end of a text
+        self._is_too_long = False
 
     def read(self, server, request, offset, size):
         if self.text is not None and offset:
@@ -26,15 +27,15 @@ class Opened:
 
     def write(self, server, request, data):
         """Do what a text says. What may be a piece of one waits for the next, or for the file to be closed."""
+        if self._is_too_long or len(self._begun) + len(data) > LONGEST_LINE:
+            self._begun, self._is_too_long = b"", True  # for the rest, too, which some programs write all the same
+            raise errors.BadValue(self.node.where, f"more than {LONGEST_LINE} bytes in one line")
         self._begun += data
         self._size += len(data)
         if not data.endswith(b"\n") and (self._size % BLOCK == 0 or len(data) > wire.MOST_WRITTEN - PAGE):
             text, self._begun = self.parted(self._begun)
         else:
             text, self._begun, self._size = self._begun, b"", 0
-        if len(self._begun) > LONGEST_LINE:
-            self._begun, self._size = b"", 0
-            raise errors.BadValue(self.node.where, f"more than {LONGEST_LINE} bytes in one line")
         self._store(server, request, text, wire.written(len(data)))
 
     def parted(self, begun):
