@@ -27,6 +27,13 @@ def serve(directory, ttl, read_only=False, foreground=False):
     return _served(directory, ttl, read_only, lambda: _leave_terminal(theirs))
 
 
+def _unmount(directory):
+    try:
+        kernel.unmount(directory)
+    except errors.Failed:
+        pass  # that is why it ended
+
+
 def _leave_terminal(pipe):
     """Let the parent return, and keep nothing of its terminal or directory."""
     null = os.open(os.devnull, os.O_RDWR)
@@ -63,16 +70,15 @@ def _served(directory, ttl, read_only, leave):
         sys.stderr = Sentences(mount)
     cli.unwind_when_ended()
     fd = kernel.mount(directory, read_only)
+    device = kernel.mounted().get(directory)
     serving = server.Server(mount, naming.Root(mount), fd, ready)
     try:
         serving.serve()
     except cli.Ended:
         pass
     finally:
-        try:
-            kernel.unmount(directory)
-        except errors.Failed:
-            pass  # that is why it ended
+        if kernel.mounted().get(directory) == device:  # not one that has been mounted there since
+            _unmount(directory)
         serving.close()
         sys.stderr = stderr
     return 0
