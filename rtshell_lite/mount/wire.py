@@ -139,12 +139,9 @@ def attributes_reply(attributes, seconds):
 
 
 def entry(node, attributes, seconds):
-    """The answer to LOOKUP and SYMLINK; node 0: there is no such name."""
+    """The answer to LOOKUP and SYMLINK."""
     whole, nanoseconds = _parts(seconds)
     return _ENTRY.pack(node, 0, whole, whole, nanoseconds, nanoseconds) + attributes
-
-
-NO_ATTRIBUTES = bytes(_ATTRIBUTES.size)
 
 
 def _parts(seconds):
