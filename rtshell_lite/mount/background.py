@@ -74,10 +74,11 @@ def _served(directory, ttl, read_only, leave):
     serving = server.Server(mount, naming.Root(mount), fd, ready)
     try:
         serving.serve()
+        device = None  # it has been unmounted: what is mounted there now is another, even if it has the same number
     except cli.Ended:
         pass
     finally:
-        if kernel.mounted().get(directory) == device:  # not one that has been mounted there since
+        if device and kernel.mounted().get(directory) == device:
             _unmount(directory)
         serving.close()
         sys.stderr = stderr

@@ -100,7 +100,7 @@ A mount that is in use can be taken away; its files work on until they are close
 
 What is mounted there meanwhile is another tree, and stays when the last file of the first is closed:
 
-  $ rtmount m; sleep 1000 <m/README & one=$!; until old=$(pgrep -f "rtmount m$"); do sleep 0.1; done
+  $ rtmount $PWD/m; old=$(pgrep -f "rtmount $PWD/m"); sleep 1000 <m/README & one=$!
   $ rtmount -u m; rtmount m; kill $one; while kill -0 $old 2>/dev/null; do sleep 0.1; done; ls m | head -n 1; rtmount -u m
   README
 
