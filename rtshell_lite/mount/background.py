@@ -27,6 +27,13 @@ def serve(directory, ttl, read_only=False, foreground=False):
     return _served(directory, ttl, read_only, lambda: _leave_terminal(theirs))
 
 
+def _unmount(directory):
+    try:
+        kernel.unmount(directory)
+    except errors.Failed:
+        pass  # that is why it ended
+
+
 def _leave_terminal(pipe):
     """Let the parent return, and keep nothing of its terminal or directory."""
     null = os.open(os.devnull, os.O_RDWR)
@@ -63,16 +70,16 @@ def _served(directory, ttl, read_only, leave):
         sys.stderr = Sentences(mount)
     cli.unwind_when_ended()
     fd = kernel.mount(directory, read_only)
+    device = kernel.mounted().get(directory)
     serving = server.Server(mount, naming.Root(mount), fd, ready)
     try:
         serving.serve()
+        device = None  # it has been unmounted: what is mounted there now is another, even if it has the same number
     except cli.Ended:
         pass
     finally:
-        try:
-            kernel.unmount(directory)
-        except errors.Failed:
-            pass  # that is why it ended
+        if device and kernel.mounted().get(directory) == device:
+            _unmount(directory)
         serving.close()
         sys.stderr = stderr
     return 0

@@ -5,8 +5,10 @@ import os
 import re
 import socket
 import sys
+import threading
 
 from rtshell_lite import errors
+from rtshell_lite.corba import lanes
 from rtshell_lite.text import printable
 
 DEVICE = "/dev/fuse"
@@ -19,13 +21,20 @@ RDONLY, NOSUID, NODEV, DETACH = 1, 2, 4, 2  # MS_… and MNT_DETACH of <sys/moun
 # ---- what is mounted ------------------------------------------------------------------------------------------
 
 def mounted():
-    """The directories, absolute, where RTC Trees are mounted. Asks no server."""
+    """{directory, absolute: number of its device} where RTC Trees are mounted. Asks no server."""
     try:
         with open("/proc/self/mountinfo", encoding="utf-8", errors="surrogateescape") as file:
             lines = [line.split(" ") for line in file]
     except OSError:
-        return []
-    return [_unescaped(fields[4]) for fields in lines if TYPE in fields[6:]]
+        return {}
+    return {_unescaped(fields[4]): fields[2] for fields in lines if TYPE in fields[6:]}
+
+
+def located(directory):
+    """The absolute path of a directory, without asking the server of a tree that is mounted there: it may be stopped."""
+    parent, name = os.path.split(directory.rstrip("/"))
+    path = os.path.join(os.path.realpath(parent), name)
+    return path if path in mounted() else os.path.realpath(directory)
 
 
 def _unescaped(word):
@@ -43,6 +52,15 @@ def is_stale(directory):
     return False
 
 
+def _is_stale_for_certain(directory):
+    """`is_stale`, False if there is no answer within the timeout. Leaves no thread if it is True."""
+    answers = []
+    asking = threading.Thread(target=lambda: answers.append(is_stale(directory)), daemon=True)
+    asking.start()
+    asking.join(lanes.session.timeout)
+    return answers == [True]
+
+
 # ---- mounting -------------------------------------------------------------------------------------------------
 
 def check(directory):
@@ -50,7 +68,7 @@ def check(directory):
     if not sys.platform.startswith("linux"):
         raise errors.Failed(NAME, "works on Linux only")
     if directory in mounted():
-        if not is_stale(directory):
+        if not _is_stale_for_certain(directory):
             raise errors.Failed(printable(directory), "an RTC Tree is mounted there already")
         unmount(directory)
     if not os.path.isdir(directory):

@@ -246,10 +246,11 @@ class Server:
     def open(self, request):
         node = self._node(request, Node)
         flags = wire.opening(request.body)
-        if flags & os.O_ACCMODE != os.O_RDONLY and not node.mode & stat.S_IWUSR:  # root is not stopped by modes
+        is_read = flags & os.O_ACCMODE == os.O_RDONLY
+        if not is_read and not node.mode & stat.S_IWUSR:  # root is not stopped by modes
             raise OSError(errno.EACCES, "")
         handle = node.open() or Opened(node)
-        self._reply_handle(request, handle, wire.DIRECT_IO)
+        self._reply_handle(request, handle, wire.DIRECT_IO | is_read * wire.NO_FLUSH)
 
     def _reply_handle(self, request, handle, flags=0):
         number = next(self._handle_numbers)
@@ -269,6 +270,12 @@ class Server:
     def write(self, request):
         number, data = wire.writing(request.body)
         self._handles[number].write(self, request, data)
+
+    def flush(self, request):
+        handle = self._handles[wire.handle(request.body)]
+        if not isinstance(handle, Opened):
+            return self.reply(request)
+        handle.flush(self, request)
 
     def release(self, request):
         handle = self._handles.pop(wire.handle(request.body), None)
@@ -353,6 +360,6 @@ HANDLERS = {
     wire.UNLINK: Server.unlink, wire.OPEN: Server.open, wire.READ: Server.read, wire.WRITE: Server.write,
     wire.RELEASE: Server.release, wire.RELEASEDIR: Server.release, wire.INTERRUPT: Server.interrupt, wire.STATFS: Server.statfs,
     wire.OPENDIR: Server.opendir, wire.READDIR: Server.readdir, wire.READDIRPLUS: Server.readdir, wire.FSYNC: Server.done,
-    wire.FSYNCDIR: Server.done, wire.DESTROY: Server.done}
+    wire.FSYNCDIR: Server.done, wire.FLUSH: Server.flush, wire.DESTROY: Server.done}
 HANDLERS.update(dict.fromkeys((wire.MKNOD, wire.MKDIR, wire.RMDIR, wire.RENAME, wire.RENAME2, wire.LINK, wire.CREATE),
                               Server.refuse))

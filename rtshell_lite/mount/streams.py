@@ -258,7 +258,11 @@ class Following:
 # ---- into components ------------------------------------------------------------------------------------------
 
 class SendingHandle(Opened):
-    """An open file of a Sending."""
+    """An open file of a Sending: whole lines need not wait."""
+
+    def parted(self, begun):
+        whole, newline, rest = begun.rpartition(b"\n")
+        return whole + newline, rest
 
     def close(self):
         self.node.leave()

@@ -8,7 +8,7 @@ import struct
 
 LOOKUP, FORGET, GETATTR, SETATTR, READLINK, SYMLINK = range(1, 7)
 MKNOD, MKDIR, UNLINK, RMDIR, RENAME, LINK, OPEN, READ, WRITE, STATFS = range(8, 18)
-RELEASE, FSYNC, INIT, OPENDIR, READDIR, RELEASEDIR, FSYNCDIR = 18, 20, 26, 27, 28, 29, 30
+RELEASE, FSYNC, FLUSH, INIT, OPENDIR, READDIR, RELEASEDIR, FSYNCDIR = 18, 20, 25, 26, 27, 28, 29, 30
 CREATE, INTERRUPT, DESTROY, BATCH_FORGET, READDIRPLUS, RENAME2 = 35, 36, 38, 42, 44, 45
 _NAME_AT = {MKNOD: 16, MKDIR: 8, RENAME: 8, RENAME2: 16, LINK: 8, CREATE: 16}  # where names begin, if not at 0
 UNANSWERED = (FORGET, BATCH_FORGET, INTERRUPT)
@@ -19,6 +19,7 @@ LONGEST = MOST_WRITTEN + 4096  # bytes of a request
 DO_READDIRPLUS, PARALLEL_DIROPS = 1 << 13, 1 << 18  # flags of INIT; FUSE_ATOMIC_O_TRUNC would make the kernel believe a size of 0
 LOCK_OWNER = 1 << 1  # flag of READ: it is for one program
 DIRECT_IO = 1  # flag of OPEN: the kernel keeps no content and believes no size
+NO_FLUSH = 1 << 5  # flag of OPEN: to close it is nothing to ask about; kernels before 5.16 do
 # What SETATTR may change: the size, times, and bits that change nothing (a handle, the owner of a lock).
 HARMLESS = 1 << 3 | 1 << 4 | 1 << 5 | 1 << 7 | 1 << 8 | 1 << 10 | 1 << 6 | 1 << 9
 ROOT = 1  # the node of the mount's own directory
@@ -88,7 +89,7 @@ def opening(body):
 
 
 def handle(body):
-    """The handle that RELEASE, RELEASEDIR, FSYNC … are about."""
+    """The handle that FLUSH, RELEASE, RELEASEDIR … are about."""
     return struct.unpack_from("=Q", body)[0]
 
 
@@ -138,12 +139,9 @@ def attributes_reply(attributes, seconds):
 
 
 def entry(node, attributes, seconds):
-    """The answer to LOOKUP and SYMLINK; node 0: there is no such name."""
+    """The answer to LOOKUP and SYMLINK."""
     whole, nanoseconds = _parts(seconds)
     return _ENTRY.pack(node, 0, whole, whole, nanoseconds, nanoseconds) + attributes
-
-
-NO_ATTRIBUTES = bytes(_ATTRIBUTES.size)
 
 
 def _parts(seconds):

@@ -48,6 +48,15 @@ Configuration. Names and values are written as they are read, with escapes:
   a
   b\c
   $ cat mode0/str_param0 >mode0/str_param1; cmp mode0/str_param0 mode0/str_param1
+  $ head -c 200000 /dev/zero | tr '\0' a >$TMP/long; dd if=$TMP/long of=mode0/str_param0 bs=512 2>&-; wc -c <mode0/str_param0
+  200001
+  $ truncate -s 131072 $TMP/long; cp $TMP/long mode0/str_param1; wc -c <mode0/str_param1
+  131073
+  $ x=$(cat $TMP/long $TMP/long); echo "$x" >mode0/str_param0; wc -c <mode0/str_param0
+  262145
+  $ cat $TMP/long $TMP/long >$TMP/longer; truncate -s 4200000 $TMP/longer; cat $TMP/longer 2>&- >mode0/str_param0 || why; wc -c <mode0/str_param0
+  $TMP/m/localhost:$PORT/test.host_cxt/ConfigSample0.rtc/configuration/mode0/str_param0: more than 4194304 bytes in one line
+  262145
   $ echo 'a\q' 2>&- >mode0/str_param0 || why
   $TMP/m/localhost:$PORT/test.host_cxt/ConfigSample0.rtc/configuration/mode0/str_param0: bad escape \q
   $ echo mode0 >active; cat active; PATH=$tools rtconf ConfigSample0.rtc | grep '*'

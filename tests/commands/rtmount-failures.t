@@ -95,6 +95,19 @@ A mount that is in use can be taken away; its files work on until they are close
 
   $ cd $TMP; rtmount -u m; ls m; while pgrep -f "$PWD/m" >/dev/null; do sleep 0.1; done
 
+What is mounted there meanwhile is another tree, and stays when the last file of the first is closed:
+
+  $ rtmount $PWD/m; old=$(pgrep -f "rtmount $PWD/m"); sleep 1000 <m/README & one=$!
+  $ rtmount -u m; rtmount m; kill $one; while kill -0 $old 2>/dev/null; do sleep 0.1; done; ls m | head -n 1; rtmount -u m
+  README
+
+One whose rtmount is stopped answers nobody, but can be taken away:
+
+  $ rtmount -f m & pid=$!; until [ -e m/README ]; do sleep 0.1; done; kill -STOP $pid; rtmount --timeout 0.5 m
+  rtmount: $TMP/m: an RTC Tree is mounted there already
+  [1]
+  $ rtmount -u m/; ls m; kill -CONT $pid; wait $pid
+
 In front, SIGTERM and Ctrl-C unmount:
 
   $ rtmount -f m & pid=$!; until [ -e m/README ]; do sleep 0.1; done; kill $pid; wait $pid; ls m

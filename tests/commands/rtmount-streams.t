@@ -58,6 +58,9 @@ An in port: what is written to it has been read when the write returns, or the w
   $ echo 'RTC.TimedLong({time}, 44)' >ConsoleOut0.rtc/ports/in/value; printf '45\n46\n' >ConsoleOut0.rtc/ports/in/value
   $ PATH=$tools ctl @these received ConsoleOut0:in
   5 46
+  $ printf '%300s\n%212s\n' 47 48 >$TMP/lines; dd if=$TMP/lines of=ConsoleOut0.rtc/ports/in/value bs=512 2>&-
+  $ PATH=$tools ctl @these received ConsoleOut0:in
+  7 48
   $ (echo 1; echo 2; echo 3) >ConsoleOut0.rtc/ports/in/value; PATH=$tools ctl @these connectors ConsoleOut0:in
   $ echo nonsense 2>&- >ConsoleOut0.rtc/ports/in/value || why
   RTC.TimedLong: data: not a long: nonsense

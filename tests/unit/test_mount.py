@@ -17,9 +17,9 @@ class Wire(unittest.TestCase):
     """Layouts of linux/fuse.h: if one is wrong, every file system call fails or hangs."""
 
     def test_sizes(self):
-        for reply, size in ((wire.entry(1, wire.NO_ATTRIBUTES, 1), 128), (wire.attributes_reply(wire.NO_ATTRIBUTES, 1), 104),
-                            (wire.opened(1, 0), 16), (wire.written(1), 8), (wire.statfs(), 80), (wire.init_reply((7, 45), 0), 64),
-                            (wire.attributes(1, 0o100644, 0, 0, 0, 0), 88)):
+        attributes = wire.attributes(1, 0o100644, 0, 0, 0, 0)
+        for reply, size in ((attributes, 88), (wire.entry(1, attributes, 1), 128), (wire.attributes_reply(attributes, 1), 104),
+                            (wire.opened(1, 0), 16), (wire.written(1), 8), (wire.statfs(), 80), (wire.init_reply((7, 45), 0), 64)):
             self.assertEqual(len(reply), size)
         self.assertEqual(wire.ENTRY_SIZE, 128)
 
