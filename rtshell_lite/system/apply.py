@@ -189,7 +189,8 @@ def _living_sites(outcomes):
 def _carry_out(level, outcomes):
     """Do the steps of one level."""
     todo = _look(level)
-    results = lanes.gather([_job(outcome, lambda outcome=outcome: _act(outcome)) for outcome in todo])
+    # apart: what has begun goes on after Ctrl-C, and _roll_back waits for it
+    results = lanes.gather([_job(outcome, lambda outcome=outcome: _act(outcome)) for outcome in todo], apart=True)
     for outcome, result in zip(todo, results):
         if isinstance(result, errors.Silent):
             # one call was lost; whether the process answers others decides what is reported
@@ -227,7 +228,7 @@ def _job(outcome, call):
 def _tried(outcome, call):
     """Call a method of a step in the lane of its process; returns the errors.Error that it raised, or None."""
     try:
-        value, = lanes.gather([_job(outcome, call)])
+        value, = lanes.gather([_job(outcome, call)], apart=True)
     except errors.Error as e:  # there is no process to ask
         return e
     return value if isinstance(value, errors.Error) else None

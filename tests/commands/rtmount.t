@@ -242,7 +242,7 @@ Names that files cannot have are escaped as in our paths, slashes as \x2f; what 
   sl\x2fash.rtc
   sp ace.rtc
   tab\x09new\x0aline.rtc
-  ?????????.rtc
+  ???*.rtc (glob)
   $ for name in *.rtc; do [ -d "./$name" ] && cat "./$name/instance_name"; done
   $(id);'"*
   -l

@@ -91,7 +91,7 @@ Killed in the middle of its stream:
   rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: the component is gone, and its process too
   [4]
   $ start rtprint --pull ConsoleIn0.rtc:out; kill-mock two; wait $pid
-  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection lost
+  rtprint: /localhost:\$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection (lost|refused) (re)
   [4]
   $ rtprint ConsoleIn0.rtc:out
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection refused; its process is gone (zombie)
