@@ -23,6 +23,10 @@ LARGEST = 1 << 14  # octets of a reference; real ones have less than 1,000
 LONGEST_TYPE = 1024  # octets of a repository id
 
 
+class BadReference(ValueError):
+    """A reference that must not be used; why is its text."""
+
+
 # ---- what a reference says ------------------------------------------------------------------------------------
 
 @functools.lru_cache(maxsize=1024)
@@ -134,7 +138,7 @@ _pack, _pack_one, _PADDING = struct.Struct("<LL").pack, struct.Struct("<LLL").pa
 def octets(type_id, profiles):
     """A reference, given as bytes and (tag, bytes) pairs, as little-endian CDR; b"" for nil.
 
-    Raises ValueError with the reason for one that must not reach omniORB.
+    Raises BadReference for one that must not reach omniORB.
     """
     start = check(type_id, profiles)
     if len(profiles) == 1:  # almost all, and there are many
@@ -147,42 +151,42 @@ def octets(type_id, profiles):
 
 
 def check(type_id, profiles):
-    """Raise ValueError with the reason if a reference, given likewise, must not reach omniORB; returns how its octets start."""
+    """Raise BadReference if a reference, given likewise, must not reach omniORB; returns how its octets start."""
     if len(profiles) > MOST_PROFILES:
-        raise ValueError(f"a reference of {len(profiles)} profiles")
+        raise BadReference(f"a reference of {len(profiles)} profiles")
     size = sum(len(profile) for _, profile in profiles)
     if size > LARGEST:
-        raise ValueError("a reference of %d octets" % size)
+        raise BadReference("a reference of %d octets" % size)
     return _start(type_id) if profiles else b""
 
 
 @functools.lru_cache(maxsize=64)
 def _start(type_id):
-    """The repository id as a reference begins with it. Raises ValueError if it is not one."""
+    """The repository id as a reference begins with it. Raises BadReference if it is not one."""
     size, ends = len(type_id), type_id.find(b"\0")
     try:
         if size > LONGEST_TYPE or ends != size - 1:  # of the empty one, without even a NUL, as some ORBs write it, both are -1
             raise ValueError
         type_id.decode("utf-8")
     except ValueError:
-        raise ValueError("a reference whose type is no text")
+        raise BadReference("a reference whose type is no text")
     return struct.pack("<L", size) + type_id + _PADDING[size & 3]
 
 
 def checked(said):
-    """A stringified IOR that a peer has sent as text. Raises ValueError with the reason for one that must not reach omniORB.
+    """A stringified IOR that a peer has sent as text. Raises BadReference for one that must not reach omniORB.
 
     Other forms, such as corbaname:, would let the peer choose whom omniORB calls.
     """
     if said[:4].upper() != "IOR:" or len(said) > 3 * LARGEST:
-        raise ValueError("not a reference (no IOR, or too long)")
+        raise BadReference("not a reference (no IOR, or too long)")
     try:
         reader = _Cdr(_unhexed(said))
         type_id, count = reader.octets(), reader.ulong()
         octets(type_id, [(reader.ulong(), reader.octets()) for _ in range(min(count, MOST_PROFILES + 1))])
         return said
     except (struct.error, IndexError):
-        raise ValueError("not a reference (its octets make no sense)")
+        raise BadReference("not a reference (its octets make no sense)")
 
 
 # ---- descriptors ----------------------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 """Spoilt input of every kind: it is read, or refused with a declared error, soon and in little memory; and what is read comes
 back the same after it was written.
 
-    python3 tests/support/fuzz.py [--seconds N | --cases N] [--seed N] [--list] [TARGET ...]
+    python3 tests/support/fuzz.py [--seconds N | --cases N] [--seed N] [TARGET ...]
 
 A case is a file of bytes, made from the seed and its number. One that fails is written to tests/data/fuzz/TARGET/, where
 tests/unit/test_fuzz.py tries it ever after (rename it to what it shows). fuzz_replies.py has the targets `replies` and `builtin`,

@@ -185,7 +185,7 @@ class Replies(fuzz.Target):
             raise fuzz.Refused(said)
 
     def _run(self, words, robot):
-        """The exit status of a command, its output, how long it took, how much its process has grown."""
+        """The exit status of a command, its output, how long it took, by how much its process has grown meanwhile."""
         if not self.child:
             self.child = subprocess.Popen([sys.executable, os.path.abspath(__file__), "--child"], stdin=subprocess.PIPE,
                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=dict(
@@ -235,10 +235,9 @@ def serve():
     from rtshell_lite.corba import lanes
     from rtshell_lite.shell import installation
     files, modules, out = installation.commands(), {}, sys.stdout
-    before = None
     faulthandler.enable()
     for line in sys.stdin:
-        asked = json.loads(line)
+        asked, before = json.loads(line), _memory()
         name, *words = asked["words"]
         if name not in modules:
             modules[name] = installation.load(files[name], "fuzzed_" + name)
@@ -248,7 +247,6 @@ def serve():
         status = cli.command(modules[name].arguments, modules[name].run, modules[name].__doc__, words)
         said, sys.stdout, sys.stderr = sys.stdout.buffer.getvalue().decode("utf-8"), out, sys.__stderr__
         lanes.session.silent.clear()
-        before = before or _memory()
         out.write(json.dumps({"status": status, "said": said, "grown": _memory() - before}) + "\n")
         out.flush()
     os._exit(0)

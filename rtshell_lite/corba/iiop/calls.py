@@ -122,9 +122,9 @@ class Request:
         if isinstance(e, OSError):
             lanes.note_shortage(e, self.ref.address.host)
             return errors.Unreachable(where, "cannot be reached" + (f" ({e.strerror})" if e.strerror else ""))
-        if isinstance(e, giop.Garbled):  # not what an object answered
-            return errors.Unreachable(where, f"garbled answer ({e})")
-        return errors.Garbled(where, str(e))
+        if isinstance(e, ior.BadReference):  # the answer can be read; it costs what the reference is bound to, not who sent it
+            return errors.Garbled(where, str(e))
+        return errors.Unreachable(where, f"garbled answer ({e})")
 
 
 def _system_exception(data, at, little):

@@ -133,7 +133,7 @@ class Maker(cdr.Maker):
             at = end + (-end & 3)
             type_id, count, at = data[start:end], unpack(data, at)[0], at + 4
             if count > ior.MOST_PROFILES:
-                raise Fault(f"a reference of {count} profiles")
+                raise ior.BadReference(f"a reference of {count} profiles")
             profiles = []
             for _ in range(count):
                 at += -at & 3
@@ -145,7 +145,10 @@ class Maker(cdr.Maker):
             if not profiles:
                 return None, at
             ior.check(type_id, profiles)  # other ORBs may end from what it refuses, if that were sent on
-            return Reference(type_id[:-1], tuple(profiles), interface), at
+            ref = Reference(type_id[:-1], tuple(profiles), interface)
+            if not interface and not ref.address.host and ior.IIOP in dict(profiles):  # what a name is bound to
+                raise ior.BadReference("a reference that is none")
+            return ref, at
         return read
 
     def write_reference(self, _):
