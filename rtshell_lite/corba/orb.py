@@ -135,12 +135,15 @@ def at(ref, host, port):
 class Call:
     """A call of `operation` of `ref`, to be awaited in a task; `where`, a Path or text, names the object in errors.
 
-    `seconds` is a longer deadline for an operation that may take its time. Raises Silent, Gone, Unreachable or Refused.
+    `seconds` is a longer deadline for an operation that may take its time. Raises Silent, Gone, Unreachable or Refused; made with
+    a nil reference, Garbled: a peer has sent that in place of an object.
     """
 
     __slots__ = ("where", "ref", "operation", "args", "seconds")
 
     def __init__(self, where, ref, operation, *args, seconds=None):
+        if ref is None:
+            raise errors.Garbled(str(where), f"nothing in place of the object that has {operation}")
         self.where, self.ref, self.operation, self.args, self.seconds = where, ref, operation, args, seconds
 
     def __await__(self):

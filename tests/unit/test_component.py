@@ -29,7 +29,7 @@ class Contexts(unittest.TestCase):
         """Why it is not activated where its context answers `code`, and has no other reference of it."""
         node = Asked(get_component_state=mock.Mock(_v=1), activate_component=code, get_owned_contexts=[])
         with node.patched(), self.assertRaises(errors.Refused) as caught:
-            component.change_in(node, None, component.ACTIVATE, 0)
+            component.change_in(node, object(), component.ACTIVATE, 0)
         return str(caught.exception)
 
     def test_one_that_does_not_know_it(self):

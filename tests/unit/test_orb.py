@@ -26,7 +26,7 @@ class Failures(unittest.TestCase):
         raised = getattr(CORBA, failure)(0, CORBA.COMPLETED_NO)
         with mock.patch.object(omni.answers, "invoke", side_effect=raised), mock.patch.object(omniORB, "setClientCallTimeout"), \
                 self.assertRaises(errors.Error) as caught:
-            omni.invoke(orb.Call("/robot/a.rtc", None, "get_profile", seconds=seconds))
+            omni.invoke(orb.Call("/robot/a.rtc", mock.Mock(), "get_profile", seconds=seconds))
         return str(caught.exception)
 
     def test_silence_is_as_long_as_was_waited(self):
@@ -34,6 +34,10 @@ class Failures(unittest.TestCase):
         lanes.session.timeout = 3.0
         for seconds, waited in ((None, "3s"), (2, "3s"), (10, "10s")):
             self.assertEqual(self.reason("TIMEOUT", seconds), "/robot/a.rtc: no answer within " + waited)
+
+    def test_nothing_is_asked_of_nothing(self):
+        with self.assertRaisesRegex(errors.Garbled, "^/robot/a.rtc: garbled answer .nothing in place of the object that has get_profile"):
+            orb.Call("/robot/a.rtc", None, "get_profile")
 
     def test_kinds(self):
         self.assertEqual(self.reason("OBJECT_NOT_EXIST"), "/robot/a.rtc: zombie (the name is bound, but its object is gone)")
