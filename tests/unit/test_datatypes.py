@@ -207,7 +207,9 @@ class Named(unittest.TestCase):
         data = kind.encode(made.value())
         self.assertEqual(values.text(kind.decode(data)).partition(" place_=")[2], "(position=(x=1.0, y=2.0), heading=3.0)"
                          " state=GRIPPER_STATE_OPEN axes=[[1.0, 2.0, 3.0]] it=(width=5.0) color=CF_RGB")
-        self.assertEqual(omniORB.cdrMarshal(sys.modules["User"]._tc_All, kind.decode(data), True), data)
+        theirs = omniORB.cdrMarshal(sys.modules["User"]._tc_All, kind.decode(data), True)
+        self.assertEqual(len(theirs), len(data))  # octets between values may be anything
+        self.assertEqual(values.text(kind.decode(theirs)), values.text(kind.decode(data)))
 
     @unittest.skipIf(omniORB is None, "needs omniORBpy")
     def test_ports_of_no_known_type(self):
