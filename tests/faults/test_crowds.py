@@ -8,6 +8,7 @@ import invocations
 import running
 
 ONCE = "what is asked of whom does not depend on the Python"
+BOTH = "each ORB has crowds of its own"
 ALONE = "it measures times"
 
 try:

@@ -20,6 +20,7 @@ except ImportError:
     raise unittest.SkipTest("needs omniORBpy")
 
 ONCE = "what is printed does not depend on the Python"
+BOTH = "each ORB reads names in its own way"
 
 KEYS = list(wicked.STRINGS)
 FATAL = set(invocations.stated("fatal")) | {"rtmgr"}  # after these the world is another

@@ -16,6 +16,7 @@ import unittest
 import running
 
 ONCE = "what grows does so under every Python"
+BOTH = "each ORB keeps things of its own"
 
 try:
     import omniORB  # noqa: F401: the commands need it

@@ -15,6 +15,7 @@ import running
 import worlds
 
 ONCE = "it is about the kernel and the peers"
+BOTH = "each ORB waits in its own way"
 
 try:
     import omniORB  # noqa: F401: the commands need it

@@ -13,6 +13,7 @@ import unittest
 import running
 
 ONCE = "what a network does is the same for every Python"
+BOTH = "each ORB connects in its own way"
 ALONE = "it measures times"
 
 try:

@@ -12,6 +12,7 @@ import running
 from mock_components import faulty
 
 ONCE = "what is reported does not depend on the Python"
+BOTH = "each ORB fails in its own way"
 
 try:
     import omniORB  # noqa: F401: the commands need it

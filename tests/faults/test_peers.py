@@ -8,6 +8,7 @@ import running
 from mock_components import faulty, malice
 
 ONCE = "how long a peer is waited for does not depend on the Python"
+BOTH = "each ORB reads answers in its own way"
 ALONE = "it measures times"
 
 try:

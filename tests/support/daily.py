@@ -6,11 +6,13 @@ import zlib
 import transcripts
 
 # One in so many tests of a long module
-PARTS = {"commands/test_examples": 4, "commands/test_completion": 3, "commands/test_packaging": 3, "commands/test_rttop": 2,
-         "unit/test_fuzz": 3, "unit/test_profile_limits": 2}
-OF_FAULTS = 3
-BEGINNING = """Each transcript under one shell, of long test modules a part, chosen by RTSHELL_SEED=%s: some 5 minutes on two quiet
-cores. A word runs what has it in its name (tests/run rtls), --all everything; --help says more."""
+PARTS = {"commands/test_examples": 4, "commands/test_completion": 3, "commands/test_packaging": 3, "commands/test_remedies": 3,
+         "commands/test_restore": 3, "commands/test_rttop": 2, "mocks/test_composites": 2, "mocks/test_data_ports": 2,
+         "mocks/test_managers": 2, "mocks/test_worlds": 2, "unit/test_answers": 3, "unit/test_fuzz": 3, "unit/test_graph": 2,
+         "unit/test_idl": 2, "unit/test_profile_limits": 2, "unit/test_run_plan": 2, "unit/test_xmlprofile": 2}
+OF_FAULTS = 4
+BEGINNING = """Each transcript under one shell and with one ORB, of long test modules a part, chosen by RTSHELL_SEED=%s: some 5 minutes
+on two quiet cores. A word runs what has it in its name (tests/run rtls), --all everything; --help says more."""
 
 
 def choose(wanted):
@@ -28,7 +30,15 @@ def part(module):
     return "%d %s" % (number, seed) if seed and number > 1 else ""
 
 
-def shells(path):
-    """The shells under which a transcript runs: one in the run of a day, else all."""
-    known, seed = sorted(transcripts.SHELLS), os.environ.get("RTSHELL_SEED")
-    return [known[zlib.crc32((seed + os.path.basename(path)).encode()) % len(known)]] if seed else known
+def orbs():
+    """What transcripts are played with: each ORB in the run of a day (None: the one that commands choose), else the user's."""
+    return [None, "builtin"] if "RTSHELL_SEED" in os.environ and "RTSHELL_ORB" not in os.environ else [os.environ.get("RTSHELL_ORB")]
+
+
+def has_turn(path, shell, orb):
+    """Is a transcript played so? In the run of a day each is under one shell and with one ORB, else under all."""
+    if "RTSHELL_SEED" not in os.environ:
+        return True
+    number = zlib.crc32((os.environ["RTSHELL_SEED"] + os.path.basename(path)).encode())
+    known = sorted(transcripts.SHELLS)
+    return shell == known[number % len(known)] and orb == orbs()[number // len(known) % len(orbs())]

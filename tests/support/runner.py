@@ -2,8 +2,8 @@
 
 Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a test failed or none ran.
 
-  tests/run                       on the Python that runs this: each transcript under one shell, all test modules, of long ones a
-                                  part that changes from day to day (RTSHELL_SEED repeats another day's)
+  tests/run                       on the Python that runs this: each transcript under one shell with one ORB, all test modules, of
+                                  long ones a part; which, changes from day to day (RTSHELL_SEED repeats another day's)
   tests/run rtls test_path        those whose name holds one of these words: tests/commands/rtls.t, tests/unit/test_path.py
   tests/run 'rtls.t (dash)'       one transcript under one shell
   tests/run --python 3.7 rtls     on another Python
@@ -14,7 +14,7 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
   tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
   tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13; transcripts on 3.6, which has no omniORBpy, by
                                   the builtin ORB, and by turns on 3.7 under ash, on 3.13 under dash, and there by the builtin
-                                  ORB, too; the packaging on every Python from 3.6 to 3.13
+                                  ORB, too, as faults are; the packaging on every Python from 3.6 to 3.13
 """
 import argparse
 import concurrent.futures
@@ -46,11 +46,6 @@ TURNS, SHARE = ["3.7", "3.13"], 5  # the builtin ORB on a Python that has omniOR
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 DIRECTORIES = ("unit", "mocks", "commands", "faults")  # with what is run always
-# One in so many tests of a long module is run without arguments
-PARTS = {"commands/test_examples": 4, "commands/test_completion": 3, "commands/test_packaging": 3, "commands/test_rttop": 2,
-         "unit/test_fuzz": 3, "unit/test_profile_limits": 2}
-PART_OF_FAULTS = 3
-DAILY = "Each transcript under one shell, of long modules a part (RTSHELL_SEED=%s): some 5 minutes on two quiet cores; see --help"
 PACKAGING = "commands/test_packaging"
 
 
@@ -71,8 +66,10 @@ def test_modules():
     return sorted(os.path.relpath(path, TESTS)[:-3] for path in paths)
 
 
-def module_jobs(python, interpreter, commands, wheel, patterns, modules):
+def module_jobs(python, interpreter, commands, wheel, patterns, modules, orb=None):
     environment = dict(os.environ, RTSHELL_WHEEL=wheel, PYTHONPATH=mocks_alone())
+    if orb:
+        environment["RTSHELL_ORB"] = orb
     omniorb = environments.fetch_omniorb(python)
     if omniorb:
         environment["RTSHELL_OMNIORB_WHEEL"] = omniorb
@@ -80,19 +77,13 @@ def module_jobs(python, interpreter, commands, wheel, patterns, modules):
         environment["PATH"] = commands + os.pathsep + os.environ["PATH"]
 
     def job(module):
-        return Job("%s %s" % (python.version, module), lambda: run_module(
+        return Job(" ".join(filter(None, (python.version, orb, module))), lambda: run_module(
             module, interpreter, dict(environment, RTSHELL_PART=daily.part(module)), patterns), says(module, "ALONE"))
     return [job(module) for module in modules]
 
 
-def part(module):
-    """Which tests of a module have their turn, as report.py takes it: all unless this is the run of a day."""
-    number = PARTS.get(module, PART_OF_FAULTS if module.startswith("faults/") else 1)
-    return "%d %s" % (number, os.environ["RTSHELL_SEED"]) if "RTSHELL_SEED" in os.environ and number > 1 else ""
-
-
 def says(module, word):
-    """Does a module say ALONE (it measures times) or ONCE (one Python of the matrix is enough)?"""
+    """Does a module say ALONE (it measures times), ONCE (one Python of the matrix is enough) or BOTH (each ORB has its turn)?"""
     with open(os.path.join(TESTS, module + ".py"), encoding="utf-8") as file:
         return any(line.startswith(word + " =") for line in file)
 
@@ -158,14 +149,8 @@ def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, acce
         return Job("%s %s" % (label, name), run, transcripts.says(path, "alone"))
     lacks_omniorb = not environments.fetch_omniorb(python)
     return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shell and [shell])
-            if shell in daily.shells(path) and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
+            if daily.has_turn(path, shell, setting.orb) and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
             and not (in_matrix and not has_turn(python.version, shell, setting.orb, path))]
-
-
-def shells_of_the_day(path):
-    """The shells under which a transcript runs: one in the run of a day, else all."""
-    known, seed = sorted(transcripts.SHELLS), os.environ.get("RTSHELL_SEED")
-    return known if seed is None else [known[zlib.crc32((seed + os.path.basename(path)).encode()) % len(known)]]
 
 
 def has_turn(version, shell, orb, path):
@@ -229,9 +214,10 @@ class Score:
 
 
 def run_jobs(jobs, score):
-    """Run jobs, several at a time, except those that must run alone; each once, whatever the outcome."""
-    _run_some([job for job in jobs if not job.alone], 2 * (os.cpu_count() or 1), score)  # they wait more than they compute
-    _run_some([job for job in jobs if job.alone], 1, score)
+    """Run jobs, several at a time, those that measure times one to a processor; each once, whatever the outcome."""
+    processors = os.cpu_count() or 1
+    _run_some([job for job in jobs if not job.alone], 2 * processors, score)  # they wait more than they compute
+    _run_some([job for job in jobs if job.alone], processors, score)
 
 
 def _run_some(jobs, lanes, score):
@@ -291,9 +277,14 @@ def jobs_for(version, wheel, args):
     if args.all:
         for shell, orb in MATRIX[version]:
             jobs += transcript_jobs(python, transcript_setting(python, interpreter, wheel, orb), args.pattern, shell, in_matrix=True)
+            if orb:
+                both = [module for module in test_modules() if says(module, "BOTH")]
+                jobs += module_jobs(python, interpreter, os.path.dirname(interpreter), wheel, args.pattern, both, orb)
         return jobs
-    setting = transcript_setting(python, interpreter, wheel, os.environ.get("RTSHELL_ORB"))
-    return jobs + transcript_jobs(python, setting, args.pattern, accept=args.accept)
+    for orb in daily.orbs():
+        setting = transcript_setting(python, interpreter, wheel, orb)
+        jobs += transcript_jobs(python, setting, args.pattern, accept=args.accept)
+    return jobs
 
 
 def packaging_jobs(version, wheel, args):
