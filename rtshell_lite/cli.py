@@ -104,9 +104,9 @@ class _Closed(io.TextIOBase):
 
 def _prepare_streams():
     """UTF-8 whatever the locale; descriptors 0 to 2 open, so that no socket gets their number."""
-    fd = os.open(os.devnull, os.O_RDWR)
+    fd = _opened_nothing()
     while fd <= 2:
-        fd = os.open(os.devnull, os.O_RDWR)
+        fd = _opened_nothing()
     os.close(fd)
     if sys.stdout is None:
         sys.stdout = _Closed()
@@ -114,6 +114,13 @@ def _prepare_streams():
         sys.stdout = io.TextIOWrapper(sys.stdout.buffer, "utf-8", "backslashreplace", line_buffering=sys.stdout.isatty())
     if sys.stderr is not None:
         sys.stderr = io.TextIOWrapper(sys.stderr.buffer, "utf-8", "backslashreplace", line_buffering=True)
+
+
+def _opened_nothing():
+    try:
+        return os.open(os.devnull, os.O_RDWR)
+    except OSError:  # a chroot without /dev
+        return os.open(os.sep, os.O_RDONLY)
 
 
 def _leave(status):

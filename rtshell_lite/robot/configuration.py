@@ -63,18 +63,25 @@ class Configuration:
             raise errors.NoSuch(self.where, "configuration set", printable(set_id) + candidates(set_id, known))
         return self._set(set_id)
 
-    def check(self, values, within):
-        """Raise NoSuch unless the Set `within` has every parameter in `values`."""
-        for name in values:
+    def check(self, names, within):
+        """Raise NoSuch unless the Set `within` has every one of these parameters."""
+        for name in names:
             if name not in within.values:
                 raise errors.NoSuch(self.where, "configuration parameter", printable(name) + candidates(name, within.values))
+
+    def check_values(self, values, within):
+        """The same for values ({name: value}); raises BadValue for one that cannot be sent, too."""
+        self.check(values, within)
+        for name, value in values.items():
+            if "\0" in value:
+                raise errors.BadValue(f"{self.where}: {printable(name)}", "a string holds no NUL")
 
     def store(self, values, within):
         """Set `values` (a dict) in the Set `within`. The active set is activated again: a component forgets it otherwise.
 
-        Raises NoSuch before anything is changed, Refused.
+        Raises NoSuch and BadValue before anything is changed, Refused.
         """
-        self.check(values, within)
+        self.check_values(values, within)
         everything = collections.OrderedDict(within.values, **values)
         raw = orb.struct("component.SDOPackage.ConfigurationSet")(
             to_wire(within.id), self.raw[within.id].description, orb.nvlist(everything.items()))
@@ -119,7 +126,7 @@ class Configuration:
         steps = []
         for set_id in sorted(wanted):
             within = self.set(set_id, with_hidden=True)
-            self.check(wanted[set_id], within)
+            self.check_values(wanted[set_id], within)
             changed = _changed(within, wanted[set_id])
             if changed:
                 steps.append(self.command(set_id, "set", *[f"{name}={value}" for name, value in changed.items()]))

@@ -59,6 +59,9 @@ Configuration. Names and values are written as they are read, with escapes:
   262145
   $ echo 'a\q' 2>&- >mode0/str_param0 || why
   $TMP/m/localhost:$PORT/test.host_cxt/ConfigSample0.rtc/configuration/mode0/str_param0: bad escape \q
+  $ printf 'a\0b' 2>&- >mode0/str_param0 || why; printf '%s' 'a\x00b' 2>&- >mode0/str_param0 || why
+  /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: a string holds no NUL
+  /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: a string holds no NUL
   $ echo mode0 >active; cat active; PATH=$tools rtconf ConfigSample0.rtc | grep '*'
   mode0
   +mode0*

@@ -3,14 +3,23 @@ import struct
 import threading
 import time
 import unittest
+from unittest import mock
 
+from rtshell_lite import errors
 from rtshell_lite.corba import lanes
-from rtshell_lite.mount import asking, nodes, wire
+from rtshell_lite.mount import asking, kernel, nodes, wire
 from rtshell_lite.path import Name
 
 
 def packed(opcode, body=b"", unique=7, node=1):
     return struct.pack("=IIQQIIIHH", 40 + len(body), opcode, unique, node, 1000, 1000, 4711, 0, 0) + body
+
+
+class Systems(unittest.TestCase):
+    def test_those_that_are_not_linux(self):
+        with mock.patch("sys.platform", "darwin"), self.assertRaises(errors.Failed) as caught:
+            kernel.check("/")
+        self.assertEqual(str(caught.exception), "rtmount: works on Linux only")
 
 
 class Wire(unittest.TestCase):
