@@ -129,6 +129,8 @@ def _broken_off(server, path, failure):
         for size, name in enumerate(path.names[:-1], 1):
             ref = node.call("resolve", orb.naming_name([name]))
             node = classified(path._replace(names=path.names[:size]), ref, True)
+            if node.kind != "directory":
+                return failure
         node.call("resolve", orb.naming_name(path.names[-1:]))
     except errors.Unreachable as e:
         return e

@@ -5,7 +5,7 @@ import time
 import unittest
 
 import random_values
-from rtshell_lite.corba import cdr, descriptors, idl
+from rtshell_lite.corba import cdr, descriptors, idl, ior
 from rtshell_lite.corba.fixed_size import Fault
 from rtshell_lite.corba.iiop import client, marshal, operations, typecodes
 
@@ -149,7 +149,7 @@ class Hostile(unittest.TestCase):
         for data in (struct.pack("<III", 18, 0, 0xffffffff) + b"x", struct.pack("<III", 18, 0, 3) + b"abc", struct.pack("<II", 18, 0)):
             with self.assertRaises((Fault, struct.error)):
                 read(data, 0)
-        with self.assertRaises(Fault):
+        with self.assertRaises(ior.BadReference):
             marshal.Maker("<").reader((descriptors.OBJECT, "", ""))(struct.pack("<II", 0, 1000), 0)
         nested = struct.pack("<I", descriptors.ANY) * 200 + struct.pack("<Ii", descriptors.LONG, 1)
         with self.assertRaises(Fault):

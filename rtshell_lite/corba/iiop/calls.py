@@ -5,7 +5,7 @@ from struct import error as StructError
 from rtshell_lite import errors
 from rtshell_lite.corba import descriptors, failures, idl, ior, lanes
 from rtshell_lite.corba.iiop import connections, giop, marshal, operations
-from rtshell_lite.text import printable
+from rtshell_lite.text import cut, printable
 
 LARGEST = 4 << 20  # octets of a reply without data; 10,000 long names take half of it, and a million empty values 4 s of CPU
 FORWARDS = 8  # at most, from one object to another
@@ -132,7 +132,7 @@ def _system_exception(data, at, little):
     name, at = operations.reader(marshal.TEXT, little)(data, at)
     minor, at = operations.reader(descriptors.ULONG, little)(data, at)
     name = name.split(":")[1].rpartition("/")[2] if name.count(":") == 2 else "UNKNOWN"
-    return name, idl.MINORS.get(name, {}).get(minor) or "CORBA." + printable(name)
+    return name, idl.MINORS.get(name, {}).get(minor) or cut("CORBA." + printable(name))
 
 
 def _values(readers, data, at):
