@@ -5,11 +5,12 @@ from struct import error as StructError
 from rtshell_lite import errors
 from rtshell_lite.corba import descriptors, failures, idl, ior, lanes
 from rtshell_lite.corba.iiop import connections, giop, marshal, operations
-from rtshell_lite.text import cut, printable
+from rtshell_lite.text import printable
 
 LARGEST = 4 << 20  # octets of a reply without data; 10,000 long names take half of it, and a million empty values 4 s of CPU
 FORWARDS = 8  # at most, from one object to another
 _ASKING = ("get_", "is_", "_")  # operations that change nothing begin so
+LONGEST_NAME = 60  # characters of the name of a system exception; the longest of CORBA 3.0 has 23
 _GARBLED = (ValueError, StructError, IndexError, RecursionError)  # what reading values raises
 _OBJECT = (descriptors.OBJECT, "", "Object")
 
@@ -132,7 +133,7 @@ def _system_exception(data, at, little):
     name, at = operations.reader(marshal.TEXT, little)(data, at)
     minor, at = operations.reader(descriptors.ULONG, little)(data, at)
     name = name.split(":")[1].rpartition("/")[2] if name.count(":") == 2 else "UNKNOWN"
-    return name, idl.MINORS.get(name, {}).get(minor) or cut("CORBA." + printable(name))
+    return name, idl.MINORS.get(name, {}).get(minor) or "CORBA." + printable(name[:LONGEST_NAME])
 
 
 def _values(readers, data, at):
