@@ -85,6 +85,33 @@ class Loop(unittest.TestCase):
 
         self.assertEqual(self.run_tasks(*[(peer.ref, ask)] * 2), [False, True])
 
+    def test_answers_that_come_while_a_task_blocks(self):
+        """They are taken before anybody is given up."""
+        lanes.session = lanes.Session(0.3)
+
+        def at_once(pending):
+            replies = b"".join(answer(number) for number, _ in pending)
+            pending.clear()
+            return replies or None
+
+        def meanwhile(pending):
+            blocking.wait(5)
+            return at_once(pending)
+
+        blocking = threading.Event()
+        one, other = self.script(at_once), self.script(meanwhile)
+
+        async def block():
+            await orb.Call("w", one.ref, "_non_existent")
+            blocking.set()
+            time.sleep(1)
+            return "blocked"
+
+        async def ask():
+            return await orb.Call("w", other.ref, "_non_existent")
+
+        self.assertEqual(self.run_tasks((one.ref, block), (other.ref, ask)), ["blocked", False])
+
     def test_one_hung_object_costs_itself(self):
         lanes.session = lanes.Session(0.5)
 

@@ -12,6 +12,7 @@ from rtshell_lite.corba import lanes, tasks
 from rtshell_lite.corba.iiop import calls, connections, giop
 
 LOOK = 0.005  # seconds between looks at whether the address of a host has been found
+LONG = 2 * lanes.TICK  # seconds of a round in which a task has blocked
 MOST = 64  # jobs of one process under way at a time, most of which wait for their turn
 NAMING = "IDL:omg.org/CosNaming/"  # interfaces of name servers begin so
 
@@ -140,7 +141,7 @@ class _Loop:
         self._jobs, self._sleeping = [], {}  # the latter: when each task goes on
         self._asked = set()  # peers with requests under way
         self._poll, self._watched = None, {}  # {file descriptor: peer}
-        self._checked = time.monotonic()
+        self._checked, self._was_long = time.monotonic(), False  # when deadlines were looked at; whether the last round was long
         self._tick = min(lanes.TICK, lanes.session.timeout / 10)
 
     def peer(self, endpoint):
@@ -178,14 +179,17 @@ class _Loop:
             peer = self.have_changed.pop()
             self._begin(peer)
             self._send(peer)
-        for peer, may_wait in self._ready():
+        ready, looked = self._ready(), time.monotonic()
+        for peer, may_wait in ready:
             self._take(peer, may_wait)
         now = time.monotonic()
         for task in [task for task, when in self._sleeping.items() if when <= now]:
             del self._sleeping[task]
             task.go_on()
-        if now - self._checked >= self._tick:
-            self._checked = now
+        if now - looked > LONG and not self._was_long:  # answers may have come meanwhile, and are taken first
+            self._was_long = True
+        elif now - self._checked >= self._tick:
+            self._checked, self._was_long = now, False
             self._give_up(now)
         lanes.still_waiting()
 
