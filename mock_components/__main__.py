@@ -65,8 +65,7 @@ def main(argv):
     parser = arguments()
     args = parser.parse_args(argv)
     if args.list:
-        for name, words in listed():
-            print(f"{name:10} " + words.replace("\n", "\n    "))
+        print("\n".join(f"{name:10} " + words.replace("\n", "\n    ") for name, words in listed()))
         return 0
     from . import flavour, worlds
     if args.world not in worlds.WORLDS:

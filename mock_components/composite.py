@@ -28,7 +28,7 @@ class Member:
         return not alive(self.reference)
 
 
-class Organization(stubs.skeleton("component.SDOPackage.Organization")):
+class Organization(stubs.skeleton("SDOPackage.Organization")):
     """The members of a composite; adding one stops its own contexts, removing it starts them."""
 
     def __init__(self, composite):

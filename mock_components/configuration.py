@@ -18,7 +18,7 @@ def of_a_set(key):
     return key.startswith("conf.") and key.count(".") > 1
 
 
-class Configuration(stubs.skeleton("component.SDOPackage.Configuration")):
+class Configuration(stubs.skeleton("SDOPackage.Configuration")):
     """Sets are kept in order of registration; a set whose id starts with `_` is data about the others."""
 
     def __init__(self, component, sets, active):

@@ -289,11 +289,11 @@ class Behaviour:
             return RTC.RTC_ERROR
 
 
-class PeriodicContext(Behaviour, stubs.skeleton("component.RTC.ExecutionContextService")):
+class PeriodicContext(Behaviour, stubs.skeleton("RTC.ExecutionContextService")):
     """An ordinary context."""
 
 
-class ExtTrigContext(Behaviour, stubs.skeleton("component.OpenRTM.ExtTrigExecutionContextService")):
+class ExtTrigContext(Behaviour, stubs.skeleton("OpenRTM.ExtTrigExecutionContextService")):
     """The type that C++ 1.1 gives to every context."""
 
     def tick(self):

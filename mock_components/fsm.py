@@ -16,7 +16,7 @@ STRUCTURE = """\
 EVENTS = [("open", "TimedLong"), ("close", "TimedLong"), ("start", "TimedLong"), ("stop", "TimedLong")]
 
 
-class Service(stubs.skeleton("fsm.RTC.ExtendedFsmService")):
+class Service(stubs.skeleton("RTC.ExtendedFsmService")):
     """The service of a state machine; it returns the structure that was set."""
 
     def __init__(self, fate):

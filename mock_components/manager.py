@@ -15,7 +15,7 @@ KEY = "manager"             # its object key, whatever its name
 SHUTDOWN_TIME = 0.5         # seconds from the answer to shutdown() to the end of the process
 
 
-class Manager(stubs.skeleton("manager.RTM.Manager")):
+class Manager(stubs.skeleton("RTM.Manager")):
     """Lives in the process of a stage, whose components are its own."""
 
     def __init__(self, stage, name="manager", master=True):

@@ -48,6 +48,17 @@ def free_port(above=12000):
     raise Failed("no free port")
 
 
+def try_loopback():
+    """Raise Failed in a network namespace in which nothing can run."""
+    with socket.socket() as probe:
+        try:
+            probe.bind(("127.0.0.1", 0))
+            probe.listen(1)
+            socket.create_connection(probe.getsockname(), DEADLINE).close()
+        except OSError as e:
+            raise Failed(f"127.0.0.1 does not work here ({e.strerror}); in a new network namespace: ip link set lo up")
+
+
 def command(port, directory, host="127.0.0.1"):
     """The command line of an omniNames on a port, with its data in `directory`. Raises Failed."""
     program = binary()
@@ -58,6 +69,7 @@ def command(port, directory, host="127.0.0.1"):
 
 def start(directory):
     """Start omniNames on 127.0.0.1 with its data in `directory`, and wait until it answers: (process, port). Raises Failed."""
+    try_loopback()
     for _ in range(ATTEMPTS):
         port = free_port()
         process = subprocess.Popen(command(port, directory), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,

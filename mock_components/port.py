@@ -13,7 +13,7 @@ from .properties import get, nvlist
 TRANSIENT_CONNECT_FAILED = 0x41540002
 
 
-class Port(stubs.skeleton("component.RTC.PortService")):
+class Port(stubs.skeleton("RTC.PortService")):
     """What data ports and service ports share."""
 
     def __init__(self, component, name):

@@ -10,7 +10,7 @@ LINGER = 0.7            # seconds that the name of an ended component stays boun
 KINDS = {"in": dataport.InPort, "out": dataport.OutPort, "event": dataport.EventInPort, "service": serviceport.ServicePort}
 
 
-class Component(stubs.skeleton("component.OpenRTM.DataFlowComponent")):
+class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
     """A component without behaviour; others derive from it."""
 
     busy = False        # whether an active one has work in every cycle

@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 
-from . import asking, nameserver
+from . import asking
 
 CONTEXT = "test.host_cxt"  # where components are bound
 
@@ -43,6 +43,7 @@ def world(name, *arguments):
 
     `arguments` are those of the command line: "--rate", "100". Raises nameserver.Failed, RuntimeError.
     """
+    from . import nameserver  # here, as `python3 -m mock_components.nameserver` imports this module before it runs that one
     above = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     environment = dict(os.environ, PYTHONPATH=os.pathsep.join(filter(None, [above, os.environ.get("PYTHONPATH")])))
     with contextlib.ExitStack() as stack:

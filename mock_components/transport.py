@@ -83,7 +83,7 @@ class Receiver(Transport):
         return "PORT_OK"
 
 
-class InPortCdr(stubs.skeleton("dataport.OpenRTM.InPortCdr")):
+class InPortCdr(stubs.skeleton("OpenRTM.InPortCdr")):
     def __init__(self, receiver):
         self.receiver = receiver
 
@@ -91,7 +91,7 @@ class InPortCdr(stubs.skeleton("dataport.OpenRTM.InPortCdr")):
         return getattr(OpenRTM, self.receiver.answer(data))
 
 
-class DataPushService(stubs.skeleton("dataport.RTC.DataPushService")):
+class DataPushService(stubs.skeleton("RTC.DataPushService")):
     def __init__(self, receiver):
         self.receiver = receiver
 
@@ -207,7 +207,7 @@ class Provider(Transport):
         return "PORT_OK", self.last
 
 
-class OutPortCdr(stubs.skeleton("dataport.OpenRTM.OutPortCdr")):
+class OutPortCdr(stubs.skeleton("OpenRTM.OutPortCdr")):
     def __init__(self, provider):
         self.provider = provider
 
@@ -216,7 +216,7 @@ class OutPortCdr(stubs.skeleton("dataport.OpenRTM.OutPortCdr")):
         return getattr(OpenRTM, status), data
 
 
-class DataPullService(stubs.skeleton("dataport.RTC.DataPullService")):
+class DataPullService(stubs.skeleton("RTC.DataPullService")):
     def __init__(self, provider):
         self.provider = provider
 

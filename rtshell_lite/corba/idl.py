@@ -60,16 +60,16 @@ def operation(interface, name):
 
 @functools.lru_cache(maxsize=None)
 def id_of(name):
-    """The repository id of an interface or a type by its name: component.RTC.PortService, CosNaming.NameComponent."""
-    tail = "/" + "/".join(name.split(".")[-2:]) + ":"
+    """The repository id of an interface or a type by its name: RTC.PortService, CosNaming.NameComponent."""
+    tail = "/" + name.replace(".", "/") + ":"
     return next(type_id for table in (INTERFACES, TYPES) for type_id in table if tail in "/" + type_id.partition(":")[2])
 
 
 def struct(name):
-    """The class of a struct by its name (component.RTC.ConnectorProfile), called with its members."""
+    """The class of a struct by its name (RTC.ConnectorProfile), called with its members."""
     return descriptors.factory(_named(id_of(name)))
 
 
 def items(name):
-    """The items of an enum by its name (dataport.OpenRTM.PortStatus), in their order: each with a name `_n` and a number `_v`."""
+    """The items of an enum by its name (OpenRTM.PortStatus), in their order: each with a name `_n` and a number `_v`."""
     return descriptors.items(_named(id_of(name)))

@@ -247,5 +247,5 @@ def descriptor_in(nvlist, name):
 def nvlist(pairs):
     """(name, value) texts as an SDOPackage::NVList of strings, the one type that every implementation accepts."""
     from omniORB import CORBA
-    NameValue = idl.struct("component.SDOPackage.NameValue")
+    NameValue = idl.struct("SDOPackage.NameValue")
     return [NameValue(to_wire(n), CORBA.Any(CORBA.TC_string, to_wire(v))) for n, v in pairs]

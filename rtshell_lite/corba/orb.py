@@ -73,7 +73,7 @@ def from_text(where, text):
 
 
 def narrow(ref, interface):
-    """`ref` as a reference of an interface (component.RTC.PortService), on trust: no remote call."""
+    """`ref` as a reference of an interface (RTC.PortService), on trust: no remote call."""
     return _orb.narrow(ref, interface)
 
 

@@ -13,11 +13,11 @@ from rtshell_lite.corba import ior, orb
 class InPortCdr:
     """Receives what an out port pushes by corba_cdr, and passes (nanoseconds since 1970, bytes) to a function."""
 
-    interface = "dataport.OpenRTM.InPortCdr"
+    interface = "OpenRTM.InPortCdr"
 
     def __init__(self, take):
         self.take = take
-        self.done = orb.items("dataport.OpenRTM.PortStatus")[0]
+        self.done = orb.items("OpenRTM.PortStatus")[0]
 
     def put(self, data):
         self.take(int(time.time() * 1e9), data)
@@ -27,11 +27,11 @@ class InPortCdr:
 class DataPushService:
     """Receives what an out port pushes by data_service, likewise."""
 
-    interface = "dataport.RTC.DataPushService"
+    interface = "RTC.DataPushService"
 
     def __init__(self, take):
         self.take = take
-        self.done = orb.items("dataport.RTC.PortStatus")[0]
+        self.done = orb.items("RTC.PortStatus")[0]
 
     def push(self, data):
         self.take(int(time.time() * 1e9), data)

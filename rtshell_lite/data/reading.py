@@ -190,7 +190,7 @@ class Reader(Connection):
 
 def fetcher(reader):
     """A function that fetches the oldest value of a pull connection as bytes, or None."""
-    source = reader.remote({"corba_cdr": "dataport.OpenRTM.OutPortCdr", "data_service": "dataport.RTC.DataPullService"})
+    source = reader.remote({"corba_cdr": "OpenRTM.OutPortCdr", "data_service": "RTC.DataPullService"})
     operation = "get" if reader.interface == "corba_cdr" else "pull"
 
     def get():

@@ -178,7 +178,7 @@ class Writer(Connection):
             self.backlog = self._new_backlog()
         super()._open()
         self.was_connected = True
-        self.sink = self.remote({"corba_cdr": "dataport.OpenRTM.InPortCdr", "data_service": "dataport.RTC.DataPushService"})
+        self.sink = self.remote({"corba_cdr": "OpenRTM.InPortCdr", "data_service": "RTC.DataPushService"})
         self.operation = "put" if self.interface == "corba_cdr" else "push"
 
     def put(self, data, little=True):

@@ -15,8 +15,8 @@ from rtshell_lite.text import from_wire, printable
 OBSERVER = "IDL:OpenRTM/ComponentObserver:1.0"
 FSM_OBSERVER = "IDL:omg.org/RTC/ComponentObserver:1.0"
 LOGGER = "IDL:OpenRTM/Logger:1.0"
-INTERFACES = {OBSERVER: "observer.OpenRTM.ComponentObserver", FSM_OBSERVER: "observer.RTC.ComponentObserver",
-              LOGGER: "observer.OpenRTM.Logger"}  # named as in corba/idl.py
+INTERFACES = {OBSERVER: "OpenRTM.ComponentObserver", FSM_OBSERVER: "RTC.ComponentObserver",
+              LOGGER: "OpenRTM.Logger"}  # named as in corba/idl.py
 BEAT = 1.0  # seconds between the heartbeats that we ask for
 
 # What has happened, and when (seconds since 1970) it was reported. `kind` is one of KINDS; `subject` is a context handle, a port,
@@ -100,8 +100,8 @@ class Subscription:
     def _profile(self):
         if self._served is None:
             self._served = servants.Served(self._servant)
-        ref = orb.narrow(orb.from_text(self.where, self._served.ior(self.node.endpoint)), "component.SDOPackage.SDOService")
-        return orb.struct("component.SDOPackage.ServiceProfile")(self.id, self.interface, orb.nvlist(self.properties), ref)
+        ref = orb.narrow(orb.from_text(self.where, self._served.ior(self.node.endpoint)), "SDOPackage.SDOService")
+        return orb.struct("SDOPackage.ServiceProfile")(self.id, self.interface, orb.nvlist(self.properties), ref)
 
     def detach(self):
         """Make the component forget it, even if `attach` failed. Raises Unreachable."""

@@ -97,7 +97,7 @@ async def participating_context_refs(node):
 
 
 async def _refs(node, operation):
-    return [orb.narrow(ref, "component.RTC.ExecutionContextService") for ref in await node.ask(operation) if ref is not None]
+    return [orb.narrow(ref, "RTC.ExecutionContextService") for ref in await node.ask(operation) if ref is not None]
 
 
 @tasks.task

@@ -83,7 +83,7 @@ class Configuration:
         """
         self.check_values(values, within)
         everything = collections.OrderedDict(within.values, **values)
-        raw = orb.struct("component.SDOPackage.ConfigurationSet")(
+        raw = orb.struct("SDOPackage.ConfigurationSet")(
             to_wire(within.id), self.raw[within.id].description, orb.nvlist(everything.items()))
         if not self._call("set_configuration_set_values", raw):
             raise errors.Refused(self.where, f"does not take values for configuration set {printable(within.id)}")

@@ -4,7 +4,7 @@ from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, ports
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 
-PROFILE = "component.RTC.ConnectorProfile"
+PROFILE = "RTC.ConnectorProfile"
 
 
 def refuse_duplicate(ends, name, connector_id):

@@ -18,7 +18,7 @@ class Machine:
                     if SERVICE in (profile.interface_type, profile.id) and profile.service is not None]
         if not services:
             raise errors.NoSuch(self.where, "SDO service", "ExtendedFsmService (it is no state machine of FSM4RTC)")
-        self.ref = orb.narrow(services[0], "fsm.RTC.ExtendedFsmService")
+        self.ref = orb.narrow(services[0], "RTC.ExtendedFsmService")
 
     def state(self):
         """The name of the current state."""
@@ -44,7 +44,7 @@ class Machine:
 
     def set_event_profiles(self, pairs, dry_run=False):
         """Replace its event profiles by `pairs` of name and data type; returns what `set_structure` does."""
-        event_profile = orb.struct("fsm.RTC.FsmEventProfile")
+        event_profile = orb.struct("RTC.FsmEventProfile")
 
         def change(structure):
             structure.event_profiles = [event_profile(to_wire(name), to_wire(kind)) for name, kind in pairs]

@@ -67,7 +67,7 @@ class Node:
     def _narrowed(self):
         if self.kind in ("server", "directory"):
             return orb.context(self.ref)
-        interface = "manager.RTM.Manager" if self.kind == "manager" else "component.OpenRTM.DataFlowComponent"
+        interface = "RTM.Manager" if self.kind == "manager" else "OpenRTM.DataFlowComponent"
         return orb.narrow(self.ref, interface)
 
     def call(self, operation, *args, **more):

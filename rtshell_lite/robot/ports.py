@@ -46,7 +46,7 @@ def in_system(listed):
 async def refs(node):
     """References of the ports of a component."""
     listed = cli.first(MOST_PORTS, await node.ask("get_ports"), node.path, "ports")
-    return [orb.narrow(ref, "component.RTC.PortService") for ref in listed if ref is not None]
+    return [orb.narrow(ref, "RTC.PortService") for ref in listed if ref is not None]
 
 
 @tasks.task

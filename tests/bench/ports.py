@@ -56,7 +56,7 @@ def bare():
     kind = RTC._tc_TimedLong if name == "number" else RTC._tc_TimedOctetSeq
     count = [0]
 
-    class Receiver(stubs.skeleton("dataport.OpenRTM.InPortCdr")):
+    class Receiver(stubs.skeleton("OpenRTM.InPortCdr")):
         def put(self, data):
             value = omniORB.cdrUnmarshal(kind, data, True)
             shown = value.data if name == "number" else value.data.hex()

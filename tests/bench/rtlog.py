@@ -25,7 +25,7 @@ sys.path[:0] = [%r, %r]
 import worlds
 from worlds import CORBA, OpenRTM
 from rtshell_lite.corba import stubs
-class Sink(stubs.skeleton("dataport.OpenRTM.InPortCdr")):
+class Sink(stubs.skeleton("OpenRTM.InPortCdr")):
     count = octets = 0
     def put(self, data):
         if not self.count:

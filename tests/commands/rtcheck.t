@@ -14,6 +14,16 @@ Save a system, with service connections, a connection of three ends, and configu
   $ rtcheck -s Inactive a.xml; rtcheck --state=inactive < a.yaml; rtcheck -x -s Inactive - < a.xml
   $ rtcheck -y -s Inactive a.yaml
 
+Without a file it reads standard input, and says so on a terminal, unless that is not wanted:
+
+  $ printf '\004' | tty 80 rtcheck
+  rtcheck: reading an RtsProfile from standard input; Ctrl-D ends it
+  rtcheck: -:1:1: the file is empty
+  [1]
+  $ printf '\004' | tty 80 rtcheck -q
+  rtcheck: -:1:1: the file is empty
+  [1]
+
 States are to be Active unless you say otherwise:
 
   $ rtcheck a.xml

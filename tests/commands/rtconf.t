@@ -134,7 +134,7 @@ A value may hold anything: equals signs, newlines, blanks, any script, escapes, 
 What get prints is what set takes; only on a terminal it is escaped, as far as it would harm it:
 
   $ sample() { rtconf -q ConfigSample0.rtc "$@"; }
-  $ for value in 'C:\new\x41' "$(printf 'a\tb\n \033[31m\377\\')" '-n' ''; do
+  $ for value in 'C:\new\x41' "$(printf 'a\tb\n \033[31m\377\\')" '-n' '' ' x ' ' ' '  日本 é' "$(printf 'a\n\nb')" '\' '\\x' '$(id) "`'\' ',|=;'; do
   >   sample set -- str_param0 "$value"; x=$(sample get str_param0); [ "$x" = "$value" ] || echo changed
   >   sample set -- str_param0 "$x"; [ "$(sample get str_param0)" = "$value" ] || echo "changed again"
   > done

@@ -17,6 +17,15 @@ A component that is inactive already is left as it is:
   $ rtdeact -v ConsoleIn0.rtc
   rtdeact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Inactive
 
+If one argument is no component, none is changed:
+
+  $ rtact ConsoleIn0.rtc; rtdeact ConsoleIn0.rtc ConsoleOut0.rtc:in .
+  rtdeact: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not a component (it is a port)
+  rtdeact: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
+  [3]
+  $ ctl state ConsoleIn0
+  ACTIVE
+
 --dry-run prints commands that do it, and changes nothing:
 
   $ rtact ConsoleIn0.rtc

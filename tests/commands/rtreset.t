@@ -22,9 +22,17 @@ A component that is inactive already is left as it is, an active one cannot be r
   rtreset: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: cannot reset: it is Active, not Error
   [5]
 
+If one argument is no component, none is reset:
+
+  $ ctl @error error Broken0; rtreset Broken0.rtc ConsoleOut0.rtc:in ..
+  rtreset: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not a component (it is a port)
+  rtreset: /localhost:$PORT: not a component (it is a name server)
+  [3]
+  $ ctl @error state Broken0
+  ERROR
+
 --dry-run prints commands that do it, and changes nothing:
 
-  $ ctl @error error Broken0
   $ rtreset --dry-run Broken0.rtc
   rtreset /localhost:$PORT/test.host_cxt/Broken0.rtc
   $ ctl @error state Broken0

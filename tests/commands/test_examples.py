@@ -351,29 +351,5 @@ class Readme(Case):
                        "test $(ls logs | wc -l) = 2 && rtlog -d -f logs/$(ls logs | head -n 1)")
 
 
-class Tour(unittest.TestCase):
-    def test_tour(self):
-        """mock_components/tour, without its installation, runs and does what it says."""
-        top = tempfile.mkdtemp(dir=TOP)
-        os.makedirs(os.path.join(top, ".venv-tour", "bin"))
-        python = os.path.join(top, ".venv-tour", "bin", "python")
-        with open(python, "w") as file:
-            file.write('#!/bin/sh\n[ "$1 $2" = "-m pip" ] || exec "%s" "$@"\n' % sys.executable)
-        os.chmod(python, 0o755)
-        with open(os.path.join(top, ".venv-tour", "made-from"), "w") as file:
-            print(sys.base_prefix, *sys.version_info[:3], file=file)
-        for package in os.path.join(processes.ROOT, "mock_components"), os.path.dirname(rtshell_lite.__file__):
-            os.symlink(package, os.path.join(top, os.path.basename(package)))
-        environment = dict(worlds.ENVIRONMENT, PATH=worlds.COMMANDS + os.pathsep + os.environ["PATH"], PYTHON=sys.executable,
-                           PYTHONDONTWRITEBYTECODE="1", LC_ALL="C.UTF-8")
-        done = subprocess.run(["sh", os.path.join(top, "mock_components", "tour")], env=environment, timeout=120,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        said = done.stdout.decode("utf-8", "replace")
-        self.assertEqual(done.returncode, 0, said)
-        self.assertEqual(re.findall(r"\$ (.*)\n(?:[^$\n].*\n)*\(exit status (\d+)\)", said), [
-            ("rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService", "6"), ("rtact Broken0.rtc", "6")] + [
-                ("echo nonsense >ConsoleIn0.rtc/state", "1")] * (not mounts.refused()), said)
-
-
 if __name__ == "__main__":
     unittest.main()

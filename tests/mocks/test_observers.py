@@ -29,19 +29,19 @@ else:
             """What was said, in any order: oneway calls may overtake each other."""
             return sorted(self.said.get(timeout=worlds.LIMIT) for _ in range(count))
 
-    class Observer(Gathering, stubs.skeleton("observer.OpenRTM.ComponentObserver")):
+    class Observer(Gathering, stubs.skeleton("OpenRTM.ComponentObserver")):
         type_id = "IDL:OpenRTM/ComponentObserver:1.0"
 
-    class FsmObserver(Gathering, stubs.skeleton("observer.RTC.ComponentObserver")):
+    class FsmObserver(Gathering, stubs.skeleton("RTC.ComponentObserver")):
         type_id = "IDL:omg.org/RTC/ComponentObserver:1.0"
 
-    class Logger(Gathering, stubs.skeleton("observer.OpenRTM.Logger")):
+    class Logger(Gathering, stubs.skeleton("OpenRTM.Logger")):
         type_id = "IDL:OpenRTM/Logger:1.0"
 
         def publish(self, record):
             self.said.put((record.loggername, str(record.level), record.message))
 
-    class Receiver(Gathering, stubs.skeleton("dataport.OpenRTM.InPortCdr")):
+    class Receiver(Gathering, stubs.skeleton("OpenRTM.InPortCdr")):
         def put(self, data):
             self.said.put(data)
             return OpenRTM.PORT_OK

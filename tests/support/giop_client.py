@@ -15,7 +15,7 @@ CLOSE, ERROR = requests.word(giop.CLOSE, 2), requests.word(giop.ERROR, 2)
 class Port:
     """A servant that keeps what it is given."""
 
-    interface = "dataport.OpenRTM.InPortCdr"
+    interface = "OpenRTM.InPortCdr"
 
     def __init__(self):
         self.taken, self.came = [], threading.Semaphore(0)
@@ -31,7 +31,7 @@ class Port:
 class Observer:
     """A servant of an interface that inherits, with an operation that is oneway."""
 
-    interface = "observer.OpenRTM.ComponentObserver"
+    interface = "OpenRTM.ComponentObserver"
 
     def __init__(self):
         self.heard = []

@@ -21,6 +21,7 @@ import os
 import re
 import shutil
 import signal
+import stat
 import subprocess
 import sys
 import threading
@@ -251,7 +252,7 @@ def printed_on(terminal):
 
 
 def play_tty(words):
-    """tty COLUMNS COMMAND...: run the command on a terminal that wide, show what it writes there."""
+    """tty COLUMNS COMMAND...: run the command on a terminal that wide, type what comes through a pipe, show what is written there."""
     import fcntl
     import pty
     import struct
@@ -264,6 +265,8 @@ def play_tty(words):
             os.execvp(words[1], words[1:])
         finally:
             os._exit(127)
+    if stat.S_ISFIFO(os.fstat(0).st_mode):
+        os.write(terminal, sys.stdin.buffer.read())
     for data in printed_on(terminal):
         sys.stdout.buffer.write(data.replace(b"\r\n", b"\n"))
     status = os.waitpid(child, 0)[1]

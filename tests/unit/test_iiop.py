@@ -72,7 +72,7 @@ class References(unittest.TestCase):
         one, other = [client.from_url("w", f"corbaloc::a:5/{key}") for key in "xy"]
         self.assertTrue(client.same(one, client.from_url("w", "corbaloc:iiop:1.0@a:5/x")))
         self.assertFalse(client.same(one, other))
-        self.assertIs(client.narrow(one, "manager.RTM.Manager").profiles, one.profiles)
+        self.assertIs(client.narrow(one, "RTM.Manager").profiles, one.profiles)
 
 
 class Calls(unittest.TestCase):
@@ -115,7 +115,7 @@ class Calls(unittest.TestCase):
         """What changes something is not sent into the connection that has ended, and cannot be sent twice."""
         self.peer = Peer(answer(1, bytes(4)), answer(1, bytes(4)))
         self.addCleanup(self.peer.close)
-        ref = client.narrow(client.from_url("w", f"corbaloc::127.0.0.1:{self.peer.port}/x"), "component.RTC.RTObject")
+        ref = client.narrow(client.from_url("w", f"corbaloc::127.0.0.1:{self.peer.port}/x"), "RTC.RTObject")
         exit_it = orb.Call("w", ref, "exit")
         client.invoke(exit_it)
         connection, = connections._idle[ref.address[1:3]]
@@ -248,7 +248,7 @@ class Beside(unittest.TestCase):
         world = worlds.World("two")
         self.addCleanup(world.close)
         ref = references.from_text(worlds.Server.orb.object_to_string(world.component("ConsoleIn0")))
-        component = client.narrow(ref, "component.OpenRTM.DataFlowComponent")
+        component = client.narrow(ref, "OpenRTM.DataFlowComponent")
         ours = client.invoke(orb.Call("w", component, "get_component_profile"))
         theirs = world.component("ConsoleIn0").get_component_profile()
         for name in ("instance_name", "type_name", "vendor", "category"):

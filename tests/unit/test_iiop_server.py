@@ -177,7 +177,7 @@ class Callers(Served):
         self.text = references.Reference(b"IDL:OpenRTM/InPortCdr:1.0", profiles).text()
 
     def test_our_own(self):
-        ref = client.narrow(client.from_text("w", self.text), "dataport.OpenRTM.InPortCdr")
+        ref = client.narrow(client.from_text("w", self.text), "OpenRTM.InPortCdr")
         for size in (0, 5, 1000000):
             self.assertEqual(client.invoke(orb.Call("w", ref, "put", b"x" * size)), PORT_OK)
             self.assertEqual(len(self.port.taken.pop()), size)
@@ -186,7 +186,7 @@ class Callers(Served):
     def test_omniorb(self):
         from rtshell_lite.corba import omni
         from mock_components.idl import OpenRTM
-        ref = omni.narrow(omni.from_text("w", self.text), "dataport.OpenRTM.InPortCdr")
+        ref = omni.narrow(omni.from_text("w", self.text), "OpenRTM.InPortCdr")
         self.assertTrue(ref._is_a("IDL:OpenRTM/InPortCdr:1.0"))
         self.assertFalse(ref._non_existent())
         for size in (0, 5, 8100, 8192, 8300, 20000, 1000000, 5000000):

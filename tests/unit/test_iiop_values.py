@@ -29,11 +29,11 @@ class Tables(unittest.TestCase):
         self.assertIsNone(idl.known("IDL:RTC/Missing:1.0"))
 
     def test_names(self):
-        for name, type_id in (("component.RTC.PortService", "IDL:omg.org/RTC/PortService:1.0"),
-                              ("manager.RTM.Manager", "IDL:RTM/Manager:1.0"),
-                              ("component.OpenRTM.DataFlowComponent", COMPONENT),
+        for name, type_id in (("RTC.PortService", "IDL:omg.org/RTC/PortService:1.0"),
+                              ("RTM.Manager", "IDL:RTM/Manager:1.0"),
+                              ("OpenRTM.DataFlowComponent", COMPONENT),
                               ("CosNaming.NameComponent", "IDL:omg.org/CosNaming/NameComponent:1.0"),
-                              ("component.SDOPackage.NameValue", "IDL:org.omg/SDOPackage/NameValue:1.0")):
+                              ("SDOPackage.NameValue", "IDL:org.omg/SDOPackage/NameValue:1.0")):
             self.assertEqual(idl.id_of(name), type_id)
 
     def test_inherited_operations(self):

@@ -1,0 +1,127 @@
+"""mock_components/tour, without its installation: if this fails, the first thing that a newcomer tries does."""
+import os
+import pty
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import termios
+import unittest
+
+import mounts
+import processes
+import session
+import worlds
+
+import rtshell_lite
+
+ONCE = "it runs commands that other tests run on all Pythons"
+
+# A Python whose installation of packages does nothing, and one that cannot make environments
+FOUND = '#!/bin/sh\n[ "$1 $2" = "-m pip" ] || exec "%s" "$@"\n'
+BROKEN = '#!/bin/sh\n[ "$1 $2" != "-m venv" ] || { echo "no venv" >&2; exit 1; }\nexec "%s" "$@"\n'
+
+
+class Tour(unittest.TestCase):
+    def setUp(self):
+        self.top = os.path.realpath(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.top, ignore_errors=True)
+        os.makedirs(os.path.join(self.top, ".venv-tour", "bin"))
+        self.program(os.path.join(".venv-tour", "bin", "python"), FOUND)
+        self.made_from(sys.base_prefix, *sys.version_info[:3])
+        os.symlink(worlds.COMMANDS, os.path.join(self.top, "bin"))
+        for package in os.path.join(processes.ROOT, "mock_components"), os.path.dirname(rtshell_lite.__file__):
+            os.symlink(package, os.path.join(self.top, os.path.basename(package)))
+        self.words = ["sh", os.path.join(self.top, "mock_components", "tour")]
+        self.environment = dict(worlds.ENVIRONMENT, PATH=worlds.COMMANDS + os.pathsep + os.environ["PATH"], PYTHON=sys.executable,
+                                PYTHONDONTWRITEBYTECODE="1", LC_ALL="C.UTF-8", TMPDIR=self.top)
+
+    def program(self, name, text):
+        path = os.path.join(self.top, name)
+        with open(path, "w") as file:
+            file.write(text % sys.executable)
+        os.chmod(path, 0o755)
+        return path
+
+    def made_from(self, *words):
+        with open(os.path.join(self.top, ".venv-tour", "made-from"), "w") as file:
+            print(*words, file=file)
+
+    def run_it(self, *words, before=(), **environment):
+        """Status and output, without a terminal."""
+        done = subprocess.run(list(before) + self.words + list(words), env=dict(self.environment, **environment), timeout=300,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        return done.returncode, done.stdout.decode("utf-8", "replace")
+
+    def needs_omninames(self):
+        if not processes.nameserver.binary():
+            self.skipTest("needs omniORBpy and omniNames")
+
+    def test_it_runs_and_does_what_it_says(self):
+        self.needs_omninames()
+        status, said = self.run_it()
+        self.assertEqual(status, 0, said)
+        self.assertEqual(re.findall(r"\$ (.*)\n(?:[^$\n].*\n)*\(exit status (\d+)\)", said), [
+            ("rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService", "6"), ("rtact Broken0.rtc", "6")] + [
+                ("echo nonsense >ConsoleIn0.rtc/state", "1")] * (not mounts.refused()), said)
+        self.assertNotIn("a key goes on", said, "it waits on terminals only")
+        contents = re.findall(r"^  (\d  [A-Z]\w+( \w+)?)  ", said, re.MULTILINE)
+        self.assertEqual([line for line, _ in contents], re.findall(r"^\d  [A-Z].*$", said, re.MULTILINE))
+
+    def test_chapters_wait_for_a_key_on_a_terminal(self):
+        """Ctrl-C ends the tour, and leaves the terminal as it was, and no file."""
+        self.needs_omninames()
+        waits, looking, connecting = "a key goes on", "m1  Looking\x1b", "m2  Connecting\x1b"
+        for words, talk in ([], [(waits, b"x"), (looking, b""), (waits, b"\3")]), (["--no-pause"], [(looking, b""), (connecting, b"\3")]):
+            with self.subTest(words):
+                child, terminal = pty.fork()
+                if child == 0:
+                    signal.signal(signal.SIGINT, signal.SIG_DFL)
+                    os.execvpe("sh", self.words + words, self.environment)
+                before, said = termios.tcgetattr(terminal), ""
+                for data in session.printed_on(terminal):
+                    said += data.decode("utf-8", "replace")
+                    while talk and talk[0][0] in said:
+                        (heard, key), *talk = talk
+                        said = said.partition(heard)[2]
+                        os.write(terminal, key)
+                status = os.waitpid(child, 0)[1]
+                self.assertEqual((talk, os.WIFEXITED(status) and os.WEXITSTATUS(status)), ([], 130), said)
+                self.assertEqual(termios.tcgetattr(terminal), before)
+                os.close(terminal)
+                self.assertEqual(sorted(os.listdir(self.top)), [".venv-tour", "bin", "mock_components", "rtshell_lite"])
+
+    def test_another_python_means_another_environment(self):
+        self.made_from(sys.base_prefix, 3, 1, 4)
+        status, said = self.run_it(PYTHON=self.program("broken", BROKEN))
+        self.assertEqual((status, said.splitlines()), (1, [
+            "Installing omniORBpy into a private environment, once ...", "no venv", "tour: the installation failed"]))
+        self.assertFalse(os.path.exists(os.path.join(self.top, ".venv-tour", "made-from")))
+
+    def test_pythons_that_will_not_do(self):
+        self.assertEqual(self.run_it(PYTHON="/no/python"),
+                         (1, "tour: /no/python not found; name a Python 3.7 to 3.13 with PYTHON=...\n"))
+        self.assertEqual(self.run_it(PYTHON="false"), (1, "tour: false is not Python 3.7 to 3.13; name one with PYTHON=...\n"))
+        self.words = [os.path.join(processes.ROOT, "tests", "run")]
+        self.assertEqual(self.run_it(PYTHON="/no/python"), (1, "tests/run: /no/python not found; it needs Python 3.6 or later\n"))
+        self.assertEqual(self.run_it(PYTHON="false"), (1, "tests/run: false is too old; it needs Python 3.6 or later\n"))
+
+    def test_a_network_without_loopback(self):
+        """One line, at once, from the tour and from tests/run."""
+        alone = ["unshare", "--map-root-user", "--net"]
+        if not shutil.which("unshare") or subprocess.call(alone + ["true"], stderr=subprocess.DEVNULL):
+            self.skipTest("no network namespace can be made")
+        needed = "127.0.0.1 does not work here (Network is unreachable); in a new network namespace: ip link set lo up\n"
+        if processes.nameserver.binary():
+            self.assertEqual(self.run_it(before=alone), (1, "tour: nameserver does not start: nameserver: " + needed))
+        self.words = [os.path.join(processes.ROOT, "tests", "run")]
+        self.assertEqual(self.run_it("rtpwd", before=alone), (1, "tests/run: " + needed))
+
+    def test_unknown_words(self):
+        self.assertEqual(self.run_it("--pause"), (2, "usage: mock_components/tour [--no-pause | --shell]\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
