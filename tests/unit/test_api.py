@@ -8,6 +8,7 @@ import threading
 import unittest
 
 import processes
+import session
 import worlds
 from rtshell_lite import api, errors
 
@@ -32,6 +33,55 @@ begun = time.monotonic()
 assert not found._non_existent() and time.monotonic() - begun > 0.7
 assert signal.getsignal(signal.SIGINT) is before and signal.default_int_handler is before
 print("as before")
+"""
+
+# A host that serves a component of its own, as programs with OpenRTM-aist-Python do, and uses the library from its threads
+SERVING = """
+import sys, threading
+from mock_components import __main__ as mocks, flavour, naming, process, stage, worlds
+here = process.Process(0, "127.0.0.1", None)
+options = mocks.Options(context="test.host_cxt/%n.rtc", rate=1000.0, sync=True, contexts=1, running=True, arguments={}, control=None,
+                        consumers=None, size=0, fate="")
+worlds.WORLDS["these"](stage.Stage(here, naming.Naming(here.orb, sys.argv[2]), flavour.Flavour("py2"), options), "Motor:Own0")
+from rtshell_lite import api
+own, other = (api.component(sys.argv[1] + name) for name in ("Own0.rtc", "ConsoleIn0.rtc"))
+def use(component, said):
+    component.activate(wait=20)
+    said.append(component.state)
+    component.deactivate(wait=20)
+said = []
+threads = [threading.Thread(target=use, args=(component, said)) for component in (own, other)]
+for thread in threads:
+    thread.start()
+for thread in threads:
+    thread.join()
+with api.connected(own.path + ":out", sys.argv[1] + "ConsoleOut0.rtc:in"):
+    said.append(len(own.ports()[0].connections) + len(own.ports()[1].connections))
+print(*said, flush=True)
+__import__("os")._exit(0)
+"""
+
+# Ctrl-C while the library waits for values: Python's own handler, then the host's
+INTERRUPTED = """
+import os, signal, sys, threading, time
+from rtshell_lite import api
+def wait(seconds):
+    press = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+    press.start()
+    begun = time.monotonic()
+    try:
+        api.next_value(sys.argv[1], timeout=seconds)
+    except KeyboardInterrupt:
+        return "KeyboardInterrupt"
+    except api.Error as e:
+        return e.why
+    finally:
+        assert time.monotonic() - begun < 20
+        press.join()
+print(wait(60), len(api.component(sys.argv[1].partition(":out")[0]).ports()[0].connections))
+heard = []
+signal.signal(signal.SIGINT, lambda number, frame: heard.append(number))
+print(wait(0.6), heard)
 """
 
 
@@ -130,11 +180,28 @@ class World(unittest.TestCase):
         self.assertEqual(states, ["Inactive"] * 8)
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
 
+    def said(self, program, *words):
+        """What a program prints, in a process of its own."""
+        return subprocess.run([sys.executable, "-c", program] + list(words), env=worlds.ENVIRONMENT, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, preexec_fn=session.hear_ctrl_c).stdout.decode()
+
     def test_a_host_keeps_its_signals_and_deadlines(self):
-        done = subprocess.run([sys.executable, "-c", HOST, self.home + "ConsoleIn0.rtc", self.world.control],
-                              env=dict(worlds.ENVIRONMENT), stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         self.addCleanup(self.world.ctl, "reset")
-        self.assertEqual(done.stdout.decode(), "as before\n")
+        self.assertEqual(self.said(HOST, self.home + "ConsoleIn0.rtc", self.world.control), "as before\n")
+
+    def test_a_host_that_serves_components_itself(self):
+        self.assertEqual(self.said(SERVING, self.home, "127.0.0.1:%d" % worlds.Server.port), "Active Active 1\n")
+
+    def test_ctrl_c(self):
+        """It ends a wait as the host has it, and leaves no connection."""
+        self.assertEqual(self.said(INTERRUPTED, self.home + "ConsoleIn0.rtc:out"),
+                         "KeyboardInterrupt 0\nno value within 0.6s [2]\n")
+
+    @unittest.skipIf("builtin" in os.environ.get("RTSHELL_ORB", ""), "this is done here")
+    def test_all_of_this_with_the_builtin_orb(self):
+        environment = dict(os.environ, RTSHELL_ORB="builtin", PYTHONPATH=os.pathsep.join(filter(None, sys.path)))
+        done = subprocess.run([sys.executable, "-m", "unittest", "test_api.World"], env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.assertEqual(done.returncode, 0, done.stdout.decode())
 
 
 class Documents(unittest.TestCase):
