@@ -45,7 +45,7 @@ def _programs():
     name, _, number = version.partition(" ")
     if name == "omniORBpy" and _number(number.partition(".")[0]) < 4:
         found = [warn("omniORBpy", HERE, f"{python}, {version}: older than 4.0, untried",
-                      remedies.words("install omniORBpy"))]
+                      remedies.words("newer omniORBpy"))]
     try:
         orb.start()
     except errors.Error:

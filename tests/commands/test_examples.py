@@ -25,7 +25,6 @@ import processes
 import worlds
 from worlds import Server, World
 
-import rtshell_lite
 from rtshell_lite.corba import orb
 from rtshell_lite.data import datatypes, values
 

@@ -123,5 +123,24 @@ class Tour(unittest.TestCase):
         self.assertEqual(self.run_it("--pause"), (2, "usage: mock_components/tour [--no-pause | --shell]\n"))
 
 
+class Mocks(unittest.TestCase):
+    """What can be tried without omniORBpy: -S leaves out what is installed."""
+
+    def run_it(self, *words):
+        done = subprocess.run([sys.executable, "-S", "-m"] + list(words), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, env=dict(os.environ, PYTHONPATH=processes.ROOT), cwd="/")
+        return done.returncode, done.stdout.decode(), done.stderr.decode()
+
+    def test_list_of_worlds(self):
+        status, said, failures = self.run_it("mock_components", "--list")
+        self.assertEqual((status, failures), (0, ""))
+        self.assertRegex(said, r"(?m)^two +ConsoleIn0 and ConsoleOut0, not connected$")
+
+    def test_no_name_server(self):
+        status, said, failures = self.run_it("mock_components.nameserver")
+        self.assertEqual((status, said), (1, ""))
+        self.assertRegex(failures, r"\Anameserver: omniNames is not here; .*\n\Z")
+
+
 if __name__ == "__main__":
     unittest.main()

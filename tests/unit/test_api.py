@@ -200,7 +200,8 @@ class World(unittest.TestCase):
     @unittest.skipIf("builtin" in os.environ.get("RTSHELL_ORB", ""), "this is done here")
     def test_all_of_this_with_the_builtin_orb(self):
         environment = dict(os.environ, RTSHELL_ORB="builtin", PYTHONPATH=os.pathsep.join(filter(None, sys.path)))
-        done = subprocess.run([sys.executable, "-m", "unittest", "test_api.World"], env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        done = subprocess.run([sys.executable, "-m", "unittest", "test_api.World"], env=environment, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT)
         self.assertEqual(done.returncode, 0, done.stdout.decode())
 
 
