@@ -33,7 +33,7 @@ README = """This is the RTC Tree, the tree of OpenRTM-aist components, as files.
   HOST[:PORT]/CONTEXTS/DEAD.rtc             a zombie: a link that leads nowhere; rm takes its name away
   errors                                    the last hundred failures, in words
 
-Not listed, as they wait, connect or change something; opened by name they work:
+Not listed, as they wait, connect or change something; whoever may read can open those that are read by name:
 
   ports/PORT/value                          of an in port: write a value; it has been read when the write returns.
                                             of an out port: the next value
