@@ -41,6 +41,7 @@ class Behaviour:
         self.thread = None
         self.born = time.monotonic()
         self.dead = False
+        self.asleep = False             # 2.x, no component Active: what is asked while it is stopped does not wake it
         self.more = []                  # further properties
 
     # what others see
@@ -175,6 +176,7 @@ class Behaviour:
             self._wake()
             return RTC.RTC_OK
         member.wanted = wanted
+        self.asleep = self.flavour.modern and not self._may_change() and not any(m.state == RTC.ACTIVE_STATE for m in self.members)
         self._wake()
         if self.flavour.transition == "queue":
             return self.poll(member) if state == RTC.ACTIVE_STATE else RTC.RTC_OK
@@ -221,7 +223,7 @@ class Behaviour:
                 self.changed.wait_for(lambda: self.dead or self._asked() or self._active())
             self._sleep_to_cycle()
             for member in list(self.members):
-                if member.wanted is not None and self._may_change():
+                if member.wanted is not None and self._may_change() and not self.asleep:
                     self._transit(member, member.wanted)
                 elif self.running and member.state == RTC.ACTIVE_STATE and member.busy:
                     self._execute(member)
@@ -230,7 +232,7 @@ class Behaviour:
         return self.running or self.flavour.stopped == "done"
 
     def _asked(self):
-        return self._may_change() and any(m.wanted is not None for m in self.members)
+        return self._may_change() and not self.asleep and any(m.wanted is not None for m in self.members)
 
     def _active(self):
         return self.running and any(m.busy and m.state == RTC.ACTIVE_STATE for m in self.members)

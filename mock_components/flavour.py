@@ -68,7 +68,7 @@ TABLE = {
     # activate and reset: wait until the change, only queue it, or change the state within the call
     "transition":        ("queue",       "wait",        "wait",        "wait",        "wait",        "at once"),
     # a transition in a stopped context: done all the same, or not before the start
-    "stopped":           ("queued",      "done",        "queued",      "done",        "done",        "done"),
+    "stopped":           ("queued",      "done",        "queued",      "queued",      "done",        "done"),
     # a component that fails to become active is Active for one period of its context first
     "late_error":        (True,          True,          True,          True,          True,          False),
     "nil_component":     ("BAD_PARAMETER", "BAD_PARAMETER", "BAD_PARAMETER", "BAD_PARAM", "BAD_PARAMETER", "BAD_PARAMETER"),

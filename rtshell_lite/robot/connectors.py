@@ -26,17 +26,20 @@ def command(labels, name, connector_id, given):
 
 
 def connect(ends, name="", connector_id="", given=None):
-    """Connect the Ports `ends` (one or more, in this order) and return the Connector made.
+    """Connect the Ports `ends` (one or more) and return the Connector made, named after them in this order.
 
-    Raises Refused with the reasons when they do not match or the components refuse, and Unreachable.
+    Out ports come first in its profile, as the ports disconnect in that order: an in port that does so first waits for the out
+    port while values are on their way. An active source of C++ 2.1 at 100 Hz died of that in one of 230 disconnects, in one of
+    1,300 otherwise. Raises Refused with the reasons when they do not match or the components refuse, and Unreachable.
     """
     given = given or {}
     ports.check(ends, given)
     name = name or ports.short_name(ends[0].name, ends[0].node.path.names[-1].id) + "_".join(
         ports.short_name(port.name, port.node.path.names[-1].id) for port in ends[1:])
-    asked = orb.struct(PROFILE)(to_wire(name), to_wire(connector_id), [port.ref for port in ends],
+    refs = [port.ref for port in sorted(ends, key=lambda port: port.type == "DataInPort")]
+    asked = orb.struct(PROFILE)(to_wire(name), to_wire(connector_id), refs,
                                 orb.nvlist(sorted(ports.connection_properties(ends, given).items())))
-    code, raw = orb.call(ports.between(ends), ends[0].ref, "connect", asked)
+    code, raw = orb.call(ports.between(ends), refs[0], "connect", asked)
     if str(code) != "RTC_OK":
         _tidy(ends)
         raise errors.Refused(ports.between(ends), _why_refused(str(code), ends, connector_id), name=str(code))

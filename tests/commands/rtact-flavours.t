@@ -41,7 +41,7 @@ One that fails in its activation: all have said RTC_OK, and all but RtORB's are 
   $ each rtact ErrStart0.rtc
   cpp11:
 
-A stopped context changes the state all the same in C++ 1.2, Python, Java and RtORB; not so in C++ 1.1 and 2.x:
+A stopped context changes the state all the same in C++ 1.2, Java and RtORB; not so in C++ 1.1 and in 2.x, of C++ and Python:
 
   $ each rtdeact --wait ConsoleIn0.rtc
   cpp11:
@@ -49,10 +49,9 @@ A stopped context changes the state all the same in C++ 1.2, Python, Java and Rt
   cpp11:
   $ each rtact --wait=0.5 ConsoleIn0.rtc
   cpp11:
-  rtact: /localhost:$PORT/V.host_cxt/ConsoleIn0.rtc: cannot activate: its execution context is stopped
+  rtact: /localhost:$PORT/V.host_cxt/ConsoleIn0.rtc: cannot activate: its execution context is stopped; once started, it may still do so
   status 6
   cpp12:
-  py2:
   java:
   rtorb:
   $ each rtec ConsoleIn0.rtc start
@@ -60,3 +59,7 @@ A stopped context changes the state all the same in C++ 1.2, Python, Java and Rt
   $ each rtls -l ConsoleIn0.rtc
   cpp11:
   Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  cpp2:
+  Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  py2:
+  Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc

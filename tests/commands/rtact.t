@@ -114,14 +114,21 @@ One that never gets there is a failure, after --timeout or what --wait says:
   rtact: /localhost:$PORT/test.host_cxt/Stuck0.rtc: not Active within 0.8s, still Inactive
   [4]
 
-In a stopped execution context nothing changes (with Python components it does):
+In a stopped execution context nothing changes. What is asked is done later: a deactivation as soon as the context is started, an
+activation when something wakes it up, such as another one:
 
   $ rtact ../stopped.host_cxt/ConsoleIn0.rtc ../stopped.host_cxt/ConsoleOut0.rtc
-  rtact: /localhost:$PORT/stopped.host_cxt/ConsoleIn0.rtc: cannot activate: its execution context is stopped
+  rtact: /localhost:$PORT/stopped.host_cxt/ConsoleIn0.rtc: cannot activate: its execution context is stopped; once started, it may still do so
   [5]
   $ ctl @stopped state ConsoleIn0; ctl @stopped state ConsoleOut0
   INACTIVE
   ACTIVE
+  $ rtec ../stopped.host_cxt/ConsoleIn0.rtc start; rtec ../stopped.host_cxt/ConsoleOut0.rtc stop
+  $ rtdeact -q ../stopped.host_cxt/ConsoleOut0.rtc; rtec ../stopped.host_cxt/ConsoleOut0.rtc start
+  rtdeact: /localhost:$PORT/stopped.host_cxt/ConsoleOut0.rtc: cannot deactivate: its execution context is stopped; once started, it may still do so
+  $ until [ "$(ctl @stopped state ConsoleOut0)" = INACTIVE ]; do sleep 0.05; done; ctl @stopped state ConsoleIn0
+  INACTIVE
+  $ rtact --wait ../stopped.host_cxt/ConsoleIn0.rtc
 
 Components of OpenRTM 1.1 accept at once and change later, if at all; only --wait reports what came of it:
 
@@ -129,7 +136,7 @@ Components of OpenRTM 1.1 accept at once and change later, if at all; only --wai
   $ ctl @stopped2 state ConsoleIn0
   INACTIVE
   $ rtact --wait=1 ../oldstopped.host_cxt/ConsoleIn0.rtc
-  rtact: /localhost:$PORT/oldstopped.host_cxt/ConsoleIn0.rtc: cannot activate: its execution context is stopped
+  rtact: /localhost:$PORT/oldstopped.host_cxt/ConsoleIn0.rtc: cannot activate: its execution context is stopped; once started, it may still do so
   [6]
   $ rtact --wait ../oldstopped.host_cxt/ConsoleOut0.rtc
   $ rtact ../old.host_cxt/ErrStart0.rtc --wait

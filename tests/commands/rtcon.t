@@ -40,11 +40,17 @@ The component chooses the id; --verbose tells:
 The order does not matter; options may stand behind the paths:
 
   $ rtdis ConsoleIn0.rtc
-  $ rtcon ConsoleOut0.rtc:in ConsoleIn0.rtc:out -n backwards --id=b1
+  $ ctl reset; rtcon ConsoleOut0.rtc:in ConsoleIn0.rtc:out -n backwards --id=b1
   $ ctl connectors ConsoleIn0:out
   b1 backwards
   $ ctl write ConsoleIn0:out 43; ctl received ConsoleOut0:in 2
   2 43
+
+The out port is the one that is asked, and the first of the connection: ports disconnect in their order.
+
+  $ ctl calls ConsoleIn0 | grep connect; ctl calls ConsoleOut0 | grep connect || echo none
+  1 connect
+  none
   $ rtdis ConsoleIn0.rtc
 
 --name and --id may hold anything, a blank, a quote, an equals sign:

@@ -67,6 +67,9 @@ class Components(flavours.Flavoured):
         self.assertEqual(str(context.activate_component(component)), self.activate_stopped[0])
         self.assertEqual(str(context.get_component_state(component)), self.activate_stopped[1])
         self.assertEqual(str(context.start()), "RTC_OK")
+        if self.sleeps:  # until it is asked again
+            self.assertEqual(str(context.get_component_state(component)), "INACTIVE_STATE")
+            self.assertEqual(str(context.activate_component(component)), "RTC_OK")
         eventually(lambda: context.get_component_state(component) == RTC.ACTIVE_STATE, "active after start")
         self.assertEqual(str(context.deactivate_component(component)), "RTC_OK")
         self.assertEqual([str(context.set_rate(rate)) for rate in (0, -1, 50)], ["BAD_PARAMETER", "BAD_PARAMETER", "RTC_OK"])

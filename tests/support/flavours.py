@@ -28,7 +28,7 @@ class Cpp11:
 
     flavour, author, property_count = "cpp11", ("Noriaki Ando, AIST", "1.0"), None
     language, endpoint, uuid, waits = ("C++", "compile", "1.1.2", ""), "corba.endpoint", 4, False
-    nil_component, activate_stopped = "BAD_PARAMETER", ("RTC_OK", "INACTIVE_STATE")
+    nil_component, activate_stopped, sleeps = "BAD_PARAMETER", ("RTC_OK", "INACTIVE_STATE"), False
     context_properties, ext_trig = ["type", "rate"], True
     out_properties = plain(OUT + ["dataport.subscription_type=flush,new,periodic"], "corba_cdr") + ["dataport.data_value"]
     in_properties = plain(IN, "corba_cdr")
@@ -61,7 +61,7 @@ class Cpp2(Cpp12):
 
     flavour, author, property_count = "cpp2", ("AIST", "2.0.0"), 43
     language = ("C++", "compile", "2.1.0", "")
-    activate_stopped = ("RTC_ERROR", "INACTIVE_STATE")
+    activate_stopped, sleeps = ("RTC_ERROR", "INACTIVE_STATE"), True
     context_properties = ["sync_transition", "transition_timeout", "type", "rate", "name"]
     out_properties = modern(OUT + ["dataport.subscription_type=" + MODES, "dataport.io_mode=" + MODES], "push,pull",
                             "corba_cdr,data_service,direct,shared_memory")
@@ -80,7 +80,7 @@ class Py2:
     flavour, author, property_count = "py2", ("Shinji Kurihara", "1.0"), 41
     language = ("Python", "script", "2.1.0", "IDL:OpenRTM/ComponentObserver:1.0")
     endpoint, uuid, waits = "corba.endpoints", 1, True
-    nil_component, activate_stopped = "BAD_PARAM", ("RTC_OK", "ACTIVE_STATE")
+    nil_component, activate_stopped, sleeps = "BAD_PARAM", ("RTC_ERROR", "INACTIVE_STATE"), True
     context_properties, ext_trig = ["sync_transition", "transition_timeout", "type", "rate"], False
     out_properties = modern(OUT + ["dataport.subscription_type=" + MODES, "dataport.io_mode=" + MODES], "push,pull,duplex",
                             "corba_cdr,csp_channel,data_service,direct,shared_memory")
