@@ -26,7 +26,6 @@ DIRECTORIES = [each for each in os.environ.get("RTSHELL_REAL", "").split(os.path
 ROUNDS = int(os.environ.get("RTSHELL_ROUNDS", "100"))
 LIMIT = 180.0  # seconds for one command
 SIGNALS = (None, signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-READ = re.compile(r"^Received: +(-?\d+)\b", re.M)  # what ConsoleOut prints of a value; its listeners print those that arrive, too
 ENDED = {None: (0,), signal.SIGINT: (130, -2), signal.SIGTERM: (143, -15), signal.SIGHUP: (129, -1)}
 RATES = (100, 1000)  # Hz, of C++; Python keeps the first
 
@@ -101,6 +100,18 @@ def start(words):
                                      LC_ALL="C.UTF-8", PYTHONDONTWRITEBYTECODE="1"))
 
 
+def printed_alone(said):
+    """The numbers that ConsoleOut has printed as it read them; its listeners print those that arrive, too.
+
+    Several threads print at the same time, so that its words may be torn apart from the number: it is there once more than it
+    arrived. Python prints the whole structure first.
+    """
+    whole = re.findall(r"data=(-?\d+)\)", said)
+    arrived = collections.Counter(re.findall(r"Data: +(-?\d+)(?!\d)", said))
+    printed = collections.Counter(re.findall(r"(?<![\d=-])-?\d+(?![\d-])", said))
+    return set(whole).union(number for number, count in printed.items() if count > arrived[number])
+
+
 def asks(process):
     """Whether a command has a socket."""
     try:
@@ -165,7 +176,7 @@ class Real(unittest.TestCase):
                 for number in range(50 if ROUNDS >= 50 else ROUNDS):
                     value = "%d" % (hz * 1000 + 500000 + number)
                     done(["rtinject", "-q", "-c", value, robot.path("ConsoleOut") + ":in"])
-                    read[hz] += value in READ.findall(robot.said("ConsoleOut"))
+                    read[hz] += value in printed_alone(robot.said("ConsoleOut"))
                 self.unharmed(robot, "rtinject at %d Hz" % hz)
             if set(read.values()) != {50 if ROUNDS >= 50 else ROUNDS}:
                 raise AssertionError("read: %s" % dict(read))
@@ -241,12 +252,12 @@ class Real(unittest.TestCase):
                 source.stdin.close()
                 source.stdout.close()
             done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % robot.rate])
-            before = len(READ.findall(robot.said("ConsoleOut")))
+            before = len(printed_alone(robot.said("ConsoleOut")))
             done(["rtlog", "-q", "-p", "-f", robot.label + "-play.rtlog", reader])
             last = subprocess.run(
                 [sys.executable, os.path.join(worlds.COMMANDS, "rtlog"), "--csv", "-f", robot.label + "-play.rtlog"], cwd=top,
                 stdout=subprocess.PIPE).stdout.decode().splitlines()[-1].split(",")[-1]
-            read = set(READ.findall(robot.said("ConsoleOut")))
+            read = printed_alone(robot.said("ConsoleOut"))
             unread = [number for number in (str(int(last) - i) for i in range(count)) if number not in read]
             self.unharmed(robot, "rtlog -p")
             if unread:
