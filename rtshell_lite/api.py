@@ -90,7 +90,7 @@ class Component:
 
     def _configuration(self):
         from rtshell_lite.robot import configuration
-        return configuration.Configuration(self._node())
+        return configuration.of(self._node())
 
     def ports(self):
         """Its Ports, a list."""

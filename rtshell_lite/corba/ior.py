@@ -184,9 +184,11 @@ def checked(said):
         reader = _Cdr(_unhexed(said))
         type_id, count = reader.octets(), reader.ulong()
         octets(type_id, [(reader.ulong(), reader.octets()) for _ in range(min(count, MOST_PROFILES + 1))])
-        return said
     except (struct.error, IndexError):
         raise BadReference("not a reference (its octets make no sense)")
+    if not count:
+        raise BadReference("not a reference (it is nil)")
+    return said
 
 
 # ---- descriptors ----------------------------------------------------------------------------------------------

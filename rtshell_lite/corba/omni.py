@@ -152,8 +152,12 @@ def _answer(where, ref, operation, args):
 def _is_own(ref):
     """Whether a reference leads to where this process listens."""
     from omniORB import CORBA
-    poa = start().resolve_initial_references("RootPOA")
-    return address(poa.create_reference(CORBA.Object._NP_RepositoryId))[1:3] == address(ref)[1:3]
+    try:
+        poa = start().resolve_initial_references("RootPOA")
+        own = address(poa.create_reference(CORBA.Object._NP_RepositoryId))
+    except CORBA.SystemException:  # it cannot listen
+        return False
+    return bool(own.host) and own[1:3] == address(ref)[1:3]
 
 
 def _asks(operation):

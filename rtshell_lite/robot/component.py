@@ -324,7 +324,7 @@ async def _until(node, ref, transition, now, seconds):
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to Error")
         if not await orb.Call(node.path, ref, "is_running"):
-            others = "; it takes part in others, named with -e (see rtec)" if await participating_context_refs.task(node) else ""
+            others = "; the component takes part in others, named with -e (see rtec)" if await participating_context_refs.task(node) else ""
             why = f"its execution context is stopped; once started, it may still do so{others}"  # OpenRTM-aist 2 remembers the request
             raise errors.Refused(str(node.path), f"cannot {transition.name}: {why}")
         if time.monotonic() > limit:

@@ -94,7 +94,7 @@ A member alone: its own context is stopped; the composite's is named with -e
   $ rtdeact -v -e 1 --wait Motor0.rtc
   rtdeact: /localhost:$PORT/cpp2.host_cxt/Motor0.rtc: Inactive
   $ rtact -v Motor0.rtc
-  rtact: /localhost:$PORT/cpp2.host_cxt/Motor0.rtc: cannot activate: its execution context is stopped; once started, it may still do so; it takes part in others, named with -e (see rtec)
+  rtact: /localhost:$PORT/cpp2.host_cxt/Motor0.rtc: cannot activate: its execution context is stopped; once started, it may still do so; the component takes part in others, named with -e (see rtec)
   [6]
 
 A composite in Error is reset as all components are:

@@ -45,17 +45,19 @@ MATRIX = {"3.11": [("dash", None)], "3.7": [("ash", None)], "3.13": [("dash", No
 TURNS, SHARE = ["3.7", "3.13"], 5  # the builtin ORB on a Python that has omniORBpy: one of so many transcripts
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
+PROCESSORS = os.cpu_count() or 1
+MANY = 2 * PROCESSORS  # jobs at once: they wait more than they compute
 DIRECTORIES = ("unit", "mocks", "commands", "faults")  # with what is run always
 PACKAGING = "commands/test_packaging"
 
 
 class Job:
-    """A test module, or a transcript under a shell; `run` returns outcomes."""
+    """A test module, or a transcript under a shell; `run` returns outcomes. So many like it may run `at_once`, and nothing else."""
 
-    def __init__(self, label, run, alone):
+    def __init__(self, label, run, at_once):
         self.label = label
         self.run = run
-        self.alone = alone
+        self.at_once = at_once
 
 
 # ---- jobs ----
@@ -78,7 +80,7 @@ def module_jobs(python, interpreter, commands, wheel, patterns, modules, orb=Non
 
     def job(module):
         return Job(" ".join(filter(None, (python.version, orb, module))), lambda: run_module(
-            module, interpreter, dict(environment, RTSHELL_PART=daily.part(module)), patterns), says(module, "ALONE"))
+            module, interpreter, dict(environment, RTSHELL_PART=daily.part(module)), patterns), 1 if says(module, "ALONE") else MANY)
     return [job(module) for module in modules]
 
 
@@ -146,7 +148,7 @@ def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, acce
             if shell in missing:
                 return [(name, "skip", "%s is not installed" % transcripts.SHELLS[shell][0])]
             return [(name,) + transcripts.run_case(path, shell, setting, accept)]
-        return Job("%s %s" % (label, name), run, transcripts.says(path, "alone"))
+        return Job("%s %s" % (label, name), run, PROCESSORS if transcripts.says(path, "alone") else MANY)
     lacks_omniorb = not environments.fetch_omniorb(python)
     return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shell and [shell])
             if daily.has_turn(path, shell, setting.orb) and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
@@ -214,10 +216,9 @@ class Score:
 
 
 def run_jobs(jobs, score):
-    """Run jobs, several at a time, those that measure times one to a processor; each once, whatever the outcome."""
-    processors = os.cpu_count() or 1
-    _run_some([job for job in jobs if not job.alone], 2 * processors, score)  # they wait more than they compute
-    _run_some([job for job in jobs if job.alone], processors, score)
+    """Run jobs, those first of which most may run at once; each once, whatever the outcome."""
+    for at_once in sorted({job.at_once for job in jobs}, reverse=True):
+        _run_some([job for job in jobs if job.at_once == at_once], at_once, score)
 
 
 def _run_some(jobs, lanes, score):
@@ -258,11 +259,11 @@ def compat_jobs(args):
         interpreter = environments.prepare_compat(python)
     except environments.Failed as e:
         why = "PyYAML and rtsprofile-aist cannot be installed: " + str(e).splitlines()[-1]
-        return [Job("%s %s" % (python.version, module), lambda module=module: [(module, "skip", why)], False)
+        return [Job("%s %s" % (python.version, module), lambda module=module: [(module, "skip", why)], MANY)
                 for module in modules]
     environment = dict(os.environ, PYTHONPATH=environments.ROOT)
     return [Job("%s %s" % (python.version, module),
-                lambda module=module: run_module(module, interpreter, environment, args.pattern), False) for module in modules]
+                lambda module=module: run_module(module, interpreter, environment, args.pattern), MANY) for module in modules]
 
 
 def jobs_for(version, wheel, args):

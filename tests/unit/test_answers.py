@@ -123,7 +123,8 @@ class References(unittest.TestCase):
 
     def test_texts_that_are_no_references(self):
         whole = binascii.hexlify(b"\1\0\0\0" + ior.octets(TYPE, [self.PROFILE])).decode()
-        for text in ["", "IOR:", "IOR:0", "IOR:zz", "IOR:é", "corbaname::evil", "corbaloc::evil:1/x", "IOR:" + "00" * 100000] + [
+        nil = "IOR:01000000" + "01000000" + "00000000" + "00000000"
+        for text in [nil, "", "IOR:", "IOR:0", "IOR:zz", "IOR:é", "corbaname::evil", "corbaloc::evil:1/x", "IOR:" + "00" * 100000] + [
                 "IOR:" + whole[:size] for size in range(0, len(whole) - 2, 2)]:
             with self.subTest(text[:80]), self.assertRaises(ValueError):
                 ior.checked(text)

@@ -89,13 +89,24 @@ class World(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         worlds.start_name_server()
-        cls.world = worlds.World("console")
+        cls.world, cls.configured = worlds.World("console"), worlds.World("config")
         cls.home = "/127.0.0.1:%d/test.host_cxt/" % worlds.Server.port
 
     @classmethod
     def tearDownClass(cls):
         cls.world.close()
+        cls.configured.close()
         worlds.Server.stop()
+
+    def test_configuration(self):
+        found = api.component(self.home + "ConfigSample0.rtc")
+        self.assertEqual(found.configuration("mode0")["int_param0"], "12345")
+        found.configure({"int_param0": 7}, "mode0")
+        found.activate_set("mode0")
+        self.assertEqual(found.configuration(), found.configuration("mode0"))
+        self.assertEqual(found.configuration()["int_param0"], "7")
+        with self.assertRaises(errors.NoSuch):
+            found.configure({"nonsense": "1"})
 
     def test_states_and_ports(self):
         sink = api.component(self.home + "ConsoleOut0.rtc")

@@ -87,7 +87,7 @@ class Loop(unittest.TestCase):
 
     def test_answers_that_come_while_a_task_blocks(self):
         """They are taken before anybody is given up."""
-        lanes.session = lanes.Session(0.3)
+        lanes.session = lanes.Session(1)
 
         def at_once(pending):
             replies = b"".join(answer(number) for number, _ in pending)
@@ -99,18 +99,20 @@ class Loop(unittest.TestCase):
             return at_once(pending)
 
         blocking = threading.Event()
-        one, other = self.script(at_once), self.script(meanwhile)
+        one, third, other = self.script(at_once), self.script(at_once), self.script(meanwhile)
+        refs = iter([one.ref, third.ref])
 
         async def block():
-            await orb.Call("w", one.ref, "_non_existent")
+            await orb.Call("w", next(refs), "_non_existent")
             blocking.set()
-            time.sleep(1)
+            time.sleep(1.5)
             return "blocked"
 
         async def ask():
             return await orb.Call("w", other.ref, "_non_existent")
 
-        self.assertEqual(self.run_tasks((one.ref, block), (other.ref, ask)), ["blocked", False])
+        values = self.run_tasks((one.ref, block), (third.ref, block), (other.ref, ask))
+        self.assertEqual(values, ["blocked", "blocked", False])
 
     def test_one_hung_object_costs_itself(self):
         lanes.session = lanes.Session(0.5)

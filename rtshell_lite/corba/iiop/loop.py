@@ -12,7 +12,6 @@ from rtshell_lite.corba import lanes, tasks
 from rtshell_lite.corba.iiop import calls, connections, giop
 
 LOOK = 0.005  # seconds between looks at whether the address of a host has been found
-LONG = 2 * lanes.TICK  # seconds of a round in which a task has blocked
 MOST = 64  # jobs of one process under way at a time, most of which wait for their turn
 NAMING = "IDL:omg.org/CosNaming/"  # interfaces of name servers begin so
 
@@ -141,7 +140,7 @@ class _Loop:
         self._jobs, self._sleeping = [], {}  # the latter: when each task goes on
         self._asked = set()  # peers with requests under way
         self._poll, self._watched = None, {}  # {file descriptor: peer}
-        self._checked, self._was_long = time.monotonic(), False  # when deadlines were looked at; whether the last round was long
+        self._checked = time.monotonic()
         self._tick = min(lanes.TICK, lanes.session.timeout / 10)
 
     def peer(self, endpoint):
@@ -186,11 +185,9 @@ class _Loop:
         for task in [task for task, when in self._sleeping.items() if when <= now]:
             del self._sleeping[task]
             task.go_on()
-        if now - looked > LONG and not self._was_long:  # answers may have come meanwhile, and are taken first
-            self._was_long = True
-        elif now - self._checked >= self._tick:
-            self._checked, self._was_long = now, False
-            self._give_up(now)
+        if looked - self._checked >= self._tick:  # what comes while a task blocks is taken in the next round
+            self._checked = looked
+            self._give_up(looked)
         lanes.still_waiting()
 
     def _begin(self, peer):
