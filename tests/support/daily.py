@@ -12,7 +12,7 @@ PARTS = {"commands/test_completion": 3, "commands/test_examples": 4, "commands/t
          "unit/test_graph": 2, "unit/test_idl": 2, "unit/test_profile_limits": 2, "unit/test_run_plan": 2,
          "unit/test_xmlprofile": 2}
 OF_FAULTS = 4
-BEGINNING = """Each transcript under one shell and with one ORB, of long test modules a part, chosen by RTSHELL_SEED=%s: some 5 minutes
+BEGINNING = """Each transcript under one shell and with one ORB, of long test modules a part, chosen by RTSHELL_SEED=%s: some 8 minutes
 on two quiet cores. A word runs what has it in its name (tests/run rtls), --all everything; --help says more."""
 
 
