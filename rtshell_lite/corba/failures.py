@@ -3,6 +3,11 @@ from rtshell_lite import errors
 from rtshell_lite.text import from_wire, printable
 
 
+def may_repeat(operation):
+    """Whether an operation changes nothing, so that it can be asked again when its answer is lost."""
+    return operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
+
+
 def system(where, name, label):
     """The errors.Error for a CORBA system exception; `label` is the name of its minor code, or its own."""
     if name == "TIMEOUT":

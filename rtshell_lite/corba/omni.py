@@ -143,7 +143,7 @@ def _answer(where, ref, operation, args):
     try:
         return answers.invoke(where, ref, operation, args)
     except CORBA.BAD_PARAM as e:  # a peer may say that, too
-        if not (shared and _label(e) == "BAD_PARAM_WrongPythonType" and _asks(operation) and _is_own(ref)):
+        if not (shared and _label(e) == "BAD_PARAM_WrongPythonType" and failures.may_repeat(operation) and _is_own(ref)):
             raise
     _own.add(address(ref)[1:3])
     return getattr(ref, operation)(*args)
@@ -160,11 +160,6 @@ def _is_own(ref):
     return bool(own.host) and own[1:3] == address(ref)[1:3]
 
 
-def _asks(operation):
-    """Whether an operation changes nothing."""
-    return operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
-
-
 def _asked_again(failure, where, ref, operation, args):
     """The result of a question whose answer was lost: it is asked again, once for each connection that may be an old one.
 
@@ -172,7 +167,7 @@ def _asked_again(failure, where, ref, operation, args):
     when it is next used. Changes are not repeated: they may have been made.
     """
     from omniORB import CORBA
-    for _ in range(CONNECTIONS if _asks(operation) and lanes.has_answered() else 0):
+    for _ in range(CONNECTIONS if failures.may_repeat(operation) and lanes.has_answered() else 0):
         try:
             return answers.invoke(where, ref, operation, args)
         except CORBA.COMM_FAILURE as e:

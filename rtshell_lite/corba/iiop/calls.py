@@ -9,7 +9,6 @@ from rtshell_lite.text import printable
 
 LARGEST = 4 << 20  # octets of a reply without data; 10,000 long names take half of it, and a million empty values 4 s of CPU
 FORWARDS = 8  # at most, from one object to another
-_ASKING = ("get_", "is_", "_")  # operations that change nothing begin so
 LONGEST_NAME = 60  # characters of the name of a system exception; the longest of CORBA 3.0 has 23
 _GARBLED = (ValueError, StructError, IndexError, RecursionError)  # what reading values raises
 _OBJECT = (descriptors.OBJECT, "", "Object")
@@ -40,7 +39,7 @@ class Request:
     @property
     def asks(self):
         """True if it changes nothing."""
-        return self.call.operation.startswith(_ASKING) or self.call.operation in ("list", "resolve")
+        return failures.may_repeat(self.call.operation)
 
     def others(self):
         """Further endpoints of the object."""
