@@ -97,11 +97,15 @@ class Backlog:
 
     def __init__(self, rate, length, refuses=False):
         self.rate, self.length, self.refuses = rate, length, refuses
-        self.waiting = self.lost = self._at = 0.0
+        self.waiting = self.lost = self.delay = self._at = 0.0
 
-    def add(self, now):
-        """The port took a value at `now` (seconds); a full buffer that does not refuse it has lost its oldest one."""
+    def add(self, now, delay=0.0):
+        """The port took a value at `now` (seconds), `delay` after it was sent; a full buffer that loses values has lost its oldest.
+
+        A computer that is too busy to answer at once is too busy to read at once.
+        """
         self.drain(now)
+        self.delay = max(self.delay, delay)
         self.waiting += 1
         excess = max(0.0, self.waiting - self.length)
         self.waiting -= excess
@@ -114,8 +118,8 @@ class Backlog:
         self._at = now
 
     def seconds(self, taken):
-        """How long it takes to read all of `taken` values, with SLACK; the rate must be known."""
-        return (self.waiting + min(self.length, SLACK * taken) + 1) / self.rate + SETTLE
+        """How long it takes to read all of `taken` values, with SLACK and the longest delay; the rate must be known."""
+        return (self.waiting + min(self.length, SLACK * taken) + 1) / self.rate + SETTLE + self.delay
 
 
 # ---- sending --------------------------------------------------------------------------------------------------
@@ -196,6 +200,7 @@ class Writer(Connection):
             self.idle.set()
 
     def _put(self, data):
+        begun = time.monotonic()
         try:
             status = str(orb.call(self.where, self.sink, self.operation, data))
         except errors.Gone:
@@ -208,7 +213,7 @@ class Writer(Connection):
             self.refused += 1
             raise errors.Refused(self.where, f"{REFUSALS.get(status, 'it did not take the value')} ({status})", name=status)
         self.taken, self.last = self.taken + 1, time.monotonic()
-        self.backlog.add(self.last)
+        self.backlog.add(self.last, self.last - begun)
         self.read_by = self.last + self.backlog.seconds(self.taken) if self.backlog.rate else math.inf
 
     def is_at_rest(self):

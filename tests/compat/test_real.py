@@ -100,16 +100,16 @@ def start(words):
                                      LC_ALL="C.UTF-8", PYTHONDONTWRITEBYTECODE="1"))
 
 
-def printed_alone(said):
-    """The numbers that ConsoleOut has printed as it read them; its listeners print those that arrive, too.
+def read_values(said):
+    """The numbers that a ConsoleOut has read, by what it said.
 
-    Several threads print at the same time, so that its words may be torn apart from the number: it is there once more than it
-    arrived. Python prints the whole structure first.
+    Python prints the whole structure that it has read. C++ prints a number that arrives twice, by its listeners, and twice more
+    as it is read, from several threads at the same time: only the numbers themselves are never torn apart.
     """
     whole = re.findall(r"data=(-?\d+)\)", said)
-    arrived = collections.Counter(re.findall(r"Data: +(-?\d+)(?!\d)", said))
-    printed = collections.Counter(re.findall(r"(?<![\d=-])-?\d+(?![\d-])", said))
-    return set(whole).union(number for number, count in printed.items() if count > arrived[number])
+    said = re.sub(r"([0-9a-f]{8}(?:-[0-9a-f]{4}){3}-[0-9a-f]{12}|-{10,}|\d+\[n?s\])", "\n", said)
+    printed = collections.Counter(re.findall(r"-?\d+", said))
+    return set(whole).union(number for number, count in printed.items() if count > 2)
 
 
 def asks(process):
@@ -176,7 +176,7 @@ class Real(unittest.TestCase):
                 for number in range(50 if ROUNDS >= 50 else ROUNDS):
                     value = "%d" % (hz * 1000 + 500000 + number)
                     done(["rtinject", "-q", "-c", value, robot.path("ConsoleOut") + ":in"])
-                    read[hz] += value in printed_alone(robot.said("ConsoleOut"))
+                    read[hz] += value in read_values(robot.said("ConsoleOut"))
                 self.unharmed(robot, "rtinject at %d Hz" % hz)
             if set(read.values()) != {50 if ROUNDS >= 50 else ROUNDS}:
                 raise AssertionError("read: %s" % dict(read))
@@ -252,12 +252,12 @@ class Real(unittest.TestCase):
                 source.stdin.close()
                 source.stdout.close()
             done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % robot.rate])
-            before = len(printed_alone(robot.said("ConsoleOut")))
+            before = len(read_values(robot.said("ConsoleOut")))
             done(["rtlog", "-q", "-p", "-f", robot.label + "-play.rtlog", reader])
             last = subprocess.run(
                 [sys.executable, os.path.join(worlds.COMMANDS, "rtlog"), "--csv", "-f", robot.label + "-play.rtlog"], cwd=top,
                 stdout=subprocess.PIPE).stdout.decode().splitlines()[-1].split(",")[-1]
-            read = printed_alone(robot.said("ConsoleOut"))
+            read = read_values(robot.said("ConsoleOut"))
             unread = [number for number in (str(int(last) - i) for i in range(count)) if number not in read]
             self.unharmed(robot, "rtlog -p")
             if unread:

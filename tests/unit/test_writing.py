@@ -47,6 +47,14 @@ class Filling(unittest.TestCase):
         backlog = self.sent(None, 8, 10, 1.0)
         self.assertEqual((backlog.waiting, backlog.lost), (8, 2))
 
+    def test_who_takes_values_late_may_read_them_late(self):
+        backlog = Backlog(100.0, 8)
+        usual = backlog.seconds(0)
+        backlog.add(1.0, delay=0.3)
+        backlog.add(1.1, delay=0.001)
+        backlog.drain(2.0)
+        self.assertAlmostEqual(backlog.seconds(0), usual + 0.3)
+
     def test_how_long_reading_takes(self):
         """What waits, what a slower clock may have left, and a cycle."""
         self.assertAlmostEqual(self.sent(2.0, 8, 1, 0).seconds(1), (1 + 0.25 + 1) / 2 + SETTLE)
