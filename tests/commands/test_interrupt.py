@@ -10,6 +10,7 @@ import time
 import unittest
 
 import processes
+import tools
 
 BOTH = "each ORB is interrupted in its own way"
 
@@ -73,10 +74,10 @@ class CtrlC(unittest.TestCase):
             self.assertTrue(peer.wait_for_request())
             self.assertIsNone(process.poll(), "it did not wait for its peer")
             killer.start()
-            waited, begun = processes.waited_for_processor(process.pid), time.monotonic()
+            waited, begun = tools.waited_for_processor(process.pid), time.monotonic()
             process.send_signal(signal.SIGINT)
             os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)
-            taken = time.monotonic() - begun - (processes.waited_for_processor(process.pid) - waited)
+            taken = time.monotonic() - begun - (tools.waited_for_processor(process.pid) - waited)
             out, err = process.communicate()
         finally:
             killer.cancel()

@@ -12,7 +12,7 @@ import unittest
 
 import mounts
 import processes
-import session
+import tools
 import worlds
 
 import rtshell_lite
@@ -81,7 +81,7 @@ class Tour(unittest.TestCase):
                     signal.signal(signal.SIGINT, signal.SIG_DFL)
                     os.execvpe("sh", self.words + words, self.environment)
                 before, said = termios.tcgetattr(terminal), ""
-                for data in session.printed_on(terminal):
+                for data in tools.printed_on(terminal):
                     said += data.decode("utf-8", "replace")
                     while talk and talk[0][0] in said:
                         (heard, key), *talk = talk

@@ -14,8 +14,8 @@ import unittest
 
 import leftovers
 import mounts
-import processes
 import running
+import tools
 import worlds
 
 ONCE = "it is about the kernel and the peers"
@@ -120,7 +120,7 @@ class Hung(Case):
 
     def waited(self, reader):
         """Seconds for which the reader and the main thread of rtmount, which reads requests, have waited for a processor."""
-        return sum(processes.waited_for_processor(pid) for pid in (self.process.pid, reader.pid))
+        return sum(tools.waited_for_processor(pid) for pid in (self.process.pid, reader.pid))
 
     def test_ctrl_c(self):
         for name in ("state", "ports"):

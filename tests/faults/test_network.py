@@ -11,6 +11,7 @@ import time
 import unittest
 
 import running
+import tools
 
 ONCE = "what a network does is the same for every Python"
 BOTH = "each ORB connects in its own way"
@@ -87,7 +88,7 @@ def start(label, host, command):
 
 def world(label, host, words, *options):
     process = start(label, host, [sys.executable, "-m", "mock_components", "--host", HOSTS[host], "--control",
-                                  running.processes.control(label), "--nameserver", "%s:%d" % (HOSTS[host], PORT)] + list(options) + words)
+                                  tools.control(label), "--nameserver", "%s:%d" % (HOSTS[host], PORT)] + list(options) + words)
     running.processes.ready(process, label)
 
 

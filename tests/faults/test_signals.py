@@ -20,6 +20,7 @@ import unittest
 
 import invocations
 import running
+import tools
 import worlds
 from rtshell_lite import errors
 from rtshell_lite.datalog import logfile
@@ -121,12 +122,12 @@ class Case:
             process = running.start(words, where, {"RTCTREE_NAMESERVERS": server[1:]}, stdin=subprocess.DEVNULL,
                                     stdout=output, stderr=output)
             time.sleep(self.moment)
-            before = running.processes.waited_for_processor(process.pid)
+            before = tools.waited_for_processor(process.pid)
             begun = time.monotonic()
             os.kill(process.pid, self.which)  # also when it has ended: nobody has waited for it
             os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)
             self.seconds = time.monotonic() - begun
-            self.seconds = max(0, self.seconds - max(0, running.processes.waited_for_processor(process.pid) - before))
+            self.seconds = max(0, self.seconds - max(0, tools.waited_for_processor(process.pid) - before))
             status = process.wait()
             self.status = 128 - status if status < 0 else status
             output.seek(0)

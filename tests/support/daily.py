@@ -6,12 +6,12 @@ import zlib
 import transcripts
 
 # One in so many tests of a long module
-PARTS = {"commands/test_completion": 3, "commands/test_examples": 4, "commands/test_packaging": 3, "commands/test_remedies": 3,
-         "commands/test_restore": 3, "commands/test_rttop": 2, "commands/test_tour": 3, "mocks/test_composites": 2,
-         "mocks/test_data_ports": 2, "mocks/test_managers": 2, "mocks/test_worlds": 2, "unit/test_answers": 3, "unit/test_fuzz": 3,
-         "unit/test_graph": 2, "unit/test_idl": 2, "unit/test_profile_limits": 2, "unit/test_run_plan": 2,
-         "unit/test_xmlprofile": 2}
-OF_FAULTS = 4
+PARTS = {"commands/test_completion": 5, "commands/test_examples": 8, "commands/test_packaging": 3, "commands/test_remedies": 6,
+         "commands/test_restore": 6, "commands/test_rttop": 4, "commands/test_tour": 3, "mocks/test_composites": 4,
+         "mocks/test_data_ports": 4, "mocks/test_faulty": 3, "mocks/test_managers": 4, "mocks/test_mocks": 3, "mocks/test_observers": 3,
+         "mocks/test_worlds": 4, "unit/test_answers": 3, "unit/test_fuzz": 3, "unit/test_graph": 2, "unit/test_graph_svg": 3,
+         "unit/test_idl": 4, "unit/test_profile_limits": 6, "unit/test_run_plan": 6, "unit/test_xmlprofile": 2}
+OF_FAULTS = 10
 BEGINNING = """Each transcript under one shell and with one ORB, of long test modules a part, chosen by RTSHELL_SEED=%s: some 8 minutes
 on two quiet cores. A word runs what has it in its name (tests/run rtls), --all everything; --help says more."""
 

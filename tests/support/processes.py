@@ -9,14 +9,12 @@ import subprocess
 import sys
 import time
 
+from tools import Failed, control, session_file
+
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.append(ROOT)  # behind what is installed
 from mock_components import nameserver  # noqa: E402
 START_LIMIT = 30.0  # seconds until a peer must have said that it is ready
-
-
-class Failed(Exception):
-    pass
 
 
 # ---- starting ----
@@ -62,6 +60,12 @@ def start(name, command):
     return process
 
 
+def start_again(name):
+    """Start a name server that was killed, at its old port, with its old names."""
+    with open(session_file(name + ".command")) as file:
+        start(name, json.load(file))
+
+
 def wait_until(condition, process):
     """The first true value of the condition; nothing if the process ended before, or took too long."""
     deadline = time.monotonic() + START_LIMIT
@@ -89,18 +93,10 @@ def said(name):
         return file.read()
 
 
-def session_file(name):
-    return os.path.join(os.environ["SESSION"], name)
-
-
 def mocks_alone():
     """Where to import mock_components from, without importing rtshell_lite from there if it is installed."""
     apart = session_file("python")
     return apart if os.path.isdir(apart) else ROOT
-
-
-def control(name):
-    return session_file(name + ".control")
 
 
 def unused_name(name):
@@ -110,39 +106,3 @@ def unused_name(name):
         number += 1
         known = "%s%d" % (name, number)
     return known
-
-
-# ---- doing things to them ----
-
-def tell(names, number, state):
-    """Send a signal to peers and wait until each is in that state."""
-    for name in names:
-        try:
-            with open(session_file(name + ".pid")) as file:
-                process = int(file.read())
-        except OSError:
-            raise Failed("no world named %s" % name)
-        os.kill(process, number)
-        deadline = time.monotonic() + START_LIMIT
-        while state_of(process) != state:
-            if time.monotonic() > deadline:
-                raise Failed("%s is still %s" % (name, state_of(process)))
-            time.sleep(0.005)
-
-
-def state_of(process):
-    try:
-        with open("/proc/%d/stat" % process) as file:
-            letter = file.read().rpartition(") ")[2][0]
-    except OSError:
-        return "gone"
-    return {"Z": "gone", "X": "gone", "T": "stopped"}.get(letter, "running")
-
-
-def waited_for_processor(pid):
-    """Seconds that the main thread of a process has waited for a processor, 0 where the kernel does not say."""
-    try:
-        with open("/proc/%d/schedstat" % pid) as file:
-            return int(file.read().split()[1]) / 1e9
-    except (OSError, ValueError, IndexError):
-        return 0.0

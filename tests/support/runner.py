@@ -46,7 +46,7 @@ TURNS, SHARE = ["3.7", "3.13"], 5  # the builtin ORB on a Python that has omniOR
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 PROCESSORS = os.cpu_count() or 1
-MANY = 2 * PROCESSORS  # jobs at once: they wait more than they compute
+MANY = 3 * PROCESSORS  # jobs at once: they wait more than they compute
 DIRECTORIES = ("unit", "mocks", "commands", "faults")  # with what is run always
 PACKAGING = "commands/test_packaging"
 

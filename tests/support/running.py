@@ -19,6 +19,7 @@ import zlib
 import mounts
 import processes
 import session
+import tools
 import worlds
 
 TIMEOUT = 0.8           # --timeout of the commands
@@ -74,7 +75,7 @@ def run(words, where, inside=(), **more):
         os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)  # it stays as a zombie whose figures can be read
         seconds = time.monotonic() - begun
         killer.cancel()
-        waited = processes.waited_for_processor(process.pid)
+        waited = tools.waited_for_processor(process.pid)
         status, usage = os.wait4(process.pid, 0)[1:]
         process.returncode = -os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status)
         out.seek(0)
@@ -97,7 +98,7 @@ def run_on_terminal(words, where, columns=80, **more):
     begun = time.monotonic()
     killer = threading.Timer(LIMIT, os.kill, (child, signal.SIGKILL))
     killer.start()
-    said = b"".join(session.printed_on(terminal))
+    said = b"".join(tools.printed_on(terminal))
     os.close(terminal)
     status, usage = os.wait4(child, 0)[1:]
     killer.cancel()
@@ -150,7 +151,7 @@ class Surroundings:
     def ctl(self, name, *words):
         """Ask a world; its answer in lines."""
         from mock_components import asking
-        done, text = asking.request(processes.control(name), words)
+        done, text = asking.request(tools.control(name), words)
         assert done, text
         return text.splitlines()
 

@@ -222,7 +222,7 @@ def _session(items, shell, setting, time_limit):
     top = tempfile.mkdtemp(prefix="rt-")
     request = {"top": top, "shell": SHELLS[shell], "commands": setting.commands, "orb": setting.orb, "time_limit": time_limit,
                "directives": directives(items), "steps": ["\n".join(s.command) for s in steps(items)]}
-    worker = subprocess.Popen(leftovers.apart() + [setting.python, os.path.join(HERE, "session.py"), "run"], stdin=subprocess.PIPE,
+    worker = subprocess.Popen(leftovers.apart() + [setting.python, os.path.join(HERE, "session.py")], stdin=subprocess.PIPE,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
     complaint = []
     reader = threading.Thread(target=lambda: complaint.append(worker.stderr.read()), daemon=True)

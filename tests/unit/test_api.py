@@ -8,7 +8,7 @@ import threading
 import unittest
 
 import processes
-import session
+import tools
 import worlds
 from rtshell_lite import api, errors
 
@@ -194,7 +194,7 @@ class World(unittest.TestCase):
     def said(self, program, *words):
         """What a program prints, in a process of its own."""
         return subprocess.run([sys.executable, "-c", program] + list(words), env=worlds.ENVIRONMENT, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, preexec_fn=session.hear_ctrl_c).stdout.decode()
+                              stderr=subprocess.STDOUT, preexec_fn=tools.hear_ctrl_c).stdout.decode()
 
     def test_a_host_keeps_its_signals_and_deadlines(self):
         self.addCleanup(self.world.ctl, "reset")

@@ -1,0 +1,220 @@
+"""The commands that exist only inside a session: `tools.py NAME WORD…` runs the function play_NAME.
+
+They are called a thousand times in a run of the tests, so they import little and start with `python -I -S`, which saves half of
+their time.
+"""
+import os
+import signal
+import sys
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+START_LIMIT = 30.0  # seconds until a peer must be in the state that it is told to be in
+UNWINDING = 2.0  # seconds that a command may take to tidy up after Ctrl-C, on a busy machine; the timeout is 3
+
+
+class Failed(Exception):
+    pass
+
+
+# ---- peers ----
+
+def play_mock(words):
+    """mock WORLD [ARGUMENT...]: start one more world; the others know it by its first word (two, two2 …)."""
+    import processes
+    processes.ready(*processes.start_world(words, os.environ["PORT"]))
+
+
+def play_start_again(words):
+    """start-again SERVER: start a name server that was killed, at its old port, with its old names."""
+    import processes
+    processes.start_again(words[0])
+
+
+def play_ctl(words):
+    """ctl [@WORLD] WORD...: talk to a world's control socket, by default the first one's."""
+    sys.path.append(os.path.join(os.path.dirname(os.path.dirname(HERE)), "mock_components"))  # the package would import much more
+    import asking
+    where = os.environ.get("MOCK_CONTROL", "")
+    if words and words[0].startswith("@"):
+        where, words = control(words[0][1:]), words[1:]
+    return asking.ask(where, words)
+
+
+def play_calls(words):
+    """calls [@WORLD] ...: the calls that a world's components received."""
+    world = words[:1] if words and words[0].startswith("@") else []
+    return play_ctl(world + ["calls"] + words[len(world):])
+
+
+def play_kill_mock(words):
+    """kill-mock WORLD: kill -9, so that its names stay bound."""
+    tell(words, signal.SIGKILL, "gone")
+
+
+def play_end_mock(words):
+    """end-mock WORLD: ask it to end, and wait."""
+    tell(words, signal.SIGTERM, "gone")
+
+
+def play_hang(words):
+    """hang WORLD: stop its process; it accepts connections and never answers."""
+    tell(words, signal.SIGSTOP, "stopped")
+
+
+def play_resume(words):
+    """resume WORLD: let it go on."""
+    tell(words, signal.SIGCONT, "running")
+
+
+def tell(names, number, state):
+    """Send a signal to peers and wait until each is in that state."""
+    for name in names:
+        try:
+            with open(session_file(name + ".pid")) as file:
+                process = int(file.read())
+        except OSError:
+            raise Failed("no world named %s" % name)
+        os.kill(process, number)
+        deadline = time.monotonic() + START_LIMIT
+        while state_of(process) != state:
+            if time.monotonic() > deadline:
+                raise Failed("%s is still %s" % (name, state_of(process)))
+            time.sleep(0.005)
+
+
+def state_of(process):
+    try:
+        with open("/proc/%d/stat" % process) as file:
+            letter = file.read().rpartition(") ")[2][0]
+    except OSError:
+        return "gone"
+    return {"Z": "gone", "X": "gone", "T": "stopped"}.get(letter, "running")
+
+
+def session_file(name):
+    return os.path.join(os.environ["SESSION"], name)
+
+
+def control(name):
+    return session_file(name + ".control")
+
+
+# ---- running a command ----
+
+def play_within(words):
+    """within LEAST-MOST COMMAND...: complain if the command takes less or more seconds; status is the command's.
+
+    What it was ready to run and was not let, as other tests had the processors, does not count as MOST.
+    """
+    least, most = [float(number) for number in words[0].split("-")]
+    begun = time.monotonic()
+    process = spawn(words[1:])
+    os.waitid(os.P_PID, process, os.WEXITED | os.WNOWAIT)
+    taken, waited = time.monotonic() - begun, waited_for_processor(process)
+    status = shell_status(os.waitpid(process, 0)[1])
+    if taken < least or taken - waited > most:
+        sys.stdout.write("took %.2f s (%.2f s of it for a processor), not %s\n" % (taken, waited, words[0]))
+        return status or 99
+    return status
+
+
+def play_interrupt(words):
+    """interrupt SECONDS COMMAND...: press Ctrl-C after that long; the command must be gone soon, long before the timeout."""
+    import subprocess
+    process = subprocess.Popen(words[1:], preexec_fn=hear_ctrl_c)
+    try:
+        process.wait(float(words[0]))
+        sys.stdout.write("ended before Ctrl-C\n")
+    except subprocess.TimeoutExpired:
+        process.send_signal(signal.SIGINT)
+        try:
+            process.wait(UNWINDING)
+        except subprocess.TimeoutExpired:
+            sys.stdout.write("still there %g s after Ctrl-C\n" % UNWINDING)
+            process.kill()
+            process.wait()
+    return 128 - process.returncode if process.returncode < 0 else process.returncode
+
+
+def play_tty(words):
+    """tty COLUMNS COMMAND...: run the command on a terminal that wide, type what comes through a pipe, show what is written there."""
+    import fcntl
+    import pty
+    import stat
+    import struct
+    import termios
+    child, terminal = pty.fork()
+    if child == 0:
+        try:  # the size is set from this side, before the command can ask for it
+            fcntl.ioctl(0, termios.TIOCSWINSZ, struct.pack("HHHH", 24, int(words[0]), 0, 0))
+            hear_ctrl_c()
+            os.execvp(words[1], words[1:])
+        finally:
+            os._exit(127)
+    if stat.S_ISFIFO(os.fstat(0).st_mode):
+        os.write(terminal, sys.stdin.buffer.read())
+    for data in printed_on(terminal):
+        sys.stdout.buffer.write(data.replace(b"\r\n", b"\n"))
+    return shell_status(os.waitpid(child, 0)[1])
+
+
+def spawn(words):
+    """Start a command as a shell would; returns its process number. (subprocess takes longer to import than a command to run.)"""
+    process = os.fork()
+    if process:
+        return process
+    try:
+        hear_ctrl_c()
+        for number in signal.SIGPIPE, signal.SIGXFSZ:  # Python ignores them
+            signal.signal(number, signal.SIG_DFL)
+        os.execvp(words[0], words)
+    finally:
+        os._exit(127)
+
+
+def hear_ctrl_c():
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # a runner in the background ignores it, and that is inherited
+
+
+def shell_status(status):
+    """What a shell says of the status that waitpid() gives."""
+    return os.WEXITSTATUS(status) if os.WIFEXITED(status) else 128 + os.WTERMSIG(status)
+
+
+def printed_on(terminal):
+    """What programs print on a terminal, as bytes come, until all of them have ended."""
+    while True:
+        try:
+            data = os.read(terminal, 65536)
+        except OSError:  # how Linux says that the other side is closed
+            return
+        if not data:
+            return
+        yield data
+
+
+def waited_for_processor(pid):
+    """Seconds that the main thread of a process has waited for a processor, 0 where the kernel does not say."""
+    try:
+        with open("/proc/%d/schedstat" % pid) as file:
+            return int(file.read().split()[1]) / 1e9
+    except (OSError, ValueError, IndexError):
+        return 0.0
+
+
+NAMES = [name[5:].replace("_", "-") for name in sorted(globals()) if name.startswith("play_")]
+
+
+def main():
+    sys.path.insert(0, HERE)
+    name, words = sys.argv[1], sys.argv[2:]
+    try:
+        return globals()["play_" + name.replace("-", "_")](words)
+    except Exception as e:
+        sys.stderr.write("%s: %s\n" % (name, e))
+        return 99
+
+
+if __name__ == "__main__":
+    sys.exit(main())
