@@ -3,4 +3,9 @@
 `python3 -m mock_components --list` shows the worlds that can be started; `world("two")`, in a `with` statement, starts one in a
 test of your own.
 """
-from .running import World, world  # noqa: F401
+
+
+def world(name, *arguments):
+    """A running.World of that name, in a `with` statement: see running.world."""
+    from . import running  # here, as a mock's own process needs nothing of what that imports
+    return running.world(name, *arguments)

@@ -1,6 +1,5 @@
 """`python3 -m mock_components WORLD [ARGUMENT …]`: start a world; `… ctl PATH COMMAND …`: talk to a running one."""
 import argparse
-import ast
 import os
 import signal
 import sys
@@ -32,6 +31,7 @@ def arguments():
 
 def listed():
     """(name, help) of each world, read from the source, as to import it needs omniORB."""
+    import ast
     for file in "worlds.py", "deployment.py", "ailments.py":
         with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), file), encoding="utf-8") as source:
             tree = ast.parse(source.read())

@@ -1,6 +1,5 @@
 """More processes of one world: each is started like the first, has a control socket of its own, and ends with it."""
 import os
-import subprocess
 import sys
 
 from omniORB import CORBA
@@ -30,6 +29,7 @@ def start(stage, words, port=""):
     if stage.options.control:
         line += ["--control", control(stage, len(stage.controls) + 1)]
         stage.controls.append(line[-1])
+    import subprocess  # here and below, as few worlds have children
     child = subprocess.Popen(line, stdout=subprocess.PIPE, env=environment())
     stage.children.append(child)
     stage.process.thread(child.wait)
@@ -44,6 +44,9 @@ def control(stage, number):
 
 def end(stage):
     """End what was started here."""
+    if not stage.children:
+        return
+    import subprocess
     for child in stage.children:
         child.terminate()
     for child in stage.children:

@@ -1,7 +1,5 @@
 """Components whose connected peer has been killed, and composites with a killed member."""
 import contextlib
-import subprocess
-
 
 from . import children, naming
 from .idl import RTC, OpenRTM
@@ -14,6 +12,7 @@ PEER = "Peer0"
 @contextlib.contextmanager
 def doomed(stage):
     """A ConsoleOut in another process, which is killed in the end; its name stays bound."""
+    import subprocess
     command = children.command(stage, ["these", "ConsoleOut:" + PEER])
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=children.environment()) as process:
         try:

@@ -1,7 +1,6 @@
 """Ports: profiles, connecting and disconnecting. No lock is held during a call to another port."""
 import threading
 import time
-import uuid
 
 from omniORB import CORBA
 from rtshell_lite.corba import stubs
@@ -102,6 +101,7 @@ class Port(stubs.skeleton("RTC.PortService")):
         if refusal:
             return refusal, profile
         if not profile.connector_id:
+            import uuid
             make = uuid.uuid1 if self.flavour.uuid == "time" else uuid.uuid4
             profile.connector_id = str(make())
         self.prepare(profile)

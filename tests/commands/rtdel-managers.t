@@ -6,7 +6,7 @@ world: deadchild --flavour cpp2 --context dead.host_cxt/%n.rtc
   $ rtdel manager.mgr/ConsoleIn0.rtc
   rtdel: /localhost:$PORT/test.host_cxt/manager.mgr: not a directory with names in it (it is a manager; rtmgr deletes its components)
   [3]
-  $ SLAVE=$(rtls manager.mgr | grep manager_ | head -1)
+  $ SLAVE=manager_$(ctl slave 1 pid)/
   $ rtdel manager.mgr/${SLAVE%/} 2>&1 | sed 's/manager_[0-9]*/manager_N/'
   rtdel: /localhost:$PORT/test.host_cxt/manager.mgr: not a directory with names in it (it is a manager; rtmgr deletes its components)
   $ rtdel manager.mgr/nobody.rtc

@@ -19,7 +19,7 @@ The components of a master's slaves are the master's, too. Two slaves of one nam
   $ rtls manager.mgr/ | head -2
   ConsoleIn0.rtc
   ConsoleOut0.rtc
-  $ SLAVE=$(rtls manager.mgr | grep manager_ | head -1)
+  $ SLAVE=manager_$(ctl slave 1 pid)/
   $ rtls -l manager.mgr/$SLAVE manager.mgr/${SLAVE%/}
   manager.mgr/manager_*/: (glob)
   Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc

@@ -46,18 +46,23 @@ TURNS, SHARE = ["3.7", "3.13"], 5  # the builtin ORB on a Python that has omniOR
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 PROCESSORS = os.cpu_count() or 1
-MANY = 3 * PROCESSORS  # jobs at once: they wait more than they compute
+MANY = 4 * PROCESSORS  # jobs at once: they wait more than they compute
+MEASURING = 2 * PROCESSORS  # the same of transcripts that measure times: a third of a processor is enough for each
 DIRECTORIES = ("unit", "mocks", "commands", "faults")  # with what is run always
 PACKAGING = "commands/test_packaging"
 
 
 class Job:
-    """A test module, or a transcript under a shell; `run` returns outcomes. So many like it may run `at_once`, and nothing else."""
+    """A test module, or a transcript under a shell; `run` returns outcomes. So many like it may run `at_once`, and nothing else.
 
-    def __init__(self, label, run, at_once):
+    `path` is the file that it runs: the longest ones begin, so that none is left when all others are done.
+    """
+
+    def __init__(self, label, run, at_once, path):
         self.label = label
         self.run = run
         self.at_once = at_once
+        self.size = os.path.getsize(path)
 
 
 # ---- jobs ----
@@ -80,13 +85,18 @@ def module_jobs(python, interpreter, commands, wheel, patterns, modules, orb=Non
 
     def job(module):
         return Job(" ".join(filter(None, (python.version, orb, module))), lambda: run_module(
-            module, interpreter, dict(environment, RTSHELL_PART=daily.part(module)), patterns), 1 if says(module, "ALONE") else MANY)
+            module, interpreter, dict(environment, RTSHELL_PART=daily.part(module)), patterns),
+            1 if says(module, "ALONE") else MANY, source(module))
     return [job(module) for module in modules]
+
+
+def source(module):
+    return os.path.join(TESTS, module + ".py")
 
 
 def says(module, word):
     """Does a module say ALONE (it measures times), ONCE (one Python of the matrix is enough) or BOTH (each ORB has its turn)?"""
-    with open(os.path.join(TESTS, module + ".py"), encoding="utf-8") as file:
+    with open(source(module), encoding="utf-8") as file:
         return any(line.startswith(word + " =") for line in file)
 
 
@@ -148,7 +158,7 @@ def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, acce
             if shell in missing:
                 return [(name, "skip", "%s is not installed" % transcripts.SHELLS[shell][0])]
             return [(name,) + transcripts.run_case(path, shell, setting, accept)]
-        return Job("%s %s" % (label, name), run, PROCESSORS if transcripts.says(path, "alone") else MANY)
+        return Job("%s %s" % (label, name), run, MEASURING if transcripts.says(path, "alone") else MANY, path)
     lacks_omniorb = not environments.fetch_omniorb(python)
     return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shell and [shell])
             if daily.has_turn(path, shell, setting.orb) and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
@@ -218,7 +228,8 @@ class Score:
 def run_jobs(jobs, score):
     """Run jobs, those first of which most may run at once; each once, whatever the outcome."""
     for at_once in sorted({job.at_once for job in jobs}, reverse=True):
-        _run_some([job for job in jobs if job.at_once == at_once], at_once, score)
+        some = [job for job in jobs if job.at_once == at_once]
+        _run_some(sorted(some, key=lambda job: job.size, reverse=True), at_once, score)
 
 
 def _run_some(jobs, lanes, score):
@@ -259,11 +270,11 @@ def compat_jobs(args):
         interpreter = environments.prepare_compat(python)
     except environments.Failed as e:
         why = "PyYAML and rtsprofile-aist cannot be installed: " + str(e).splitlines()[-1]
-        return [Job("%s %s" % (python.version, module), lambda module=module: [(module, "skip", why)], MANY)
+        return [Job("%s %s" % (python.version, module), lambda module=module: [(module, "skip", why)], MANY, source(module))
                 for module in modules]
     environment = dict(os.environ, PYTHONPATH=environments.ROOT)
-    return [Job("%s %s" % (python.version, module),
-                lambda module=module: run_module(module, interpreter, environment, args.pattern), MANY) for module in modules]
+    return [Job("%s %s" % (python.version, module), lambda module=module: run_module(module, interpreter, environment, args.pattern),
+                MANY, source(module)) for module in modules]
 
 
 def jobs_for(version, wheel, args):

@@ -11,7 +11,7 @@ Lines at the margin of a transcript that ask for surroundings:
     needs: fuse           skipped where no file systems can be mounted
     python: pure          needs no omniORB: no name server runs (nothing listens on $PORT)
     orb: omniorb          for this ORB only, or for `builtin`; the others are played with both
-    alone: it measures    run when no more than one for each processor runs
+    alone: it measures    run when few others run, and none that compute
     once: what peers do   on one Python of the matrix only
 
 Commands that exist only inside a session: see tools.py.
