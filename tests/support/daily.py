@@ -43,6 +43,15 @@ def orbs():
     return [None, "builtin"] if "RTSHELL_SEED" in os.environ and "RTSHELL_ORB" not in os.environ else [os.environ.get("RTSHELL_ORB")]
 
 
+def at_once(processors, measures=False):
+    """How many jobs run at once, for they wait more than they compute: half as many of those that measure times.
+
+    The parts of a day are short; whole modules, for which there is a limit of time, hinder each other.
+    """
+    number = (4 if "RTSHELL_SEED" in os.environ else 2) * processors
+    return number // 2 if measures else number
+
+
 def has_turn(path, shell, orb):
     """Is a transcript played so? In the run of a day each is under one shell and with one ORB, else under all."""
     if "RTSHELL_SEED" not in os.environ:

@@ -46,8 +46,6 @@ TURNS, SHARE = ["3.7", "3.13"], 5  # the builtin ORB on a Python that has omniOR
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 PROCESSORS = os.cpu_count() or 1
-MANY = 4 * PROCESSORS  # jobs at once: they wait more than they compute
-MEASURING = 2 * PROCESSORS  # the same of transcripts that measure times: a third of a processor is enough for each
 DIRECTORIES = ("unit", "mocks", "commands", "faults")  # with what is run always
 PACKAGING = "commands/test_packaging"
 
@@ -86,7 +84,7 @@ def module_jobs(python, interpreter, commands, wheel, patterns, modules, orb=Non
     def job(module):
         return Job(" ".join(filter(None, (python.version, orb, module))), lambda: run_module(
             module, interpreter, dict(environment, RTSHELL_PART=daily.part(module)), patterns),
-            1 if says(module, "ALONE") else MANY, source(module))
+            1 if says(module, "ALONE") else daily.at_once(PROCESSORS), source(module))
     return [job(module) for module in modules]
 
 
@@ -158,7 +156,7 @@ def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, acce
             if shell in missing:
                 return [(name, "skip", "%s is not installed" % transcripts.SHELLS[shell][0])]
             return [(name,) + transcripts.run_case(path, shell, setting, accept)]
-        return Job("%s %s" % (label, name), run, MEASURING if transcripts.says(path, "alone") else MANY, path)
+        return Job("%s %s" % (label, name), run, daily.at_once(PROCESSORS, transcripts.says(path, "alone")), path)
     lacks_omniorb = not environments.fetch_omniorb(python)
     return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shell and [shell])
             if daily.has_turn(path, shell, setting.orb) and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
@@ -270,11 +268,11 @@ def compat_jobs(args):
         interpreter = environments.prepare_compat(python)
     except environments.Failed as e:
         why = "PyYAML and rtsprofile-aist cannot be installed: " + str(e).splitlines()[-1]
-        return [Job("%s %s" % (python.version, module), lambda module=module: [(module, "skip", why)], MANY, source(module))
+        return [Job("%s %s" % (python.version, module), lambda module=module: [(module, "skip", why)], PROCESSORS, source(module))
                 for module in modules]
     environment = dict(os.environ, PYTHONPATH=environments.ROOT)
     return [Job("%s %s" % (python.version, module), lambda module=module: run_module(module, interpreter, environment, args.pattern),
-                MANY, source(module)) for module in modules]
+                PROCESSORS, source(module)) for module in modules]
 
 
 def jobs_for(version, wheel, args):
