@@ -5,6 +5,8 @@ import errno
 import itertools
 import os
 import posixpath
+import select
+import signal
 import stat
 import sys
 import threading
@@ -36,6 +38,35 @@ def errno_of(error):
     return next((number for kind, number in ERRNOS if isinstance(error, kind)), errno.EIO)
 
 
+class Waiting:
+    """In a `with` statement on the main thread: wait() until there is something to read from a descriptor.
+
+    A signal ends it, too, if it comes just before, or if the kernel hands it to another thread: a blocking read would go on, and
+    nobody would hear the signal before the next request.
+    """
+
+    def __init__(self, fd):
+        self._poll = select.poll()
+        self._bell, self._rope = os.pipe()
+        for each in (fd, self._bell, self._rope):
+            os.set_blocking(each, False)
+        self._poll.register(fd, select.POLLIN)
+        self._poll.register(self._bell, select.POLLIN)
+
+    def __enter__(self):
+        self._before = signal.set_wakeup_fd(self._rope)
+        return self
+
+    def __exit__(self, *_):
+        signal.set_wakeup_fd(self._before)
+        os.close(self._bell)
+        os.close(self._rope)
+
+    def wait(self):
+        if any(fd == self._bell for fd, _ in self._poll.poll()):
+            os.read(self._bell, 64)
+
+
 class Server:
     """Serves a Mount on the descriptor `fd` of /dev/fuse; `ready()` is called when the kernel has begun to ask."""
 
@@ -55,9 +86,13 @@ class Server:
         """Answer until the tree is unmounted."""
         sys.setswitchinterval(SWITCH)
         threading.Thread(target=self._tidy, daemon=True).start()
-        buffer = bytearray(wire.LONGEST)
+        with Waiting(self.fd) as waiting:
+            self._serve(waiting, bytearray(wire.LONGEST))
+
+    def _serve(self, waiting, buffer):
         view = memoryview(buffer)
         while True:
+            waiting.wait()
             try:
                 size = os.readv(self.fd, [buffer])
             except OSError as e:

@@ -1,4 +1,6 @@
 """rtmount without a kernel: messages as octets, names of files, questions that are shared."""
+import os
+import signal
 import struct
 import threading
 import time
@@ -7,7 +9,7 @@ from unittest import mock
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes
-from rtshell_lite.mount import asking, kernel, nodes, wire
+from rtshell_lite.mount import asking, kernel, nodes, server, wire
 from rtshell_lite.path import Name
 
 
@@ -20,6 +22,50 @@ class Systems(unittest.TestCase):
         with mock.patch("sys.platform", "darwin"), self.assertRaises(errors.Failed) as caught:
             kernel.check("/")
         self.assertEqual(str(caught.exception), "rtmount: works on Linux only")
+
+
+class Ended(Exception):
+    pass
+
+
+class Signals(unittest.TestCase):
+    """A server that waits for a request ends at once, also if the signal reaches another of its threads, or comes just before."""
+
+    def setUp(self):
+        before = signal.signal(signal.SIGUSR1, self.end)
+        self.addCleanup(signal.signal, signal.SIGUSR1, before)
+        self.ours, self.theirs = os.pipe()
+        self.addCleanup(os.close, self.ours)
+        self.addCleanup(os.close, self.theirs)
+
+    def end(self, number, frame):
+        raise Ended()
+
+    def test_one_that_reaches_another_thread(self):
+        def strike():
+            time.sleep(0.05)  # usually the main thread waits by then; if not, nothing changes
+            signal.pthread_kill(threading.get_ident(), signal.SIGUSR1)
+        safety = threading.Timer(20, os.write, (self.theirs, b"!"))
+        safety.start()
+        thread = threading.Thread(target=strike)
+        begun = time.monotonic()
+        with self.assertRaises(Ended), server.Waiting(self.ours) as waiting:
+            thread.start()
+            waiting.wait()
+        thread.join()
+        safety.cancel()
+        self.assertLess(time.monotonic() - begun, 10)
+
+    def test_requests_and_signals_that_mean_nothing(self):
+        signal.signal(signal.SIGUSR1, lambda number, frame: None)
+        with server.Waiting(self.ours) as waiting:
+            for _ in range(3):
+                os.kill(os.getpid(), signal.SIGUSR1)
+                waiting.wait()
+            os.write(self.theirs, b"!")
+            waiting.wait()
+        self.assertEqual(os.read(self.ours, 1), b"!")
+        self.assertEqual(signal.set_wakeup_fd(-1), -1)
 
 
 class Wire(unittest.TestCase):
