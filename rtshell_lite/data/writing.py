@@ -100,9 +100,9 @@ class Backlog:
         self.waiting = self.lost = self.delay = self._at = 0.0
 
     def add(self, now, delay=0.0):
-        """The port took a value at `now` (seconds), `delay` after it was sent; a full buffer that loses values has lost its oldest.
+        """The port took a value at `now` (seconds), `delay` after it was sent; a full buffer loses its oldest one unless it refuses.
 
-        A computer that is too busy to answer at once is too busy to read at once.
+        `delay` is added to what reading takes: a computer that is too busy to answer at once is too busy to read at once.
         """
         self.drain(now)
         self.delay = max(self.delay, delay)

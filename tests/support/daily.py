@@ -15,7 +15,8 @@ PARTS = {"commands/test_completion": 8, "commands/test_examples": 16, "commands/
          "unit/test_iiop_loop": 3, "unit/test_lanes": 2, "unit/test_layers": 5, "unit/test_plan": 2,
          "unit/test_profile_limits": 12, "unit/test_run_plan": 8, "unit/test_simpkl": 3, "unit/test_tables": 3,
          "unit/test_transcripts": 3, "unit/test_values": 8, "unit/test_xmlprofile": 4}
-OF_FAULTS, OF_FAILURES = 10, 3  # the same of modules, and of transcripts
+OF_FAULTS = 10  # the same of the other modules in faults/
+OF_FAILURES = 3  # one in so many of the transcripts about failures
 BEGINNING = """Transcripts under one shell and with one ORB, of those about failures and of long test modules a part, chosen by
 RTSHELL_SEED=%s: 5 to 6 minutes on two quiet cores. A word runs what has it in its name (tests/run rtls), --all
 everything; --help says more."""
@@ -54,7 +55,7 @@ def at_once(processors, measures=False):
 
 
 def has_turn(path, shell, orb):
-    """Is a transcript played so? In the run of a day each is under one shell and with one ORB, those of failures one in some."""
+    """Is a transcript played so? In the run of a day each is played under one shell and with one ORB, some of those about failures."""
     if "RTSHELL_SEED" not in os.environ:
         return True
     number = zlib.crc32((os.environ["RTSHELL_SEED"] + os.path.basename(path)).encode())

@@ -3,7 +3,7 @@
 Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a test failed or none ran.
 
   tests/run                       on the Python that runs this: transcripts under one shell with one ORB and test modules, of
-                                  those of failures and long ones a part; which, changes with the day (RTSHELL_SEED repeats another)
+                                  those of failures and long ones a part, another each day (RTSHELL_SEED repeats that of a day)
   tests/run rtls test_path        those whose name holds one of these words: tests/commands/rtls.t, tests/unit/test_path.py
   tests/run 'rtls.t (dash)'       one transcript under one shell
   tests/run --python 3.7 rtls     on another Python

@@ -33,8 +33,8 @@ def play_start_again(words):
 
 def play_ctl(words):
     """ctl [@WORLD] WORD...: talk to a world's control socket, by default the first one's."""
-    sys.path.append(os.path.join(os.path.dirname(os.path.dirname(HERE)), "mock_components"))  # the package would import much more
-    import asking
+    sys.path.append(os.path.dirname(os.path.dirname(HERE)))
+    from mock_components import asking
     where = os.environ.get("MOCK_CONTROL", "")
     if words and words[0].startswith("@"):
         where, words = control(words[0][1:]), words[1:]
@@ -211,7 +211,7 @@ def main():
     name, words = sys.argv[1], sys.argv[2:]
     try:
         return globals()["play_" + name.replace("-", "_")](words)
-    except Exception as e:
+    except Exception as e:  # Failed among them, by two names: `processes` imports this file, too
         sys.stderr.write("%s: %s\n" % (name, e))
         return 99
 
