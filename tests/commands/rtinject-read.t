@@ -25,19 +25,19 @@ A component reads in its own cycles, however seldom they come; none of its value
 
 --linger limits that; what has not been read is reported, and dropped, so that no later connection brings it:
 
-  $ rtec Slow0.rtc rate 1; within 0.1-0.9 rtinject -c 7 --linger 0.1 Slow0.rtc:in
-  rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: it executes at 1 Hz; it has read about 0 of 1 values; the rest is dropped
+  $ rtec Slow0.rtc rate 0.1; within 0.1-5 rtinject -c 7 --linger 0.1 Slow0.rtc:in
+  rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: it executes at 0.1 Hz; it has read about 0 of 1 values; the rest is dropped
   [5]
   $ ctl waiting Slow0:in; ctl connectors Slow0:in
   0
-  $ rtinject -q -c 7 --linger 0 Slow0.rtc:in ConsoleOut0.rtc:in
-  rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: it executes at 1 Hz; it has read about 0 of 1 values; the rest is dropped
-  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it executes at 5 Hz; it has read about 0 of 1 values; the rest is dropped
+  $ rtec ConsoleOut0.rtc rate 0.1; rtinject -q -c 7 --linger 0 Slow0.rtc:in ConsoleOut0.rtc:in
+  rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: it executes at 0.1 Hz; it has read about 0 of 1 values; the rest is dropped
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it executes at 0.1 Hz; it has read about 0 of 1 values; the rest is dropped
   [5]
 
 Who is not going to read is sent nothing, without --anyway:
 
-  $ rtdeact Slow0.rtc; ctl reset; rtinject -c 8 Slow0.rtc:in
+  $ rtec Slow0.rtc rate 20; rtec ConsoleOut0.rtc rate 20; rtdeact --wait Slow0.rtc; ctl reset; rtinject -c 8 Slow0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: it is Inactive and would read the values at some later connection; rtact /localhost:$PORT/test.host_cxt/Slow0.rtc first, or --anyway
   [1]
   $ ctl error Mock0; rtinject -c 8 Mock0.rtc:in
@@ -120,10 +120,10 @@ A buffer that somebody else asks for meanwhile stays as it is:
 
 What a port refuses is counted; a buffer that the user has asked for is left alone:
 
-  $ rtec Slow0.rtc start; rtinject -q -c 1 -n 20 -r 400 --linger 0 --property dataport.buffer.length=2 --property dataport.buffer.write.full_policy=do_nothing Slow0.rtc:in
+  $ rtec Slow0.rtc rate 0.1; rtec Slow0.rtc start; rtinject -q -c 1 -n 20 -r 400 --linger 0 --property dataport.buffer.length=2 --property dataport.buffer.write.full_policy=do_nothing Slow0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: its buffer is full (BUFFER_FULL)
   rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: it refused 1? of 20 values (glob)
-  rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: it executes at 1 Hz; it has read about 0 of ? values; the rest is dropped (glob)
+  rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: it executes at 0.1 Hz; it has read about ? of ? values; the rest is dropped (glob)
   [5]
 
 Connections in which this command can take no part are refused before anybody is asked:
