@@ -61,7 +61,7 @@ An in port: what is written to it has been read when the write returns, or the w
   $ printf '%300s\n%212s\n' 47 48 >$TMP/lines; dd if=$TMP/lines of=ConsoleOut0.rtc/ports/in/value bs=512 2>&-
   $ PATH=$tools ctl @these received ConsoleOut0:in
   7 48
-  $ (echo 1; echo 2; echo 3) >ConsoleOut0.rtc/ports/in/value; PATH=$tools ctl @these connectors ConsoleOut0:in
+  $ (echo 1; echo 2; echo 3) >ConsoleOut0.rtc/ports/in/value; until [ -z "$(PATH=$tools ctl @these connectors ConsoleOut0:in)" ]; do sleep 0.1; done
   $ echo nonsense 2>&- >ConsoleOut0.rtc/ports/in/value || why
   RTC.TimedLong: data: not a long: nonsense
   $ echo 9999999999 2>&- >ConsoleOut0.rtc/ports/in/value || why
