@@ -16,6 +16,7 @@ own ORB first. Rare remarks go to stderr, such as that a peer's answer was too l
 """
 import collections
 import contextlib
+import math
 import time
 
 from rtshell_lite import errors, path as paths
@@ -34,7 +35,9 @@ omni.shared = True
 
 
 def set_timeout(seconds):
-    """Let a peer stay silent for so many seconds (default: 3)."""
+    """Let a peer stay silent for so many seconds (default: 3). Raises ValueError."""
+    if not 0 < seconds < math.inf:
+        raise ValueError(f"not a number of seconds above 0: {seconds!r}")
     lanes.session.timeout = float(seconds)
 
 
@@ -116,9 +119,12 @@ def component(path, wait=0.0):
 
 
 def components(top="/"):
-    """The Components at and below a path, a list. What does not answer is left out."""
+    """The Components at and below a path, a list. What does not answer is left out; raises why if nothing is left."""
     from rtshell_lite.system import capture
-    return [Component(str(node.path)) for node in capture.components([paths.parse(top)])[0]]
+    nodes, failures, _ = capture.components([paths.parse(top)])
+    if failures and not nodes:
+        raise failures[0]
+    return [Component(str(node.path)) for node in nodes]
 
 
 # ---- connections ----------------------------------------------------------------------------------------------
@@ -128,7 +134,7 @@ def _found(*words):
     wanted = [paths.parse(word) for word in words]
     for path in wanted:
         if path.port is None:
-            raise errors.Usage(f"{path!s}: no port specified")
+            raise errors.BadPath(path, "no port specified")
     found, failures = errors.parted(ports.find(wanted))
     if failures:
         raise failures[0]
@@ -244,8 +250,11 @@ def restore(profile, create=False, manager=None, rollback=False):
 
 
 def check(profile, state="Active", extra=False):
-    """How the running system differs from a profile, as lines of text; [] where it does not. See rtcheck."""
+    """How the running system differs from a profile, as lines of text; [] where it does not. See rtcheck. Raises ValueError."""
+    from rtshell_lite.robot import component
     from rtshell_lite.system import compare
+    if state not in component.STATES:
+        raise ValueError(f"not one of {', '.join(component.STATES)}: {state!r}")
     result = compare.compare(profile, state, extra=extra)
     if result.failures:
         raise result.failures[0]
@@ -259,7 +268,9 @@ def load_profile(name):
 
 
 def dump_profile(profile, name, form="xml"):
-    """Write a profile to a file, as xml or yaml, whole or not at all. Raises OSError."""
+    """Write a profile to a file, as xml or yaml, whole or not at all. Raises OSError, ValueError."""
     from rtshell_lite import files
     from rtshell_lite.xmlprofile import rtsprofile
+    if form not in (rtsprofile.XML, rtsprofile.YAML):
+        raise ValueError(f"not xml or yaml: {form!r}")
     files.write(name, rtsprofile.dump(profile, form))

@@ -18,14 +18,13 @@ class Error(Exception):
 
     @property
     def where(self):
-        """The object that the message begins with."""
-        return str(self.args[0])
+        """The object that the message begins with: a path, a file, a type; "" where it names none."""
+        return str(self.args[0]) if self.__doc__.startswith("{}:") else ""
 
     @property
     def why(self):
-        """What the message says of `where`."""
-        start, _, words = self.__doc__.partition("{}: ")
-        return str(self) if start else words.format(*self.args[1:])
+        """What the message says of `where`; all of it where that is ""."""
+        return str(self)[len(self.where) + 1:].lstrip() if self.where else str(self)
 
 
 def parted(values):
@@ -54,7 +53,8 @@ class BadType(Error):
 
 
 class MissingOmniORB(Error):
-    """omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or: pip install 'rtshell_lite[omniorb]'"""
+    __doc__ = ("omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or install it from the package index "
+               "(jeteve-omniorb; salome-omniorb for Python 3.7) or from OpenRTM-aist's package repository")
 
 
 class IncompletePython(Error):
@@ -68,7 +68,7 @@ class Usage(Error):
 
 
 class BadPath(Error):
-    """{}"""
+    """{}: {}"""  # as it was typed, why it is none
 
     status = 2
 

@@ -112,7 +112,7 @@ def parse(text, cwd=None):
     last, port = _split_port(resolved[-1], text)
     names = tuple(_name(element, text) for element in resolved[1:-1] + [last])
     if port is not None and directory:
-        raise errors.BadPath(f"{text}: a port has no directory below it")
+        raise errors.BadPath(text, "a port has no directory below it")
     return Path(server, names, port, directory)
 
 
@@ -120,7 +120,7 @@ def _working_directory(cwd):
     if cwd is None:
         cwd = os.environ.get("RTCSH_CWD") or "/"
     if not cwd.startswith("/"):
-        raise errors.BadPath(f"{cwd}: a working directory (RTCSH_CWD) starts with /")
+        raise errors.BadPath(cwd, "a working directory (RTCSH_CWD) starts with /")
     return cwd
 
 
@@ -151,7 +151,7 @@ def _server(element, text):
         return address
     host, port = split_address(address)
     if host in ("", ".", "..") or port is None:
-        raise errors.BadPath(f"{text}: {address} is not a name server (host or host:tcpport)")
+        raise errors.BadPath(text, f"{address} is not a name server (host or host:tcpport)")
     return address
 
 
@@ -171,7 +171,7 @@ def _split_port(element, text):
     if not port:
         return name, None
     if len(port) > 1 or not port[0] or not name:
-        raise errors.BadPath(f"{text}: bad path (one colon stands before a port; write \\: in a name)")
+        raise errors.BadPath(text, "bad path (one colon stands before a port; write \\: in a name)")
     return name, _unescaped(port[0], text)
 
 
@@ -189,4 +189,4 @@ def _unescaped(s, text):
     try:
         return unescaped(s)
     except ValueError as e:
-        raise errors.BadPath(f"{text}: {e}")
+        raise errors.BadPath(text, str(e))

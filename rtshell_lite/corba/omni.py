@@ -78,7 +78,7 @@ def from_url(where, url):
     try:
         return orb.string_to_object(to_wire(url))
     except CORBA.SystemException as e:
-        raise errors.BadPath(f"{where}: not an address ({_label(e)})")
+        raise errors.BadPath(where, f"not an address ({_label(e)})")
 
 
 def from_text(where, text):

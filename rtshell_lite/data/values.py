@@ -201,7 +201,7 @@ def field(value, path):
     while at < len(path):
         step = _STEP.match(path, at)
         if step is None:
-            raise errors.BadPath(f"{printable(path)}: not a field; one is written data.points[0].x")
+            raise errors.BadPath(printable(path), "not a field; one is written data.points[0].x")
         part = _step(part, step, path)
         at = step.end()
     return part

@@ -32,7 +32,7 @@ COMMANDS = {
 # {name} becomes text
 WORDS = {
     # here
-    "newer omniORBpy": "pip install -U 'rtshell_lite[omniorb]', or set RTSHELL_ORB=builtin",
+    "newer omniORBpy": "pip install -U jeteve-omniorb, or set RTSHELL_ORB=builtin",
     "correct settings": "correct or remove it",
     "correct file": "remove it from {file}",
     "raise limit": "raise the limit in this shell ({command}), or end what uses so many {what} here",

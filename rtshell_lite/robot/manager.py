@@ -61,7 +61,7 @@ def check(word):
     if not word.startswith("corbaloc:"):
         parse(word)
     elif not _CORBALOC.match(word) or split_address(_CORBALOC.match(word).group("address"))[1] is None:
-        raise errors.BadPath(f"{printable(word)}: not corbaloc:iiop:HOST[:PORT][/KEY]")
+        raise errors.BadPath(printable(word), "not corbaloc:iiop:HOST[:PORT][/KEY]")
 
 
 def check_argument(argument):

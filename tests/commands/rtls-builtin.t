@@ -155,7 +155,7 @@ It is used by itself where omniORBpy cannot be imported. Who asks for omniORBpy 
   -  -  -  -  -  *ConsoleIn0.rtc
   Python 3.*, builtin ORB (glob)
   $ RTSHELL_ORB=omniorb rtls
-  rtls: omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or: pip install 'rtshell_lite[omniorb]'
+  rtls: omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or install it from the package index (jeteve-omniorb; salome-omniorb for Python 3.7) or from OpenRTM-aist's package repository
   [1]
   $ RTSHELL_ORB=omniorb rtdoctor -q | grep ORB
   fail  here: Python * has no omniORBpy, which RTSHELL_ORB asks for; try: unset RTSHELL_ORB (glob)

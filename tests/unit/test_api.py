@@ -1,4 +1,5 @@
 """rtshell_lite.api, as programs use it: if one of these fails, somebody's launch script does."""
+import math
 import os
 import signal
 import subprocess
@@ -175,8 +176,31 @@ class World(unittest.TestCase):
             self.assertEqual(caught.exception.why, "no such path")
         with self.assertRaises(errors.WrongKind):
             api.component(self.home)
-        with self.assertRaises(errors.Usage):
+        with self.assertRaises(errors.BadPath) as caught:
             api.connect(self.home + "ConsoleIn0.rtc", self.home + "ConsoleOut0.rtc:in")
+        self.assertEqual((caught.exception.where, caught.exception.why), (self.home + "ConsoleIn0.rtc", "no port specified"))
+        for nowhere, kind in ((self.home + "nowhere", errors.NotFound), ("/127.0.0.1:1", errors.Unreachable)):
+            with self.assertRaises(kind) as caught:
+                api.components(nowhere)
+            self.assertEqual(caught.exception.where, nowhere)
+
+    def test_arguments_that_can_never_be_right(self):
+        profile = api.capture(self.home)
+        with self.assertRaisesRegex(ValueError, "'Inactve'"):
+            api.check(profile, "Inactve")
+        with tempfile.TemporaryDirectory() as directory, self.assertRaisesRegex(ValueError, "'json'"):
+            api.dump_profile(profile, os.path.join(directory, "robot.json"), "json")
+        for seconds in -1, 0, math.nan, math.inf:
+            with self.assertRaises(ValueError):
+                api.set_timeout(seconds)
+
+    def test_where_and_why(self):
+        for error, where, why in (
+                (errors.Failed("/a.rtc", "broken"), "/a.rtc", "broken"), (errors.NotFound("/a.rtc"), "/a.rtc", "no such path"),
+                (errors.BadProfile("a.xml", 3, 1, "no text"), "a.xml", "3:1: no text"),
+                (errors.Shortage("memory", "none"), "", "out of memory here: none"), (errors.Usage("what?"), "", "what? (see --help)")):
+            self.assertEqual((error.where, error.why), (where, why))
+        self.assertEqual(errors.MissingOmniORB().where, "")
 
     def test_several_threads(self):
         states = []

@@ -31,7 +31,7 @@ def from_url(where, url):
     version, _, place = place.rpartition("@")
     host, port = split_address(place)
     if corbaloc != "corbaloc" or protocol not in ("", "iiop") or version not in _MINORS or not slash or port is None:
-        raise errors.BadPath(f"{where}: not an address (the builtin ORB speaks IIOP only)")
+        raise errors.BadPath(where, "not an address (the builtin ORB speaks IIOP only)")
     key = key.encode("utf-8", "surrogateescape")
     if b"%" in key:
         key = re.sub(b"%([0-9a-fA-F]{2})", lambda octet: bytes.fromhex(octet.group(1).decode()), key)
