@@ -39,7 +39,7 @@ def examine(tops=(), compare=None, seconds=0):
 def _steps(tops, compare, seconds):
     found = here.findings()
     yield found
-    if any(finding.check in ("omniORBpy", "ORB", "limit") and finding.level == "fail" for finding in found):
+    if any(finding.check in ("ORB", "limit") and finding.level == "fail" for finding in found):
         return
     everything = not tops or path.ROOT in tops
     yield from _robot(_name_servers() if everything else tops, seconds, bool(compare))

@@ -39,18 +39,18 @@ def _programs():
     try:
         version = orb.version()
     except errors.MissingOmniORB:
-        return [fail("omniORBpy", HERE, f"{python} has no omniORBpy, which RTSHELL_ORB asks for",
+        return [fail("ORB", HERE, f"{python} has no omniORBpy, which RTSHELL_ORB asks for",
                      remedies.command("unset", variable="RTSHELL_ORB"))]
-    found = [ok("omniORBpy", HERE, f"{python}, {version}")]
+    found = [ok("ORB", HERE, f"{python}, {version}")]
     name, _, number = version.partition(" ")
     if name == "omniORBpy" and _number(number.partition(".")[0]) < 4:
-        found = [warn("omniORBpy", HERE, f"{python}, {version}: older than 4.0, untried",
+        found = [warn("ORB", HERE, f"{python}, {version}: older than 4.0, untried",
                       remedies.words("newer omniORBpy"))]
     try:
         orb.start()
     except errors.Error:
         where = " or ".join(name for name, _ in _sources()) or "its settings"
-        found.append(fail("ORB", HERE, "omniORB does not start: it does not understand " + where,
+        found.append(fail("ORB", HERE, "the ORB does not start: it does not understand " + where,
                           remedies.words("correct settings")))
     return found
 

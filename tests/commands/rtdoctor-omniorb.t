@@ -22,7 +22,7 @@ When omniORB cannot be started, that is all that can be said:
 
   $ RTCTREE_ORB_ARGS="-ORBnonsense 1" doctor
   ok    here: Python *, omniORBpy * (glob)
-  fail  here: omniORB does not start: it does not understand RTCTREE_ORB_ARGS; try: correct or remove it
+  fail  here: the ORB does not start: it does not understand RTCTREE_ORB_ARGS; try: correct or remove it
   ok    here: RTCTREE_NAMESERVERS: localhost:$PORT
   $ echo garbage > omniORB.cfg; OMNIORB_CONFIG=$TMP/omniORB.cfg doctor -q
-  fail  here: omniORB does not start: it does not understand $TMP/omniORB.cfg; try: correct or remove it
+  fail  here: the ORB does not start: it does not understand $TMP/omniORB.cfg; try: correct or remove it

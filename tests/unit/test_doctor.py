@@ -123,7 +123,7 @@ class Here(unittest.TestCase):
     def test_no_omniorb(self):
         with mock.patch.object(orb, "version", side_effect=errors.MissingOmniORB):
             finding, = here._programs()
-        self.assertEqual((finding.level, finding.check), ("fail", "omniORBpy"))
+        self.assertEqual((finding.level, finding.check), ("fail", "ORB"))
 
     def test_addresses_of_name_servers(self):
         self.assertEqual([here.fault(address) for address in ("robot1:2810", "robot1,robot2", "a b")],
