@@ -79,7 +79,11 @@ class Interpreter:
         for name in ({"cd": "rtcwd"}.get(word, word), "rt" + word):
             if name in self.files:
                 return name
-        raise errors.BadLine(f"{printable(word) or repr('')}: no such command{near(word, sorted(self.files))}")
+        raise errors.BadLine(f"{printable(word) or repr('')}: no such command{near(word, self._names())}")
+
+    def _names(self):
+        """The names of commands, with and without their `rt`."""
+        return sorted(set(self.files) | {name[2:] for name in self.files})
 
     def run_line(self, line):
         """Run the commands of a line. Raises BadLine, Left."""

@@ -28,10 +28,10 @@ Wrong usage is reported before anything is contacted:
   rtmgr: argument -l/--load: no initialisation function specified (FILE:FUNCTION): c:/win/mycomp.dll (see --help)
   [2]
   $ rtmgr -s a nowhere/manager.mgr
-  rtmgr: argument -s/--setconfig: not KEY=VALUE: a (see --help)
+  rtmgr: argument -s/--setconfig: not NAME=VALUE: a (see --help)
   [2]
   $ rtmgr -s =b nowhere/manager.mgr
-  rtmgr: argument -s/--setconfig: not KEY=VALUE: =b (see --help)
+  rtmgr: argument -s/--setconfig: not NAME=VALUE: =b (see --help)
   [2]
   $ rtmgr -c '' nowhere/manager.mgr
   rtmgr: not MODULE[?KEY=VALUE&KEY=VALUE…]:  (see --help)

@@ -112,6 +112,9 @@ What it does not understand, or leaves to a real shell; in a file the line is re
   $ rtsh -c 'rtlss; pwd'
   rtsh: rtlss: no such command; did you mean rtls?
   /localhost:$PORT/test.host_cxt
+  $ rtsh -c lss
+  rtsh: lss: no such command; did you mean ls?
+  [2]
   $ rtsh -c 'rtsh -c pwd'
   rtsh: rtsh: no such command; did you mean rtls?
   [2]
