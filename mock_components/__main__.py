@@ -65,8 +65,13 @@ def main(argv):
     parser = arguments()
     args = parser.parse_args(argv)
     if args.list:
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # | head
         print("\n".join(f"{name:10} " + words.replace("\n", "\n    ") for name, words in listed()))
         return 0
+    try:
+        import omniORB  # noqa: F401
+    except ImportError:
+        parser.error("needs omniORBpy (for Python 3.7 to 3.13)")
     from . import flavour, worlds
     if args.world not in worlds.WORLDS:
         parser.error(f"no such world: {args.world} (see --list)")

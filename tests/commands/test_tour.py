@@ -137,6 +137,19 @@ class Mocks(unittest.TestCase):
         self.assertEqual((status, failures), (0, ""))
         self.assertRegex(said, r"(?m)^two +ConsoleIn0 and ConsoleOut0, not connected$")
 
+    def test_nobody_reads_the_list(self):
+        nowhere, end = os.pipe()
+        os.close(nowhere)
+        self.addCleanup(os.close, end)
+        done = subprocess.run([sys.executable, "-m", "mock_components", "--list"], stdin=subprocess.DEVNULL, stdout=end,
+                              stderr=subprocess.PIPE, env=dict(os.environ, PYTHONPATH=processes.ROOT), cwd="/")
+        self.assertEqual((done.returncode, done.stderr), (-signal.SIGPIPE, b""))
+
+    def test_no_omniorb(self):
+        status, said, failures = self.run_it("mock_components", "two")
+        self.assertEqual((status, said), (2, ""))
+        self.assertRegex(failures, r"mock_components: error: needs omniORBpy \(for Python 3\.7 to 3\.13\)\n\Z")
+
     def test_no_name_server(self):
         status, said, failures = self.run_it("mock_components.nameserver")
         self.assertEqual((status, said), (1, ""))
