@@ -9,7 +9,8 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
   tests/run --python 3.7 rtls     on another Python
   tests/run --compat              profiles against PyYAML and the real rtsprofile, from the package index
   tests/run --real DIR [--real DIR]  every command, in loops, on real components: DIR holds built examples of OpenRTM-aist, of C++ or
-                                  Python; --rounds N of each loop (100), a word of a test's name for a part
+                                  Python; --rounds N of each loop (100), a word of a test's name for a part; with
+                                  the ORB that RTSHELL_ORB names
   tests/run --long test_long      the long form of what tests/faults/ and the like try in short: hours in all
   tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
   tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13; transcripts on 3.6, which has no omniORBpy, by
