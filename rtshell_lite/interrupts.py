@@ -6,6 +6,9 @@
 threading.Event, Condition and queue.Queue are unsafe there: an exception from a signal handler may leave Condition.wait
 without its lock, which is then released once too often (RuntimeError; CPython 3.6 to 3.14). A bare lock is taken, or not, in
 one step.
+
+In CPython 3.12 and 3.13 the jump back of `while condition:` is outside the `try` or `with` around the loop: an exception raised
+there is not caught, nor is `finally` run. Loops of the main thread for which that matters begin with `while True:`.
 """
 import _signal  # which `signal` is made of: that one takes long to import
 import collections

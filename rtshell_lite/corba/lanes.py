@@ -232,19 +232,20 @@ def _in_lanes(jobs):
         peer = peers.get(job.endpoint) or peers.setdefault(job.endpoint, Peer(job.endpoint))
         peer.todo.append(i)
         peer.open[i] = job
-    results, taken = _Results(len(values)), 0
+    results = _Results(len(values))
     try:
         for peer in peers.values():
             for _ in range(min(LANES, len(peer.todo))):
                 start(_work, peer, values, results)
-        while taken < len(values):
-            if not results.complete.wait(TICK):
-                alive()  # for a gather inside a lane
-                _give_up(peers.values(), values, results)
-            while taken < len(values) and values[taken] is not _TO_COME:
-                value, values[taken] = values[taken], None
-                taken += 1
-                yield value_of(value)
+        for i in range(len(values)):
+            while True:  # see interrupts
+                if values[i] is not _TO_COME:
+                    break
+                if not results.complete.wait(TICK):
+                    alive()  # for a gather inside a lane
+                    _give_up(peers.values(), values, results)
+            value, values[i] = values[i], None
+            yield value_of(value)
     finally:
         for peer in peers.values():  # after Ctrl-C nothing more is begun
             peer.todo.clear()

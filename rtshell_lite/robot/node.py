@@ -208,7 +208,9 @@ def _iterated(node, iterator, bindings, size):
     """The bindings that came, and those of an iterator, MOST of them at most."""
     end, more = time.monotonic() + PATIENCE * lanes.session.timeout, True
     try:
-        while more and len(bindings) < MOST and time.monotonic() < end:
+        while True:  # see interrupts
+            if not more or len(bindings) >= MOST or time.monotonic() >= end:
+                break
             more, batch = orb.call(str(node.path), iterator, "next_n", size)
             bindings += batch
     finally:

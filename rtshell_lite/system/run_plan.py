@@ -99,7 +99,9 @@ class Run:
     def carry_out(self):
         """Do all actions. When an exception interrupts it, nothing more begins, and actions that have not ended are reported."""
         try:
-            while not self._schedule.is_over():
+            while True:  # see interrupts
+                if self._schedule.is_over():
+                    break
                 now = time.monotonic()
                 for action, reason in self._schedule.due(now):
                     if reason is None:

@@ -1,4 +1,5 @@
 """Signals at the worst of moments: if one of these fails, Ctrl-C brings an internal error, or leaves a connection in a robot."""
+import dis
 import os
 import random
 import signal
@@ -9,9 +10,12 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import errors, interrupts
+from rtshell_lite.corba import lanes
 from rtshell_lite.data.connection import Opened
 from rtshell_lite.data.inbox import Inbox
 from rtshell_lite.data.reading import Message
+from rtshell_lite.robot import node
+from rtshell_lite.system import run_plan
 
 LIMIT = 10.0  # seconds that anything may take
 
@@ -51,7 +55,9 @@ class Waiting(Striking):
         putter.start()
         try:
             self.assertRaises(KeyboardInterrupt, box.get, LIMIT)
-            while putter.is_alive():  # until the second one
+            while True:  # see interrupts
+                if not putter.is_alive():  # until the second one
+                    break
                 time.sleep(0.01)
         except KeyboardInterrupt:
             pass
@@ -77,8 +83,9 @@ class Waiting(Striking):
             flag = interrupts.Flag()
             try:  # a context manager could be struck itself
                 signal.setitimer(signal.ITIMER_REAL, dice.uniform(1e-5, 2e-4))
-                while not flag.wait(5e-5):
-                    pass
+                while True:  # see interrupts
+                    if flag.wait(5e-5):
+                        break
             except KeyboardInterrupt:
                 pass
         flag.set()
@@ -89,6 +96,23 @@ class Waiting(Striking):
         bell.ring()
         bell.ring()
         self.assertEqual([bell.wait(0), bell.wait(0)], [True, False])
+
+
+class Loops(unittest.TestCase):
+    @unittest.skipIf(sys.version_info < (3, 11), "needs tables of what is caught")
+    def test_no_jump_back_is_outside_of_the_try_around_the_loop(self):
+        for function in lanes._in_lanes, node._iterated, run_plan.Run.carry_out:
+            code, before = dis.Bytecode(function), None
+            for instruction in code:
+                if instruction.opname == "JUMP_BACKWARD":
+                    lost = handlers(code, before.offset) & handlers(code, instruction.argval) - handlers(code, instruction.offset)
+                    self.assertEqual(lost, set(), function)
+                before = instruction
+
+
+def handlers(code, offset):
+    """Where an exception that is raised at this offset is handled."""
+    return {entry.target for entry in code.exception_entries if entry.start <= offset < entry.end}
 
 
 class Held(Striking):
