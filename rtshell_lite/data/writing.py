@@ -14,7 +14,7 @@ import math
 import threading
 import time
 
-from rtshell_lite import cli, errors
+from rtshell_lite import cli, errors, interrupts
 from rtshell_lite.corba import lanes, orb
 from rtshell_lite.data.connection import GRACE, Connection
 from rtshell_lite.robot import component, connectors, ports
@@ -189,15 +189,16 @@ class Writer(Connection):
         """Send CDR bytes. Raises Refused (buffer full, bad data, wrong byte order), Unreachable, Silent."""
         if little != self.little:
             raise errors.Refused(self.where, f"wants {'little' if self.little else 'big'}-endian data")
-        self.idle.clear()
-        try:
-            self._put(data)
-            self.unanswered = False
-        except errors.Error as e:
-            self.unanswered = isinstance(e, errors.Silent)
-            raise
-        finally:
-            self.idle.set()
+        with interrupts.held():  # else `is_at_rest` would not know whether the component has taken the value
+            self.idle.clear()
+            try:
+                self._put(data)
+                self.unanswered = False
+            except errors.Error as e:
+                self.unanswered = isinstance(e, errors.Silent)
+                raise
+            finally:
+                self.idle.set()
 
     def _put(self, data):
         begun = time.monotonic()
