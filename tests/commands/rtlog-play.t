@@ -82,7 +82,7 @@ To the terminal, at their pace; --json and --csv, too:
   $ rtlog -p -r 1000 -f a.rtlog | sed 's/\[[0-9.]*\] <.*/<BYTES>/; s/\[[0-9.]*\] [0-9]*/[TIME] N/' | sort | uniq -c
        10 blocks: <BYTES>
        10 numbers: [TIME] N
-  $ rtlog -p -f b.rtlog -i -e 1 | sed 's/[0-9]\{3,\}/N/g'
+  $ rtlog -p -f b.rtlog -i -e 1 | sed 's/[0-9]\{1,\}/N/g'
   [N.N] N
   $ within 0.3-10 rtlog -p --json -f b.rtlog | wc -l
   5
