@@ -11,6 +11,7 @@ from unittest import mock
 
 from rtshell_lite import errors, interrupts
 from rtshell_lite.corba import lanes
+from rtshell_lite.data import writing
 from rtshell_lite.data.connection import Opened
 from rtshell_lite.data.inbox import Inbox
 from rtshell_lite.data.reading import Message
@@ -113,6 +114,23 @@ class Loops(unittest.TestCase):
 def handlers(code, offset):
     """Where an exception that is raised at this offset is handled."""
     return {entry.target for entry in code.exception_entries if entry.start <= offset < entry.end}
+
+
+class Putting(Striking):
+    handler = staticmethod(interrupts.ctrl_c)
+
+    def test_a_value_that_is_on_its_way_is_waited_for(self):
+        """Struck inside of Event.set(), one rtinject in 2,500 left its connection."""
+        writer, taken = writing.Writer.__new__(writing.Writer), []
+        writer.little, writer.idle, writer.unanswered = True, threading.Event(), True
+
+        def put(data):
+            os.kill(os.getpid(), signal.SIGINT)
+            time.sleep(0.01)
+            taken.append(data)
+        with mock.patch.object(writer, "_put", put), self.assertRaises(KeyboardInterrupt):
+            writer.put(b"data")
+        self.assertEqual((taken, writer.idle.is_set(), writer.unanswered), ([b"data"], True, False))
 
 
 class Held(Striking):
