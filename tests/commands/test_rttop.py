@@ -139,7 +139,7 @@ class Page(Terminal):
         self.shows("Motor0")
         self.press("/", "a")
         self.shows("^/a_$")
-        self.press("Escape")  # and seen before the next key: together they could be one key
+        self.press("Escape")  # and wait: together with the next key it could mean a third one
         self.shows("Motor0", without="^/")
         self.press("?")
         self.shows("^a y +activate the selected component, as rtact does$", without="Motor0")
