@@ -16,6 +16,11 @@ INTERFACES = ("corba_cdr", "data_service")  # usable interface types; the first 
 LOOK = 1.0  # seconds between two looks whether a silent port still exists
 GRACE = 0.2  # seconds beyond the timeout that an interrupted command waits for connectors that are being made
 
+# That a connector was not removed, why, and when to try again.
+BUSY = "stays, because a call is unanswered and to remove it now could end the component; when it answers again"
+SILENT = "may stay, because the component does not answer; when it does again"
+REFUSED = "stays, because the component did not remove it; to try again"
+
 
 class Connection:
     """A connector of a port. `failure` is the errors.Error that says what is wrong with it now, or None."""
@@ -27,7 +32,8 @@ class Connection:
         self.port, self.where, self.name = port, ports.label(port), name
         self.endpoint = orb.endpoint(port.ref)
         self.given = dict(properties or {})
-        self.connector = self.failure = self.left = None  # left: a connector that could not be removed
+        self.connector = self.failure = None
+        self.left = None  # (a connector that was not removed, what to say of it)
         self.remark = None  # a note for the user, printed once
         self.little = True  # the byte order agreed upon
         self.begun = False
@@ -46,8 +52,8 @@ class Connection:
             raise self.failure
         return self
 
-    def __exit__(self, *_):
-        self.opened.__exit__()
+    def __exit__(self, *exception):
+        self.opened.__exit__(*exception)
 
     def open(self):
         """Make the connector. Raises errors.Error."""
@@ -89,23 +95,30 @@ class Connection:
     def _close(self):
         with self.lock:
             connector, self.connector = self.connector, None
-        try:
-            if connector and not self.is_at_rest():
-                self.left = connector
-            elif connector:
-                connectors.disconnect(self.port, connector)
-        except (errors.Silent, errors.Refused) as e:
-            self.failure = self.failure or e
-        except errors.Unreachable:
-            pass  # the port is gone, and its connectors with it
+        if connector:
+            self.left = connector, BUSY
+            if self.is_at_rest():
+                self._remove(connector)
         self.release()
+
+    def _remove(self, connector):
+        self.left = connector, SILENT
+        try:
+            connectors.disconnect(self.port, connector)
+            self.left = None
+        except errors.Silent as e:
+            self.failure = self.failure or e
+        except errors.Refused as e:
+            self.failure, self.left = self.failure or e, (connector, REFUSED)
+        except errors.Unreachable:
+            self.left = None  # the port is gone, and its connectors with it
 
     def report_left(self):
         """Report a connector that could not be removed, and the command that removes it."""
         if self.left:
-            cli.complain("%s: connection %s stays, because a call is unanswered and to remove it now could end the component; "
-                         "when it answers again: rtdis -i %s %s" % (
-                             self.where, printable(self.left.id), shell_word(self.left.id), shell_word(self.where)))
+            connector, what = self.left
+            cli.complain("%s: connection %s %s: rtdis -i %s %s" % (
+                self.where, printable(connector.id), what, shell_word(connector.id), shell_word(self.where)))
 
     def stop(self):
         """Prepare to close: begin what `is_at_rest` waits for."""
@@ -209,22 +222,31 @@ class Opened:
                 with interrupts.held():
                     self._abandon()
 
-    def __exit__(self, *_):
+    def __exit__(self, kind=None, *_):
         try:
-            self._close()
+            self._close(kind)
         finally:
             if not self.closed:  # a signal came before held()
-                self._close()
+                self._close(kind)
 
-    def _close(self):
+    def _close(self, kind):
         with interrupts.held():
             self.ended.set()
             for connection in self.connections:
                 connection.stop()
-            self._in_lanes("close")
+            self._remove(self.connections, interrupted=kind is not None)
             self.closed = True
-            for connection in self.connections:
-                connection.report_left()
+
+    def _remove(self, connections, interrupted):
+        """Remove the connectors; report those that stay, and also why if that is left to nobody else."""
+        before = [connection.failure for connection in connections]
+        self._in_lanes("close", connections)
+        for connection, failure in zip(connections, before):
+            if connection.connector:  # its process was found silent a moment ago, and not asked again
+                connection.left = connection.connector, SILENT
+            if interrupted and connection.failure is not failure:
+                cli.complain(connection.failure)
+            connection.report_left()
 
     def live(self):
         """The connections that work, or may work again."""
@@ -251,9 +273,7 @@ class Opened:
         for connection in self.connections:
             if connection.begun:
                 connection.settled.wait(max(0, end - time.monotonic()))
-        self._in_lanes("close", [connection for connection in self.connections if connection.connector])
-        for connection in self.connections:
-            connection.report_left()
+        self._remove([connection for connection in self.connections if connection.connector], interrupted=True)
 
     def _watch(self):
         while not self.ended.wait(LOOK):

@@ -286,7 +286,7 @@ class Writer(Connection):
         try:
             if not ports.port(self.port.node, self.port.ref).connectors:
                 usual["dataport.buffer.length"] = str(LENGTH)
-            connectors.disconnect(self.port, connectors.connect_alone(self.port, self.name, usual))
+            self._remove(connectors.connect_alone(self.port, self.name, usual))
         except (errors.Silent, errors.Refused) as e:
             self.failure = self.failure or e
         except errors.Unreachable:

@@ -27,6 +27,21 @@ While they are removed, at the command's own end; at most four are being removed
   $ connected 1
   [1]
 
+Where the component does not answer then, or refuses, the connection stays, and that is said:
+
+  $ export RTSHELL_TIMEOUT=1; ctl reset; rtprint ConsoleIn0.rtc:out & pid=$!; until connected 1; do :; done
+  > ctl fail disconnect 1 HANG; kill $pid; wait $pid
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 1s
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
+  [143]
+  $ ctl reset; rtdis ConsoleIn0.rtc:out; rtprint ConsoleIn0.rtc:out & pid=$!; until connected 1; do :; done
+  > ctl fail disconnect 1 UNKNOWN; ctl fail notify_disconnect 1 UNKNOWN; kill $pid; wait $pid
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: CORBA.UNKNOWN
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID stays, because the component did not remove it; to try again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
+  [143]
+  $ rtdis ConsoleIn0.rtc:out
+  $ export RTSHELL_TIMEOUT=3
+
 While the reader of the output takes nothing:
 
   $ mkfifo pipe; sleep 30 < pipe & reader=$!; rtprint --json Source0.rtc:number > pipe & pid=$!
