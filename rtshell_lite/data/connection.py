@@ -4,6 +4,7 @@
 
 However the `with` statement ends, the connectors are removed. Commands call cli.unwind_when_ended() before it.
 """
+import sys
 import threading
 import time
 
@@ -19,7 +20,7 @@ GRACE = 0.2  # seconds beyond the timeout that an interrupted command waits for 
 # That a connector was not removed, why, and when to try again.
 BUSY = "stays, because a call is unanswered and to remove it now could end the component; when it answers again"
 SILENT = "may stay, because the component does not answer; when it does again"
-REFUSED = "stays, because the component did not remove it; to try again"
+REFUSED = "may stay, because the component refused to remove it; to try again"
 
 
 class Connection:
@@ -34,6 +35,7 @@ class Connection:
         self.given = dict(properties or {})
         self.connector = self.failure = None
         self.left = None  # (a connector that was not removed, what to say of it)
+        self.told = None  # a failure that has been reported as the connection was closed
         self.remark = None  # a note for the user, printed once
         self.little = True  # the byte order agreed upon
         self.begun = False
@@ -61,6 +63,9 @@ class Connection:
         try:
             if not self.closing.is_set():
                 self._open()
+        except errors.Error as e:
+            self.failure = e  # here, as nobody may be waiting for it any more
+            raise
         finally:
             if self.closing.is_set():  # interrupted meanwhile
                 self.close()
@@ -87,7 +92,7 @@ class Connection:
         return asked
 
     def close(self):
-        """Remove the connector. Sets `failure` when that fails, unless the port is gone."""
+        """Remove the connector. Sets `failure` and `left` when that fails, unless the port is gone."""
         self.closing.set()
         with self.changing:
             self._close()
@@ -106,15 +111,27 @@ class Connection:
         try:
             connectors.disconnect(self.port, connector)
             self.left = None
-        except errors.Silent as e:
+        except (errors.Gone, errors.ConnectionRefused):
+            self.left = None  # the port is gone, and its connectors with it
+        except errors.Unreachable as e:
             self.failure = self.failure or e
         except errors.Refused as e:
             self.failure, self.left = self.failure or e, (connector, REFUSED)
-        except errors.Unreachable:
-            self.left = None  # the port is gone, and its connectors with it
 
-    def report_left(self):
-        """Report a connector that could not be removed, and the command that removes it."""
+    def give_up(self):
+        """Leave the connector: its process was found silent a moment ago, and not asked again."""
+        self.closing.set()
+        self.left, self.connector = (self.connector, SILENT), None
+        self.release()
+
+    def report(self, known, unwound):
+        """Report a connector that could not be removed, and the command that removes it.
+
+        If `unwound` by an exception, also report a failure other than the `known` one (text): nobody else may do that.
+        """
+        if unwound and self.failure and str(self.failure) != known:
+            cli.complain(self.failure)
+            self.told = self.failure
         if self.left:
             connector, what = self.left
             cli.complain("%s: connection %s %s: rtdis -i %s %s" % (
@@ -219,34 +236,39 @@ class Opened:
             return self
         finally:
             if not complete:  # Ctrl-C, SIGTERM
-                with interrupts.held():
-                    self._abandon()
+                self._abandon()
 
-    def __exit__(self, kind=None, *_):
+    def __exit__(self, *_):
+        known = [str(connection.failure) for connection in self.connections]
         try:
-            self._close(kind)
+            self._close()
         finally:
             if not self.closed:  # a signal came before held()
-                self._close(kind)
+                self._close()
+            self._report(known)
 
-    def _close(self, kind):
+    def _close(self):
         with interrupts.held():
             self.ended.set()
             for connection in self.connections:
                 connection.stop()
-            self._remove(self.connections, interrupted=kind is not None)
+            self._remove(self.connections)
             self.closed = True
 
-    def _remove(self, connections, interrupted):
-        """Remove the connectors; report those that stay, and also why if that is left to nobody else."""
-        before = [connection.failure for connection in connections]
+    def _remove(self, connections):
+        for connection in connections:
+            if connection.failure is None:  # another component of its process may be the one that hangs
+                lanes.session.silent.pop(connection.endpoint, None)
         self._in_lanes("close", connections)
-        for connection, failure in zip(connections, before):
-            if connection.connector:  # its process was found silent a moment ago, and not asked again
-                connection.left = connection.connector, SILENT
-            if interrupted and connection.failure is not failure:
-                cli.complain(connection.failure)
-            connection.report_left()
+        for connection in connections:
+            if connection.connector:
+                connection.give_up()
+
+    def _report(self, known):
+        """Not while signals are held: nobody may be reading stderr."""
+        unwound = sys.exc_info()[0] is not None
+        for connection, failure in zip(self.connections, known):
+            connection.report(failure, unwound)
 
     def live(self):
         """The connections that work, or may work again."""
@@ -266,14 +288,20 @@ class Opened:
 
     def _abandon(self):
         """Wait for connectors that are being made, at most the timeout, and remove them."""
-        self.ended.set()
-        for connection in self.connections:
-            connection.closing.set()
-        end = time.monotonic() + lanes.session.timeout + GRACE
-        for connection in self.connections:
-            if connection.begun:
-                connection.settled.wait(max(0, end - time.monotonic()))
-        self._remove([connection for connection in self.connections if connection.connector], interrupted=True)
+        known = [str(connection.failure) for connection in self.connections]
+        try:
+            with interrupts.held():
+                self.ended.set()
+                for connection in self.connections:
+                    connection.closing.set()
+                end = time.monotonic() + lanes.session.timeout + GRACE
+                for connection in self.connections:
+                    if connection.begun and not connection.settled.wait(max(0, end - time.monotonic())):
+                        connection.failure = connection.failure or errors.Silent(
+                            connection.where, lanes.no_answer(lanes.session.timeout))
+                self._remove([connection for connection in self.connections if connection.connector])
+        finally:
+            self._report(known)
 
     def _watch(self):
         while not self.ended.wait(LOOK):

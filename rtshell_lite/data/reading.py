@@ -12,7 +12,7 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb, servants
 from rtshell_lite.data.connection import GRACE, Connection
-from rtshell_lite.robot import component, connectors, ports
+from rtshell_lite.robot import component, ports
 
 # One value: its arrival, in nanoseconds since 1970; its CDR bytes without a header; their byte order.
 Message = collections.namedtuple("Message", "received data little")
@@ -161,8 +161,10 @@ class Reader(Connection):
             if not self.is_at_rest():
                 raise errors.Unreachable(self.where, "a fetch is not answered")
             connector, self.connector = self.connector, None
-            connectors.disconnect(self.port, connector)
+            self._remove(connector)
             self.release()
+            if self.left:
+                raise self.failure
             self.room, self.early = max(FEWEST, BUFFER_BYTES // self.heaviest), []
             self.ended, self.came = threading.Event(), threading.Event()
             self._open()

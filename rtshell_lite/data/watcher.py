@@ -43,6 +43,6 @@ class Watcher:
         Those in `of_no_use` work, but nothing of what came from them could be used: they do not count as done.
         """
         for connection in self.connections:
-            tally.reported.add(str(self.reported.get(connection)))
+            tally.reported.update({str(self.reported.get(connection)), str(connection.told)})
             if connection.failure or connection not in of_no_use:
                 tally.add(connection.failure)

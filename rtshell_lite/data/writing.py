@@ -287,10 +287,10 @@ class Writer(Connection):
             if not ports.port(self.port.node, self.port.ref).connectors:
                 usual["dataport.buffer.length"] = str(LENGTH)
             self._remove(connectors.connect_alone(self.port, self.name, usual))
-        except (errors.Silent, errors.Refused) as e:
-            self.failure = self.failure or e
-        except errors.Unreachable:
+        except (errors.Gone, errors.ConnectionRefused):
             pass  # the port is gone, and its buffer with it
+        except (errors.Unreachable, errors.Refused) as e:
+            self.failure = self.failure or e
 
 
 def linger(writers, seconds, look):

@@ -36,6 +36,7 @@ class Feed:
     def __init__(self, mount, where, begin):
         self._mount, self._where, self._begin = mount, where, begin
         self._lock, self._readers, self._made = threading.Lock(), set(), None
+        self._closing = threading.Lock()
 
     def attach(self, reader):
         """Give lines to a Reading from now on."""
@@ -86,11 +87,12 @@ class Feed:
             self._end(failure)
 
     def close(self):
-        """Disconnect."""
-        made, self._made = self._made, None
-        self._mount.streams.discard(self)
-        if made is not None:
-            made.close()
+        """Disconnect. At the end of the mount, wait for a thread that does so already."""
+        with self._closing:
+            made, self._made = self._made, None
+            if made is not None:
+                made.close()
+            self._mount.streams.discard(self)
 
 
 class Reading:
@@ -271,13 +273,13 @@ class SendingHandle(Opened):
 class Sending(File):
     """What is written to it is sent to an in port. All who write to a port share a connection, while any has the file open."""
 
-    __slots__ = ("_open", "_made")
+    __slots__ = ("_open", "_made", "_closing")
     is_part = False
     mode = stat.S_IFREG | 0o200
 
     def __init__(self, above, name):
         super().__init__(above, name)
-        self._open, self._made = 0, None
+        self._open, self._made, self._closing = 0, None, threading.Lock()
 
     def content(self):
         raise errors.Unsupported(self.where, "values can only be written to an in port")
@@ -329,8 +331,9 @@ class Sending(File):
             self.close()
 
     def close(self):
-        """Disconnect."""
-        made, self._made = self._made, None
-        self.mount.streams.discard(self)
-        if made:
-            made[0].__exit__()
+        """Disconnect. At the end of the mount, wait for a thread that does so already."""
+        with self._closing:
+            made, self._made = self._made, None
+            if made:
+                made[0].__exit__()
+            self.mount.streams.discard(self)

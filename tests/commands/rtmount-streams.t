@@ -98,3 +98,8 @@ Unmounting disconnects:
   $ PATH=$tools rtmount -u m; PATH=$tools ctl connectors Source0:number | wc -l; kill $one
   1
   $ until [ "$(PATH=$tools ctl connectors Source0:number | wc -l)" = 0 ]; do sleep 0.1; done
+
+So it does right after a value has been written:
+
+  $ PATH=$tools rtmount m; echo 50 >m/localhost:$PORT/test.host_cxt/ConsoleOut0.rtc/ports/in/value; PATH=$tools fusermount3 -u m
+  $ until [ -z "$(PATH=$tools ctl @these connectors ConsoleOut0:in)" ]; do sleep 0.1; done

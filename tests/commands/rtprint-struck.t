@@ -3,6 +3,7 @@ Signals that strike while connections are made or removed leave none of them beh
 once: it is the moment that counts here
 world: two
 world: senders 500 12
+world: these ConsoleIn:Hangs0 ConsoleIn:Lives0
 
   $ six=$(yes ConsoleIn0.rtc:out | head -n 6)
   $ called() { [ "$(calls | grep -c " $1\$")" -gt 0 ]; }
@@ -37,9 +38,32 @@ Where the component does not answer then, or refuses, the connection stays, and 
   $ ctl reset; rtdis ConsoleIn0.rtc:out; rtprint ConsoleIn0.rtc:out & pid=$!; until connected 1; do :; done
   > ctl fail disconnect 1 UNKNOWN; ctl fail notify_disconnect 1 UNKNOWN; kill $pid; wait $pid
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: CORBA.UNKNOWN
-  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID stays, because the component did not remove it; to try again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component refused to remove it; to try again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   [143]
   $ rtdis ConsoleIn0.rtc:out
+  $ ctl reset; ctl fail connect 1 HANG; rtprint ConsoleIn0.rtc:out & pid=$!; until called connect; do :; done; kill $pid; wait $pid
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 1s
+  [143]
+  $ ctl reset; ctl delay connect 0.5; ctl fail disconnect 1 HANG; rtprint ConsoleIn0.rtc:out & pid=$!; until called connect; do :; done
+  > kill $pid; wait $pid
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 1s
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
+  [143]
+  $ ctl reset; rtdis ConsoleIn0.rtc:out; rtlog -q -f log ConsoleIn0.rtc:out & pid=$!; until connected 1; do :; done
+  > ctl fail disconnect 1 HANG; kill $pid; wait $pid
+  rtlog: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 1s
+  rtlog: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
+  [143]
+  $ ctl reset; rtdis ConsoleIn0.rtc:out
+
+One that hangs does not keep the others of its process connected:
+
+  $ rtprint Hangs0.rtc:out Lives0.rtc:out 2>said & pid=$!; until [ -n "$(ctl @these connectors Lives0:out)" ]; do :; done
+  > ctl @these hang Hangs0 60; until grep -q answer said; do :; done; kill $pid; wait $pid
+  [143]
+  $ cat said; ctl @these connectors Lives0:out; ctl @these reset
+  rtprint: /localhost:$PORT/test.host_cxt/Hangs0.rtc:out: no answer within 1s
+  rtprint: /localhost:$PORT/test.host_cxt/Hangs0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Hangs0.rtc:out
   $ export RTSHELL_TIMEOUT=3
 
 While the reader of the output takes nothing:

@@ -1,6 +1,7 @@
 """Every command against real components of OpenRTM-aist: `tests/run --real DIR … [--rounds N]`.
 
-After each step every process lives, and every port has the connectors that it had before. Each loop prints what it counted.
+After each step every process lives, and every port has the connectors that it had before; after what connects, all parts are
+Active, too. Each loop prints what it counted.
 """
 import collections
 import concurrent.futures
@@ -85,11 +86,12 @@ def prepare(robot):
     path = robot.path
     for one, other in (("Sensor", "Controller"), ("Controller", "Motor")):
         done(["rtcon", path(one) + ":out", path(other) + ":in"])
-    active = ["Sensor", "Controller", "Motor", "ConsoleOut", "SeqOut", "SeqIn", "ConfigSample"]
-    done(["rtact", "--wait", "10"] + [path(part) for part in active if part in robot.nodes])
+    active = [part for part in ("Sensor", "Controller", "Motor", "ConsoleOut", "SeqOut", "SeqIn", "ConfigSample")
+              if part in robot.nodes]
+    done(["rtact", "--wait", "10"] + [path(part) for part in active])
     robot.feeder = start(["rtinject", "--anyway", "-n", "-1", "-r", "100", "-c", "1", path("Sensor") + ":in"])
     done(["rtprint", "-n", "1", "-t", "30", path("Sensor") + ":out"])
-    robot.connected = robot.connectors()
+    robot.connected, robot.active = robot.connectors(), active
 
 
 def start(words):
@@ -153,8 +155,8 @@ class Real(unittest.TestCase):
                 with self.subTest(robot.label):
                     print("figures: %s: %s" % (robot.label, future.result()))
 
-    def unharmed(self, robot, after):
-        wrong = robot.wrong()
+    def unharmed(self, robot, after, also=list):
+        wrong = robot.wrong() or also()
         if wrong:
             raise AssertionError("after %s: %s" % (after, "; ".join(wrong)))
 
@@ -205,7 +207,7 @@ class Real(unittest.TestCase):
         status, said = ended(process)
         if status not in ENDED[ending] + ((1,) if name.startswith("rtdoctor") else ()):
             raise AssertionError("%s: status %s\n%s" % (name, status, said))
-        self.unharmed(robot, "%s, round %d, signal %s" % (name, number, ending))
+        self.unharmed(robot, "%s, round %d, signal %s" % (name, number, ending), robot.fallen)
 
     def test_4_states(self):
         def change(robot):

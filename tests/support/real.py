@@ -94,6 +94,7 @@ class Robot:
         self.processes = {part: self._start(part, name_server) for part in parts if implementation.command(part)}
         self.nodes = {part: self._node(part) for part in self.processes}
         self.connected = self.connectors()
+        self.active = ()  # the parts that are to stay Active
 
     def _start(self, part, name_server):
         where = os.path.join(self.directory.name, part)
@@ -122,6 +123,11 @@ class Robot:
         with open(os.path.join(self.directory.name, part, "out"), encoding="utf-8", errors="replace") as file:
             return file.read()
 
+    def last_words(self, part):
+        """The end of what a component has printed, or of its last traceback (Python)."""
+        said = self.said(part)
+        return said[max(0, said.rfind("Traceback")):][-600:].strip()
+
     def dead(self):
         """Which processes have ended, and how."""
         return ["%s %s: %s" % (self.label, part, process.returncode) for part, process in self.processes.items()
@@ -140,6 +146,12 @@ class Robot:
         now = self.connectors()
         return ["%s %s: %s, not %s" % (self.label, name, now.get(name), before) for name, before in self.connected.items()
                 if now.get(name) != before]
+
+    def fallen(self):
+        """The parts that are to be Active and are not, and what they said last."""
+        states = {part: self.state(part) for part in self.active}
+        return ["%s %s: %s: %s" % (self.label, part, state, self.last_words(part)) for part, state in states.items()
+                if state != "Active"]
 
     def state(self, part):
         return component.state(self.nodes[part])
