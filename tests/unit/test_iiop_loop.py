@@ -164,7 +164,7 @@ class Loop(unittest.TestCase):
 
     def test_a_process_that_hangs_after_some_answers_costs_one_timeout(self):
         """Answers that came while a request waited for its turn are no sign of life after it was sent."""
-        lanes.session = lanes.Session(0.5)
+        lanes.session = lanes.Session(1)
         hung = [False]
 
         def play(pending):
@@ -180,7 +180,7 @@ class Loop(unittest.TestCase):
 
         start = time.monotonic()
         values = self.run_tasks(*[(peer.ref, ask)] * 100)
-        self.assertLess(time.monotonic() - start, 0.95)
+        self.assertLess(time.monotonic() - start, 1.95)
         self.assertEqual([type(value) for value in values], [bool] + [errors.Silent] * 99)
 
     def test_the_end_of_the_session(self):

@@ -233,7 +233,7 @@ class Connection:
     def stop(self):
         """It does nothing that had to end before."""
 
-    def report_left(self):
+    def report(self, known, unwound):
         """It never stays."""
 
 
