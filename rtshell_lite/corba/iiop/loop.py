@@ -71,6 +71,16 @@ class _Peer(lanes.Peer):
                 if now - (max(request.sent, self.heard) if _is_naming(request) else request.sent) > request.seconds]
         return [self.connection.give_up(number) for number in late]
 
+    def unanswered(self):
+        """Give up the questions that were on their way when it was found silent, and return them: they would cost one more timeout.
+
+        A request that changes something keeps its time, and so does one that may take longer than others.
+        """
+        since, _ = lanes.session.silent.get(self.endpoint, (0, None))
+        vain = [number for number, request in self.connection.requests.items()
+                if request.sent < since and request.asks and request.seconds <= lanes.session.timeout]
+        return [self.connection.give_up(number) for number in vain]
+
 
 def _is_naming(request):
     return request.ref.interface.startswith(NAMING)
@@ -316,12 +326,12 @@ class _Loop:
                 failed, why = peer.connection.give_up_all(), lanes.NO_TIME
             else:
                 failed, why = peer.overdue(now), None
-            if not peer.connection.requests:
-                self._asked.discard(peer)
-            self.have_changed.add(peer)
             for request in failed:
                 request.resume(None, errors.Silent(str(request.call.where), why or lanes.no_answer(request.seconds)))
             if peer.silence or lanes.is_over():  # as those may have shown
-                failed, peer.waiting = peer.waiting, collections.deque()
+                failed, peer.waiting = peer.unanswered() + list(peer.waiting), collections.deque()
                 for request in failed:
                     request.resume(None, errors.Silent(str(request.call.where), peer.silence or lanes.NO_TIME))
+            if not peer.connection.requests:
+                self._asked.discard(peer)
+            self.have_changed.add(peer)
