@@ -1,4 +1,5 @@
 """The objects of the RTC Tree: what each is, by its reference, and whether it lives, by asking it."""
+import collections
 import time
 
 from rtshell_lite import cli, errors
@@ -184,7 +185,8 @@ def bound(node):
     """The bindings of a naming context, however many there are: (Name, whether it is a naming context).
 
     One call for all but the largest contexts; [] for other directories. Names above MOST, those not received in PATIENCE, and
-    those too long for a command line are left out, which is reported.
+    those too long for a command line are left out, which is reported. A name that is listed again is the same name: an iterator that
+    does not end may repeat itself.
     """
     if node.kind not in ("server", "directory"):
         return []
@@ -201,7 +203,7 @@ def bound(node):
     if len(entries) < len(names):
         cli.left_out(f"{node.path}: {len(names) - len(entries)} of {len(names)} names are left out: they are longer than {LONGEST} "
                      "characters")
-    return entries
+    return list(collections.OrderedDict.fromkeys(entries))
 
 
 def _iterated(node, iterator, bindings, size):

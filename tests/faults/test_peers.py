@@ -70,7 +70,8 @@ class Case:
         self.ran = running.run([self.command] + invocations.words(self.line, meant), around.directory("run%d" % self.number),
                                RTCTREE_NAMESERVERS=self.peer[1:].partition("/")[0], RTSHELL_TIMEOUT=str(running.TIMEOUT))
         self.said = len(self.ran.out) + len(self.ran.err)
-        self.ran.out = self.ran.out[-65536:]    # what this process keeps counts as memory of those that it starts
+        self.is_bug = b"Traceback" in self.ran.err + self.ran.out or b"internal error" in self.ran.err
+        self.ran.out = self.ran.out[-2000:]     # what this process keeps counts as memory of those that it starts
         return self
 
     def limit(self):
@@ -86,7 +87,7 @@ class Case:
     def problems(self):
         """What is wrong with what it did."""
         ran, lines = self.ran, self.ran.err.decode("utf-8", "replace").splitlines()
-        if b"Traceback" in ran.err + ran.out or b"internal error" in ran.err or ran.status in (70, 141) or ran.status > 128:
+        if self.is_bug or ran.status in (70, 141) or ran.status > 128:
             yield "a bug"
         if ran.seconds > self.limit():
             yield "%.2f s, not %.2f" % (ran.seconds, self.limit())

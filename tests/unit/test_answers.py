@@ -80,6 +80,10 @@ class Commands(unittest.TestCase):
             with self.subTest(mode):
                 self.assertLess(len(self.says(mode, 5, said, *words)), 1 << 20)
 
+    def test_a_name_listed_again_is_the_same_name(self):
+        lines = self.says("endless", 5, "only its first 50000 names are taken", "rtfind", "SERVER").splitlines()
+        self.assertEqual(len(lines), len(set(lines)))
+
     @unittest.skipIf(IS_BUILTIN, "the builtin ORB refuses the answer: see the next test")
     def test_long_texts_are_cut(self):
         server = self.peer("megabytes")
