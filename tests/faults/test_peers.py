@@ -24,6 +24,7 @@ SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"} | set(malice.CHANGES)
 HEAVY = {"many-ends": 128, "megabytes": 256, "endless": 128, "endless-nothing": 64}    # MiB
 ENDLESS = {"many", "endless", "endless-nothing"}
 MOST_SAID = 2 << 20     # octets on stdout and stderr
+LENGTHY = {"megabytes": 64, "many": 2}  # times MOST_SAID: 20,000 names are 20,000 lines of JSON
 SHORT = 150             # of 4,500 cases; these take 30 s of processor
 TALKATIVE = {"many-ports", "many-ends"}  # these answer as many questions as are asked, or at great length
 TALK_LIMIT = 10.0       # seconds for them
@@ -93,7 +94,7 @@ class Case:
             yield "%.2f s, not %.2f" % (ran.seconds, self.limit())
         if ran.resident > HEAVY.get(self.mode, 64) * 1024:
             yield "%d kB" % ran.resident
-        if self.said > MOST_SAID * (1 if self.mode != "megabytes" else 64):
+        if self.said > MOST_SAID * LENGTHY.get(self.mode, 1):
             yield "%d octets said" % self.said
         if ran.status not in self.allowed():
             yield "status %d, not of %s" % (ran.status, sorted(self.allowed()))
