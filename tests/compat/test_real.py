@@ -180,7 +180,7 @@ class Real(unittest.TestCase):
                     done(["rtinject", "-q", "-c", value, robot.path("ConsoleOut") + ":in"])
                     read[hz] += value in read_values(robot.said("ConsoleOut"))
                 self.unharmed(robot, "rtinject at %d Hz" % hz)
-            done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % robot.rate])  # which the old, long period delays: soon enough for test_6
+            done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % robot.rate])  # early, because it takes effect late: see test_6
             if set(read.values()) != {50 if ROUNDS >= 50 else ROUNDS}:
                 raise AssertionError("read: %s" % dict(read))
             return "values read at 2, 10, 100, 1000 Hz: %s" % sorted(read.items())
