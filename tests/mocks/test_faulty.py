@@ -22,8 +22,7 @@ try:
 except ImportError:
     omniORB = None
 
-TIMEOUT = 1.0
-SLACK = 0.5         # machines are slow and shared
+TIMEOUT = 2.0
 SILENCE = "TIMEOUT_CallTimedOutOnClient"
 BROKEN = "COMM_FAILURE_WaitingForReply"
 
@@ -94,7 +93,7 @@ def ask(port):
 
 
 class WithDeadline(unittest.TestCase):
-    """Calls of this process end after a second."""
+    """Calls of this process end after TIMEOUT."""
 
     @classmethod
     def setUpClass(cls):
@@ -130,8 +129,8 @@ class ModesTest(WithDeadline):
             with self.subTest(mode=mode):
                 step, failure, seconds = answers[mode]
                 self.assertEqual((step, failure), expected)
-                least = TIMEOUT - 0.05 if failure == SILENCE else 0
-                self.assertTrue(least <= seconds <= least + SLACK, "{:.2f} s".format(seconds))
+                waits = 1 if failure == SILENCE else 0     # in timeouts: a slow machine adds less than one more
+                self.assertTrue(waits * TIMEOUT - 0.05 <= seconds < (waits + 1) * TIMEOUT, "{:.2f} s".format(seconds))
         grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - memory
         self.assertLess(grown, 64 * 1024, "kB more resident: an announced size was allocated")
 

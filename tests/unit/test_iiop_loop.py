@@ -156,7 +156,7 @@ class Loop(unittest.TestCase):
 
         start = time.monotonic()
         values = self.run_tasks(*[(silent.ref, ask_silent)] * 50, (lively.ref, ask), (lively.ref, ask_both))
-        self.assertLess(time.monotonic() - start, 1.5)
+        self.assertLess(time.monotonic() - start, 3)  # it would be 3.9 s with one for each four of the questions
         self.assertEqual({type(value) for value in values[:50]}, {errors.Silent})
         self.assertEqual(values[50:], [False, (errors.Unreachable, False)])
         self.assertIn(silent.ref.address[1:3], lanes.session.silent)
@@ -164,7 +164,7 @@ class Loop(unittest.TestCase):
 
     def test_a_process_that_hangs_after_some_answers_costs_one_timeout(self):
         """Answers that came while a request waited for its turn are no sign of life after it was sent."""
-        lanes.session = lanes.Session(1)
+        lanes.session = lanes.Session(3)
         hung = [False]
 
         def play(pending):
@@ -181,7 +181,7 @@ class Loop(unittest.TestCase):
 
         start = time.monotonic()
         values = self.run_tasks(*[(peer.ref, ask)] * 100)
-        self.assertLess(time.monotonic() - start, 1.95)
+        self.assertLess(time.monotonic() - start, 5.9)  # 3.4 s, or 6.3 s if what was sent last had a timeout of its own
         self.assertEqual([type(value) for value in values], [bool] + [errors.Silent] * 99)
 
     def test_the_end_of_the_session(self):
