@@ -1,4 +1,5 @@
 """Our own ORB: what it writes is what omniORB reads, and the other way round; nothing that a peer sends costs more than one line."""
+import gc
 import select
 import socket
 import struct
@@ -9,7 +10,7 @@ import worlds
 from giop_peers import CLOSE, Peer, answer
 from rtshell_lite import errors
 from rtshell_lite.corba import descriptors, fixed_size, idl, lanes, orb
-from rtshell_lite.corba.iiop import client, connections, giop, marshal, operations, references
+from rtshell_lite.corba.iiop import calls, client, connections, giop, marshal, operations, references
 
 try:
     import omniORB
@@ -223,6 +224,16 @@ class Calls(unittest.TestCase):
                 self.ask(answer(1, refusal, 2))
             kept.append(len(operations._MAKERS[1].readers))
         self.assertEqual(kept[1], kept[2])
+
+    def test_nothing_is_kept_of_an_answer(self):
+        """A connection that is kept for later does not hold the request that it was made for."""
+        def requests():
+            gc.collect()
+            return sum(isinstance(each, calls.Request) for each in gc.get_objects())
+        before = requests()
+        self.ask(answer(1))
+        self.assertIn(("127.0.0.1", self.peer.port), connections._idle)
+        self.assertEqual(requests(), before)
 
     def test_nobody_listens(self):
         with socket.socket() as bound:

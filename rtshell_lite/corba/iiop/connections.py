@@ -133,7 +133,7 @@ class Connection:
     def _connected(self):
         self._socket.setblocking(True)
         _limit(self._socket, lanes.TICK)
-        self.waits_for = None
+        self.waits_for, self._ways = None, None  # the latter holds the first request, and with it what that was answered
         self.flush()
 
     # ---- sending ----
