@@ -145,7 +145,7 @@ class Calls(unittest.TestCase):
     def test_a_reply_of_many_small_parts(self):
         with self.assertRaises(errors.Unreachable) as caught:
             self.ask(answer(1, bytes(5 << 20)))
-        self.assertRegex(caught.exception.why, r"^garbled answer \(\d+ octets\)$")
+        self.assertEqual(caught.exception.why, "garbled answer (more than 4194304 octets)")
 
     def test_exceptions(self):
         def system(number, name, minor):

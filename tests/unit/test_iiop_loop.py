@@ -1,14 +1,16 @@
 """Our own ORB, many calls at once on one thread: who hangs, dies or lies costs only what was asked of him."""
+import functools
 import socket
 import struct
 import threading
 import time
+import tracemalloc
 import unittest
 
 from giop_peers import Script, answer
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb, tasks
-from rtshell_lite.corba.iiop import client, connections, loop
+from rtshell_lite.corba.iiop import client, connections, giop, loop
 
 
 class Loop(unittest.TestCase):
@@ -84,6 +86,38 @@ class Loop(unittest.TestCase):
             return await orb.Call("w", peer.ref, "_non_existent")
 
         self.assertEqual(self.run_tasks(*[(peer.ref, ask)] * 2), [False, True])
+
+    def outcomes(self, replies, *calls):
+        """What calls of one process, (interface, operation) each, come to; the replies are sent together."""
+        peer = self.script(lambda pending: b"".join(replies) if len(pending) == len(calls) else None)
+
+        async def outcome(interface, operation):
+            try:
+                return await orb.Call("w", client.narrow(peer.ref, interface), operation)
+            except errors.Unreachable as e:
+                return e.why
+
+        found = self.run_tasks(*[(peer.ref, functools.partial(outcome, *call)) for call in calls])
+        self.assertEqual(peer.connections, 1)
+        return found
+
+    def test_an_answer_that_is_too_long(self):
+        """No more of it is taken than shows that; those before and after it on the same connection arrive."""
+        replies = [answer(1), answer(2, bytes(7 * giop.LARGE + 5)), answer(3, b"\1")]
+        tracemalloc.start()
+        self.addCleanup(tracemalloc.stop)
+        found = self.outcomes(replies, *[("RTC.RTObject", "_non_existent")] * 3)
+        self.assertEqual(found, [False, "garbled answer (more than 4194304 octets)", True])
+        joined = sum(map(len, replies))  # by the peer, which is in this process
+        self.assertLess(tracemalloc.get_traced_memory()[1], joined + 4 * giop.LARGE)
+
+    def test_a_long_answer_of_data_beside_one_that_is_too_long(self):
+        data = bytes(range(256)) * (giop.LARGE // 128)
+        replies = [answer(2, struct.pack("<II", 0, len(data)) + data), answer(1, data), answer(3)]
+        found = self.outcomes(replies, ("RTC.RTObject", "_non_existent"), ("OpenRTM.OutPortCdr", "get"), ("RTC.RTObject", "_non_existent"))
+        self.assertEqual(found[0], "garbled answer (more than 4194304 octets)")
+        self.assertEqual((str(found[1][0]), found[1][1] == data), ("PORT_OK", True))
+        self.assertIs(found[2], False)
 
     def test_answers_that_come_while_a_task_blocks(self):
         """They are taken before anybody is given up."""

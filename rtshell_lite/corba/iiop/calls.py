@@ -7,7 +7,6 @@ from rtshell_lite.corba import descriptors, failures, idl, ior, lanes
 from rtshell_lite.corba.iiop import connections, giop, marshal, operations
 from rtshell_lite.text import printable
 
-LARGEST = 4 << 20  # octets of a reply without data; 10,000 long names take half of it, and a million empty values 4 s of CPU
 FORWARDS = 8  # at most, from one object to another
 LONGEST_NAME = 60  # characters of the name of a system exception; the longest of CORBA 3.0 has 23
 _GARBLED = (ValueError, StructError, IndexError, RecursionError)  # what reading values raises
@@ -41,6 +40,11 @@ class Request:
         """True if it changes nothing."""
         return failures.may_repeat(self.call.operation)
 
+    @property
+    def most(self):
+        """Octets that its reply may have."""
+        return giop.HEADER + giop.LARGEST if self.operation.carries_data else giop.LARGE
+
     def others(self):
         """Further endpoints of the object."""
         return ior.addresses(self.ref.text())
@@ -63,8 +67,8 @@ class Request:
         """Take the reply; True if the request is to be sent again, to `ref`, which has forwarded it or wants another form."""
         value = error = None
         try:
-            if len(data) > LARGEST and not self.operation.carries_data:
-                raise ValueError("%d octets" % len(data))
+            if len(data) > self.most:
+                raise ValueError(f"more than {self.most} octets")
             if status == giop.NO_EXCEPTION:
                 value = _values(self.operation.results[little], data, at)
             elif status == giop.SYSTEM_EXCEPTION:

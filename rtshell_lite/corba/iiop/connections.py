@@ -68,6 +68,7 @@ class Connection:
         self._socket, self._ways, self._error = None, self._all_ways(others), None
         self._out = bytearray()
         self._pieces, self._have, self._need = [], 0, giop.HEADER
+        self._unwanted = 0  # octets to come, the rest of a message that is too long
         self._begun, self._begun_size = {}, 0  # replies of which fragments are to come
 
     @property
@@ -202,17 +203,36 @@ class Connection:
         return found  # what ended it shows the next time
 
     def _take(self, piece, found):
-        """Add what has come to what there is, and put the replies that are whole now into `found`."""
+        """Add what has come to what there is, and put the replies that are whole now into `found`.
+
+        Of one that is longer than any that is waited for, no more is taken than shows that.
+        """
+        piece = self._wanted(piece)
+        if not piece:
+            return
         self._pieces.append(piece)
         self._have += len(piece)
         while self._have >= self._need:
             data = self._pieces[0] if len(self._pieces) == 1 else b"".join(self._pieces)
-            size = giop.HEADER + giop.size(data)
+            whole = giop.HEADER + giop.size(data)
+            size = whole
+            if whole > giop.LARGE:
+                size = min(whole, 1 + max((request.most for request in self.requests.values()), default=giop.LARGE))
             if self._have < size:
                 self._pieces, self._need = [data], size
                 return
-            self._pieces, self._have, self._need = [data[size:]] if size < len(data) else [], self._have - size, giop.HEADER
+            self._unwanted = whole - size
+            rest = self._wanted(data[size:])
+            self._pieces, self._have, self._need = [rest] if rest else [], len(rest), giop.HEADER
             self._message(data[:size] if size < len(data) else data, found)
+
+    def _wanted(self, octets):
+        """These octets, but those that are unwanted."""
+        if not self._unwanted:
+            return octets
+        dropped = min(self._unwanted, len(octets))
+        self._unwanted -= dropped
+        return octets[dropped:]
 
     def _message(self, data, found):
         kind = data[7]
@@ -258,7 +278,7 @@ class Connection:
     def leave(self):
         """Keep it for the next call to its process, or close it."""
         waiting = _idle.setdefault(self.endpoint, [])
-        is_clean = not (self._end or self.requests or self._given_up or self._out or self._pieces or self._begun)
+        is_clean = not (self._end or self.requests or self._given_up or self._out or self._pieces or self._unwanted or self._begun)
         if self.has_answered and is_clean and len(waiting) < lanes.LANES:
             waiting.append(self)
         else:

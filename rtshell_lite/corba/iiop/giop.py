@@ -7,6 +7,7 @@ NO_EXCEPTION, USER_EXCEPTION, SYSTEM_EXCEPTION, FORWARD, FORWARD_PERM, NEEDS_ADD
 KEY, PROFILE, REFERENCE = range(3)  # how a request names its object
 HEADER = 12  # octets
 LARGEST = 32 << 20  # octets of a message, as we let omniORB take
+LARGE = 4 << 20  # of a reply without data; 10,000 long names take half of it, and a million empty values 4 s of CPU
 MOST_CONTEXTS = 64  # service contexts of a message; real ones have up to four
 MORE, LITTLE = 2, 1  # flags of a message
 # The service context without which peers send no wide text: ISO 8859-1, so that octets stay as they are, and UTF-16.
