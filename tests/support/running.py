@@ -32,14 +32,15 @@ PARALLEL = 6
 
 
 class Ran:
-    """What a command did: its words, status (128 + N for a signal N), out and err (bytes), seconds, kB resident at most.
+    """What a command did: its words, status (128 + N for a signal N), out and err (bytes), seconds, kB resident at most, and
+    how many octets it said, of which out and err may be a part.
 
     `seconds` do not count what its main thread stood waiting for a processor, as this machine has other things to do.
     """
 
-    def __init__(self, words, status, out, err, seconds, waited, resident):
+    def __init__(self, words, status, out, err, seconds, waited, resident, said):
         self.words, self.status, self.out, self.err = words, status, out, err
-        self.seconds, self.waited, self.resident = seconds, waited, resident
+        self.seconds, self.waited, self.resident, self.said = seconds, waited, resident, said
 
     def __str__(self):
         return "%s: status %d, %.2f s (%.2f s for a processor), %d kB\n%s%s" % (
@@ -65,8 +66,12 @@ def start(words, where, more, inside=(), **streams):
                             preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), **streams)
 
 
-def run(words, where, inside=(), **more):
-    """Run a command in the directory `where`, with more in its environment, and wait for it; `inside`: see `start`."""
+def run(words, where, inside=(), most=sys.maxsize, **more):
+    """Run a command in the directory `where`, with more in its environment, and wait for it; `inside`: see `start`.
+
+    Of more than `most` octets of out, or of err, the first and the last are kept: what this process holds while others run counts
+    as memory of those that it starts.
+    """
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         begun = time.monotonic()
         process = start(words, where, more, inside, stdin=subprocess.DEVNULL, stdout=out, stderr=err)
@@ -78,10 +83,20 @@ def run(words, where, inside=(), **more):
         waited = tools.waited_for_processor(process.pid)
         status, usage = os.wait4(process.pid, 0)[1:]
         process.returncode = -os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status)
-        out.seek(0)
-        err.seek(0)
-        return Ran(words, process.returncode if process.returncode >= 0 else 128 - process.returncode, out.read(), err.read(),
-                   seconds - waited, waited, usage.ru_maxrss)
+        said = os.fstat(out.fileno()).st_size + os.fstat(err.fileno()).st_size
+        return Ran(words, process.returncode if process.returncode >= 0 else 128 - process.returncode, kept(out, most),
+                   kept(err, most), seconds - waited, waited, usage.ru_maxrss, said)
+
+
+def kept(file, most):
+    """The octets of a file; of more than `most`, the first and the last of them."""
+    size = file.seek(0, os.SEEK_END)
+    file.seek(0)
+    if size <= most:
+        return file.read()
+    first = file.read(most // 2)
+    file.seek(size - most // 2)
+    return first + b"\n...\n" + file.read()
 
 
 def run_on_terminal(words, where, columns=80, **more):
@@ -103,7 +118,7 @@ def run_on_terminal(words, where, columns=80, **more):
     status, usage = os.wait4(child, 0)[1:]
     killer.cancel()
     status = 128 + os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status)
-    return Ran(words, status, said, b"", time.monotonic() - begun, 0, usage.ru_maxrss)
+    return Ran(words, status, said, b"", time.monotonic() - begun, 0, usage.ru_maxrss, len(said))
 
 
 def together(function, cases, parallel=PARALLEL):
