@@ -42,7 +42,12 @@ def _links(snapshots):
 
 
 def _identities(connector):
-    return frozenset(orb.identity(ref) for ref in connector.ports if ref is not None)
+    return frozenset(_refs(connector))
+
+
+def _refs(connector):
+    """{identity: reference} of the ends of a connection, each once, however often it is listed."""
+    return collections.OrderedDict((orb.identity(ref), ref) for ref in connector.ports if ref is not None)
 
 
 def _ends(snapshots):
@@ -65,10 +70,9 @@ def _name(end):
 
 def _again(link, ends):
     """The same Link after its ports were asked again, None when it is gone; updates `ends`."""
-    asked = [(orb.identity(ref), ref) for ref in link.connector.ports
-             if ref is not None and ends[orb.identity(ref)].port is not None]
-    own = link.port
-    for (identity, _), answer in zip(asked, places.ask([ref for _, ref in asked])):
+    refs, own = _refs(link.connector), link.port
+    asked = [identity for identity in refs if ends[identity].port is not None]
+    for identity, answer in zip(asked, places.ask([refs[identity] for identity in asked])):
         before = ends[identity]
         if isinstance(answer, errors.Error):
             ends[identity] = before._replace(port=None, error=answer)
@@ -87,7 +91,7 @@ def _troubles(link, ends):
     undo = remedies.command("disconnect", id=connector.id, port=where)
     if None in connector.ports:
         return [fail("connection", where, f"connection {_called(connector)} has an end that is nothing (nil)", undo)]
-    others = [ends[orb.identity(ref)] for ref in connector.ports if not orb.same(ref, link.port.ref)]
+    others = [ends[identity] for identity, ref in _refs(connector).items() if not orb.same(ref, link.port.ref)]
     found = []
     for end in others:
         if end.port is None:

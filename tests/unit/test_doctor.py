@@ -34,6 +34,20 @@ class Connections(unittest.TestCase):
         self.assertEqual(finding, ("fail", "connection", "/localhost/In0.rtc:out", "connection out_in has an end that is nothing (nil)",
                                    "rtdis -i one /localhost/In0.rtc:out"))
 
+    def test_an_end_that_is_listed_twice(self):
+        """It is asked once more, and told of, once: its two answers could differ."""
+        node = tree.Node(path.parse("/localhost/In0.rtc"), "component", "component")
+        connector = ports.Connector("one", "c", ["near", "far", "far"], [])
+        port = ports.Port(node, "In0.out", "Port", {}, [], [connector], "near", None)
+        link = connections.Link(snapshot.Snapshot(node), port, connector)
+        ends = {ref: places.End(ref, port._replace(ref=ref, connectors=[]), None) for ref in ("near", "far")}
+        asked = []
+        with mock.patch.multiple(connections.orb, identity=str, same=str.__eq__), mock.patch.object(
+                connections.places, "ask", lambda refs: asked.extend(refs) or [port, errors.Silent("far", "no answer")]):
+            self.assertEqual(len(connections._troubles(link, ends)), 1)
+            self.assertEqual(connections._again(link, ends), link)
+        self.assertEqual((asked, ends["far"].port), (["near", "far"], None))
+
     def test_what_one_end_does_not_have(self):
         there = ports.Connector("one", "c", [], [("x", "1")])
         here = ports.Connector("one", "c", [], [("x", "1"), ("dataport.dataflow_type", "push")])
