@@ -29,7 +29,7 @@ except ImportError:
 READERS = 1000
 ROUNDS = 200 if running.THOROUGH else 12
 PROMPT = 0.1  # seconds within which an interrupted reader is free
-QUICK = 1.0  # seconds that a listing may take beside hung peers, on a busy machine
+PATIENCE = 8  # seconds, the timeout of what hangs: what does not wait for it must be done in half of them
 THREADS = 40  # of a server that a thousand readers wait for
 RESIDENT = 30 * 1024  # kB
 GROWTH = 1024  # kB in the second half of the rounds
@@ -83,7 +83,7 @@ class Case(unittest.TestCase):
 
 
 class Hung(Case):
-    options = ["--timeout", "5"]
+    options = ["--timeout", str(PATIENCE)]
 
     def test_a_thousand_readers(self):
         """They wait for hung files; everything else goes on, on few threads."""
@@ -114,7 +114,7 @@ class Hung(Case):
         print("%d readers of hung files: looks elsewhere took up to %.2f s, %d threads, %d kB" % (
             READERS, slowest, most, self.resident()))
         self.assertEqual(len(errors), READERS)
-        self.assertLess(slowest, QUICK)
+        self.assertLess(slowest, PATIENCE / 2)
         self.assertLess(most, THREADS)
         self.assertLess(self.resident(), RESIDENT + 4096)
 
@@ -147,7 +147,7 @@ class Hung(Case):
             signal.setitimer(signal.ITIMER_REAL, 0.5)
             begun = time.monotonic()
             self.assertRaises(Alarm, self.read, "hung.host_cxt", "Mock1.rtc", "state")
-            self.assertLess(time.monotonic() - begun, 0.5 + QUICK)
+            self.assertLess(time.monotonic() - begun, PATIENCE / 2)
         finally:
             signal.signal(signal.SIGALRM, old)
 
