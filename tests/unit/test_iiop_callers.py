@@ -98,7 +98,7 @@ class Hostile(Served):
                 if number % 10 == 0:  # or a server that is behind closes it: it was not used for longer than they
                     self.assertEqual(result(kept.ask(request(self.key, "_non_existent"))), b"\0")
             for _ in range(60):
-                self.client()
+                self.assertEqual(result(self.client().ask(request(self.key, "_non_existent"))), b"\0")  # the server is not behind
                 self.assertEqual(result(kept.ask(request(self.key, "_non_existent"))), b"\0")  # it is used: it stays
             self.assertIn(first.last_words()[7:8], (bytes([giop.CLOSE]), b""))
 
