@@ -69,7 +69,7 @@ def _name(end):
 
 
 def _again(link, ends):
-    """The same Link after its ports were asked again, None when it is gone; updates `ends`."""
+    """The same Link after its ports were asked again, None when it is gone or has other ends now; updates `ends`."""
     refs, own = _refs(link.connector), link.port
     asked = [identity for identity in refs if ends[identity].port is not None]
     for identity, answer in zip(asked, places.ask([refs[identity] for identity in asked])):
@@ -80,7 +80,9 @@ def _again(link, ends):
         ends[identity] = before._replace(port=answer._replace(node=before.port.node))
         own = ends[identity].port if identity == orb.identity(link.port.ref) else own
     now = next((connector for connector in own.connectors if connector.id == link.connector.id), None)
-    return now and Link(link.snapshot, own, now)
+    if now is None or _identities(now) != _identities(link.connector):  # gone, or made again with other ends: just changing
+        return None
+    return Link(link.snapshot, own, now)
 
 
 # ---- what can be wrong ----------------------------------------------------------------------------------------

@@ -48,6 +48,16 @@ class Connections(unittest.TestCase):
             self.assertEqual(connections._again(link, ends), link)
         self.assertEqual((asked, ends["far"].port), (["near", "far"], None))
 
+    def test_a_connection_that_is_made_again_with_another_end(self):
+        """At the second look it has an end that nobody has asked about: it is just changing."""
+        node = tree.Node(path.parse("/localhost/In0.rtc"), "component", "component")
+        before, after = [ports.Connector("one", "c", ["near", far], []) for far in ("far1", "far2")]
+        port = ports.Port(node, "In0.out", "Port", {}, [], [before], "near", None)
+        ends = {"near": places.End("near", port, None), "far1": places.End("far1", None, errors.Silent("far1", "no answer"))}
+        with mock.patch.multiple(connections.orb, identity=str, same=str.__eq__), mock.patch.object(
+                connections.places, "ask", lambda refs: [port._replace(connectors=[after]) for _ in refs]):
+            self.assertIsNone(connections._again(connections.Link(snapshot.Snapshot(node), port, before), ends))
+
     def test_what_one_end_does_not_have(self):
         there = ports.Connector("one", "c", [], [("x", "1")])
         here = ports.Connector("one", "c", [], [("x", "1"), ("dataport.dataflow_type", "push")])

@@ -172,6 +172,15 @@ class Loop(unittest.TestCase):
         self.assertEqual(others, ["answered"] * 8)
         self.assertEqual(lanes.session.silent, {})
 
+    def test_what_cannot_be_sent_costs_itself(self):
+        peer = self.script(lambda pending: answer(pending.pop(0)[0]) if pending else None)
+
+        async def ask(operation, *args):
+            return await orb.Call("w", peer.ref, operation, *args)
+        wrong, right = self.run_tasks((peer.ref, lambda: ask("_is_a", "a\0b")), (peer.ref, lambda: ask("_non_existent")))
+        self.assertIsInstance(wrong, errors.Refused)
+        self.assertIs(right, False)
+
     def test_a_hung_process_costs_one_timeout(self):
         lanes.session = lanes.Session(0.3)
         silent, lively = self.script(lambda pending: None), self.script(lambda pending: answer(pending[-1][0]) if pending else None)

@@ -8,6 +8,7 @@ import select
 import struct
 import time
 
+from rtshell_lite import errors
 from rtshell_lite.corba import lanes
 from rtshell_lite.corba.iiop import giop
 
@@ -144,7 +145,7 @@ class Connection:
         self._number += 1
         try:
             octets = request.octets(self._number)
-        except (OSError, TypeError) as e:
+        except (OSError, TypeError, errors.Refused) as e:
             return request.failed(e)
         request.sent = time.monotonic()
         self.requests[self._number] = request
