@@ -18,7 +18,7 @@ WORDS = ["x", "two words", "日本", "a=b", "<&>\"'", "-5", "\\x20", "$(false)",
 NOTHING = restore.Options(False, None, False)
 SHORT = 25  # calls that are to fail: of 39 that change something, and as many of 217 others; all with --long
 SEEDS = 30 if running.THOROUGH else 3
-SECONDS = 2.0  # how long a mock may stay silent: with 1, one that lived did on a machine with six other tasks
+SECONDS = 2.0  # how long a mock may stay silent; 1 is too short where the machine is busy
 
 
 def setUpModule():

@@ -29,7 +29,7 @@ except ImportError:
 READERS = 1000
 ROUNDS = 200 if running.THOROUGH else 12
 PROMPT = 0.1  # seconds within which an interrupted reader is free
-PATIENCE = 8  # seconds, the timeout of what hangs: what does not wait for it must be done in half of them
+PATIENCE = 8  # seconds, the timeout of what hangs; what does not wait for it must be done in half that time
 THREADS = 40  # of a server that a thousand readers wait for
 RESIDENT = 30 * 1024  # kB
 GROWTH = 1024  # kB in the second half of the rounds

@@ -35,7 +35,7 @@ class Connections(unittest.TestCase):
                                    "rtdis -i one /localhost/In0.rtc:out"))
 
     def test_an_end_that_is_listed_twice(self):
-        """It is asked once more, and told of, once: its two answers could differ."""
+        """It is asked again only once, and reported once: two answers could differ."""
         node = tree.Node(path.parse("/localhost/In0.rtc"), "component", "component")
         connector = ports.Connector("one", "c", ["near", "far", "far"], [])
         port = ports.Port(node, "In0.out", "Port", {}, [], [connector], "near", None)

@@ -135,7 +135,7 @@ class Connection:
     def _connected(self):
         self._socket.setblocking(True)
         _limit(self._socket, lanes.TICK)
-        self.waits_for, self._ways = None, None  # the latter holds the first request, and with it what that was answered
+        self.waits_for, self._ways = None, None  # the latter holds the first request, and so its answer
         self.flush()
 
     # ---- sending ----
