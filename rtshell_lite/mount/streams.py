@@ -1,5 +1,6 @@
 """Files of a mounted RTC Tree that connect while they are open: values in and out of ports, events and logs of components."""
 import collections
+import functools
 import math
 import stat
 import threading
@@ -36,6 +37,7 @@ class Feed:
     def __init__(self, mount, where, begin):
         self._mount, self._where, self._begin = mount, where, begin
         self._lock, self._readers, self._made = threading.Lock(), set(), None
+        self._heard = None  # what marks the lines that readers get: those of an earlier connection would leave a gap
         self._closing = threading.Lock()
 
     def attach(self, reader):
@@ -52,18 +54,24 @@ class Feed:
 
     def _settle(self):
         """Connect, or disconnect, as there are readers or none."""
-        if self._readers and self._made is None:
+        with self._lock:
+            if not self._readers:
+                self._heard = None
+            elif self._made is None:
+                self._heard = object()
+            heard = self._heard
+        if heard is None:
+            self.close()
+        elif self._made is None:
             try:
-                self._made = self._begin(self._publish)
+                self._made = self._begin(functools.partial(self._publish, heard))
                 self._mount.streams.add(self)
             except Exception as e:  # a bug of ours must not leave readers waiting
                 self._end(e)
-        elif not self._readers and self._made is not None:
-            self.close()
 
-    def _publish(self, make):
+    def _publish(self, mark, make):
         with self._lock:
-            wanting = [reader for reader in self._readers if reader.wants_more()]
+            wanting = [reader for reader in self._readers if reader.wants_more()] if mark is self._heard else []
         if not wanting:
             return
         try:

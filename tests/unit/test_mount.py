@@ -9,7 +9,7 @@ from unittest import mock
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes
-from rtshell_lite.mount import asking, kernel, nodes, server, wire
+from rtshell_lite.mount import asking, kernel, nodes, server, streams, wire
 from rtshell_lite.path import Name
 
 
@@ -140,6 +140,48 @@ class Names(unittest.TestCase):
 
     def test_the_same_name_twice(self):
         self.assertEqual(list(nodes.unique(["a", "a", "b", "a", "a~2"])), ["a", "a~2", "b", "a~3", "a~2~2"])
+
+
+class Feeds(unittest.TestCase):
+    """Lines that come from a component, given to those who read at the moment."""
+
+    def setUp(self):
+        self.todo, self.served = [], []
+        changes = mock.Mock(start=lambda key, function, most: self.todo.append(function))
+        self.feed = streams.Feed(mock.Mock(changes=changes, streams=set()), "values", self.begin)
+
+    def begin(self, publish):
+        """A connection, which gives a last line as it is closed."""
+        publish(lambda: "first")
+        return mock.Mock(close=lambda: publish(lambda: "last"))
+
+    def reader(self):
+        reader = mock.Mock(put=self.served.append)
+        self.feed.attach(reader)
+        return reader
+
+    def settle(self):
+        self.todo.pop(0)()
+
+    def test_who_comes_as_a_connection_ends_gets_the_lines_of_the_next(self):
+        first = self.reader()
+        self.settle()
+        self.feed.detach(first)
+        with mock.patch.object(self.feed, "close", lambda close=self.feed.close: (self.reader(), close())):
+            self.settle()
+        self.assertEqual(self.served, ["first"])
+        self.settle()
+        self.assertEqual(self.served, ["first", "first"])
+
+    def test_who_comes_before_that_shares_the_connection(self):
+        first = self.reader()
+        self.settle()
+        self.feed.detach(first)
+        self.reader()
+        self.settle()
+        self.settle()
+        self.feed.close()
+        self.assertEqual(self.served, ["first", "last"])
 
 
 class Asking(unittest.TestCase):
