@@ -70,7 +70,7 @@ class Connection:
         self._out = bytearray()
         self._pieces, self._have, self._need = [], 0, giop.HEADER
         self._unwanted = 0  # octets to come, the rest of a message that is too long
-        self._begun, self._begun_size = {}, 0  # replies of which fragments are to come
+        self._fragments = giop.Fragments(self._most)
 
     @property
     def is_quiet(self):
@@ -197,7 +197,7 @@ class Connection:
                 may_wait = False
         except BlockingIOError:
             return found
-        except (OSError, Closed, ValueError) as e:
+        except (OSError, Closed, ValueError, struct.error) as e:
             self._end = e
         if not found:
             raise self._end
@@ -218,7 +218,7 @@ class Connection:
             whole = giop.HEADER + giop.size(data)
             size = whole
             if whole > giop.LARGE:
-                size = min(whole, 1 + max((request.most for request in self.requests.values()), default=giop.LARGE))
+                size = min(whole, 1 + self._most())
             if self._have < size:
                 self._pieces, self._need = [data], size
                 return
@@ -235,6 +235,16 @@ class Connection:
         self._unwanted -= dropped
         return octets[dropped:]
 
+    def _most(self, number=None):
+        """Octets that the reply to a request may have; None is any request. Raises Garbled where there was none."""
+        if number is None:
+            return max((request.most for request in self.requests.values()), default=giop.LARGE)
+        if number in self.requests:
+            return self.requests[number].most
+        if number not in self._given_up:
+            raise giop.Garbled("a reply to another request")
+        return giop.LARGE
+
     def _message(self, data, found):
         kind = data[7]
         if kind == giop.CLOSE:
@@ -243,25 +253,8 @@ class Connection:
             raise giop.Garbled("the peer did not understand us")
         if kind not in (giop.REPLY, giop.FRAGMENT):
             raise giop.Garbled(f"a message of kind {kind}")
-        if kind == giop.REPLY and not data[6] & giop.MORE and not self._begun:  # almost all
-            found.append(data)
-            return
-        number = giop.number(data) if data[5] == 2 else None  # fragments of older versions follow at once
-        begun = self._begun.get(number)
-        if (kind == giop.FRAGMENT) != (begun is not None):
-            raise giop.Garbled("a fragment of nothing" if begun is None else "half a reply")
-        more = data[6] & giop.MORE
-        if begun is None and not more:
-            found.append(data)
-            return
-        begun = self._begun.setdefault(number, [])
-        begun.append(data if kind == giop.REPLY else data[giop.HEADER + (4 if data[5] == 2 else 0):])
-        self._begun_size += len(data)
-        if self._begun_size > giop.LARGEST:
-            raise giop.Garbled("more than %d octets" % giop.LARGEST)
-        if not more:
-            whole = b"".join(self._begun.pop(number))
-            self._begun_size = sum(len(part) for parts in self._begun.values() for part in parts)
+        whole = self._fragments.joined(data)
+        if whole is not None:
             found.append(whole)
 
     # ---- ending ----
@@ -279,7 +272,7 @@ class Connection:
     def leave(self):
         """Keep it for the next call to its process, or close it."""
         waiting = _idle.setdefault(self.endpoint, [])
-        is_clean = not (self._end or self.requests or self._given_up or self._out or self._pieces or self._unwanted or self._begun)
+        is_clean = not (self._end or self.requests or self._given_up or self._out or self._pieces or self._unwanted or self._fragments.begun)
         if self.has_answered and is_clean and len(waiting) < lanes.LANES:
             waiting.append(self)
         else:

@@ -94,3 +94,41 @@ def after_contexts(data, at, one):
         if at > len(data):
             raise Garbled("service contexts without an end")
     return at + -at % 4
+
+
+class Fragments:
+    """Messages that come in parts.
+
+    begun   the parts of each so far, by request id; None is the id before GIOP 1.2
+    size    octets of them all
+
+    `most(id)` gives how many octets a message may have, of a longer one no more is kept than shows that; or raises Garbled.
+    """
+
+    def __init__(self, most):
+        self.begun, self.size, self._most = {}, 0, most
+
+    def joined(self, data):
+        """A message, whole; None while parts of it must come. Raises Garbled, struct.error."""
+        is_first, more = data[7] != FRAGMENT, data[6] & MORE
+        if is_first and not more:
+            return data
+        is_numbered = data[5] == 2
+        number_of_it = number(data) if is_numbered else None  # without numbers, parts follow at once
+        if is_first == (number_of_it in self.begun) or data[5] == 0:
+            raise Garbled("fragments that make no message")
+        begun = self.begun.setdefault(number_of_it, bytearray())
+        part = data if is_first else data[HEADER + 4 * is_numbered:]
+        part = part[:max(0, self._most(number_of_it) + 1 - len(begun))]
+        begun += part
+        self.size += len(part)
+        if self.size > LARGEST:
+            raise Garbled(f"more than {LARGEST} octets")
+        if more:
+            return None
+        self.forget(number_of_it)
+        return bytes(begun)
+
+    def forget(self, number):
+        """No more parts will come."""
+        self.size -= len(self.begun.pop(number, b""))

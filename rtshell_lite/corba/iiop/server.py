@@ -67,17 +67,17 @@ class Caller:
     def __init__(self, connection):
         self.socket, self.minor, self.last = connection, 0, None
         self.data, self.begin, self.end = bytearray(), 0, 0  # data[begin:end] has come; data never shrinks while it is in use
-        self.parts = {}  # messages whose fragments are still coming, by the id of the request
+        self.fragments = giop.Fragments(self.most)
         self.out = bytearray()
         self.since = time.monotonic()  # when the last message was complete
 
     def held(self):
         """How much memory its messages take."""
-        return len(self.data) + sum(map(len, self.parts.values()))
+        return len(self.data) + self.fragments.size
 
     def is_unfinished(self):
         """True within a message, or while answers cannot leave."""
-        return bool(self.end > self.begin or self.parts or self.out)
+        return bool(self.end > self.begin or self.fragments.begun or self.out)
 
     def receive(self):
         """Take what has come. Raises OSError, EOFError."""
@@ -104,28 +104,17 @@ class Caller:
                 return None
             self.begin += size
             self.minor = data[5]
-            whole = self.joined(data[:size])
+            whole = self.fragments.joined(data[:size])
             if whole is not None:
                 self.since = time.monotonic()
                 return whole
         return None
 
-    def joined(self, data):
-        """A message with the fragments that came before it; None while more must come. Raises Garbled, struct.error."""
-        kind, more = data[7], data[6] & giop.MORE
-        if kind != giop.FRAGMENT and not more:
-            return data
-        number = bytes(data[12:16]) if data[5] == 2 else b""
-        size = len(data) + sum(map(len, self.parts.values()))
-        if size > giop.LARGEST or len(self.parts) > MOST_PARTS or data[5] == 0 or data[5] == 2 and len(number) < 4:
-            raise giop.Garbled("fragments that make no message")
-        if kind != giop.FRAGMENT:
-            self.parts[number] = bytearray(data)
-            return None
-        if number not in self.parts:
-            raise giop.Garbled("a fragment of nothing")
-        self.parts[number] += data[giop.HEADER + len(number):]
-        return None if more else memoryview(self.parts.pop(number))
+    def most(self, _):
+        """Octets that a message in fragments may have. Raises Garbled where too many have begun."""
+        if len(self.fragments.begun) > MOST_PARTS:
+            raise giop.Garbled("too many messages at once")
+        return giop.LARGEST
 
     def request(self, data):
         """The Request in a message; most differ from the last one only in their ids and arguments. Raises as Request does."""
@@ -189,7 +178,7 @@ class Server:
                 caller.send()
             else:
                 caller.receive()
-                if caller.parts or len(caller.data) > 16 * ROOM:
+                if caller.fragments.begun or len(caller.data) > 16 * ROOM:
                     self.make_room()
             while caller in self.callers and not caller.out:
                 data = caller.message()
@@ -246,7 +235,7 @@ class Server:
         """The answer to a message, octets, or None. Raises Garbled, struct.error, IndexError, EOFError at the last message."""
         kind = data[7]
         if kind == requests.CANCEL:
-            caller.parts.pop(bytes(data[12:16]), None)
+            caller.fragments.forget(giop.number(data))
             return None
         if kind in (giop.CLOSE, giop.ERROR):
             raise EOFError
