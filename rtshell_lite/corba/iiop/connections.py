@@ -13,6 +13,7 @@ from rtshell_lite.corba import lanes
 from rtshell_lite.corba.iiop import giop
 
 PIECE = 16384  # octets received at a time: buffers of more are slow to allocate
+AT_A_TIME = 64  # pieces of one connection; then others have their turn, too
 _AT_ONCE = _socket.MSG_DONTWAIT
 SWEEP = 10.0  # seconds between two looks for idle connections that the peer has closed
 _idle = {}  # {endpoint: [Connection]} for the next calls, at most one for each lane
@@ -59,15 +60,17 @@ class Connection:
     requests   what waits for a reply, by number
     has_answered
     waits_for  "address" of the host, "peer" to accept, or None
+    end        the exception that ends it, when the replies before that have been given out; None before
     """
 
     def __init__(self, endpoint, others=tuple):
         """`others()` gives further endpoints, for where nobody listens at the first."""
         self.endpoint, self.requests, self.has_answered = endpoint, {}, False
         self.waits_for = "address"
-        self._number, self._given_up, self._end = 0, set(), None  # the latter is the exception that ends it
+        self.end = None
+        self._number, self._given_up = 0, set()
         self._socket, self._ways, self._error = None, self._all_ways(others), None
-        self._out = bytearray()
+        self._out, self._not_begun = bytearray(), {}  # what is to be sent; requests until there is a connection, by number
         self._pieces, self._have, self._need = [], 0, giop.HEADER
         self._unwanted = 0  # octets to come, the rest of a message that is too long
         self._fragments = giop.Fragments(self._most)
@@ -136,6 +139,8 @@ class Connection:
         self._socket.setblocking(True)
         _limit(self._socket, lanes.TICK)
         self.waits_for, self._ways = None, None  # the latter holds the first request, and so its answer
+        self._out += b"".join(self._not_begun.values())
+        self._not_begun.clear()
         self.flush()
 
     # ---- sending ----
@@ -149,7 +154,10 @@ class Connection:
             return request.failed(e)
         request.sent = time.monotonic()
         self.requests[self._number] = request
-        self._out += octets
+        if self.waits_for:
+            self._not_begun[self._number] = octets
+        else:
+            self._out += octets
 
     def flush(self):
         """Send what can be sent at once. Raises OSError."""
@@ -172,36 +180,39 @@ class Connection:
         return self.requests.pop(number)
 
     def give_up(self, number):
-        """The request with this number, whose reply is not to be waited for."""
-        self._given_up.add(number)
+        """The request with this number, whose reply is not to be waited for; it is not sent any more if it has not been."""
+        if self._not_begun.pop(number, None) is None:
+            self._given_up.add(number)
         return self.requests.pop(number)
 
     def give_up_all(self):
         """All requests that wait for replies, likewise."""
         return [self.give_up(number) for number in list(self.requests)]
 
+    def untouched(self):
+        """The requests that the peer has not begun, when it says so as it closes: none whose reply has begun to come."""
+        begun = self._fragments.begun
+        return set() if None in begun else {request for number, request in self.requests.items() if number not in begun}
+
     # ---- receiving ----
 
     def replies(self, may_wait):
-        """The whole replies that have come, as octets; may wait for lanes.TICK. Raises Closed, OSError, giop.Garbled."""
+        """The whole replies that have come, as octets; may wait for lanes.TICK. What ends the connection is noted in `end`."""
         found = []
         try:
-            while self._end is None:
+            for _ in range(AT_A_TIME):
                 piece = self._socket.recv(PIECE, 0 if may_wait else _AT_ONCE)
-                if piece:
-                    self._take(piece, found)
-                else:
-                    self._end = Closed()
-                if found or 0 < len(piece) < PIECE:  # who sends without end does not keep us here
-                    return found
+                if not piece:
+                    raise Closed()
+                self._take(piece, found)
+                if found or len(piece) < PIECE:
+                    break
                 may_wait = False
         except BlockingIOError:
-            return found
+            pass
         except (OSError, Closed, ValueError, struct.error) as e:
-            self._end = e
-        if not found:
-            raise self._end
-        return found  # what ended it shows the next time
+            self.end = e
+        return found
 
     def _take(self, piece, found):
         """Add what has come to what there is, and put the replies that are whole now into `found`.
@@ -272,7 +283,7 @@ class Connection:
     def leave(self):
         """Keep it for the next call to its process, or close it."""
         waiting = _idle.setdefault(self.endpoint, [])
-        is_clean = not (self._end or self.requests or self._given_up or self._out or self._pieces or self._unwanted or self._fragments.begun)
+        is_clean = not (self.end or self.requests or self._given_up or self._out or self._pieces or self._unwanted or self._fragments.begun)
         if self.has_answered and is_clean and len(waiting) < lanes.LANES:
             waiting.append(self)
         else:

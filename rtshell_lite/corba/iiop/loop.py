@@ -12,6 +12,7 @@ from rtshell_lite.corba import lanes, tasks
 from rtshell_lite.corba.iiop import calls, connections, giop
 
 LOOK = 0.005  # seconds between looks at whether the address of a host has been found
+AWAY = 3  # ticks between two looks for what has waited too long; after more of them we, not others, were away: stopped, say
 MOST = 64  # jobs of one process under way at a time, most of which wait for their turn
 NAMING = "IDL:omg.org/CosNaming/"  # interfaces of name servers begin so
 
@@ -34,15 +35,17 @@ def invoke(call):
     """The result of an orb.Call, made on this thread; raises what the Call raises."""
     loop = _Loop()
     result = []
+    request = calls.Request(call, lambda *outcome: result.append(outcome))
+    endpoint = request.endpoint
     try:
-        loop.submit(calls.Request(call, lambda *outcome: result.append(outcome)))
+        loop.submit(request)
         while not result:
             loop.step()
     finally:
         loop.close()
     (value, error), = result
     if error is not None:
-        raise error
+        raise loop.judged(error, request, endpoint)
     return value
 
 
@@ -91,7 +94,7 @@ class _Task:
 
     def __init__(self, loop, peer, number, coroutine):
         self.loop, self.peer, self.number, self.coroutine = loop, peer, number, coroutine
-        self.since, self.request = time.monotonic(), None  # of its last call, or its beginning; that call
+        self.begun, self.request = time.monotonic(), None  # the latter is its last call
 
     def go_on(self, value=None, error=None):
         """Run it up to its next call, or its end."""
@@ -101,36 +104,24 @@ class _Task:
             except StopIteration as end:
                 return self._end(end.value)
             except Exception as e:
-                if isinstance(e, errors.Silent) and e.why != lanes.NO_TIME:
-                    self.peer.fall_silent(e.why, self._sent())
+                self._judge(e)
                 return self._end(lanes.alone(e))
             if isinstance(awaited, tasks.Sleep):
                 return self.loop.wake(self, awaited.seconds)
-            self.since, self.request = time.monotonic(), calls.Request(awaited, self.go_on)
-            request = self.request
-            silence = self._elsewhere(request)
+            self.request = calls.Request(awaited, self._answered)
+            silence = self.loop.silence(self.request, self.peer.endpoint)
             if not silence:
-                return self.loop.submit(request)
+                return self.loop.submit(self.request)
             value, error = None, errors.Unreachable(str(awaited.where), silence)
 
-    def _sent(self):
-        """When its last call was sent: answers that came while it waited for its turn do not show that the process lives."""
-        return self.request and self.request.sent or self.since
+    def _answered(self, value, error):
+        self.go_on(value, self.loop.judged(error, self.request, self.peer.endpoint))
 
-    def _elsewhere(self, request):
-        """Prepare a request to another process than that of the job; why that is not to be asked, or None."""
-        if request.endpoint == self.peer.endpoint:
-            return None
-        peer = self.loop.peer(request.endpoint)
-
-        def answered(value, error):
-            if isinstance(error, errors.Silent):  # which says nothing about the process of this job
-                if error.why != lanes.NO_TIME:
-                    peer.fall_silent(error.why, self._sent())
-                error = errors.Unreachable(*error.args)
-            self.go_on(value, error)
-        request.resume = answered
-        return peer.silence
+    def _judge(self, e):
+        """Note that its process is silent: so it is found by what was sent to it, not by what waits for its turn."""
+        since = self.request.sent if self.request else self.begun
+        if isinstance(e, errors.Silent) and e.why != lanes.NO_TIME and since:
+            self.peer.fall_silent(e.why, since)
 
     def _end(self, value):
         self.loop.values[self.number] = value
@@ -150,7 +141,7 @@ class _Loop:
         self._jobs, self._sleeping = [], {}  # the latter: when each task goes on
         self._asked = set()  # peers with requests under way
         self._poll, self._watched = None, {}  # {file descriptor: peer}
-        self._checked = time.monotonic()
+        self._checked, self._was_away = time.monotonic(), False
         self._tick = min(lanes.TICK, lanes.session.timeout / 10)
 
     def peer(self, endpoint):
@@ -166,9 +157,22 @@ class _Loop:
 
     def submit(self, request):
         """Have a request sent."""
+        request.sent = None
         peer = self.peer(request.endpoint)
         peer.waiting.append(request)
         self.have_changed.add(peer)
+
+    def silence(self, request, endpoint):
+        """Why the process that a request goes to is not to be asked, or None; never that of `endpoint`, whose jobs have begun."""
+        return None if request.endpoint == endpoint else self.peer(request.endpoint).silence
+
+    def judged(self, error, request, endpoint):
+        """The error of a request, for who asks the process at `endpoint`: the silence of another one says nothing about it."""
+        if not isinstance(error, errors.Silent) or request.endpoint == endpoint:
+            return error
+        if error.why != lanes.NO_TIME and request.sent:
+            self.peer(request.endpoint).fall_silent(error.why, request.sent)
+        return errors.Unreachable(*error.args)
 
     def wake(self, task, seconds):
         """Let a task go on in so many seconds."""
@@ -195,9 +199,11 @@ class _Loop:
         for task in [task for task, when in self._sleeping.items() if when <= now]:
             del self._sleeping[task]
             task.go_on()
-        if looked - self._checked >= self._tick:  # what comes while a task blocks is taken in the next round
-            self._checked = looked
-            self._give_up(looked)
+        since = looked - self._checked
+        if since >= self._tick:
+            self._checked, self._was_away = looked, since > AWAY * self._tick and not self._was_away
+            if not self._was_away:
+                self._give_up(looked)
         lanes.still_waiting()
 
     def _begin(self, peer):
@@ -280,9 +286,11 @@ class _Loop:
             if connection.waits_for:
                 connection.go_on()
             else:
-                connection.flush()
                 for data in connection.replies(may_wait):
                     self._reply(peer, data)
+                if connection.end:
+                    raise connection.end
+                connection.flush()
             self._watch(peer)
         except (OSError, connections.Closed, ValueError, StructError) as e:
             self._lost(peer, e)
@@ -295,7 +303,12 @@ class _Loop:
             self._asked.discard(peer)
         peer.has_answered()
         self.have_changed.add(peer)
-        if request is not None and request.answered(status, data, at, little):
+        if request is None or not request.answered(status, data, at, little):
+            return
+        silence = self.silence(request, peer.endpoint)
+        if silence:  # of who it has been forwarded to
+            request.resume(None, errors.Silent(str(request.call.where), silence))
+        else:
             self.submit(request)
 
     def _lost(self, peer, e):
@@ -310,9 +323,10 @@ class _Loop:
             lost += peer.waiting
             peer.waiting.clear()
         is_cut = isinstance(e, (connections.Closed, ConnectionResetError, BrokenPipeError))
+        untouched = connection.untouched() if getattr(e, "untouched", False) else ()
         for request in lost:
-            if is_cut and connection.has_answered and not request.again and (request.asks or getattr(e, "untouched", False)):
-                request.again = True
+            if is_cut and connection.has_answered and (request in untouched or request.asks and not request.again):
+                request.again = request.again or request not in untouched
                 peer.waiting.append(request)
             else:
                 request.failed(connections.Closed() if is_cut else e)
