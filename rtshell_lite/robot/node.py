@@ -7,7 +7,7 @@ from rtshell_lite.corba import lanes, orb, tasks
 from rtshell_lite.path import Name
 from rtshell_lite.text import LONGEST, from_wire
 
-MOST = 50000  # names in one context: an iterator may have no end
+MOST, MOST_OCTETS = 50000, 16 << 20  # names in one context, and octets of them all: an iterator may have no end
 PATIENCE = 3  # times the timeout, in which all names of a context have to come
 DIRECTORIES = ("root", "server", "directory", "manager")
 
@@ -207,14 +207,15 @@ def bound(node):
 
 
 def _iterated(node, iterator, bindings, size):
-    """The bindings that came, and those of an iterator, MOST of them at most."""
-    end, more = time.monotonic() + PATIENCE * lanes.session.timeout, True
+    """The bindings that came, and those of an iterator, MOST of them at most, and few more than MOST_OCTETS."""
+    end, more, octets = time.monotonic() + PATIENCE * lanes.session.timeout, True, 0
     try:
         while True:  # see interrupts
-            if not more or len(bindings) >= MOST or time.monotonic() >= end:
+            if not more or len(bindings) >= MOST or octets >= MOST_OCTETS or time.monotonic() >= end:
                 break
             more, batch = orb.call(str(node.path), iterator, "next_n", size)
             bindings += batch
+            octets += sum(len(name.id) + len(name.kind) for binding in batch for name in binding.binding_name)
     finally:
         orb.call(str(node.path), iterator, "destroy")
     if more:
