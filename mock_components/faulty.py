@@ -22,8 +22,8 @@ import threading
 import time
 
 from . import malice
-from .giop import (COMPONENT, CONTEXT, bad_operation, bindings, cdr, component_profile, harmless_answer, read_request,
-                   reference, reply, stringified)
+from .giop import (COMPONENT, CONTEXT, FRAGMENT, LITTLE, MORE, REPLY, bad_operation, bindings, cdr, component_profile,
+                   harmless_answer, read_request, reference, reply, stringified)
 
 LIFETIME = 3600
 
@@ -106,6 +106,27 @@ def wrong_id(peer, connection, request):
     connection.sendall(reply(request, bindings([]), wrong_id=0x55))
 
 
+def crumbs(peer, connection, request):
+    """Sends a reply in fragments of two bytes, without end."""
+    connection.sendall(begun(request.id))
+    some = struct.pack("<4s4BII2s", b"GIOP", 1, 2, LITTLE | MORE, FRAGMENT, 6, request.id, b"ab") * 1000
+    while True:
+        connection.sendall(some)
+
+
+def strangers(peer, connection, request):
+    """Begins replies to requests that nobody made, without end."""
+    number = request.id
+    while True:
+        connection.sendall(b"".join(map(begun, range(number + 1000, number + 2000))))
+        number = (number + 1000) % (1 << 31)
+
+
+def begun(number):
+    """A reply to this request of which more is to come."""
+    return struct.pack("<4s4B4I", b"GIOP", 1, 2, LITTLE | MORE, REPLY, 12, number, 0, 0)
+
+
 def hostile(peer, connection, request):
     """Lists names with escape sequences, newlines, invalid UTF-8, shell code, `..`, nothing, 64 kB."""
     if request.operation == "get_component_profile":
@@ -152,7 +173,7 @@ def name_server(peer, connection, request, names, port=None, key=b"faulty"):
 # These never get as far as a request.
 UNREACHABLE = {"refused": "The port is closed.", "dead-host": "Drops SYNs, as a host does that is switched off."}
 RUDE = [silent, half_header, drip, reset, close, garbage, announce]
-POLITE = [sequence_bomb, string_bomb, wrong_id, hostile, many, loop, bottomless]
+POLITE = [sequence_bomb, string_bomb, wrong_id, crumbs, strangers, hostile, many, loop, bottomless]
 ELSEWHERE = ["elsewhere-silent", "elsewhere-refused"]
 
 

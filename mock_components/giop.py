@@ -5,7 +5,8 @@ import struct
 COMPONENT = "IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0"
 CONTEXT = "IDL:omg.org/CosNaming/NamingContext:1.0"
 
-REQUEST, REPLY, LOCATE_REQUEST, LOCATE_REPLY = 0, 1, 3, 4
+REQUEST, REPLY, LOCATE_REQUEST, LOCATE_REPLY, FRAGMENT = 0, 1, 3, 4, 7
+LITTLE, MORE = 1, 2     # flags of a message
 NO_EXCEPTION, SYSTEM_EXCEPTION = 0, 2
 
 Request = collections.namedtuple("Request", "version type id expects_reply key operation arguments")

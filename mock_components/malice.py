@@ -91,9 +91,9 @@ def _nested_sequences(levels=200):
     return Raw(code + struct.pack("<%dI" % levels, *[1] * levels) + struct.pack("<i", 42))
 
 
-def _endless(names):
+def _endless(names, length=7):
     """Bindings that never end: names of each batch, always the same, and that there are more."""
-    listed = _names(*[b"n%06d" % number for number in range(names)])
+    listed = _names(*[b"n%06d" % number + b"N" * (length - 7) for number in range(names)])
     batch = b"\1\0\0\0" + listed[:-12]            # without the iterator of list(): a string of one octet, and no profile
     return {"list": lambda peer: Raw(_names(b"Evil0")[:-12] + reference(peer.port, ITERATOR)), "next_n": lambda peer: batch,
             "destroy": lambda peer: b""}
@@ -115,6 +115,7 @@ CHANGES = {
                    "get_component_profile": lambda peer: _component(peer, more=[(b"deep", _nested_sequences())])},
     "endless": _endless(1000),
     "endless-nothing": _endless(0),
+    "endless-long": _endless(30, 131000),
     "many-ports": {"get_ports": lambda peer: _ports(peer, MANY)},
     "many-ends": {"get_port_profile": lambda peer: _port(peer, ends=MANY)},
     "megabytes": {"get_port_profile": lambda peer: _port(peer, name=b"Evil0." + MEGABYTES),

@@ -22,10 +22,10 @@ NAMING = {"hostile", "many", "loop", "bottomless"}  # these answer as a name ser
 SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"} | set(malice.CHANGES)
 # kB at most, where these are more than running.RESIDENT: omniORB takes what the builtin ORB refuses.
 HEAVY = {"megabytes": 192 * 1024} if os.environ.get("RTSHELL_ORB") != "builtin" else {}
-ENDLESS = {"many", "endless", "endless-nothing"}
+ENDLESS = {"many", "endless", "endless-nothing", "endless-long"}
 MOST_SAID = 2 << 20     # octets on stdout and stderr
 KEPT = 1 << 20          # octets of each
-LENGTHY = {"megabytes": 64, "many": 2}  # times MOST_SAID: 20,000 names are 20,000 lines of JSON
+LENGTHY = {"megabytes": 64, "many": 2, "endless-long": 20}  # times MOST_SAID: 20,000 names are 20,000 lines of JSON
 SHORT = 150             # of 4,500 cases; these take 30 s of processor
 TALKATIVE = {"many-ports", "many-ends"}  # these answer as many questions as are asked, or at great length
 TALK_LIMIT = 10.0       # seconds for them

@@ -45,6 +45,8 @@ EXPECTED = {
     "late-close": ("list", BROKEN),
     "late-garbage": ("list", BROKEN),
     "wrong-id": ("list", SILENCE),
+    "crumbs": ("list", "COMM_FAILURE_UnMarshalResults"),
+    "strangers": ("list", SILENCE),
     "sequence-bomb": ("list", "MARSHAL_PassEndOfMessage"),
     "string-bomb": ("list", "MARSHAL_PassEndOfMessage"),
     "elsewhere-silent": ("_non_existent", SILENCE),

@@ -80,6 +80,9 @@ class Commands(unittest.TestCase):
             with self.subTest(mode):
                 self.assertLess(len(self.says(mode, 5, said, *words)), 1 << 20)
 
+    def test_long_names_without_end(self):
+        self.says("endless-long", 5, "only its first 151 names are taken; its list of them does not end", "rtls", "SERVER")
+
     def test_a_name_listed_again_is_the_same_name(self):
         lines = self.says("endless", 5, "only its first 50000 names are taken", "rtfind", "SERVER").splitlines()
         self.assertEqual(len(lines), len(set(lines)))

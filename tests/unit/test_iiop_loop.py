@@ -7,10 +7,10 @@ import time
 import tracemalloc
 import unittest
 
-from giop_peers import Script, answer
+from giop_peers import CLOSE, Script, answer
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb, tasks
-from rtshell_lite.corba.iiop import client, connections, giop, loop
+from rtshell_lite.corba import descriptors, lanes, orb, tasks
+from rtshell_lite.corba.iiop import calls, client, connections, giop, loop, marshal
 
 
 class Loop(unittest.TestCase):
@@ -118,6 +118,174 @@ class Loop(unittest.TestCase):
         self.assertEqual(found[0], "garbled answer (more than 4194304 octets)")
         self.assertEqual((str(found[1][0]), found[1][1] == data), ("PORT_OK", True))
         self.assertIs(found[2], False)
+
+    def script_of(self, replies):
+        """A process that answers all that has come with replies(number) each."""
+        def play(pending):
+            octets = b"".join(replies(number) for number, _ in pending)
+            pending.clear()
+            return octets or None
+        return self.script(play)
+
+    def asking(self, ref, operation="_non_existent"):
+        async def ask():
+            return await orb.Call("w", ref, operation)
+        return ref, ask
+
+    def test_fragments_that_nobody_asked_for(self):
+        replies = [answer(1)[:6] + b"\3" + answer(number)[7:] for number in range(1000, 3000)]
+        self.assertEqual(self.outcomes(replies, ("RTC.RTObject", "_non_existent")), ["garbled answer (a reply to another request)"])
+
+    def test_an_answer_in_fragments_that_is_too_long(self):
+        """No more of it is kept than of one in a piece; the next one arrives."""
+        first = answer(1)[:6] + b"\3" + answer(1)[7:]
+        rest = b"GIOP\1\2\3\7" + struct.pack("<II", 4 + (1 << 20), 1) + bytes(1 << 20)
+        last = b"GIOP\1\2\1\7" + struct.pack("<II", 4, 1)
+        replies = [first] + [rest] * 20 + [last, answer(2)]
+        tracemalloc.start()
+        self.addCleanup(tracemalloc.stop)
+        found = self.outcomes(replies, *[("RTC.RTObject", "_non_existent")] * 2)
+        self.assertEqual(found, ["garbled answer (more than 4194304 octets)", False])
+        self.assertLess(tracemalloc.get_traced_memory()[1], sum(map(len, replies)) + 4 * giop.LARGE)
+
+    def test_fragments_without_end(self):
+        """They do not keep us from others, nor from giving up."""
+        lanes.session = lanes.Session(0.5)
+        whole = answer(1)
+        crumb = b"GIOP\1\2\3\7" + struct.pack("<II", 6, 1) + b"ab"
+        endless, other = self.script(lambda pending: pending and (whole[:6] + b"\3" + whole[7:] + crumb * 2000000)), self.script_of(answer)
+        values = self.run_tasks(self.asking(endless.ref), self.asking(other.ref))
+        self.assertIsInstance(values[0], errors.Silent)
+        self.assertIs(values[1], False)
+
+    def test_what_comes_before_the_end_of_a_connection(self):
+        """Answers count, and what ends it shows at once, whoever else is under way: a last word, garbage, half a fragment."""
+        def before(octets):
+            def play(pending):
+                if len(pending) < 2 and peer.connections == 1 or not pending:
+                    return None
+                number, _ = pending[0]
+                pending.clear()
+                return answer(number, bytes(4)) + octets
+            peer = self.script(play)
+            return peer
+
+        slow = self.script(lambda pending: time.sleep(0.5) or b"".join(answer(pending.pop()[0]) for _ in pending[:]) or None)
+        for octets in (CLOSE, b"HTTP/1.1 400 Bad", b"GIOP\1\2\1\7" + bytes(4)):
+            peer = before(octets)
+            start, ended = time.monotonic(), []
+
+            async def ask():
+                try:
+                    return await orb.Call("w", client.narrow(peer.ref, "RTC.RTObject"), "exit")
+                finally:
+                    ended.append(time.monotonic() - start)
+
+            self.run_tasks((peer.ref, ask), (peer.ref, ask), self.asking(slow.ref))
+            self.assertLess(max(ended), 0.4, octets)
+
+    def test_what_the_peer_has_not_begun_is_sent_again(self):
+        """However often it closes: here after each answer."""
+        def play(pending):
+            return answer(pending[0][0], bytes(4)) + CLOSE if pending else None
+
+        peer = self.script(play)
+        ref = client.narrow(peer.ref, "RTC.RTObject")
+        values = self.run_tasks(*[self.asking(ref, "exit")] * 6)
+        self.assertEqual([str(value) for value in values], ["RTC_OK"] * 6)
+        self.assertEqual(peer.connections, 6)
+
+    def test_what_the_peer_has_begun_to_answer_is_not_sent_again(self):
+        def play(pending):
+            if not pending:
+                return None
+            number, _ = pending.pop()
+            whole = answer(number, bytes(4))
+            if number == 1:
+                return whole
+            asked.append(number)
+            return whole[:6] + b"\3" + whole[7:] + CLOSE
+
+        asked, peer = [], self.script(play)
+        ref = client.narrow(peer.ref, "RTC.RTObject")
+
+        async def twice():
+            await orb.Call("w", ref, "exit")
+            return await orb.Call("w", ref, "exit")
+
+        value, = self.run_tasks((ref, twice))
+        self.assertEqual((value.why, asked), ("connection lost", [2]))
+
+    def test_what_was_given_up_before_there_was_a_connection_is_not_sent(self):
+        connection = connections.Connection(("127.0.0.1", self.script_of(answer).ref.address.port))
+        request = calls.Request(orb.Call("w", client.from_url("w", "corbaloc::127.0.0.1:1/x"), "_non_existent"), None)
+        connection.send(request)
+        connection.give_up(1)
+        connection.send(request)
+        while connection.waits_for:
+            connection.go_on()
+        connection.flush()
+        replies = []
+        while not replies:
+            replies = connection.replies(True)
+        self.assertEqual([giop.number(reply) for reply in replies], [2])
+        connection.close()
+
+    def test_a_silent_process_that_another_forwards_to(self):
+        """It is the one that is not asked again; who forwarded lives."""
+        lanes.session = lanes.Session(0.5)
+        silent = self.script(lambda pending: None)
+        body = bytearray(24)
+        marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(body, silent.ref)
+        forwarding = self.script_of(lambda number: answer(number, bytes(body[24:]), giop.FORWARD))
+        start = time.monotonic()
+        for found in (self.run_tasks(*[self.asking(forwarding.ref)] * 3), self.run_tasks(self.asking(forwarding.ref))):
+            for value in found:
+                self.assertEqual((type(value), value.why), (errors.Unreachable, "no answer within 0.5s"))
+        with self.assertRaises(errors.Unreachable) as caught:
+            client.invoke(orb.Call("w", forwarding.ref, "_non_existent"))
+        self.assertNotIsInstance(caught.exception, errors.Silent)
+        self.assertEqual(list(lanes.session.silent), [silent.ref.address[1:3]])
+        self.assertLess(time.monotonic() - start, 1.4)
+
+    def test_questions_that_were_never_sent_show_no_silence(self):
+        """Those that wait for their turn behind a hung process fail, and do not take with them what was sent since."""
+        lanes.session = lanes.Session(1)
+        begun = time.monotonic()
+
+        def play(pending):
+            if time.monotonic() - begun < 1.2:
+                pending.clear()  # hung
+                return None
+            time.sleep(0.4)
+            octets = b"".join(answer(number) for number, _ in pending)
+            pending.clear()
+            return octets or None
+
+        peer = self.script(play)
+
+        async def late():
+            await tasks.Sleep(1.25)
+            return await orb.Call("w", peer.ref, "_non_existent")
+
+        values = self.run_tasks(*[self.asking(peer.ref)] * 4 + [(peer.ref, late)] * 8)
+        self.assertEqual([type(value) for value in values[:4]], [errors.Silent] * 4)
+        self.assertEqual(sum(value is False for value in values[4:]), 4)
+
+    def test_answers_that_came_while_we_were_stopped(self):
+        """More than is taken in one round."""
+        lanes.session = lanes.Session(0.5)
+        peer = self.script_of(lambda number: answer(number, b"\0" + bytes(9000)))
+        values = self.run_tasks(*[self.asking(peer.ref)] * 4, self.blocking(0.2, 1.5))
+        self.assertEqual(values, [False] * 4 + ["blocked"])
+
+    def blocking(self, before, seconds):
+        """A job that blocks the thread for so long, as a stop of the process does."""
+        async def block():
+            await tasks.Sleep(before)
+            time.sleep(seconds)
+            return "blocked"
+        return self.script_of(answer).ref, block
 
     def test_answers_that_come_while_a_task_blocks(self):
         """They are taken before anybody is given up."""
