@@ -19,7 +19,7 @@ class Request:
     ref        whom it is sent to: another object than at first where that has forwarded it
     seconds    how long its answer may take
     sent       time.monotonic() when it was sent
-    again      whether it has been sent a second time, as a connection was lost, here or by the peer
+    again      whether it has been sent a second time, as a connection was lost, here or by the peer, that may have begun it
     """
 
     __slots__ = ("call", "resume", "ref", "operation", "seconds", "sent", "again", "_forwards", "_mode")

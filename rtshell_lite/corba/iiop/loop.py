@@ -325,8 +325,9 @@ class _Loop:
         is_cut = isinstance(e, (connections.Closed, ConnectionResetError, BrokenPipeError))
         untouched = connection.untouched() if getattr(e, "untouched", False) else ()
         for request in lost:
-            if is_cut and connection.has_answered and (request in untouched or request.asks and not request.again):
-                request.again = request.again or request not in untouched
+            is_untouched = request in untouched
+            if is_cut and connection.has_answered and (is_untouched or request.asks and not request.again):
+                request.again |= not is_untouched
                 peer.waiting.append(request)
             else:
                 request.failed(connections.Closed() if is_cut else e)
