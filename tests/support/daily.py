@@ -12,7 +12,7 @@ PARTS = {"commands/test_completion": 8, "commands/test_examples": 16, "commands/
          "mocks/test_mocks": 5, "mocks/test_observers": 5, "mocks/test_worlds": 8, "unit/test_answers": 6, "unit/test_api": 3,
          "unit/test_cli": 3, "unit/test_datalog": 6, "unit/test_documentation": 3, "unit/test_files": 3, "unit/test_fuzz": 3,
          "unit/test_graph": 4, "unit/test_graph_svg": 6, "unit/test_idl": 12, "unit/test_iiop_callers": 3,
-         "unit/test_iiop_loop": 3, "unit/test_lanes": 2, "unit/test_layers": 5, "unit/test_plan": 2,
+         "unit/test_iiop_loop": 3, "unit/test_iiop_silence": 3, "unit/test_lanes": 2, "unit/test_layers": 5, "unit/test_plan": 2,
          "unit/test_profile_limits": 12, "unit/test_run_plan": 8, "unit/test_simpkl": 3, "unit/test_tables": 3,
          "unit/test_transcripts": 3, "unit/test_values": 8, "unit/test_xmlprofile": 4}
 OF_FAULTS = 12  # the same of the other modules in faults/

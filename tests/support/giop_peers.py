@@ -2,8 +2,10 @@
 import socket
 import struct
 import threading
+import unittest
 
-from rtshell_lite.corba.iiop import client, giop
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba.iiop import client, giop, loop
 
 CLOSE = b"GIOP\1\2\1\5" + bytes(4)
 
@@ -88,3 +90,37 @@ class Script:
     def close(self):
         self.listening.shutdown(socket.SHUT_RDWR)
         self.listening.close()
+
+
+class Calls(unittest.TestCase):
+    """Tests of many calls at once on this thread, which have 2 s, to processes that follow scripts."""
+
+    def setUp(self):
+        before = lanes.session
+        lanes.session = lanes.Session(2)
+        lanes._answered.clear()
+        self.addCleanup(setattr, lanes, "session", before)
+
+    def script(self, play):
+        """A process that answers what has come as `play` says."""
+        made = Script(play)
+        self.addCleanup(made.close)
+        return made
+
+    def run_tasks(self, *jobs):
+        """The values of coroutine functions, each a job of the process of a reference."""
+        return list(loop.in_turn([lanes.Job(ref.address[1:3], f"job{i}", function) for i, (ref, function) in enumerate(jobs)]))
+
+    def script_of(self, replies):
+        """A process that answers all that has come with replies(number) each."""
+        def play(pending):
+            octets = b"".join(replies(number) for number, _ in pending)
+            pending.clear()
+            return octets or None
+        return self.script(play)
+
+    def asking(self, ref, operation="_non_existent"):
+        """A job of the process of a reference that asks one question."""
+        async def ask():
+            return await orb.Call("w", ref, operation)
+        return ref, ask
