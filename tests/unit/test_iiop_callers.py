@@ -3,6 +3,7 @@ import os
 import socket
 import struct
 import time
+import tracemalloc
 import unittest
 from unittest import mock
 
@@ -34,6 +35,15 @@ class Hostile(Served):
         """Millions of empty ones would take seconds, during which nobody else were served."""
         head = request(self.key, "put")[:-4]
         self.assertRefused(whole(0, head[12:] + struct.pack("<I", 1 << 20) + bytes(8 << 20)))
+
+    def test_heads_without_measure(self):
+        """Each caller's last one is kept."""
+        much = "x" * (1 << 20)
+        self.assertRefused(request(self.key, much))
+        self.assertRefused(request(much.encode(), "put"))
+        self.assertRefused(request(self.key, "put", block(b""), contexts=much.encode()))
+        self.assertRefused(request(self.key, "put", block(b""), contexts=much.encode(), minor=0))
+        self.assertRefused(request(much.encode(), "", kind=requests.LOCATE))
 
     def test_the_other_side_ends(self):
         for kind in (giop.CLOSE, giop.ERROR):
@@ -78,6 +88,20 @@ class Hostile(Served):
             self.assertTrue(self.port.taken.pop() == data)
             while sum(caller.held() for caller in list(server._server.callers)) > 8 << 20:
                 self.assertLess(time.monotonic(), end)
+
+    def test_messages_that_have_been_answered(self):
+        """They are not kept, however many callers there are."""
+        put = request(self.key, "put", block(bytes(4 << 20)))
+        tracemalloc.start()
+        self.addCleanup(tracemalloc.stop)
+        with mock.patch.object(server, "MOST_OCTETS", 8 << 20):
+            for messages in ([put], fragments(put, 1 << 20, 2 << 20)):
+                before, _ = tracemalloc.get_traced_memory()
+                for _ in range(12):
+                    self.assertEqual(result(self.client().ask(*messages)), bytes(4))
+                    self.port.taken.clear()
+                after, _ = tracemalloc.get_traced_memory()
+                self.assertLess(after - before, 16 << 20)
 
     def test_answers_that_nobody_reads(self):
         here, ask = self.client(), request(self.key, "_non_existent")

@@ -4,6 +4,7 @@ import struct
 from rtshell_lite.corba.iiop import giop, marshal, operations
 
 REQUEST, CANCEL, LOCATE, LOCATED = 0, 2, 3, 4  # kinds of messages; giop.py has the others
+LONGEST_HEAD = 65536  # octets of a request before its arguments, which its caller keeps; real ones have some 150
 NO, MAYBE = 1, 2  # whether what raised an exception was completed
 _ANSWER, _LOCATED = struct.Struct("<4s4BIIII"), struct.Struct("<4s4BIII")
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "H")) for order in "><"]
@@ -34,8 +35,10 @@ class Request:
         if asks:
             name, at = self._octets(at)
             self.operation = name[:-1].decode("latin-1")
-            self.at = self._arguments(at)
-            self.form, self.head = bytes(data[4:8]), bytes(data[16:self.at])
+            self.at = at = self._arguments(at)
+            self.form, self.head = bytes(data[4:8]), bytes(data[16:at])
+        if at > LONGEST_HEAD:
+            raise giop.Garbled(f"a head of {at} octets")
 
     def again(self, data):
         """Take on a message that differs in its id and its arguments only; False if it differs in more."""

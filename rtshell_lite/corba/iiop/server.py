@@ -248,6 +248,7 @@ class Server:
             answer = requests.located(request, int(request.key in self.objects))
         else:
             answer = self.called(request)
+        request.data = None  # its caller keeps the request
         return answer if request.is_answered else None
 
     def called(self, request):
