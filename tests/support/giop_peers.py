@@ -1,4 +1,5 @@
 """Processes, in threads of this one, that speak GIOP as a test tells them to."""
+import contextlib
 import socket
 import struct
 import threading
@@ -27,7 +28,7 @@ class Peer:
                 self.connection, _ = self.listening.accept()
             except OSError:
                 return
-            with self.connection as connection:
+            with self.connection as connection, contextlib.suppress(ConnectionError):
                 for self.last in iter(lambda: connection.recv(65536), b""):
                     self.asked += 1
                     answer = self.answers.pop(0) if self.answers else b""
@@ -72,7 +73,7 @@ class Script:
 
     def _talk(self, connection):
         data, pending = b"", []
-        with connection:
+        with connection, contextlib.suppress(ConnectionError):
             while True:
                 piece = connection.recv(65536)
                 data += piece

@@ -1,5 +1,6 @@
 """Our own ORB, many calls at once on one thread: each gets its own answer, whatever becomes of the others."""
 import functools
+import gc
 import socket
 import struct
 import threading
@@ -7,7 +8,7 @@ import time
 import tracemalloc
 import unittest
 
-from giop_peers import CLOSE, Calls, answer
+from giop_peers import CLOSE, Calls, Peer, answer
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.corba.iiop import calls, client, connections, giop
@@ -145,6 +146,21 @@ class Loop(Calls):
 
             self.run_tasks((peer.ref, ask), (peer.ref, ask), self.asking(slow.ref))
             self.assertLess(max(ended), 0.4, octets)
+
+    def test_what_has_come_by_connections_that_end(self):
+        """It goes at once, without a collection."""
+        half = answer(1)[:8] + struct.pack("<I", 1 << 20) + bytes(1 << 19) + CLOSE
+        peers = [Peer(half) for _ in range(20)]
+        for peer in peers:
+            self.addCleanup(peer.close)
+        refs = [client.from_url("w", f"corbaloc::127.0.0.1:{peer.port}/x") for peer in peers]
+        gc.disable()
+        self.addCleanup(gc.enable)
+        tracemalloc.start()
+        self.addCleanup(tracemalloc.stop)
+        values = self.run_tasks(*map(self.asking, refs))
+        self.assertEqual([str(value.why) for value in values], ["connection lost"] * 20)
+        self.assertLess(tracemalloc.get_traced_memory()[0], 4 << 20)
 
     def test_what_the_peer_has_not_begun_is_sent_again(self):
         """However often it closes: here after each answer."""

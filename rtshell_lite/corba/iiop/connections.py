@@ -73,7 +73,7 @@ class Connection:
         self._out, self._not_begun = bytearray(), {}  # what is to be sent; requests until there is a connection, by number
         self._pieces, self._have, self._need = [], 0, giop.HEADER
         self._unwanted = 0  # octets to come, the rest of a message that is too long
-        self._fragments = giop.Fragments(self._most)
+        self._fragments = giop.Fragments()
 
     @property
     def is_quiet(self):
@@ -264,7 +264,7 @@ class Connection:
             raise giop.Garbled("the peer did not understand us")
         if kind not in (giop.REPLY, giop.FRAGMENT):
             raise giop.Garbled(f"a message of kind {kind}")
-        whole = self._fragments.joined(data)
+        whole = self._fragments.joined(data, self._most)
         if whole is not None:
             found.append(whole)
 
@@ -293,6 +293,7 @@ class Connection:
 
     def close(self):
         """Close it."""
+        self.end = None  # its traceback leads back here: what has come would stay until a collection
         if self._socket is not None:
             self._socket.close()
             self._socket = None

@@ -101,15 +101,16 @@ class Fragments:
 
     begun   the parts of each so far, by request id; None is the id before GIOP 1.2
     size    octets of them all
-
-    `most(id)` gives how many octets a message may have, of a longer one no more is kept than shows that; or raises Garbled.
     """
 
-    def __init__(self, most):
-        self.begun, self.size, self._most = {}, 0, most
+    def __init__(self):
+        self.begun, self.size = {}, 0
 
-    def joined(self, data):
-        """A message, whole; None while parts of it must come. Raises Garbled, struct.error."""
+    def joined(self, data, most):
+        """A message, whole; None while parts of it must come. Raises Garbled, struct.error.
+
+        `most(id)` gives how many octets a message may have, of a longer one no more is kept than shows that; or raises Garbled.
+        """
         is_first, more = data[7] != FRAGMENT, data[6] & MORE
         if is_first and not more:
             return data
@@ -119,7 +120,7 @@ class Fragments:
             raise Garbled("fragments that make no message")
         begun = self.begun.setdefault(number_of_it, bytearray())
         part = data if is_first else data[HEADER + 4 * is_numbered:]
-        part = part[:max(0, self._most(number_of_it) + 1 - len(begun))]
+        part = part[:max(0, most(number_of_it) + 1 - len(begun))]
         begun += part
         self.size += len(part)
         if self.size > LARGEST:

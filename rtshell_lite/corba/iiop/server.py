@@ -67,7 +67,7 @@ class Caller:
     def __init__(self, connection):
         self.socket, self.minor, self.last = connection, 0, None
         self.data, self.begin, self.end = bytearray(), 0, 0  # data[begin:end] has come; data never shrinks while it is in use
-        self.fragments = giop.Fragments(self.most)
+        self.fragments = giop.Fragments()
         self.out = bytearray()
         self.since = time.monotonic()  # when the last message was complete
 
@@ -104,7 +104,7 @@ class Caller:
                 return None
             self.begin += size
             self.minor = data[5]
-            whole = self.fragments.joined(data[:size])
+            whole = self.fragments.joined(data[:size], self.most)
             if whole is not None:
                 self.since = time.monotonic()
                 return whole
