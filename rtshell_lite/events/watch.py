@@ -15,6 +15,7 @@ LOOK = 1.0  # seconds between questions whether a component lives, or is back
 RATE = 1 / component.POLL  # Hz
 TICK = 0.1
 MOST = 100000  # items that may wait to be printed
+STARTING = 1.0  # seconds for threads to start in after Ctrl-C
 HURRY = 0.1  # seconds to wait for answers after Ctrl-C: C++ 2.1 removes an observer at once, but answers after a heartbeat, 1 s
 
 LIFE = "LIFE_EVENT"  # the kind of our own Events: DIED EXITED BACK NO_HEARTBEAT NO_ANSWER ANSWERS
@@ -289,14 +290,20 @@ class Watch:
     def close(self, hurried=False):
         """Detach all that was attached, within the timeout, and report components that do not answer.
 
-        `hurried`: all are asked, but their answers are not waited for; those that were heard recently will do it.
+        `hurried`: all processes are asked, but their answers are not waited for; those that were heard recently will do it.
         """
+        def detach(subscription):
+            unasked.discard(subscription.node.endpoint)
+            if hurried and not unasked:  # not earlier: on a busy computer a thread may wait for a processor for longer than that
+                lanes.session.end = time.monotonic() + HURRY
+            subscription.detach()
         with interrupts.held():
             with self._guard:
                 self._ended.set()
-            lanes.session.end = time.monotonic() + HURRY if hurried else None
+            unasked = {subscription.node.endpoint for subscription in self._subscriptions}
+            lanes.session.end = time.monotonic() + STARTING if hurried else None
             try:
-                values = lanes.each(self._subscriptions, lambda subscription: subscription.detach(),
+                values = lanes.each(self._subscriptions, detach,
                                     lambda subscription: (subscription.node.endpoint, subscription.where))
             finally:
                 lanes.session.end = None

@@ -1,4 +1,5 @@
 """What components tell observers, and what we make of it: if this fails, rtwatch shows words of the wire, or the wrong ones."""
+import threading
 import unittest
 from unittest import mock
 
@@ -57,6 +58,17 @@ class Names(unittest.TestCase):
     def test_those_that_share_one_are_called_by_their_paths(self):
         self.assertEqual(self.names("/h/a.cxt/Arm0.rtc", "/h", "/h/b.cxt/Arm0.rtc", "/h/b.cxt/Hand0.rtc"),
                          ["/h/a.cxt/Arm0.rtc", None, "/h/b.cxt/Arm0.rtc", "Hand0.rtc"])
+
+
+class Ending(unittest.TestCase):
+    def test_each_component_is_asked_to_forget_us_however_late_a_processor_is_free(self):
+        watching, asked = watch.Watch(watch.Events(watch.KINDS), self.fail), [threading.Event() for _ in range(3)]
+        for number, event_of_it in enumerate(asked):
+            watching.remember(mock.Mock(node=mock.Mock(endpoint=("h", number)), where="/h", detach=event_of_it.set))
+        with mock.patch.object(watch, "HURRY", 0):
+            watching.close(hurried=True)
+        for event_of_it in asked:
+            self.assertTrue(event_of_it.wait(5))
 
 
 if __name__ == "__main__":
