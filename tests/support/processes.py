@@ -19,7 +19,7 @@ START_LIMIT = 30.0  # seconds until a peer must have said that it is ready
 
 # ---- starting ----
 
-def start_name_server(name, above="12000", published=None):
+def start_name_server(name, above=nameserver.PORTS, published=None):
     """Start an omniNames of its own data directory; returns its port as text, one that sorts behind `above`.
 
     `published` is the port that its references tell, where that is another one.

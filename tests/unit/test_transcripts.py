@@ -1,5 +1,6 @@
 """The transcript runner: if it fails, a command may be broken and its transcript still pass."""
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -21,6 +22,16 @@ def run(text, shell="dash", accept=False, time_limit=20, pure=True):
         outcome, explanation = transcripts.run_case(path, shell, SETTING, accept, time_limit)
         with open(path, encoding="utf-8") as file:
             return outcome, explanation, file.read().partition("\n\n")[2]
+
+
+class Files(unittest.TestCase):
+    def test_no_number_may_be_a_port(self):
+        """Where a name server happened to get it, it would be shown as $PORT."""
+        for path, _ in transcripts.cases(shells=["dash"]):
+            with open(path, encoding="utf-8") as file:
+                shown = "\n".join(line for step in transcripts.steps(transcripts.parse(file.read())) for line in step.expected)
+            numbers = {int(number) for number in re.findall(r"(?<![0-9])[0-9]{5}(?![0-9])", shown)}
+            self.assertFalse([number for number in numbers if processes.nameserver.PORTS < number < 32000], path)
 
 
 class Reading(unittest.TestCase):
