@@ -6,7 +6,7 @@ world: hostile
 world: names
 world: linked --context good.host_cxt/%n.rtc
 world: orphan --context orphan.host_cxt/%n.rtc
-world: fragile --context orphan.host_cxt/%n.rtc
+world: fragile --context fragile.host_cxt/%n.rtc
 world: composite --nameserver localhost:$PORT2
 world: hung 2 --context hung.host_cxt/%n.rtc
 world: zombie 1 --context good.host_cxt/%n.rtc
@@ -33,13 +33,17 @@ Where nothing answers, nothing is written:
 
 Components whose peer has died forget the connection when they are asked for their ports; none dies of being asked:
 
-  $ rtcryo localhost:$PORT/orphan.host_cxt | grep -o -E 'pathUri="[^"]*"|connectorId="[^"]*"'
+  $ for home in orphan fragile; do
+  >     rtcryo localhost:$PORT/$home.host_cxt | grep -o -E 'pathUri="[^"]*"|connectorId="[^"]*"'
+  >     rtls ../$home.host_cxt
+  > done
   rtcryo: /localhost:$PORT/orphan.host_cxt/Peer0.rtc: zombie, left out
-  rtcryo: 2 components without connections left out; --all saves them, too
-  [1]
-  $ rtls ../orphan.host_cxt
-  Fragile0.rtc
+  rtcryo: 1 component without connections left out; --all saves them, too
   Orphan0.rtc
+  *Peer0.rtc
+  rtcryo: /localhost:$PORT/fragile.host_cxt/Peer0.rtc: zombie, left out
+  rtcryo: 1 component without connections left out; --all saves them, too
+  Fragile0.rtc
   *Peer0.rtc
 
 Hostile names and values come through both forms:
