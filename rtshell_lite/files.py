@@ -164,7 +164,10 @@ class Temporary:
     def remove(self):
         """Remove the file, unless it has replaced the target."""
         if self.path:
-            os.remove(self.path)
+            try:
+                os.remove(self.path)
+            except FileNotFoundError:
+                pass  # it has replaced the target, and a signal struck before `path` was forgotten
             self.path = None
 
 

@@ -162,6 +162,20 @@ class Writing(Case):
             record(self.path("new"))
         self.assertEqual(os.listdir(self.top), ["old"])
 
+    def test_a_signal_as_the_new_file_takes_its_place(self):
+        """It is what the command ends from, not the name that is gone."""
+        real = os.replace
+
+        def struck(*names):
+            real(*names)
+            raise KeyboardInterrupt
+        for way in WAYS.values():
+            path = self.path("old", "old")
+            with mock.patch("os.replace", struck), self.assertRaises(KeyboardInterrupt):
+                way(path)
+            self.assertEqual(os.listdir(self.top), ["old"])
+            self.assertNotEqual(self.text("old"), "old")
+
     def test_one_log_has_one_recorder(self):
         for name in ("new", "old"):
             path = self.path(name, "x" if name == "old" else None)
