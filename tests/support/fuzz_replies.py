@@ -17,6 +17,7 @@ import threading
 import time
 
 import fuzz
+import relay
 from mock_components import giop  # which fuzz makes findable
 
 RECORDED = os.path.join(fuzz.DATA, "replies.json")
@@ -31,7 +32,6 @@ COMMANDS = [["rtls", "-lR"], ["rtls", "-l", DIRECTORY], ["rtls", DIRECTORY], ["r
 TIMEOUT = 0.3  # seconds that a command waits for an answer
 LIMIT = 4.0  # seconds for a whole command: several questions may be asked one after the other, and machines are shared
 MEMORY = 64 << 20  # bytes that a child may grow to on top of what it began with
-HOST = re.compile(rb"127\.0\.0\.1\0(..)", re.DOTALL)  # of a reference in a reply; the port follows
 # omniORBpy (4.3) reads a reference whose repository id is not UTF-8 into a null pointer. Nothing of ours can be put before
 # that: replies are read in C++. What faulthandler tells of it is the call in a stub.
 OMNIORBS = "ended by omniORBpy"
@@ -81,7 +81,7 @@ class Robot:
         if message is None:
             return giop.bad_operation(request)
         message = message[:12] + struct.pack("<I", request.id) + message[16:] if message[:4] == b"GIOP" else message
-        return HOST.sub(lambda _: b"127.0.0.1\0" + struct.pack("<H", self.port), message)
+        return relay.HOST.sub(lambda _: b"127.0.0.1\0" + struct.pack("<H", self.port), message)
 
     def close(self):
         for each in [self.listener] + self.connections:
@@ -158,7 +158,7 @@ class Replies(fuzz.Target):
             if may_be_silent and rng.random() < 0.05:
                 head = fuzz.spoilt(rng, message[:12], WORDS, [message])
             changed = head + message[12:16] + body
-            if len(HOST.findall(changed)) == len(HOST.findall(message)):  # nobody else's host is asked
+            if len(relay.HOST.findall(changed)) == len(relay.HOST.findall(message)):  # nobody else's host is asked
                 return changed
 
     def check(self, data):
@@ -259,62 +259,19 @@ def _memory():
 
 # ---- recording ------------------------------------------------------------------------------------------------
 
-class Recorder:
-    """Ports that forward to others, and record requests and replies; references lead to such ports, too."""
+class Recorder(relay.Relay):
+    """Records requests and replies."""
 
     def __init__(self):
-        self.noted, self.fronts = [], {}
+        super().__init__()
+        self.noted = []
 
-    def front(self, port):
-        """The port in front of another one."""
-        if port not in self.fronts:
-            listener = socket.socket()
-            listener.bind(("127.0.0.1", 0))
-            listener.listen(64)
-            self.fronts[port] = listener.getsockname()[1]
-            threading.Thread(target=self._accept, args=(listener, port), daemon=True).start()
-        return self.fronts[port]
-
-    def _accept(self, listener, port):
-        while True:
-            threading.Thread(target=self._pass_on, args=(listener.accept()[0], port), daemon=True).start()
-
-    def _pass_on(self, client, port):
-        server = socket.create_connection(("127.0.0.1", port))
-        try:
-            while True:
-                header, payload = giop.read_message(client)
-                server.sendall(header + payload)
-                if header[7] != giop.REQUEST:
-                    client.sendall(b"".join(giop.read_message(server)))
-                    continue
-                request = giop.parse_request(header + payload)
-                if request.expects_reply:
-                    reply = whole(server)
-                    reply = HOST.sub(lambda match: b"127.0.0.1\0" + struct.pack(
-                        "<H", self.front(struct.unpack("<H", match.group(1))[0])), reply)
-                    self._note(request, reply)
-                    client.sendall(reply)
-        except (EOFError, OSError):
-            client.close()
-            server.close()
-
-    def _note(self, request, reply):
-        plain = HOST.sub(b"127.0.0.1\0\xff\xff", reply[:12] + bytes(4) + reply[16:])
+    def passed(self, request, reply):
+        plain = relay.HOST.sub(b"127.0.0.1\0\xff\xff", reply[:12] + bytes(4) + reply[16:])
         entry = asked(request) + [plain.hex()]
         if entry[:3] not in [known[:3] for known in self.noted]:
             self.noted.append(entry)
-
-
-def whole(server):
-    """The next message, put together from its fragments."""
-    header, payload = giop.read_message(server)
-    more = header[6] & 2
-    while more:
-        following, piece = giop.read_message(server)
-        more = following[6] & 2
-        payload += piece[4:]  # each begins with the request's number
-    return header[:6] + bytes([header[6] & 1]) + header[7:8] + struct.pack("<I", len(payload)) + payload
+        return reply
 
 
 def record():

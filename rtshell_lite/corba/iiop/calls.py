@@ -49,15 +49,15 @@ class Request:
         """Further endpoints of the object."""
         return ior.addresses(self.ref.text())
 
-    def octets(self, number):
-        """The request.
+    def octets(self, number, latest):
+        """The request, in the version of GIOP that its reference names, or in the `latest` that the peer understands.
 
         Raises OSError where the reference has no address, Refused for what CORBA cannot send, TypeError for arguments of another type.
         """
         version, mode, target = self.ref.target(self._mode)
         arguments = list(zip(self.operation.arguments, self.call.args))
         try:
-            return giop.request(number, version, mode, target, self.call.operation, arguments)
+            return giop.request(number, min(version, latest), mode, target, self.call.operation, arguments)
         except marshal.Unsendable as e:
             raise errors.Refused(str(self.call.where), f"cannot be asked: {e}", name="BAD_PARAM")
         except (ValueError, StructError) as e:

@@ -18,6 +18,7 @@ _AT_ONCE = _socket.MSG_DONTWAIT
 SWEEP = 10.0  # seconds between two looks for idle connections that the peer has closed
 _idle = {}  # {endpoint: [Connection]} for the next calls, at most one for each lane
 _swept = time.monotonic()
+_spoken = {}  # {endpoint: the x of GIOP 1.x}, for peers that did not understand a later one
 
 
 class Closed(Exception):
@@ -69,6 +70,7 @@ class Connection:
         self.waits_for = "address"
         self.end = None
         self._number, self._given_up = 0, set()
+        self._minor = _spoken.get(endpoint, 2)
         self._socket, self._ways, self._error = None, self._all_ways(others), None
         self._out, self._not_begun = bytearray(), {}  # what is to be sent; requests until there is a connection, by number
         self._pieces, self._have, self._need = [], 0, giop.HEADER
@@ -149,7 +151,7 @@ class Connection:
         """Add a request to what is to be sent, see `flush`; what is wrong with it is told to it."""
         self._number += 1
         try:
-            octets = request.octets(self._number)
+            octets = request.octets(self._number, (1, self._minor))
         except (OSError, TypeError, errors.Refused) as e:
             return request.failed(e)
         request.sent = time.monotonic()
@@ -193,6 +195,13 @@ class Connection:
         """The requests that the peer has not begun, when it says so as it closes: none whose reply has begun to come."""
         begun = self._fragments.begun
         return set() if None in begun else {request for number, request in self.requests.items() if number not in begun}
+
+    def may_speak(self, minor):
+        """Whether a peer that did not understand us may understand GIOP 1.`minor`; if so, that is spoken with it from now on."""
+        if self.has_answered or minor >= self._minor:
+            return False
+        _spoken[self.endpoint] = minor
+        return True
 
     # ---- receiving ----
 
@@ -261,7 +270,7 @@ class Connection:
         if kind == giop.CLOSE:
             raise Closed(untouched=True)
         if kind == giop.ERROR:
-            raise giop.Garbled("the peer did not understand us")
+            raise giop.Misunderstood(data[5])
         if kind not in (giop.REPLY, giop.FRAGMENT):
             raise giop.Garbled(f"a message of kind {kind}")
         whole = self._fragments.joined(data, self._most)

@@ -21,6 +21,14 @@ class Garbled(ValueError):
     """Octets that are no GIOP."""
 
 
+class Misunderstood(Garbled):
+    """The peer says that it did not understand us; it speaks GIOP 1.`minor`."""
+
+    def __init__(self, minor):
+        super().__init__("the peer did not understand us")
+        self.minor = minor
+
+
 def aligned(data, size):
     """`data` with zeros up to a multiple of `size`."""
     return data + b"\0" * (-len(data) % size)

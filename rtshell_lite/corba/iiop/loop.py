@@ -324,9 +324,12 @@ class _Loop:
             peer.waiting.clear()
         is_cut = isinstance(e, (connections.Closed, ConnectionResetError, BrokenPipeError))
         untouched = connection.untouched() if getattr(e, "untouched", False) else ()
+        is_older = isinstance(e, giop.Misunderstood) and connection.may_speak(e.minor)
         for request in lost:
             is_untouched = request in untouched
-            if is_cut and connection.has_answered and (is_untouched or request.asks and not request.again):
+            if is_older and request.asks:
+                peer.waiting.append(request)
+            elif is_cut and connection.has_answered and (is_untouched or request.asks and not request.again):
                 request.again |= not is_untouched
                 peer.waiting.append(request)
             else:
