@@ -280,17 +280,17 @@ def adopted(descriptor, find=None, classes=False):
     `find` gives the descriptor for a repository id that an indirection names. With `classes`, those of the stubs are kept;
     the one that omniORB knows for an id may not have the members that a peer's TypeCode says. Raises BadType.
     """
-    return _Adoption(find, classes).take(descriptor, DEEPEST)
+    return Adoption(find, classes).take(descriptor, DEEPEST)
 
 
-class _Adoption:
-    def __init__(self, find, classes):
-        self.find, self.classes, self.left, self.sequences = find, classes, LARGEST, 0
+class Adoption:
+    def __init__(self, find=None, classes=False, most=LARGEST):
+        self.find, self.classes, self.most, self.count, self.sequences = find, classes, most, 0, 0  # count: types, items of enums
         self.open = {}  # id of each struct or union around this place → its hole, and the sequences around it
 
     def take(self, descriptor, depth):
-        self.left -= 1
-        if depth < 0 or self.left < 0:
+        self.count += len(items(descriptor)) if kind(descriptor) == ENUM else 1
+        if depth < 0 or self.count > self.most:
             raise errors.BadType(name(descriptor), "is nested too deep or too large")
         sort = kind(descriptor)
         if not isinstance(descriptor, tuple):

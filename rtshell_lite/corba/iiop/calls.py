@@ -1,10 +1,11 @@
 """One call: its request as octets, what its reply says, and what its failure means."""
+import time
 from _socket import gaierror
 from struct import error as StructError
 
 from rtshell_lite import errors
 from rtshell_lite.corba import descriptors, failures, idl, ior, lanes
-from rtshell_lite.corba.iiop import connections, giop, marshal, operations
+from rtshell_lite.corba.iiop import allowance, connections, giop, marshal, operations
 from rtshell_lite.text import printable
 
 FORWARDS = 8  # at most, from one object to another
@@ -22,13 +23,13 @@ class Request:
     again      whether it has been sent a second time, as a connection was lost, here or by the peer, that may have begun it
     """
 
-    __slots__ = ("call", "resume", "ref", "operation", "seconds", "sent", "again", "_forwards", "_mode")
+    __slots__ = ("call", "resume", "ref", "operation", "seconds", "sent", "again", "_forwards", "_spent", "_mode")
 
     def __init__(self, call, resume):
         self.call, self.resume, self.ref = call, resume, call.ref
         self.operation = operations.operation(call.ref.interface, call.operation)
         self.seconds = max(call.seconds or 0, lanes.session.timeout)
-        self.sent, self.again, self._forwards, self._mode = None, False, 0, giop.KEY
+        self.sent, self.again, self._forwards, self._spent, self._mode = None, False, 0, 0.0, giop.KEY
 
     @property
     def endpoint(self):
@@ -66,6 +67,7 @@ class Request:
     def answered(self, status, data, at, little):
         """Take the reply; True if the request is to be sent again, to `ref`, which has forwarded it or wants another form."""
         value = error = None
+        allowance.begin()
         try:
             if len(data) > self.most:
                 raise ValueError(f"more than {self.most} octets")
@@ -89,7 +91,8 @@ class Request:
 
     def _forward(self, status, data, at, little):
         self._forwards += 1
-        if self._forwards > FORWARDS:
+        self._spent += time.monotonic() - self.sent
+        if self._forwards > FORWARDS or self._spent > self.seconds:
             raise ValueError("forwarded again and again")
         if status == giop.NEEDS_ADDRESSING_MODE:
             self._mode, _ = operations.reader(descriptors.SHORT, little)(data, at)

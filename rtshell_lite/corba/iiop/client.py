@@ -99,7 +99,10 @@ def _as_text(value, descriptor):
         return f"<{from_wire(descriptors.type_id(descriptor))}>"
     if kind == descriptors.OBJECT:
         return "" if value is None else value.text()
-    return str(value) if value is not None else ""
+    try:
+        return str(value) if value is not None else ""
+    except RecursionError:  # of a recursive type
+        return "<nested too deep>"
 
 
 descriptor = idl.known

@@ -3,8 +3,9 @@ import struct
 from _thread import RLock
 
 from rtshell_lite.corba import cdr, descriptors, ior
-from rtshell_lite.corba.descriptors import ANY, EXCEPTION, OBJECT, STRING, TYPECODE
+from rtshell_lite.corba.descriptors import ANY, CHAR, EXCEPTION, FIXED, LONGDOUBLE, OBJECT, OCTET, PRINCIPAL, STRING, TYPECODE
 from rtshell_lite.corba.fixed_size import Fault
+from rtshell_lite.corba.iiop import allowance
 from rtshell_lite.corba.iiop.references import Reference
 
 TEXT = (STRING, 0)
@@ -36,7 +37,8 @@ class Maker(cdr.Maker):
     """Readers and writers of one byte order; `depth` counts the values around, each in an any."""
 
     forms = dict(cdr.FORMS)
-    forms.update({OBJECT: "reference", ANY: "any", TYPECODE: "typecode", EXCEPTION: "struct"})
+    forms.update({OBJECT: "reference", ANY: "any", TYPECODE: "typecode", EXCEPTION: "struct",
+                  FIXED: "rare", LONGDOUBLE: "rare", PRINCIPAL: "rare"})
 
     def __init__(self, order, depth=0):
         super().__init__(order)
@@ -50,6 +52,16 @@ class Maker(cdr.Maker):
         with self._lock:
             return super().writer(descriptor)
 
+    def _elements_reader(self, element):
+        read = super()._elements_reader(element)
+        if descriptors.kind(descriptors.target(element)) in cdr.NUMBERS + (OCTET, CHAR):
+            return read
+
+        def counted(data, at, size):
+            allowance.spend(size)
+            return read(data, at, size)
+        return counted
+
     def read_sequence(self, descriptor):
         return self._pairs_reader() if _is_nvlist(descriptor) else super().read_sequence(descriptor)
 
@@ -62,6 +74,7 @@ class Maker(cdr.Maker):
 
         def read(data, at):
             size, at = self._size(data, at, 0, 8)
+            allowance.spend(size)
             found, last = [], len(data) - start.size
             for _ in range(size):
                 at += -at & 3
@@ -191,3 +204,7 @@ class Maker(cdr.Maker):
             from rtshell_lite.corba.iiop import typecodes
             return typecodes.read(data, at, order)
         return read
+
+    def read_rare(self, descriptor):
+        from rtshell_lite.corba import rare
+        return rare.reader(descriptor, self.order)

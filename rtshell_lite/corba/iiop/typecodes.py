@@ -8,6 +8,7 @@ from rtshell_lite import errors
 from rtshell_lite.corba import descriptors
 from rtshell_lite.corba.descriptors import ALIAS, ARRAY, ENUM, EXCEPTION, FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING
 from rtshell_lite.corba.fixed_size import Fault
+from rtshell_lite.corba.iiop import allowance
 
 INDIRECTION = 0xffffffff
 PLAIN = tuple(range(OBJECT)) + (23, 24, 25, 26)  # those of which the kind says all: null to Principal, long long to wchar
@@ -16,10 +17,13 @@ PLAIN = tuple(range(OBJECT)) + (23, 24, 25, 26)  # those of which the kind says 
 def read(data, at, order):
     """(descriptor, where it ends) of the TypeCode at `at`. Raises Fault, struct.error, IndexError."""
     reader = _Reader(data, at, order, 0)
+    adoption = descriptors.Adoption(most=allowance.spend(0) // allowance.TYPE)
     try:
-        return descriptors.adopted(reader.typecode({}, descriptors.DEEPEST)), reader.at
+        return adoption.take(reader.typecode({}, descriptors.DEEPEST), descriptors.DEEPEST), reader.at
     except errors.BadType as e:
         raise Fault(str(e))
+    finally:
+        allowance.spend(adoption.count * allowance.TYPE)
 
 
 class _Reader:
@@ -49,6 +53,7 @@ class _Reader:
         found = self.number()
         if found * 4 > len(self.data) - self.at:
             raise Fault("%d parts are announced, but %d octets are left" % (found, len(self.data) - self.at))
+        allowance.spend(found)
         return found
 
     def inside(self):
@@ -96,7 +101,9 @@ class _Reader:
             return descriptors.enum(type_id, name, [self.text() for _ in range(self.count())])
         if kind in (STRUCT, EXCEPTION):
             members = [(self.text(), self.typecode(known, depth)) for _ in range(self.count())]
-            return (kind, None, type_id, name) + tuple(part for member in members for part in member)
+            if kind == EXCEPTION:  # whose value begins with its id
+                members.insert(0, ("_id", (STRING, 0)))
+            return (STRUCT, None, type_id, name) + tuple(part for member in members for part in member)
         if kind == UNION:
             return self.union(type_id, name, known, depth)
         raise Fault(f"a type of kind {kind}")
@@ -112,7 +119,7 @@ class _Reader:
         for number in range(self.count()):
             label = self.number(code)
             label = chr(label) if sort == descriptors.CHAR else label
-            label = 0 if number == default and descriptors.kind(switch) != descriptors.CHAR else label
+            label = 0 if number == default and sort != descriptors.CHAR else label
             cases.append((descriptors.label(switch, label), self.text(), self.typecode(known, depth)))
         if not -1 <= default < len(cases):
             raise Fault("a union whose default is no case of it")

@@ -1,0 +1,67 @@
+"""Values of types that robots hardly ever use: fixed, long double, Principal (CORBA 3.0, 15.3.1.4, 15.3.2.8); only read."""
+import math
+import struct
+
+from rtshell_lite.corba.descriptors import FIXED, LONGDOUBLE, kind
+from rtshell_lite.corba.fixed_size import Fault
+
+MOST_DIGITS = 31  # of a fixed
+
+
+def reader(descriptor, order):
+    """read(data, at) of a fixed (a text), a long double (a float, the nearest) or a Principal (octets)."""
+    if kind(descriptor) == FIXED:
+        return _fixed(*descriptor[1:])
+    return _long_double(order) if kind(descriptor) == LONGDOUBLE else _principal(order)
+
+
+def _fixed(digits, scale):
+    if not 0 < digits <= MOST_DIGITS or abs(scale) > MOST_DIGITS:
+        raise Fault(f"a fixed of {digits} digits")
+    size = digits // 2 + 1
+
+    def read(data, at):
+        nibbles = bytes(data[at:at + size]).hex()  # the last is the sign
+        number, sign = nibbles[:-1], {"c": "", "d": "-"}.get(nibbles[-1:])
+        if len(nibbles) < 2 * size or sign is None or not number.isdigit():
+            raise Fault("no fixed")
+        if scale <= 0:
+            return sign + str(int(number) * 10 ** -scale), at + size
+        number = number.zfill(scale + 1)
+        return f"{sign}{int(number[:-scale])}.{number[-scale:]}", at + size
+    return read
+
+
+def _long_double(order):
+    pair = struct.Struct(order + "QQ")
+
+    def read(data, at):
+        at += -at & 7
+        one, two = pair.unpack_from(data, at)
+        high, low = (two, one) if order == "<" else (one, two)
+        exponent, fraction = high >> 48 & 0x7fff, (high & (1 << 48) - 1) << 64 | low
+        if exponent == 0x7fff:
+            value = math.nan if fraction else math.inf
+        else:
+            value = _scaled((1 << 112 if exponent else 0) | fraction, max(exponent, 1) - 16383 - 112)
+        return (-value if high >> 63 else value), at + 16
+    return read
+
+
+def _scaled(number, exponent):
+    try:
+        return math.ldexp(number, exponent)
+    except OverflowError:
+        return math.inf
+
+
+def _principal(order):
+    count = struct.Struct(order + "I")
+
+    def read(data, at):
+        at += -at & 3
+        end = at + 4 + count.unpack_from(data, at)[0]
+        if end > len(data):
+            raise Fault("octets without an end")
+        return bytes(data[at + 4:end]), end
+    return read
