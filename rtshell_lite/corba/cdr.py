@@ -52,15 +52,21 @@ class Maker:
             hole = known[id(descriptor)]
             return hole[0] or (lambda first, second: hole[0](first, second))
         hole = known[id(descriptor)] = [None, descriptor]  # kept, so that its id stays its own
+        try:
+            hole[0] = self._new(descriptor, verb)
+        finally:
+            if hole[0] is None:  # as Ctrl-C struck, say
+                known.clear()  # of what is half made
+        return hole[0]
+
+    def _new(self, descriptor, verb):
         form = fixed(descriptor)
         if form:
-            hole[0] = getattr(self, verb + "_fixed")(form)
-        else:
-            form = self.forms.get(kind(descriptor))
-            if form is None:
-                raise Fault(f"a value of kind {kind(descriptor)}")
-            hole[0] = getattr(self, f"{verb}_{form}")(descriptor)
-        return hole[0]
+            return getattr(self, verb + "_fixed")(form)
+        form = self.forms.get(kind(descriptor))
+        if form is None:
+            raise Fault(f"a value of kind {kind(descriptor)}")
+        return getattr(self, f"{verb}_{form}")(descriptor)
 
     def read_fixed(self, form):
         forms, make = Forms(self.order, form.codes), form.make

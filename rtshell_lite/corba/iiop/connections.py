@@ -16,6 +16,8 @@ PIECE = 16384  # octets received at a time: buffers of more are slow to allocate
 AT_A_TIME = 64  # pieces of one connection; then others have their turn, too
 _AT_ONCE = _socket.MSG_DONTWAIT
 SWEEP = 10.0  # seconds between two looks for idle connections that the peer has closed
+MOST_LOOK_UPS = 32  # names of hosts that are looked up at a time, with a thread each
+_looking_up = set()
 _idle = {}  # {endpoint: [Connection]} for the next calls, at most one for each lane
 _swept = time.monotonic()
 _spoken = {}  # {endpoint: the x of GIOP 1.x}, for peers that did not understand a later one
@@ -41,6 +43,14 @@ def kept(endpoint):
     except IndexError:  # another thread was faster
         pass
     return None
+
+
+def forget(*endpoints):
+    """Close the connections that earlier calls have left, to these processes; True if there were any."""
+    left = [connection for endpoint in endpoints for connection in _idle.pop(endpoint, ())]
+    for connection in left:
+        connection.close()
+    return bool(left)
 
 
 def _sweep():
@@ -97,6 +107,7 @@ class Connection:
         for endpoint in itertools.chain([self.endpoint], _lazily(others)):
             look_up = LookUp(endpoint)
             while look_up.found is None:
+                look_up.begin()
                 yield None
             if isinstance(look_up.found, OSError):
                 self._error = self._error or look_up.found
@@ -130,6 +141,8 @@ class Connection:
             self._socket.setblocking(False)
             return self._socket.connect_ex(place)
         except OSError as e:
+            if e.errno in (errno.EMFILE, errno.ENFILE) and forget(*list(_idle)):
+                return self._begun_with(family, kind, protocol, None, place)
             return e.errno
 
     def _failed(self, code):
@@ -324,7 +337,8 @@ def _limit(sock, seconds):
 class LookUp:
     """The places where a process at (host, port) may be: `found` is a list as of getaddrinfo, an OSError, or None for not yet.
 
-    Names that others resolve may take long, and nothing can interrupt that: a thread asks.
+    Names that others resolve may take long, and nothing can interrupt that: once `begin` is called, a thread asks, if not too many
+    ask already.
     """
 
     def __init__(self, endpoint):
@@ -338,8 +352,25 @@ class LookUp:
             self._host = host.encode("utf-8", "surrogateescape")
         self._ask(0 if host == "localhost" else _socket.AI_NUMERICHOST)
         if isinstance(self.found, OSError) and host != "localhost":
-            self.found = None
-            lanes.start(self._ask)
+            self.found, self._has_begun = None, False
+
+    def begin(self):
+        """Ask others, unless that has been done; does nothing while many are being asked."""
+        if self._has_begun or len(_looking_up) >= MOST_LOOK_UPS:
+            return
+        self._has_begun = True
+        _looking_up.add(self)
+        try:
+            lanes.start(self._ask_others)
+        except errors.Shortage as e:
+            self.found = OSError(0, str(e))
+            _looking_up.discard(self)
+
+    def _ask_others(self):
+        try:
+            self._ask()
+        finally:
+            _looking_up.discard(self)
 
     def _ask(self, flags=0):
         try:

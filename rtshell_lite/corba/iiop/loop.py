@@ -108,6 +108,9 @@ class _Task:
                 return self._end(lanes.alone(e))
             if isinstance(awaited, tasks.Sleep):
                 return self.loop.wake(self, awaited.seconds)
+            if lanes.is_over():
+                value, error = None, errors.Silent(str(awaited.where), lanes.NO_TIME)
+                continue
             self.request = calls.Request(awaited, self._answered)
             silence = self.loop.silence(self.request, self.peer.endpoint)
             if not silence:
@@ -324,6 +327,8 @@ class _Loop:
             peer.waiting.clear()
         is_cut = isinstance(e, (connections.Closed, ConnectionResetError, BrokenPipeError))
         untouched = connection.untouched() if getattr(e, "untouched", False) else ()
+        if is_cut:
+            connections.forget(peer.endpoint)  # the others are no better, where the peer has been started again
         is_older = isinstance(e, giop.Misunderstood) and connection.may_speak(e.minor)
         for request in lost:
             is_untouched = request in untouched

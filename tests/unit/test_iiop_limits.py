@@ -1,0 +1,144 @@
+"""Our own ORB at its limits: time that is over, files that are used up, names that nobody resolves, connections that are stale."""
+import _socket
+import errno
+import struct
+import threading
+import time
+import types
+import unittest
+from unittest import mock
+
+from giop_peers import Calls, Peer, answer
+from rtshell_lite import errors
+from rtshell_lite.corba import cdr, descriptors, lanes, orb
+from rtshell_lite.corba.iiop import client, connections, giop, marshal, operations
+
+
+class Time(Calls):
+    def test_no_call_begins_after_the_end_of_the_session(self):
+        """However quickly those before were answered."""
+        peer, asked = self.script_of(answer), []
+
+        async def ask():
+            for number in range(10):
+                if number == 3:
+                    lanes.session.end = time.monotonic() - 1
+                try:
+                    asked.append(await orb.Call("w", peer.ref, "_non_existent"))
+                except errors.Silent as e:
+                    asked.append(e.why)
+        self.run_tasks((peer.ref, ask))
+        self.assertEqual(asked, [False] * 3 + [lanes.NO_TIME] * 7)
+
+    def test_forwards_take_no_longer_than_two_answers(self):
+        lanes.session.timeout = 0.6
+        body = bytearray(24)
+
+        def play(pending):
+            if not pending:
+                return None
+            time.sleep(0.4)
+            found = b"".join(answer(number, bytes(body[24:]), giop.FORWARD) for number, _ in pending)
+            pending.clear()
+            return found
+        peer = self.script(play)
+        marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(body, peer.ref)
+        begun = time.monotonic()
+        with self.assertRaisesRegex(errors.Unreachable, "forwarded again and again|no answer"):
+            client.invoke(orb.Call("w", peer.ref, "_non_existent"))
+        self.assertLess(time.monotonic() - begun, 2.4)  # eight forwards took 3.2
+
+
+class Connections(Calls):
+    def setUp(self):
+        super().setUp()
+        connections.forget(*list(connections._idle))
+        self.addCleanup(lambda: connections.forget(*list(connections._idle)))
+
+    def test_stale_ones_are_forgotten_together(self):
+        """A host that was switched off and on knows none of them, and it lives."""
+        peer = Peer(*[answer(1)] * 3)
+        self.addCleanup(peer.close)
+        ref = client.from_url("w", f"corbaloc::127.0.0.1:{peer.port}/x")
+        endpoint = ref.address[1:3]
+        stale = []
+        for _ in range(3):
+            one = connections.Connection(endpoint)
+            one.waits_for, one.has_answered, one._ways = None, True, None
+            one._socket, far = _socket.socketpair()
+            stale.append((one, far))
+        connections._idle[endpoint] = [one for one, _ in stale]
+        with mock.patch.object(connections.Connection, "is_idle", lambda self: True):  # nobody has told us
+            for _, far in stale:
+                far.close()
+            self.assertIs(client.invoke(orb.Call("w", ref, "_non_existent")), False)
+        self.assertEqual(peer.asked, 1)
+
+    def test_files_that_idle_ones_use(self):
+        first, second = [self.script_of(lambda number: answer(number)) for _ in range(2)]
+        client.invoke(orb.Call("w", first.ref, "_non_existent"))
+
+        def scarce(*args):
+            if connections._idle.get(first.ref.address[1:3]):
+                raise OSError(errno.EMFILE, "Too many open files")
+            return _socket.socket(*args)
+        with mock.patch.object(connections, "_socket", types.SimpleNamespace(**dict(vars(_socket), socket=scarce))):
+            self.assertIs(client.invoke(orb.Call("w", second.ref, "_non_existent")), False)
+        self.assertIsNone(lanes.session.shortage)
+
+
+class Names(Calls):
+    def test_few_are_looked_up_at_a_time(self):
+        """Each takes a thread, and a hostile name server gives thousands."""
+        lanes.session.timeout = 0.5
+        free, most = threading.Event(), []
+
+        def hanging(host, port, family, kind, protocol, flags):
+            if not flags:
+                most.append(threading.active_count())
+                free.wait(30)
+            raise _socket.gaierror(-2, "unknown")
+        refs = [client.from_url("w", f"corbaloc::robot{number}.example:1/x") for number in range(200)]
+        before = threading.active_count()
+        with mock.patch.object(connections._socket, "getaddrinfo", hanging):
+            found = self.run_tasks(*map(self.asking, refs))
+            free.set()
+            while connections._looking_up:
+                time.sleep(0.01)
+        self.assertEqual({error.why for error in found}, {lanes.no_answer(0.5)})
+        self.assertLessEqual(max(most) - before, connections.MOST_LOOK_UPS)
+
+    def test_out_of_threads(self):
+        """It costs the name, not all that is asked."""
+        peer = self.script_of(lambda number: answer(number))
+        ref = client.from_url("w", "corbaloc::robot.example:1/x")
+        with mock.patch.object(lanes, "start", side_effect=errors.Shortage("threads", "no more")):
+            lost, found = self.run_tasks(self.asking(ref), self.asking(peer.ref))
+        self.assertIs(found, False)
+        self.assertIn("out of threads here: no more", lost.why)
+
+
+class Readers(unittest.TestCase):
+    def test_one_that_was_half_made_when_a_signal_struck(self):
+        """It is made again: in rtsh others are to use it."""
+        nvlist = orb.idl.descriptor("IDL:org.omg/SDOPackage/NVList:1.0")
+        for nth in range(1, 8):
+            maker, made = marshal.Maker("<"), []
+
+            def struck(descriptor):
+                made.append(descriptor)
+                if len(made) == nth:
+                    raise KeyboardInterrupt
+                return real(descriptor)
+            real = cdr.fixed
+            with mock.patch.object(cdr, "fixed", struck):
+                try:
+                    maker.reader(nvlist)
+                except KeyboardInterrupt:
+                    pass
+            self.assertEqual(maker.reader(nvlist)(struct.pack("<I", 0), 0), ([], 4))
+        self.assertIs(operations.reader(nvlist, 1), operations.reader(nvlist, 1))
+
+
+if __name__ == "__main__":
+    unittest.main()
