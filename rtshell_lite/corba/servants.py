@@ -11,17 +11,16 @@ from rtshell_lite.corba import ior, orb
 
 
 class InPortCdr:
-    """Receives what an out port pushes by corba_cdr, and passes (nanoseconds since 1970, bytes) to a function."""
+    """Receives what an out port pushes by corba_cdr, and passes (nanoseconds since 1970, bytes) to a function: False, no room."""
 
     interface = "OpenRTM.InPortCdr"
 
     def __init__(self, take):
         self.take = take
-        self.done = orb.items("OpenRTM.PortStatus")[0]
+        self.done, _, self.full = orb.items("OpenRTM.PortStatus")[:3]
 
     def put(self, data):
-        self.take(int(time.time() * 1e9), data)
-        return self.done
+        return self.done if self.take(int(time.time() * 1e9), data) else self.full
 
 
 class DataPushService:
@@ -31,11 +30,10 @@ class DataPushService:
 
     def __init__(self, take):
         self.take = take
-        self.done = orb.items("RTC.PortStatus")[0]
+        self.done, _, self.full = orb.items("RTC.PortStatus")[:3]
 
     def push(self, data):
-        self.take(int(time.time() * 1e9), data)
-        return self.done
+        return self.done if self.take(int(time.time() * 1e9), data) else self.full
 
 
 RECEIVERS = {"corba_cdr": InPortCdr, "data_service": DataPushService}

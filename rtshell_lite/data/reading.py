@@ -19,6 +19,7 @@ Message = collections.namedtuple("Message", "received data little")
 
 QUEUE = 4096  # values that the port may queue while writes are counted
 BUFFER, BUFFER_BYTES = 256, 16 << 20  # values, and their bytes, that the port may queue for a slow reader
+EACH = 200  # bytes that a value takes besides its own
 FEWEST = 4  # values that it may queue however large they are
 POLL = 0.02  # seconds between two fetches from an empty queue
 ANSWERED = 0.05  # seconds from the answer to a fetch until the component has left the connector
@@ -49,7 +50,7 @@ class Reader(Connection):
         self.ended, self.came = threading.Event(), threading.Event()  # no more values are wanted; one came all the same
         self.count = self.seen = 0  # values so far, and at the last look
         self.served = None
-        self.early = []  # values that came before the byte order was known
+        self.early, self.early_bytes = [], 0  # values that came before the byte order was known
 
     def wishes(self):
         common = {"dataport.buffer.length": str(self.room)}
@@ -71,24 +72,33 @@ class Reader(Connection):
         with self.lock:
             for received, data in self.early:
                 self.deliver(Message(received, data, self.little))
-            self.early = None
+            self.early, self.early_bytes = None, 0
         if self.dataflow == "pull":
             get = fetcher(self)
             self.idle.clear()
             lanes.start(self._poll, get, self.ended)
 
     def _take(self, received, data):
+        """Take a value; False if there is no room for it."""
+        if self.early is not None:
+            with self.lock:
+                if self.early is not None:
+                    if self.early_bytes > BUFFER_BYTES:
+                        return False
+                    self.early.append((received, data))
+                    self.early_bytes += len(data) + EACH
+                    self._count(data)
+                    return True
+        self._count(data)
+        if not self.closing.is_set():
+            self.deliver(Message(received, data, self.little))
+        return True
+
+    def _count(self, data):
         self.count += 1
         self.heaviest = max(self.heaviest, len(data))
         if self.ended.is_set():
             self.came.set()
-        if self.early is not None:
-            with self.lock:
-                if self.early is not None:
-                    self.early.append((received, data))
-                    return
-        if not self.closing.is_set():
-            self.deliver(Message(received, data, self.little))
 
     def _poll(self, get, ended):
         lanes.become_lane(self.endpoint)

@@ -14,7 +14,7 @@ LOST = 3 * BEAT  # after these a missing heartbeat is reported
 LOOK = 1.0  # seconds between questions whether a component lives, or is back
 RATE = 1 / component.POLL  # Hz
 TICK = 0.1
-MOST = 100000  # items that may wait to be printed
+MOST, MOST_CHARACTERS = 100000, 16 << 20  # items that may wait to be printed, and of the texts in them
 STARTING = 1.0  # seconds for threads to start in after Ctrl-C
 HURRY = 0.1  # seconds to wait for answers after Ctrl-C: C++ 2.1 removes an observer at once, but answers after a heartbeat, 1 s
 
@@ -198,6 +198,11 @@ class Watched:
         self.watch.put(self, Event(time.time(), LIFE, "", word))
 
 
+def _size(item):
+    """Characters of the texts in an Event or a Record."""
+    return sum(len(part) for part in item if isinstance(part, str))
+
+
 class Watch:
     """Several components that are being watched; to be closed, whatever happens."""
 
@@ -206,7 +211,7 @@ class Watch:
         self.what, self._note = what, note
         self.watched, self._subscriptions = [], []
         self._items = interrupts.Mailbox(MOST)
-        self.dropped = 0
+        self.dropped = self._characters = 0  # the latter: of texts that wait
         self._ended = threading.Event()
         self._guard = threading.Lock()
 
@@ -251,8 +256,12 @@ class Watch:
                 self.note(watched, {"DIED": "its process is gone", "BACK": "is back", "EXITED": "has exited",
                                     "ANSWERS": "answers again"}[item.event])
             return
-        if not self._items.put((watched, item)):
-            self.dropped += 1
+        with self._guard:
+            size = _size(item)
+            if self._characters + size > MOST_CHARACTERS or not self._items.put((watched, item)):
+                self.dropped += 1
+            else:
+                self._characters += size
 
     def _unknown(self, item):
         return item.kind not in KINDS and len(self.what.kinds) == len(KINDS)
@@ -273,6 +282,8 @@ class Watch:
             idle()
             item = self._items.get(left)
             if item is not None:
+                with self._guard:
+                    self._characters -= _size(item[1])
                 yield item
                 number -= 1
         if self.dropped:

@@ -6,6 +6,7 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import cli, errors, path
+from rtshell_lite.corba import servants
 from rtshell_lite.data import port_words, rates, reading, sender, watcher
 from rtshell_lite.robot import ports
 
@@ -43,6 +44,19 @@ class Closing(unittest.TestCase):
         with mock.patch.object(reading.time, "sleep", slept.append):
             self.assertTrue(reader.is_at_rest())
         self.assertEqual(slept, [reading.HANDED_OVER])
+
+
+class Early(unittest.TestCase):
+    def test_values_that_come_before_the_connection_is_made(self):
+        """They wait in memory, so that there is an end: a component that goes on is told that the buffer is full."""
+        for receiver in servants.RECEIVERS.values():
+            reader = idle_reader()
+            reader.early, reader.early_bytes, reader.lock, reader.count, reader.heaviest = [], 0, threading.Lock(), 0, 0
+            servant = receiver(reader._take)
+            put = getattr(servant, "put", None) or servant.push
+            with mock.patch.object(reading, "BUFFER_BYTES", 1000):
+                self.assertEqual([str(put(b"x" * 400)) for _ in range(3)], ["PORT_OK", "PORT_OK", "BUFFER_FULL"])
+            self.assertEqual((reader.count, len(reader.early)), (2, 2))
 
 
 class Live(unittest.TestCase):

@@ -38,13 +38,23 @@ class Hostile(Served):
         self.assertRefused(whole(0, head[12:] + struct.pack("<I", 1 << 20) + bytes(8 << 20)))
 
     def test_heads_without_measure(self):
-        """Each caller's last one is kept."""
-        much = "x" * (1 << 20)
-        self.assertRefused(request(self.key, much))
-        self.assertRefused(request(much.encode(), "put"))
-        self.assertRefused(request(self.key, "put", block(b""), contexts=much.encode()))
-        self.assertRefused(request(self.key, "put", block(b""), contexts=much.encode(), minor=0))
-        self.assertRefused(request(much.encode(), "", kind=requests.LOCATE))
+        """Each caller's last one is kept, but not those."""
+        much = "x" * 65536
+        remembered = self.remembered()
+        clients = []
+        for message in (request(self.key, much), request(much.encode(), "put"), request(much.encode(), "", kind=requests.LOCATE),
+                        request(self.key, "put", block(b""), contexts=much.encode()),
+                        request(self.key, "put", block(b""), contexts=much.encode(), minor=0)):
+            for _ in range(20):
+                clients.append(self.client())
+                self.assertTrue(clients[-1].ask(message))
+        self.assertLess(remembered(), 150 * len(much))  # of which the buffers of 100 callers are two thirds
+
+    def test_long_texts(self):
+        """What carries no data has no megabytes: each text would wait to be printed."""
+        hint = struct.pack("<I", 0) + block(b"x" * (5 << 20) + b"\0")
+        self.assertEqual(self.ask(self.observed, "update_status", hint), ("IMP_LIMIT", requests.NO))
+        self.assertEqual(self.observer.heard, [])
 
     def test_the_other_side_ends(self):
         for kind in (giop.CLOSE, giop.ERROR):

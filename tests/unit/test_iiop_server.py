@@ -92,6 +92,7 @@ class Answers(Served):
                 message = bytearray(request(self.key, operation, kind=kind))
                 message[20 if operation else 16] = way
                 found = self.client().ask(bytes(message))
+                self.assertEqual(found[7], giop.REPLY if operation else requests.LOCATED)
                 self.assertEqual(struct.unpack_from("<II", found, 12), (1, giop.NEEDS_ADDRESSING_MODE))
                 self.assertEqual(found[-2:], b"\0\0")
                 self.assertEqual(giop.size(found), len(found) - 12)

@@ -5,7 +5,7 @@ from unittest import mock
 
 from rtshell_lite import errors, path
 from rtshell_lite.events import watch
-from rtshell_lite.events.observer import event
+from rtshell_lite.events.observer import Record, event
 
 
 class Hints(unittest.TestCase):
@@ -58,6 +58,22 @@ class Names(unittest.TestCase):
     def test_those_that_share_one_are_called_by_their_paths(self):
         self.assertEqual(self.names("/h/a.cxt/Arm0.rtc", "/h", "/h/b.cxt/Arm0.rtc", "/h/b.cxt/Hand0.rtc"),
                          ["/h/a.cxt/Arm0.rtc", None, "/h/b.cxt/Arm0.rtc", "Hand0.rtc"])
+
+
+class Waiting(unittest.TestCase):
+    def test_what_waits_to_be_printed_has_few_megabytes(self):
+        """Who reads may have stopped, and records may be long."""
+        said = []
+        watching = watch.Watch(watch.Records("NORMAL", []), said.append)
+        watching.watched = [mock.Mock()]
+        with mock.patch.object(watch, "MOST_CHARACTERS", 3000):
+            for _ in range(3):
+                watching.put(watching.watched[0], Record(1.0, "arm", "INFO", "x" * 1000))
+            self.assertEqual(len(list(watching.follow(2, 5, mock.Mock()))), 2)
+            watching.put(watching.watched[0], Record(2.0, "arm", "INFO", "x" * 2000))
+            (_, record), = watching.follow(1, 5, mock.Mock())
+        self.assertEqual(record.time, 2.0)
+        self.assertIn("1 lines dropped", said[0])
 
 
 class Ending(unittest.TestCase):

@@ -4,26 +4,25 @@ import struct
 from rtshell_lite.corba.iiop import giop, marshal, operations
 
 REQUEST, CANCEL, LOCATE, LOCATED = 0, 2, 3, 4  # kinds of messages; giop.py has the others
-LONGEST_HEAD = 65536  # octets of a request before its arguments, which its caller keeps; real ones have some 150
 NO, MAYBE = 1, 2  # whether what raised an exception was completed
 _ANSWER, _LOCATED = struct.Struct("<4s4BIIII"), struct.Struct("<4s4BIII")
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "H")) for order in "><"]
 
 
 class Request:
-    """A Request or LocateRequest, given whole: its id, its operation ("" to locate), the key of its object (None where the
-    caller names it otherwise), where the arguments begin in `data`. Raises Garbled, struct.error, IndexError.
+    """A Request (it `asks`) or LocateRequest, given whole: its id, its operation, the key of its object (None where the caller
+    names it otherwise), where the arguments begin in `data`. Raises Garbled, struct.error, IndexError.
     """
 
     def __init__(self, data):
         self.data, self.at, self.minor, self.little = data, None, data[5], data[6] & giop.LITTLE
         self.one, short = _ORDERS[self.little]
-        asks, self.operation, self.is_answered, at = data[7] == REQUEST, "", True, giop.HEADER
-        if asks and self.minor < 2:
+        self.asks, self.operation, self.is_answered, at = data[7] == REQUEST, "", True, giop.HEADER
+        if self.asks and self.minor < 2:
             at = giop.after_contexts(data, at, self.one)
         self.id, = self.one.unpack_from(data, at)
         at += 4
-        if asks:
+        if self.asks:
             self.is_answered = bool(data[at] & 1)
             at += 4 if self.minor else 1
         if self.minor == 2:
@@ -32,13 +31,11 @@ class Request:
                 return
             at += 2
         self.key, at = self._octets(at)
-        if asks:
+        if self.asks:
             name, at = self._octets(at)
             self.operation = name[:-1].decode("latin-1")
-            self.at = at = self._arguments(at)
-            self.form, self.head = bytes(data[4:8]), bytes(data[16:at])
-        if at > LONGEST_HEAD:
-            raise giop.Garbled(f"a head of {at} octets")
+            self.at = self._arguments(at)
+            self.form, self.head = bytes(data[4:8]), bytes(data[16:self.at])
 
     def again(self, data):
         """Take on a message that differs in its id and its arguments only; False if it differs in more."""
@@ -86,7 +83,7 @@ def failed(request, name, completed=NO):
 
 def needs_key(request):
     """The answer to who names an object by a profile or a reference."""
-    out = answer(request, giop.NEEDS_ADDRESSING_MODE) if request.operation else located(request, giop.NEEDS_ADDRESSING_MODE)
+    out = answer(request, giop.NEEDS_ADDRESSING_MODE) if request.asks else located(request, giop.NEEDS_ADDRESSING_MODE)
     return sized(out + struct.pack("<H", giop.KEY))
 
 

@@ -14,11 +14,12 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import idl, lanes
-from rtshell_lite.corba.iiop import giop, operations, references, requests
+from rtshell_lite.corba.iiop import allowance, giop, operations, references, requests
 
 MOST = 500  # connections
 MOST_PARTS = 8  # messages of a connection whose fragments are still coming
 MOST_OCTETS = 2 * giop.LARGEST  # of all messages that are still coming
+LONGEST_KEPT = 2048  # octets of a request before its arguments that are kept, to compare the next one with; real ones have some 150
 ROOM = 4096  # octets that a connection can receive before it has sent any
 UNFINISHED, IDLE = 60.0, 180.0  # seconds until a connection is closed within a message, or between two; omniORB's is the same
 SWEEP = 5.0  # seconds between two looks for those
@@ -118,9 +119,11 @@ class Caller:
 
     def request(self, data):
         """The Request in a message; most differ from the last one only in their ids and arguments. Raises as Request does."""
-        if self.last is None or not self.last.again(data):
-            self.last = requests.Request(data)
-        return self.last
+        if self.last is not None and self.last.again(data):
+            return self.last
+        found = requests.Request(data)
+        self.last = found if found.at and found.at <= LONGEST_KEPT else None
+        return found
 
     def send(self, data=b""):
         """Send an answer, and those before it, as far as the caller takes them. Raises OSError."""
@@ -166,7 +169,10 @@ class Server:
                 time.sleep(lanes.TICK)
             return
         connection.setblocking(False)
-        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        try:
+            connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        except OSError:  # on macOS, where it has ended already
+            pass
         caller = Caller(connection)
         self.callers.add(caller)
         self.selector.register(connection, selectors.EVENT_READ, caller)
@@ -260,6 +266,9 @@ class Server:
             readers, writers, octets = operations.served(interface, request.operation)
         except KeyError:
             return requests.failed(request, "BAD_OPERATION")
+        if not octets and len(request.data) > giop.LARGE:
+            return requests.failed(request, "IMP_LIMIT")
+        allowance.begin()
         data, arguments, at = request.data if octets else bytes(request.data), [], request.at
         try:
             for read in readers[request.little]:
