@@ -136,11 +136,13 @@ class Calls(unittest.TestCase):
         self.assertIsNone(connection.wanted()[0])
 
     def test_garbage(self):
-        for bad in (b"HTTP/1.1 400 Bad Request\r\n\r\n", answer(2), answer(1, b""), b"GIOP\1\2\1\6" + bytes(4), answer(1, status=9),
-                    b"GIOP\1\2\1\1\xff\xff\xff\xff", b"GIOP\1\2\1\7" + bytes(4)):
+        for bad, why in ((b"HTTP/1.1 400 Bad Request\r\n\r\n", "not GIOP"), (answer(2), "a reply to another request"),
+                         (answer(1, b""), "it ends too early"), (b"GIOP\1\2\1\6" + bytes(4), "the peer did not understand us"),
+                         (answer(1, status=9), "a reply of status 9"), (b"GIOP\1\2\1\7" + bytes(4), "it ends too early"),
+                         (b"GIOP\1\2\1\1\xff\xff\xff\xff", "a message of 4294967295 octets")):
             with self.assertRaises(errors.Unreachable, msg=bad) as caught:
                 self.ask(bad)
-            self.assertIn("garbled answer", str(caught.exception))
+            self.assertEqual(caught.exception.why, f"garbled answer ({why})")
 
     def test_a_reply_of_many_small_parts(self):
         with self.assertRaises(errors.Unreachable) as caught:

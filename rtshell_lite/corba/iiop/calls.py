@@ -131,7 +131,14 @@ class Request:
             return errors.Unreachable(where, "cannot be reached" + (f" ({e.strerror})" if e.strerror else ""))
         if isinstance(e, ior.BadReference):  # the answer can be read; it costs what the reference is bound to, not who sent it
             return errors.Garbled(where, str(e))
-        return errors.Unreachable(where, f"garbled answer ({e})")
+        return errors.Unreachable(where, f"garbled answer ({_words(e)})")
+
+
+def _words(e):
+    """What is wrong with an answer, by what reading it raised."""
+    if isinstance(e, RecursionError):
+        return "nested too deep"
+    return "it ends too early" if isinstance(e, (StructError, IndexError)) else e
 
 
 def _system_exception(data, at, little):
