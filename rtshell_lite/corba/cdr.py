@@ -55,8 +55,8 @@ class Maker:
         try:
             hole[0] = self._new(descriptor, verb)
         finally:
-            if hole[0] is None:  # as Ctrl-C struck, say
-                known.clear()  # of what is half made
+            if hole[0] is None:  # Ctrl-C, say: forget what is half made
+                known.clear()
         return hole[0]
 
     def _new(self, descriptor, verb):

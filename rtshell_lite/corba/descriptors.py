@@ -284,15 +284,15 @@ def adopted(descriptor, find=None, classes=False):
 
 
 class Adoption:
-    def __init__(self, find=None, classes=False, most=LARGEST):
-        self.find, self.classes, self.most, self.count, self.sequences = find, classes, most, 0, 0  # count: types, items of enums
+    def __init__(self, find=None, classes=False, most=LARGEST, each=1):  # most: types and items; `each` struct and union counts so
+        self.find, self.classes, self.most, self.each, self.count, self.sequences = find, classes, most, each, 0, 0
         self.open = {}  # id of each struct or union around this place → its hole, and the sequences around it
 
     def take(self, descriptor, depth):
-        self.count += len(items(descriptor)) if kind(descriptor) == ENUM else 1
+        sort = kind(descriptor)
+        self.count += len(items(descriptor)) if sort == ENUM else self.each if sort in (STRUCT, UNION) else 1
         if depth < 0 or self.count > self.most:
             raise errors.BadType(name(descriptor), "is nested too deep or too large")
-        sort = kind(descriptor)
         if not isinstance(descriptor, tuple):
             return descriptor
         if sort in (STRING, WSTRING, OBJECT, FIXED):

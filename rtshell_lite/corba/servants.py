@@ -11,7 +11,9 @@ from rtshell_lite.corba import ior, orb
 
 
 class InPortCdr:
-    """Receives what an out port pushes by corba_cdr, and passes (nanoseconds since 1970, bytes) to a function: False, no room."""
+    """Receives what an out port pushes by corba_cdr, and passes (nanoseconds since 1970, bytes) to a function, which
+    returns False when it has no room.
+    """
 
     interface = "OpenRTM.InPortCdr"
 

@@ -211,7 +211,7 @@ class Watch:
         self.what, self._note = what, note
         self.watched, self._subscriptions = [], []
         self._items = interrupts.Mailbox(MOST)
-        self.dropped = self._characters = 0  # the latter: of texts that wait
+        self.dropped = self._came = self._gone = 0  # the latter: characters of the texts that came, and of those given out
         self._ended = threading.Event()
         self._guard = threading.Lock()
 
@@ -258,10 +258,10 @@ class Watch:
             return
         with self._guard:
             size = _size(item)
-            if self._characters + size > MOST_CHARACTERS or not self._items.put((watched, item)):
+            if self._came - self._gone + size > MOST_CHARACTERS or not self._items.put((watched, item)):
                 self.dropped += 1
             else:
-                self._characters += size
+                self._came += size
 
     def _unknown(self, item):
         return item.kind not in KINDS and len(self.what.kinds) == len(KINDS)
@@ -282,8 +282,7 @@ class Watch:
             idle()
             item = self._items.get(left)
             if item is not None:
-                with self._guard:
-                    self._characters -= _size(item[1])
+                self._gone += _size(item[1])  # no lock: before Python 3.9, a signal may strike within `with`, and leave it locked
                 yield item
                 number -= 1
         if self.dropped:
@@ -303,21 +302,28 @@ class Watch:
 
         `hurried`: all processes are asked, but their answers are not waited for; those that were heard recently will do it.
         """
+        session, unasked = lanes.session, set()
+
         def detach(subscription):
-            unasked.discard(subscription.node.endpoint)
-            if hurried and not unasked:  # not earlier: on a busy computer a thread may wait for a processor for longer than that
-                lanes.session.end = time.monotonic() + HURRY
+            with self._guard:
+                if subscription.node.endpoint in unasked:
+                    unasked.discard(subscription.node.endpoint)
+                    if hurried and not unasked:  # not earlier: on a busy computer, a thread waits long for a processor
+                        session.end = time.monotonic() + HURRY
             subscription.detach()
         with interrupts.held():
             with self._guard:
                 self._ended.set()
-            unasked = {subscription.node.endpoint for subscription in self._subscriptions}
-            lanes.session.end = time.monotonic() + STARTING if hurried else None
+                endpoints = {subscription.node.endpoint for subscription in self._subscriptions}
+                unasked.update(endpoint for endpoint in endpoints if not lanes.Peer(endpoint).silence)
+                session.end = time.monotonic() + STARTING if hurried else None
             try:
                 values = lanes.each(self._subscriptions, detach,
                                     lambda subscription: (subscription.node.endpoint, subscription.where))
             finally:
-                lanes.session.end = None
+                with self._guard:
+                    unasked.clear()  # who is late changes nothing
+                    session.end = None
         unheard = [watched.subscription for watched in self.watched if not watched.is_heard()]
         for subscription, value in zip(self._subscriptions, values):
             if isinstance(value, errors.Silent) and (subscription in unheard or not hurried):

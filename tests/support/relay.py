@@ -14,17 +14,19 @@ class Relay:
     """Subclasses say what they make of what passes."""
 
     def __init__(self):
-        self.fronts = {}
+        self.fronts, self._real, self._lock = {}, {}, threading.Lock()  # ports: of ours by those behind, and the reverse
 
     def front(self, port):
         """The port in front of another one."""
-        if port not in self.fronts:
-            listener = socket.socket()
-            listener.bind(("127.0.0.1", 0))
-            listener.listen(64)
-            self.fronts[port] = listener.getsockname()[1]
-            threading.Thread(target=self._accept, args=(listener, port), daemon=True).start()
-        return self.fronts[port]
+        with self._lock:
+            if port not in self.fronts:
+                listener = socket.socket()
+                listener.bind(("127.0.0.1", 0))
+                listener.listen(64)
+                self.fronts[port] = listener.getsockname()[1]
+                self._real[self.fronts[port]] = port
+                threading.Thread(target=self._accept, args=(listener, port), daemon=True).start()
+            return self.fronts[port]
 
     def refused(self, message):
         """What is answered to a message in place of its receiver, or None."""
@@ -58,6 +60,8 @@ class Relay:
                 if request.expects_reply:
                     client.sendall(self.passed(request, HOST.sub(self._to_front, _whole(server))))
         except (EOFError, OSError):
+            pass
+        finally:
             client.close()
             server.close()
 
@@ -67,7 +71,7 @@ class Relay:
 
     def _behind(self, host):
         port, = struct.unpack("<H", host.group(1))
-        return b"127.0.0.1\0" + struct.pack("<H", next((real for real, front in self.fronts.items() if front == port), port))
+        return b"127.0.0.1\0" + struct.pack("<H", self._real.get(port, port))
 
 
 def _whole(server):

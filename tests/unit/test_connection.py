@@ -48,7 +48,7 @@ class Closing(unittest.TestCase):
 
 class Early(unittest.TestCase):
     def test_values_that_come_before_the_connection_is_made(self):
-        """They wait in memory, so that there is an end: a component that goes on is told that the buffer is full."""
+        """They wait in memory, so there is a limit: a component that goes on is told that the buffer is full."""
         for receiver in servants.RECEIVERS.values():
             reader = idle_reader()
             reader.early, reader.early_bytes, reader.lock, reader.count, reader.heaviest = [], 0, threading.Lock(), 0, 0

@@ -163,7 +163,7 @@ class Writing(Case):
         self.assertEqual(os.listdir(self.top), ["old"])
 
     def test_a_signal_as_the_new_file_takes_its_place(self):
-        """It is what the command ends from, not the name that is gone."""
+        """The signal ends the command, not an error about a name that is gone."""
         real = os.replace
 
         def struck(*names):

@@ -38,7 +38,7 @@ class Hostile(Served):
         self.assertRefused(whole(0, head[12:] + struct.pack("<I", 1 << 20) + bytes(8 << 20)))
 
     def test_heads_without_measure(self):
-        """Each caller's last one is kept, but not those."""
+        """Each caller's last one is kept, but not one this long."""
         much = "x" * 65536
         remembered = self.remembered()
         clients = []
@@ -51,7 +51,7 @@ class Hostile(Served):
         self.assertLess(remembered(), 150 * len(much))  # of which the buffers of 100 callers are two thirds
 
     def test_long_texts(self):
-        """What carries no data has no megabytes: each text would wait to be printed."""
+        """Only data may take megabytes: each text would wait to be printed."""
         hint = struct.pack("<I", 0) + block(b"x" * (5 << 20) + b"\0")
         self.assertEqual(self.ask(self.observed, "update_status", hint), ("IMP_LIMIT", requests.NO))
         self.assertEqual(self.observer.heard, [])

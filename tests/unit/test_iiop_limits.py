@@ -1,6 +1,7 @@
 """Our own ORB at its limits: time that is over, files that are used up, names that nobody resolves, connections that are stale."""
 import _socket
 import errno
+import socket
 import struct
 import threading
 import time
@@ -8,10 +9,31 @@ import types
 import unittest
 from unittest import mock
 
-from giop_peers import Calls, Peer, answer
+from giop_peers import Calls, Peer, Script, answer
 from rtshell_lite import errors
 from rtshell_lite.corba import cdr, descriptors, lanes, orb
 from rtshell_lite.corba.iiop import client, connections, giop, marshal, operations
+
+
+class Slowly(Script):
+    """Answers one request each tenth of a second."""
+
+    def _talk(self, connection):
+        data, pending = b"", []
+        connection.settimeout(0.1)
+        with connection:
+            while True:
+                try:
+                    piece = connection.recv(65536)
+                    if not piece:
+                        return
+                    data += piece
+                except socket.timeout:
+                    if pending:
+                        connection.sendall(self.play(pending.pop(0)))
+                while len(data) >= giop.HEADER and len(data) >= giop.HEADER + giop.size(data):
+                    pending.append(giop.number(data))
+                    data = data[giop.HEADER + giop.size(data):]
 
 
 class Time(Calls):
@@ -30,7 +52,18 @@ class Time(Calls):
         self.run_tasks((peer.ref, ask))
         self.assertEqual(asked, [False] * 3 + [lanes.NO_TIME] * 7)
 
-    def test_forwards_take_no_longer_than_two_answers(self):
+    def test_one_late_forward_is_none_too_many(self):
+        """A name server gets many questions at once, and each of its answers restarts the clock of all."""
+        lanes.session.timeout = 0.5
+        body = bytearray(24)
+        marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(body, self.script_of(lambda number: answer(number)).ref)
+        names = Slowly(lambda number: answer(number, bytes(body[24:]), giop.FORWARD))
+        self.addCleanup(names.close)
+        begun = time.monotonic()
+        self.assertEqual(self.run_tasks(*[self.asking(client.narrow(names.ref, "CosNaming.NamingContext"))] * 12), [False] * 12)
+        self.assertGreater(time.monotonic() - begun, 2 * lanes.session.timeout)
+
+    def test_forwards_take_no_longer_than_three_answers(self):
         lanes.session.timeout = 0.6
         body = bytearray(24)
 
@@ -88,6 +121,12 @@ class Connections(Calls):
 
 
 class Names(Calls):
+    def setUp(self):
+        super().setUp()
+        patch = mock.patch.object(connections, "_looking_up", {})
+        patch.start()
+        self.addCleanup(patch.stop)
+
     def test_few_are_looked_up_at_a_time(self):
         """Each takes a thread, and a hostile name server gives thousands."""
         lanes.session.timeout = 0.5
@@ -107,6 +146,31 @@ class Names(Calls):
                 time.sleep(0.01)
         self.assertEqual({error.why for error in found}, {lanes.no_answer(0.5)})
         self.assertLessEqual(max(most) - before, connections.MOST_LOOK_UPS)
+
+    def test_a_dead_host_with_many_processes(self):
+        """Its name is looked up once, and others are looked up beside it."""
+        lanes.session.timeout = 1.0
+        free, asked = threading.Event(), []
+        self.addCleanup(free.set)
+        peer = self.script_of(lambda number: answer(number))
+        _, host, port, _ = peer.ref.address
+        real = _socket.getaddrinfo
+
+        def found(name, port, family, kind, protocol, flags):
+            if flags:
+                raise _socket.gaierror(-2, "unknown")
+            asked.append(name)
+            if name == b"off.example":
+                free.wait(30)
+                raise _socket.gaierror(-2, "unknown")
+            return real(host, port, family, kind, protocol, flags)
+        refs = [client.from_url("w", f"corbaloc::off.example:{number}/x") for number in range(1, 101)]
+        refs.append(client.from_url("w", f"corbaloc::on.example:{port}/x"))
+        with mock.patch.object(connections._socket, "getaddrinfo", found):
+            values = self.run_tasks(*map(self.asking, refs))
+        self.assertIs(values.pop(), False)
+        self.assertEqual({error.why for error in values}, {lanes.no_answer(1.0)})
+        self.assertEqual(sorted(asked), [b"off.example", b"on.example"])
 
     def test_out_of_threads(self):
         """It costs the name, not all that is asked."""

@@ -1,9 +1,11 @@
 """What components tell observers, and what we make of it: if this fails, rtwatch shows words of the wire, or the wrong ones."""
 import threading
+import time
 import unittest
 from unittest import mock
 
 from rtshell_lite import errors, path
+from rtshell_lite.corba import lanes
 from rtshell_lite.events import watch
 from rtshell_lite.events.observer import Record, event
 
@@ -81,10 +83,26 @@ class Ending(unittest.TestCase):
         watching, asked = watch.Watch(watch.Events(watch.KINDS), self.fail), [threading.Event() for _ in range(3)]
         for number, event_of_it in enumerate(asked):
             watching.remember(mock.Mock(node=mock.Mock(endpoint=("h", number)), where="/h", detach=event_of_it.set))
-        with mock.patch.object(watch, "HURRY", 0):
+        with mock.patch.object(watch, "HURRY", 0), mock.patch.object(watch, "STARTING", 60):
             watching.close(hurried=True)
         for event_of_it in asked:
-            self.assertTrue(event_of_it.wait(5))
+            self.assertTrue(event_of_it.wait(60))
+
+    def test_one_that_is_slow_is_not_waited_for(self):
+        """Nor are those of a process that is silent, which are not asked."""
+        watching, free, notes = watch.Watch(watch.Events(watch.KINDS), lambda line: notes.append(line)), threading.Event(), []
+        self.addCleanup(free.set)
+        before = lanes.session
+        lanes.session = lanes.Session(60)
+        self.addCleanup(setattr, lanes, "session", before)
+        lanes.session.silent["silent"] = time.monotonic(), "no answer within 60s"
+        for endpoint in ("slow", "silent") + ("slow",) * 20:
+            watching.remember(mock.Mock(node=mock.Mock(endpoint=endpoint), where="/h", detach=lambda: free.wait(40)))
+        begun = time.monotonic()
+        with mock.patch.object(watch, "STARTING", 60):
+            watching.close(hurried=True)
+        self.assertLess(time.monotonic() - begun, 30)
+        self.assertIsNone(lanes.session.end)
 
 
 if __name__ == "__main__":

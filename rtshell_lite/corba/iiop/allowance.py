@@ -3,8 +3,8 @@ from _thread import _local as Local
 
 from rtshell_lite.corba.fixed_size import Fault
 
-MOST = 100000  # parts: elements of sequences
-TYPE = 20  # parts that a type in a TypeCode counts for: it takes a class
+MOST = 100000  # parts: elements of sequences, types in TypeCodes and what they consist of
+CLASS = 20  # parts that a struct or a union in a TypeCode counts for: it takes a class
 
 
 class _Allowance(Local):

@@ -90,8 +90,9 @@ class Request:
         return False
 
     def _forward(self, status, data, at, little):
+        if self._forwards:  # the first answer may have waited for those before it
+            self._spent += time.monotonic() - self.sent
         self._forwards += 1
-        self._spent += time.monotonic() - self.sent
         if self._forwards > FORWARDS or self._spent > self.seconds:
             raise ValueError("forwarded again and again")
         if status == giop.NEEDS_ADDRESSING_MODE:

@@ -10,6 +10,7 @@ from rtshell_lite.path import split_address
 from rtshell_lite.text import from_wire, to_wire
 
 HEEDED = ("endPoint", "endPointPublish")  # settings of omniORB
+_STRUCTURES = (descriptors.STRUCT, descriptors.UNION, descriptors.EXCEPTION)
 _MINORS = {"": 2, "1.0": 0, "1.1": 1, "1.2": 2}  # of GIOP, by the version in a corbaloc
 
 
@@ -95,14 +96,13 @@ def _as_text(value, descriptor):
     if type(value) is str:
         return from_wire(value)
     kind = descriptors.kind(descriptors.plain(descriptor))
-    if kind in (descriptors.STRUCT, descriptors.UNION, descriptors.EXCEPTION):
+    if kind in _STRUCTURES:
         return f"<{from_wire(descriptors.type_id(descriptor))}>"
     if kind == descriptors.OBJECT:
         return "" if value is None else value.text()
-    try:
-        return str(value) if value is not None else ""
-    except RecursionError:  # of a recursive type
-        return "<nested too deep>"
+    if any(descriptors.kind(inner) in _STRUCTURES for _, inner in descriptors.walk(descriptor, "")):
+        return f"<{from_wire(descriptors.words(descriptor))}>"  # their texts may be a thousand times as long as they, or without end
+    return str(value) if value is not None else ""
 
 
 descriptor = idl.known

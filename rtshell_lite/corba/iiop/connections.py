@@ -8,7 +8,7 @@ import select
 import struct
 import time
 
-from rtshell_lite import errors
+from rtshell_lite import errors, interrupts
 from rtshell_lite.corba import lanes
 from rtshell_lite.corba.iiop import giop
 
@@ -17,7 +17,7 @@ AT_A_TIME = 64  # pieces of one connection; then others have their turn, too
 _AT_ONCE = _socket.MSG_DONTWAIT
 SWEEP = 10.0  # seconds between two looks for idle connections that the peer has closed
 MOST_LOOK_UPS = 32  # names of hosts that are looked up at a time, with a thread each
-_looking_up = set()
+_looking_up = {}  # {host: LookUp}
 _idle = {}  # {endpoint: [Connection]} for the next calls, at most one for each lane
 _swept = time.monotonic()
 _spoken = {}  # {endpoint: the x of GIOP 1.x}, for peers that did not understand a later one
@@ -46,11 +46,16 @@ def kept(endpoint):
 
 
 def forget(*endpoints):
-    """Close the connections that earlier calls have left, to these processes; True if there were any."""
-    left = [connection for endpoint in endpoints for connection in _idle.pop(endpoint, ())]
-    for connection in left:
-        connection.close()
-    return bool(left)
+    """Close the idle connections to these processes; True if there were any."""
+    has_closed = False
+    for waiting in [_idle.pop(endpoint, []) for endpoint in endpoints]:
+        try:
+            while True:
+                waiting.pop().close()  # one by one: `kept`, on another thread, may take some of them
+                has_closed = True
+        except IndexError:
+            pass
+    return has_closed
 
 
 def _sweep():
@@ -104,15 +109,16 @@ class Connection:
 
     def _all_ways(self, others):
         """The places to connect with, as of getaddrinfo, one after the other; None while a name is looked up."""
-        for endpoint in itertools.chain([self.endpoint], _lazily(others)):
-            look_up = LookUp(endpoint)
+        for host, port in itertools.chain([self.endpoint], _lazily(others)):
+            look_up = LookUp(host)
             while look_up.found is None:
                 look_up.begin()
                 yield None
             if isinstance(look_up.found, OSError):
                 self._error = self._error or look_up.found
-            else:
-                yield from look_up.found
+                continue
+            for *way, place in look_up.found:
+                yield (*way, place[:1] + (port,) + place[2:])
 
     def go_on(self):
         """Take the next step towards a connection. Raises OSError, that of the first place, when there is no way left."""
@@ -335,45 +341,53 @@ def _limit(sock, seconds):
 
 
 class LookUp:
-    """The places where a process at (host, port) may be: `found` is a list as of getaddrinfo, an OSError, or None for not yet.
+    """The places of a host: `found` is a list as of getaddrinfo, an OSError, or None for not yet.
 
-    Names that others resolve may take long, and nothing can interrupt that: once `begin` is called, a thread asks, if not too many
-    ask already.
+    Names that others resolve may take long, and nothing can interrupt that: once `begin` is called, a thread asks, unless too many
+    are asking already. All who want the same name share it.
     """
 
-    def __init__(self, endpoint):
-        host, self._port = endpoint
+    def __init__(self, host):
         self.found = None if host else OSError(0, "no address of IIOP in its reference")
+        self._host, self._asking = host, None  # the latter is the LookUp whose thread asks
         if self.found:
             return
-        try:
-            self._host = host.encode("ascii")
-        except UnicodeError:
-            self._host = host.encode("utf-8", "surrogateescape")
         self._ask(0 if host == "localhost" else _socket.AI_NUMERICHOST)
         if isinstance(self.found, OSError) and host != "localhost":
-            self.found, self._has_begun = None, False
+            self.found = None
 
     def begin(self):
-        """Ask others, unless that has been done; does nothing while many are being asked."""
-        if self._has_begun or len(_looking_up) >= MOST_LOOK_UPS:
-            return
-        self._has_begun = True
-        _looking_up.add(self)
-        try:
-            lanes.start(self._ask_others)
-        except errors.Shortage as e:
-            self.found = OSError(0, str(e))
-            _looking_up.discard(self)
+        """Ask others, unless that has been done; to be called until there is an answer."""
+        if self._asking is None:
+            self._asking = _looking_up.get(self._host) or self._started()
+        if self._asking is not None:
+            self.found = self._asking.found
+
+    def _started(self):
+        """This LookUp, whose thread asks now; None where too many do."""
+        if len(_looking_up) >= MOST_LOOK_UPS:
+            return None
+        with interrupts.held():
+            _looking_up[self._host] = self
+            try:
+                lanes.start(self._ask_others)
+            except errors.Shortage as e:
+                self.found = OSError(0, str(e))
+                _looking_up.pop(self._host, None)
+        return self
 
     def _ask_others(self):
         try:
             self._ask()
         finally:
-            _looking_up.discard(self)
+            _looking_up.pop(self._host, None)
 
     def _ask(self, flags=0):
         try:
-            self.found = _socket.getaddrinfo(self._host, self._port, 0, _socket.SOCK_STREAM, 0, flags)
-        except (OSError, ValueError, OverflowError) as e:  # ValueError: a NUL in it
+            name = self._host.encode("ascii")
+        except UnicodeError:
+            name = self._host.encode("utf-8", "surrogateescape")
+        try:
+            self.found = _socket.getaddrinfo(name, None, 0, _socket.SOCK_STREAM, 0, flags)
+        except (OSError, ValueError) as e:  # ValueError: a NUL in it
             self.found = e if isinstance(e, OSError) else _socket.gaierror(0, str(e))

@@ -19,7 +19,7 @@ from rtshell_lite.corba.iiop import allowance, giop, operations, references, req
 MOST = 500  # connections
 MOST_PARTS = 8  # messages of a connection whose fragments are still coming
 MOST_OCTETS = 2 * giop.LARGEST  # of all messages that are still coming
-LONGEST_KEPT = 2048  # octets of a request before its arguments that are kept, to compare the next one with; real ones have some 150
+LONGEST_KEPT = 2048  # octets before its arguments up to which a request is kept, to compare the next one with; real ones have 150
 ROOM = 4096  # octets that a connection can receive before it has sent any
 UNFINISHED, IDLE = 60.0, 180.0  # seconds until a connection is closed within a message, or between two; omniORB's is the same
 SWEEP = 5.0  # seconds between two looks for those

@@ -17,13 +17,13 @@ PLAIN = tuple(range(OBJECT)) + (23, 24, 25, 26)  # those of which the kind says 
 def read(data, at, order):
     """(descriptor, where it ends) of the TypeCode at `at`. Raises Fault, struct.error, IndexError."""
     reader = _Reader(data, at, order, 0)
-    adoption = descriptors.Adoption(most=allowance.spend(0) // allowance.TYPE)
+    adoption = descriptors.Adoption(most=allowance.spend(0), each=allowance.CLASS)
     try:
         return adoption.take(reader.typecode({}, descriptors.DEEPEST), descriptors.DEEPEST), reader.at
     except errors.BadType as e:
         raise Fault(str(e))
     finally:
-        allowance.spend(adoption.count * allowance.TYPE)
+        allowance.spend(adoption.count)
 
 
 class _Reader:
