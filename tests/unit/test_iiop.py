@@ -112,6 +112,18 @@ class Calls(unittest.TestCase):
                 self.ask(*answers)
             self.assertEqual(caught.exception.why, "connection lost")
 
+    def test_several_profiles(self):
+        """Where nobody listens at the first address, the next one is asked, for the key that the object has there."""
+        peer, dead = Peer(answer(1), answer(2)), socket.socket()
+        self.addCleanup(peer.close)
+        self.addCleanup(dead.close)
+        dead.bind(("127.0.0.1", 0))  # and does not listen
+        profiles = [references.at("127.0.0.1", port, key).profiles[0] for port, key in (
+            (dead.getsockname()[1], b"here"), (peer.port, b"there"))]
+        for _ in range(2):
+            client.invoke(orb.Call("w", references.Reference(b"", tuple(profiles)), "_non_existent"))
+            self.assertIn(b"there", peer.last)
+
     def test_a_process_that_was_started_again(self):
         """What changes something is not sent into the connection that has ended, and cannot be sent twice."""
         self.peer = Peer(answer(1, bytes(4)), answer(1, bytes(4)))

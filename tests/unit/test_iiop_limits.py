@@ -11,7 +11,7 @@ from unittest import mock
 
 from giop_peers import Calls, Peer, Script, answer
 from rtshell_lite import errors
-from rtshell_lite.corba import cdr, descriptors, lanes, orb
+from rtshell_lite.corba import cdr, descriptors, hosts, lanes, orb
 from rtshell_lite.corba.iiop import client, connections, giop, marshal, operations
 
 
@@ -123,7 +123,7 @@ class Connections(Calls):
 class Names(Calls):
     def setUp(self):
         super().setUp()
-        patch = mock.patch.object(connections, "_looking_up", {})
+        patch = mock.patch.object(hosts, "_looking_up", {})
         patch.start()
         self.addCleanup(patch.stop)
 
@@ -139,13 +139,13 @@ class Names(Calls):
             raise _socket.gaierror(-2, "unknown")
         refs = [client.from_url("w", f"corbaloc::robot{number}.example:1/x") for number in range(200)]
         before = threading.active_count()
-        with mock.patch.object(connections._socket, "getaddrinfo", hanging):
+        with mock.patch.object(hosts._socket, "getaddrinfo", hanging):
             found = self.run_tasks(*map(self.asking, refs))
             free.set()
-            while connections._looking_up:
+            while hosts._looking_up:
                 time.sleep(0.01)
         self.assertEqual({error.why for error in found}, {lanes.no_answer(0.5)})
-        self.assertLessEqual(max(most) - before, connections.MOST_LOOK_UPS)
+        self.assertLessEqual(max(most) - before, hosts.MOST)
 
     def test_a_dead_host_with_many_processes(self):
         """Its name is looked up once, and others are looked up beside it."""
@@ -166,7 +166,7 @@ class Names(Calls):
             return real(host, port, family, kind, protocol, flags)
         refs = [client.from_url("w", f"corbaloc::off.example:{number}/x") for number in range(1, 101)]
         refs.append(client.from_url("w", f"corbaloc::on.example:{port}/x"))
-        with mock.patch.object(connections._socket, "getaddrinfo", found):
+        with mock.patch.object(hosts._socket, "getaddrinfo", found):
             values = self.run_tasks(*map(self.asking, refs))
         self.assertIs(values.pop(), False)
         self.assertEqual({error.why for error in values}, {lanes.no_answer(1.0)})

@@ -10,7 +10,7 @@ import unittest
 
 from giop_peers import CLOSE, Calls, Peer, answer
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import hosts, orb
 from rtshell_lite.corba.iiop import calls, client, connections, giop
 
 
@@ -258,8 +258,8 @@ class Loop(Calls):
                 raise socket.gaierror(0, "late")
             return real(host, port, *how)
 
-        real, connections._socket = connections._socket.getaddrinfo, FakeSockets(look_up)
-        self.addCleanup(setattr, connections, "_socket", connections._socket.real)
+        real, hosts._socket = hosts._socket.getaddrinfo, FakeSockets(look_up)
+        self.addCleanup(setattr, hosts, "_socket", hosts._socket.real)
         slow, here = [client.from_url("w", f"corbaloc::{host}:{peer.ref.address.port}/x") for host in ("slow.example", "localhost")]
 
         async def ask(ref):
@@ -275,7 +275,7 @@ class FakeSockets:
     """The module _socket with another resolver."""
 
     def __init__(self, look_up):
-        self.real, self.getaddrinfo = connections._socket, look_up
+        self.real, self.getaddrinfo = hosts._socket, look_up
 
     def __getattr__(self, name):
         return getattr(self.real, name)

@@ -50,12 +50,13 @@ class Request:
         """Further endpoints of the object."""
         return ior.addresses(self.ref.text())
 
-    def octets(self, number, latest):
-        """The request, in the version of GIOP that its reference names, or in the `latest` that the peer understands.
+    def octets(self, number, latest, via):
+        """The request, in the version of GIOP that its reference names, or in the `latest` that the peer understands; `via` is the
+        endpoint that it is sent to.
 
         Raises OSError where the reference has no address, Refused for what CORBA cannot send, TypeError for arguments of another type.
         """
-        version, mode, target = self.ref.target(self._mode)
+        version, mode, target = self.ref.target(self._mode, via)
         arguments = list(zip(self.operation.arguments, self.call.args))
         try:
             return giop.request(number, min(version, latest), mode, target, self.call.operation, arguments)

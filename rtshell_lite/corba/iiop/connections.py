@@ -8,16 +8,14 @@ import select
 import struct
 import time
 
-from rtshell_lite import errors, interrupts
-from rtshell_lite.corba import lanes
+from rtshell_lite import errors
+from rtshell_lite.corba import hosts, lanes
 from rtshell_lite.corba.iiop import giop
 
 PIECE = 16384  # octets received at a time: buffers of more are slow to allocate
 AT_A_TIME = 64  # pieces of one connection; then others have their turn, too
 _AT_ONCE = _socket.MSG_DONTWAIT
 SWEEP = 10.0  # seconds between two looks for idle connections that the peer has closed
-MOST_LOOK_UPS = 32  # names of hosts that are looked up at a time, with a thread each
-_looking_up = {}  # {host: LookUp}
 _idle = {}  # {endpoint: [Connection]} for the next calls, at most one for each lane
 _swept = time.monotonic()
 _spoken = {}  # {endpoint: the x of GIOP 1.x}, for peers that did not understand a later one
@@ -85,7 +83,7 @@ class Connection:
         self.waits_for = "address"
         self.end = None
         self._number, self._given_up = 0, set()
-        self._minor = _spoken.get(endpoint, 2)
+        self._minor, self._via = _spoken.get(endpoint, 2), endpoint  # the latter: where it is connected with
         self._socket, self._ways, self._error = None, self._all_ways(others), None
         self._out, self._not_begun = bytearray(), {}  # what is to be sent; requests until there is a connection, by number
         self._pieces, self._have, self._need = [], 0, giop.HEADER
@@ -110,13 +108,14 @@ class Connection:
     def _all_ways(self, others):
         """The places to connect with, as of getaddrinfo, one after the other; None while a name is looked up."""
         for host, port in itertools.chain([self.endpoint], _lazily(others)):
-            look_up = LookUp(host)
+            look_up = hosts.LookUp(host)
             while look_up.found is None:
                 look_up.begin()
                 yield None
             if isinstance(look_up.found, OSError):
                 self._error = self._error or look_up.found
                 continue
+            self._via = host, port
             for *way, place in look_up.found:
                 yield (*way, place[:1] + (port,) + place[2:])
 
@@ -160,6 +159,8 @@ class Connection:
         self._socket.setblocking(True)
         _limit(self._socket, lanes.TICK)
         self.waits_for, self._ways = None, None  # the latter holds the first request, and so its answer
+        if self._via != self.endpoint:  # where objects may have other keys
+            self._not_begun = {number: self._octets(number, self.requests[number]) for number in self._not_begun}
         self._out += b"".join(self._not_begun.values())
         self._not_begun.clear()
         self.flush()
@@ -170,7 +171,7 @@ class Connection:
         """Add a request to what is to be sent, see `flush`; what is wrong with it is told to it."""
         self._number += 1
         try:
-            octets = request.octets(self._number, (1, self._minor))
+            octets = self._octets(self._number, request)
         except (OSError, TypeError, errors.Refused) as e:
             return request.failed(e)
         request.sent = time.monotonic()
@@ -179,6 +180,9 @@ class Connection:
             self._not_begun[self._number] = octets
         else:
             self._out += octets
+
+    def _octets(self, number, request):
+        return request.octets(number, (1, self._minor), self._via)
 
     def flush(self):
         """Send what can be sent at once. Raises OSError."""
@@ -338,56 +342,3 @@ def _limit(sock, seconds):
         sock.setsockopt(_socket.SOL_SOCKET, _socket.SO_RCVTIMEO, struct.pack("ll", whole, fraction))
     except OSError:  # 32-bit systems whose time has 64 bits
         sock.setsockopt(_socket.SOL_SOCKET, _socket.SO_RCVTIMEO, struct.pack("qq", whole, fraction))
-
-
-class LookUp:
-    """The places of a host: `found` is a list as of getaddrinfo, an OSError, or None for not yet.
-
-    Names that others resolve may take long, and nothing can interrupt that: once `begin` is called, a thread asks, unless too many
-    are asking already. All who want the same name share it.
-    """
-
-    def __init__(self, host):
-        self.found = None if host else OSError(0, "no address of IIOP in its reference")
-        self._host, self._asking = host, None  # the latter is the LookUp whose thread asks
-        if self.found:
-            return
-        self._ask(0 if host == "localhost" else _socket.AI_NUMERICHOST)
-        if isinstance(self.found, OSError) and host != "localhost":
-            self.found = None
-
-    def begin(self):
-        """Ask others, unless that has been done; to be called until there is an answer."""
-        if self._asking is None:
-            self._asking = _looking_up.get(self._host) or self._started()
-        if self._asking is not None:
-            self.found = self._asking.found
-
-    def _started(self):
-        """This LookUp, whose thread asks now; None where too many do."""
-        if len(_looking_up) >= MOST_LOOK_UPS:
-            return None
-        with interrupts.held():
-            _looking_up[self._host] = self
-            try:
-                lanes.start(self._ask_others)
-            except errors.Shortage as e:
-                self.found = OSError(0, str(e))
-                _looking_up.pop(self._host, None)
-        return self
-
-    def _ask_others(self):
-        try:
-            self._ask()
-        finally:
-            _looking_up.pop(self._host, None)
-
-    def _ask(self, flags=0):
-        try:
-            name = self._host.encode("ascii")
-        except UnicodeError:
-            name = self._host.encode("utf-8", "surrogateescape")
-        try:
-            self.found = _socket.getaddrinfo(name, None, 0, _socket.SOCK_STREAM, 0, flags)
-        except (OSError, ValueError) as e:  # ValueError: a NUL in it
-            self.found = e if isinstance(e, OSError) else _socket.gaierror(0, str(e))

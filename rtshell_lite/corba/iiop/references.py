@@ -30,14 +30,25 @@ class Reference:
         other._address = self._address
         return other
 
-    def target(self, mode=giop.KEY):
-        """(GIOP version, mode, octets that name the object in that mode). Raises OSError where it has no IIOP profile."""
-        number = [tag for tag, _ in self.profiles].index(ior.IIOP) if self.address.host else None
-        if number is None:
+    def _profile(self, via):
+        """(number, key) of the profile for an endpoint; of the first with IIOP, where none has that, or it is None."""
+        if via not in (None, self.address[1:3]):
+            for number, profile in enumerate(self.profiles):
+                address = ior.parsed(b"", [profile])
+                if address[1:3] == via:
+                    return number, address.key
+        return [tag for tag, _ in self.profiles].index(ior.IIOP), self.address.key
+
+    def target(self, mode=giop.KEY, via=None):
+        """(GIOP version, mode, octets that name the object in that mode, for who is asked at the endpoint `via`).
+
+        Raises OSError where it has no IIOP profile.
+        """
+        if not self.address.host:
             raise OSError(0, "no address of IIOP in its reference")
+        number, key = self._profile(via)
         profile = self.profiles[number][1]
         if mode == giop.KEY:
-            key = self.address.key
             octets = _LENGTH.pack(len(key)) + key
         elif mode == giop.PROFILE:
             octets = _PAIR.pack(ior.IIOP, len(profile)) + profile

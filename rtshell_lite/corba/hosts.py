@@ -1,0 +1,61 @@
+"""Where hosts are, by their names."""
+import _socket  # which `socket` is made of: that one takes long to import
+
+from rtshell_lite import errors, interrupts
+from rtshell_lite.corba import lanes
+
+MOST = 32  # names that are looked up at a time, with a thread each
+_looking_up = {}  # {host: LookUp}
+
+
+class LookUp:
+    """The places of a host: `found` is a list as of getaddrinfo, an OSError, or None for not yet.
+
+    Names that others resolve may take long, and nothing can interrupt that: once `begin` is called, a thread asks, unless too many
+    are asking already. All who want the same name share it.
+    """
+
+    def __init__(self, host):
+        self.found = None if host else OSError(0, "no address of IIOP in its reference")
+        self._host, self._asking = host, None  # the latter is the LookUp whose thread asks
+        if self.found:
+            return
+        self._ask(0 if host == "localhost" else _socket.AI_NUMERICHOST)
+        if isinstance(self.found, OSError) and host != "localhost":
+            self.found = None
+
+    def begin(self):
+        """Ask others, unless that has been done; to be called until there is an answer."""
+        if self._asking is None:
+            self._asking = _looking_up.get(self._host) or self._started()
+        if self._asking is not None:
+            self.found = self._asking.found
+
+    def _started(self):
+        """This LookUp, whose thread asks now; None where too many do."""
+        if len(_looking_up) >= MOST:
+            return None
+        with interrupts.held():
+            _looking_up[self._host] = self
+            try:
+                lanes.start(self._ask_others)
+            except errors.Shortage as e:
+                self.found = OSError(0, str(e))
+                _looking_up.pop(self._host, None)
+        return self
+
+    def _ask_others(self):
+        try:
+            self._ask()
+        finally:
+            _looking_up.pop(self._host, None)
+
+    def _ask(self, flags=0):
+        try:
+            name = self._host.encode("ascii")
+        except UnicodeError:
+            name = self._host.encode("utf-8", "surrogateescape")
+        try:
+            self.found = _socket.getaddrinfo(name, None, 0, _socket.SOCK_STREAM, 0, flags)
+        except (OSError, ValueError) as e:  # ValueError: a NUL in it
+            self.found = e if isinstance(e, OSError) else _socket.gaierror(0, str(e))
