@@ -9,18 +9,24 @@ omniORBpy still reads references and TypeCodes inside an `any`, whose types only
 """
 import collections
 import functools
+import operator
 import struct
 import sys
 
 from rtshell_lite.corba import descriptors
-
-Address = collections.namedtuple("Address", "type_id host port key")  # what an IOR says: text, text, int, bytes
 
 IIOP = 0  # the tag of a profile, TAG_INTERNET_IOP
 ALTERNATE = 3  # the tag of a component of a profile, TAG_ALTERNATE_IIOP_ADDRESS (CORBA 3.0, 13.6.6.8)
 MOST_PROFILES = 64  # real references have one to three, for each address of the host at most one
 LARGEST = 1 << 14  # octets of a reference; real ones have less than 1,000
 LONGEST_TYPE = 1024  # octets of a repository id
+
+
+class Address(tuple):
+    """What an IOR says: text, text, int, bytes. (A namedtuple takes 0.2 ms to make, at each start.)"""
+
+    __slots__ = ()
+    type_id, host, port, key = [property(operator.itemgetter(place)) for place in range(4)]
 
 
 class BadReference(ValueError):
@@ -35,7 +41,7 @@ def address(text):
     try:
         return parsed(*parts(text))
     except (IndexError, struct.error):
-        return Address("", "", 0, b"")
+        return Address(("", "", 0, b""))
 
 
 def parts(text):
@@ -60,10 +66,10 @@ def parsed(type_id, profiles):
                 if at + 4 + size > len(profile):
                     raise IndexError
                 host, port = profile[8:end - 1].decode("latin-1"), ushort(profile, end + 1 & ~1)[0]
-                return Address(type_id, sys.intern(host), port, profile[at + 4:at + 4 + size])
+                return Address((type_id, sys.intern(host), port, profile[at + 4:at + 4 + size]))
     except (IndexError, struct.error):
-        return Address("", "", 0, b"")
-    return Address(type_id, "", 0, b"")
+        return Address(("", "", 0, b""))
+    return Address((type_id, "", 0, b""))
 
 
 def _unhexed(text):

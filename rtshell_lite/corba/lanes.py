@@ -24,9 +24,17 @@ TICK = 0.1
 
 NO_TIME = "there was no time left to ask it"
 
-# A remote call to make: `endpoint` of the process that answers, (host, port) or anything hashable; `where`, the path of the
-# object, or a text, for errors; `call`, a function without arguments.
-Job = collections.namedtuple("Job", "endpoint where call")
+
+class Job:
+    """A remote call to make: `endpoint` of the process that answers, (host, port) or anything hashable; `where`, the path of the
+    object, or a text, for errors; `call`, a function without arguments.
+    """
+
+    __slots__ = ("endpoint", "where", "call")
+
+    def __init__(self, endpoint, where, call):
+        self.endpoint, self.where, self.call = endpoint, where, call
+
 
 loop = None  # function(jobs), `in_turn` on one thread where Job.call makes a coroutine; None with an ORB that needs threads
 

@@ -7,8 +7,7 @@ from rtshell_lite.robot import tree
 
 MARKS = {"zombie": "*", "silent": "?"}
 
-# The figures of a component: its state, and (number of ports, number of connected ones) of each kind.
-Figures = collections.namedtuple("Figures", "state counts")
+# The figures of a component: its state, and a list of (number of ports, number of connected ones) of each kind.
 COUNTED = (("ports", None), ("in_ports", "DataInPort"), ("out_ports", "DataOutPort"), ("service_ports", "CorbaPort"))
 
 
@@ -57,7 +56,7 @@ def _resolved(path):
 
 
 def look(nodes, long=False):
-    """(Node, Figures or None) of each node: one liveness call a component, with `long` its figures instead.
+    """(Node, figures or None) of each node: one liveness call a component, with `long` its figures instead.
 
     The figures of a component take 4 calls (its contexts, state, ports) and one a port.
     """
@@ -78,7 +77,7 @@ def look(nodes, long=False):
 
 @tasks.task
 async def _figures(node):
-    """The Figures of a component, whose reference is dropped."""
+    """The figures of a component, whose reference is dropped."""
     from rtshell_lite.robot import component, snapshot  # not needed, and not loaded, for names alone
     shown = snapshot.Snapshot(node)
     try:
@@ -95,7 +94,7 @@ async def _figures(node):
     for _, kind in COUNTED:
         of_kind = [port for port in shown.ports if kind in (None, port.type)]
         counts.append((len(of_kind), sum(bool(port.connectors) for port in of_kind)))
-    return Figures(component.merged(shown.states), counts)
+    return component.merged(shown.states), counts
 
 
 def short(node, paint, name=None):
@@ -119,7 +118,8 @@ def row(node, figures, paint, name=None):
         cells = [paint("?") if node.kind == "silent" else "-"] + ["-"] * len(COUNTED)
         role = "directory" if node.kind in tree.DIRECTORIES else "zombie" if node.kind in ("zombie", "unknown") else None
         return cells + [MARKS.get(node.kind, "") + paint(name, role) + first_name(node)]
-    return [paint(figures.state)] + [f"{paint(str(count), 'bold')}/{linked}" for count, linked in figures.counts] + [name]
+    state, counts = figures
+    return [paint(state)] + [f"{paint(str(count), 'bold')}/{linked}" for count, linked in counts] + [name]
 
 
 def place(node):
@@ -136,8 +136,8 @@ def as_dict(node, figures):
     if node.error is not None:
         fields["error"] = str(node.error)
     if figures is not None:
-        fields["state"] = figures.state
-        for (label, _), (count, connected) in zip(COUNTED, figures.counts):
+        fields["state"], counts = figures
+        for (label, _), (count, connected) in zip(COUNTED, counts):
             fields[label], fields[label + "_connected"] = count, connected
     return fields
 

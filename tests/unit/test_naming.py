@@ -55,7 +55,7 @@ class Listing(unittest.TestCase):
 
 class Kinds(unittest.TestCase):
     def kind(self, name, type_id, is_context=False):
-        with mock.patch.object(node.orb, "address", lambda ref: ior.Address(type_id, "host", 1, b"")):
+        with mock.patch.object(node.orb, "address", lambda ref: ior.Address((type_id, "host", 1, b""))):
             return node.classified(path.parse("/localhost/" + name), "reference", is_context).kind
 
     def test_by_type(self):

@@ -59,7 +59,7 @@ class Request:
         version, mode, target = self.ref.target(self._mode, via)
         arguments = list(zip(self.operation.arguments, self.call.args))
         try:
-            return giop.request(number, min(version, latest), mode, target, self.call.operation, arguments)
+            return giop.request(number, version if version < latest else latest, mode, target, self.call.operation, arguments)
         except marshal.Unsendable as e:
             raise errors.Refused(str(self.call.where), f"cannot be asked: {e}", name="BAD_PARAM")
         except (ValueError, StructError) as e:

@@ -83,7 +83,7 @@ class Connection:
         self.waits_for = "address"
         self.end = None
         self._number, self._given_up = 0, set()
-        self._minor, self._via = _spoken.get(endpoint, 2), endpoint  # the latter: where it is connected with
+        self._version, self._via = (1, _spoken.get(endpoint, 2)), endpoint  # the latest GIOP; where it is connected with
         self._socket, self._ways, self._error = None, self._all_ways(others), None
         self._out, self._not_begun = bytearray(), {}  # what is to be sent; requests until there is a connection, by number
         self._pieces, self._have, self._need = [], 0, giop.HEADER
@@ -160,7 +160,7 @@ class Connection:
         _limit(self._socket, lanes.TICK)
         self.waits_for, self._ways = None, None  # the latter holds the first request, and so its answer
         if self._via != self.endpoint:  # where objects may have other keys
-            self._not_begun = {number: self._octets(number, self.requests[number]) for number in self._not_begun}
+            self._not_begun = {number: self.requests[number].octets(number, self._version, self._via) for number in self._not_begun}
         self._out += b"".join(self._not_begun.values())
         self._not_begun.clear()
         self.flush()
@@ -171,7 +171,7 @@ class Connection:
         """Add a request to what is to be sent, see `flush`; what is wrong with it is told to it."""
         self._number += 1
         try:
-            octets = self._octets(self._number, request)
+            octets = request.octets(self._number, self._version, self._via)
         except (OSError, TypeError, errors.Refused) as e:
             return request.failed(e)
         request.sent = time.monotonic()
@@ -180,9 +180,6 @@ class Connection:
             self._not_begun[self._number] = octets
         else:
             self._out += octets
-
-    def _octets(self, number, request):
-        return request.octets(number, (1, self._minor), self._via)
 
     def flush(self):
         """Send what can be sent at once. Raises OSError."""
@@ -221,7 +218,7 @@ class Connection:
 
     def may_speak(self, minor):
         """Whether a peer that did not understand us may understand GIOP 1.`minor`; if so, that is spoken with it from now on."""
-        if self.has_answered or minor >= self._minor:
+        if self.has_answered or (1, minor) >= self._version:
             return False
         _spoken[self.endpoint] = minor
         return True
@@ -251,9 +248,10 @@ class Connection:
 
         Of one that is longer than any that is waited for, no more is taken than shows that.
         """
-        piece = self._wanted(piece)
-        if not piece:
-            return
+        if self._unwanted:
+            piece = self._wanted(piece)
+            if not piece:
+                return
         self._pieces.append(piece)
         self._have += len(piece)
         while self._have >= self._need:
@@ -265,15 +263,14 @@ class Connection:
             if self._have < size:
                 self._pieces, self._need = [data], size
                 return
-            self._unwanted = whole - size
-            rest = self._wanted(data[size:])
+            rest, self._unwanted = data[size:], whole - size
+            if self._unwanted:
+                rest = self._wanted(rest)
             self._pieces, self._have, self._need = [rest] if rest else [], len(rest), giop.HEADER
             self._message(data[:size] if size < len(data) else data, found)
 
     def _wanted(self, octets):
         """These octets, but those that are unwanted."""
-        if not self._unwanted:
-            return octets
         dropped = min(self._unwanted, len(octets))
         self._unwanted -= dropped
         return octets[dropped:]
@@ -290,6 +287,8 @@ class Connection:
 
     def _message(self, data, found):
         kind = data[7]
+        if kind == giop.REPLY and not data[6] & giop.MORE:  # as most
+            return found.append(data)
         if kind == giop.CLOSE:
             raise Closed(untouched=True)
         if kind == giop.ERROR:

@@ -30,24 +30,30 @@ class Reference:
         other._address = self._address
         return other
 
-    def _profile(self, via):
-        """(number, key) of the profile for an endpoint; of the first with IIOP, where none has that, or it is None."""
-        if via not in (None, self.address[1:3]):
-            for number, profile in enumerate(self.profiles):
-                address = ior.parsed(b"", [profile])
+    def _at(self, via):
+        """(number, profile, key) for who is asked at an endpoint: of the profile with that, or else of the first with IIOP."""
+        first = None
+        for number, (tag, profile) in enumerate(self.profiles):
+            if tag == ior.IIOP:
+                address = ior.parsed(b"", [(tag, profile)])
+                found = number, profile, address.key
                 if address[1:3] == via:
-                    return number, address.key
-        return [tag for tag, _ in self.profiles].index(ior.IIOP), self.address.key
+                    return found
+                first = first or found
+        return first
 
     def target(self, mode=giop.KEY, via=None):
         """(GIOP version, mode, octets that name the object in that mode, for who is asked at the endpoint `via`).
 
         Raises OSError where it has no IIOP profile.
         """
-        if not self.address.host:
+        address = self.address
+        if not address.host:
             raise OSError(0, "no address of IIOP in its reference")
-        number, key = self._profile(via)
-        profile = self.profiles[number][1]
+        tag, profile = self.profiles[0]
+        number, key = 0, address.key
+        if tag != ior.IIOP or via is not None and via != address[1:3]:  # few have more than one profile
+            number, profile, key = self._at(via)
         if mode == giop.KEY:
             octets = _LENGTH.pack(len(key)) + key
         elif mode == giop.PROFILE:
