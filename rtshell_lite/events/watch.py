@@ -244,7 +244,7 @@ class Watch:
 
     def remember(self, subscription):
         """Remember what has to be detached; False when it is too late to attach anything."""
-        with self._guard:
+        with interrupts.held(), self._guard:  # on the main thread, too, with our own ORB
             if not self._ended.is_set():
                 self._subscriptions.append(subscription)
             return not self._ended.is_set()
