@@ -59,16 +59,15 @@ class _Peer(lanes.Peer):
         super().__init__(endpoint)
         self.running, self.watched = 0, (None, 0)  # jobs; what the poll looks for
         self.waiting = collections.deque()  # calls.Requests that are not on their way
-        self.connection, self.is_filling = None, True
+        self.connection = None
 
     def may_send(self):
-        """Whether the first that waits may be sent now: some at a time, as each costs less than one by one."""
-        under_way = len(self.connection.requests)
-        if under_way <= lanes.LANES // 2:
-            self.is_filling = True
-        elif under_way >= lanes.LANES:
-            self.is_filling = False
-        return self.is_filling or _is_naming(self.waiting[0])
+        """Whether the first that waits may be sent now.
+
+        At each answer, not two at every second one: a peer without TCP_NODELAY sends the second when the first is acknowledged, by the
+        next request or 40 ms later.
+        """
+        return len(self.connection.requests) < lanes.LANES or _is_naming(self.waiting[0])
 
     def overdue(self, now):
         """Give up the requests that have waited too long, and return them.
@@ -362,5 +361,4 @@ class _Loop:
                     request.resume(None, errors.Silent(str(request.call.where), peer.silence or lanes.NO_TIME))
             if not peer.connection.requests:
                 self._asked.discard(peer)
-            peer.is_filling = True  # those that are left may never be answered
             self.have_changed.add(peer)
