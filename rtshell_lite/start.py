@@ -3,7 +3,7 @@ import _signal  # which `signal` is made of: that one takes longer to import tha
 import gc
 import sys
 
-GARBAGE = 10000  # objects after which Python looks for cycles of them: with its 700, that is 4 % of the time of a command
+GARBAGE = 10000  # new objects after which Python looks for cycles: with its default, 700, that took 4 % of a command's time
 
 
 def quietly(name):

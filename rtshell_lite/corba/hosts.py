@@ -32,7 +32,7 @@ class LookUp:
             self.found = self._asking.found
 
     def _started(self):
-        """This LookUp, whose thread asks now; None where too many do."""
+        """This LookUp, whose thread asks now; None where too many are asking."""
         if len(_looking_up) >= MOST:
             return None
         with interrupts.held():

@@ -14,7 +14,7 @@ LOST = 3 * BEAT  # after these a missing heartbeat is reported
 LOOK = 1.0  # seconds between questions whether a component lives, or is back
 RATE = 1 / component.POLL  # Hz
 TICK = 0.1
-MOST, MOST_CHARACTERS = 100000, 16 << 20  # items that may wait to be printed, and of the texts in them
+MOST, MOST_CHARACTERS = 100000, 16 << 20  # items that may wait to be printed, and characters in them
 STARTING = 1.0  # seconds for threads to start in after Ctrl-C
 HURRY = 0.1  # seconds to wait for answers after Ctrl-C: C++ 2.1 removes an observer at once, but answers after a heartbeat, 1 s
 

@@ -20,7 +20,7 @@ COMMANDS = [["rtls", "-lR"], ["rtls", "-l", HERE], ["rtcat", "-ll", HERE + "Cons
             ["rtec", HERE + "ConsoleIn0.rtc"], ["rtact", HERE + "ConsoleIn0.rtc"], ["rtreset", HERE + "ConsoleIn0.rtc"],
             ["rtdis", "--dry-run", HERE + "ConsoleIn0.rtc"], ["rtcryo", "."], ["rtdoc", HERE + "ConfigSample0.rtc"],
             ["rtmgr", "--loaded", HERE + "manager.mgr"], ["rtdel", "--dry-run", "-z"]]
-FAIL = ["rtcat", "rtreset"]  # the one for want of the component, the other as it is not in Error
+FAIL = ["rtcat", "rtreset"]  # the component does not exist; it is not in Error
 VARIES = re.compile(rb"127\.0\.0\.1:\d+|Date=\"[^\"]*\"|IOR:[0-9a-f]*")  # ports, when rtcryo wrote a file
 IS_BUILTIN = os.environ.get("RTSHELL_ORB") == "builtin"
 PIECES = (40, 104, 1000) + ((4, 5, 7, 8, 12, 16, 20, 24, 25, 39) if IS_BUILTIN else ())  # omniORB takes multiples of 8

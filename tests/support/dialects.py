@@ -8,7 +8,7 @@ from rtshell_lite.corba import descriptors, idl
 from rtshell_lite.corba.iiop import giop, marshal, operations
 
 ROOT = "IDL:omg.org/CosNaming/NamingContext:1.0"
-PROFILE = re.compile(rb"(\x01\x01)[\0-\x02](\0\x0a\0\0\x00127\.0\.0\.1\0)")  # the begin of an IIOP profile, and its version
+PROFILE = re.compile(rb"(\x01\x01)[\0-\x02](\0\x0a\0\0\x00127\.0\.0\.1\0)")  # how an IIOP profile begins: its version
 
 
 class Dialect(relay.Relay):
@@ -45,7 +45,7 @@ class Dialect(relay.Relay):
             for descriptor in self._types(request, status, reply, at):
                 value, at = self.reader.reader(descriptor)(reply, at)
                 self.writer.writer(descriptor)(body, value)
-        except marshal.Fault:  # a value in an any that is no text, which we never send
+        except marshal.Fault:  # an any that holds no text: we never write those
             self.untranslated.add(request.operation)
             return reply
         self.translated.add(request.operation)

@@ -83,7 +83,7 @@ class Connection:
         self.waits_for = "address"
         self.end = None
         self._number, self._given_up = 0, set()
-        self._version, self._via = (1, _spoken.get(endpoint, 2)), endpoint  # the latest GIOP; where it is connected with
+        self._version, self._via = (1, _spoken.get(endpoint, 2)), endpoint  # the latest GIOP to speak; where it is connected
         self._socket, self._ways, self._error = None, self._all_ways(others), None
         self._out, self._not_begun = bytearray(), {}  # what is to be sent; requests until there is a connection, by number
         self._pieces, self._have, self._need = [], 0, giop.HEADER
@@ -287,7 +287,7 @@ class Connection:
 
     def _message(self, data, found):
         kind = data[7]
-        if kind == giop.REPLY and not data[6] & giop.MORE:  # as most
+        if kind == giop.REPLY and not data[6] & giop.MORE:  # most are whole
             return found.append(data)
         if kind == giop.CLOSE:
             raise Closed(untouched=True)
