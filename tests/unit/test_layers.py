@@ -17,7 +17,6 @@ OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/
 PRINTING = ("bin", "__main__.py", "cli.py", "options.py", "system/reports.py")
 CATCH_ALL = ("cli.py", "corba/lanes.py", "corba/pool.py", "corba/tasks.py", "corba/iiop/loop.py", "corba/iiop/server.py", "mount/asking.py",
              "mount/server.py", "mount/streams.py")
-LONGEST = 400
 
 
 def below(directory):
@@ -141,9 +140,6 @@ class Rules(unittest.TestCase):
         """No file has a fault; faults(path, tree) gives line numbers."""
         found = {path: list(faults(path, tree)) for path, tree in self.trees.items()}
         self.assertEqual({path: lines for path, lines in found.items() if lines}, {})
-
-    def test_length(self):
-        self.check(lambda path, tree: [n for n in [source(path).count("\n")] if n > LONGEST])
 
     def test_nothing_is_evaluated(self):
         self.check(lambda path, tree: calls(tree, {"eval", "exec"}))
