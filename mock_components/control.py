@@ -68,9 +68,9 @@ class Commands:
         component = self.stage.components[component]
         return [str(component.get_context(int(handle)).get_component_state(component.reference))[:-len("_STATE")]]
 
-    def error(self, component):
-        component = self.stage.components[component]
-        component.owned[0].fail(component.reference)
+    def error(self, component, participant=0):
+        context = self.stage.components[component].owned[0]
+        context.fail(context.members[int(participant)].reference)  # the component itself comes first
 
     def fail(self, operation, nth=1, kind="TRANSIENT"):
         self.ledger.fail(operation, int(nth), kind)

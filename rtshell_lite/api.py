@@ -62,15 +62,15 @@ class Component:
         from rtshell_lite.robot import component
         return component.state(self._node())
 
-    def activate(self, wait=None, context=0):
+    def activate(self, wait=None, context=None):
         """Activate it in its execution context of that number; `wait`: until it is Active, at most so many seconds."""
         self._change("ACTIVATE", wait, context)
 
-    def deactivate(self, wait=None, context=0):
+    def deactivate(self, wait=None, context=None):
         """The reverse."""
         self._change("DEACTIVATE", wait, context)
 
-    def reset(self, wait=None, context=0):
+    def reset(self, wait=None, context=None):
         """Take it from Error to Inactive."""
         self._change("RESET", wait, context)
 

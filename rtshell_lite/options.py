@@ -216,8 +216,8 @@ def command(args, known):
 
 def execution_context(parser):
     """-e: which execution context."""
-    parser.add_argument("-e", "--exec-context", "--exec_context", type=int, default=0, metavar="N",
-                        help="execution context, counted from 0 over the owned, then the participating ones (default: 0)")
+    parser.add_argument("-e", "--exec-context", "--exec_context", type=int, metavar="N",
+                        help="only in the execution context N, counted from 0 over its own, then those of others (see rtec)")
 
 
 def wait(parser, what):

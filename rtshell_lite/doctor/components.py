@@ -153,6 +153,10 @@ def _contexts(snapshot):
         elif state == "Error":
             found.append(fail("component", snapshot.where, "in Error",
                               remedies.command("reset", option=remedies.option(index), path=snapshot.where)))
+    active = [str(index) for index, state in enumerate(snapshot.states) if state == "Active"]
+    if len(active) > 1:
+        message = f"Active in its execution contexts {' and '.join(active)} at once: each of them executes it"
+        found.append(warn("context", snapshot.where, message, remedies.words("active once", path=shell_word(snapshot.where))))
     alive = [context for context in snapshot.contexts if context.handle is not None]
     if alive and not any(context.running for context in alive):
         message = "its execution context is stopped: nothing executes it"

@@ -65,6 +65,7 @@ WORDS = {
     "others first": "mend those first, then: rtdoctor {path}",
     "hung first": "mend {paths} first",
     "look at contexts": "look at its contexts: rtec {path}",
+    "active once": "see whose they are (rtec {path}), and leave all but one: rtdeact -e N {path}",
     "activate many": "activate those that are to move (rtact), or the whole system by its file (rtstart)",
     "restart composite": "restart its process, with all members alive (rtcomp cannot remove a dead one); "
                          "netstat -ltnp | grep :{port} there names it",

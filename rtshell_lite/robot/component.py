@@ -5,7 +5,7 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb, tasks
 from rtshell_lite.robot import tree
-from rtshell_lite.text import from_wire, shell_word
+from rtshell_lite.text import from_wire, printable, shell_word
 
 STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by number
 KINDS = ("Periodic", "Event-driven", "Other")  # RTC::ExecutionKind by number
@@ -17,6 +17,10 @@ Transition = collections.namedtuple("Transition", "name command operation target
 ACTIVATE = Transition("activate", "rtact", "activate_component", "Active", "Inactive")
 DEACTIVATE = Transition("deactivate", "rtdeact", "deactivate_component", "Inactive", "Active")
 RESET = Transition("reset", "rtreset", "reset_component", "Inactive", "Error")
+
+# A component in one of its execution contexts: the number of the context as -e counts, its reference, whether it is the
+# component's own, and the component's state there.
+Placement = collections.namedtuple("Placement", "index ref is_own state")
 
 # RTC::ComponentProfile as text; `properties` is a list of (name, value) in the component's order.
 Profile = collections.namedtuple("Profile", "instance_name type_name description version vendor category parent properties")
@@ -192,7 +196,7 @@ async def canonical(node):
 
 # ---- transitions ----------------------------------------------------------------------------------------------
 
-def change_all(paths, transition, index=0, wait=None, dry_run=False):
+def change_all(paths, transition, index=None, wait=None, dry_run=False):
     """`change` for the component at each path, in parallel: a line that says what was done, or an errors.Error, for each.
 
     If one is something else than a component, none is changed, and only the WrongKinds are returned.
@@ -201,14 +205,33 @@ def change_all(paths, transition, index=0, wait=None, dry_run=False):
     @tasks.task
     async def change_one(node):
         if dry_run:
-            now = await state_in.task(node, await context_ref.task(node, index))
-            words = [transition.command] + ["-e", str(index)] * bool(index) + [shell_word(str(node.path))]
-            return "" if now == transition.target else " ".join(words)
+            return await _command(node, transition, index)
         now = await change.task(node, transition, index, wait)
         return f"{node.path}: {now}"
     orb.start()
     nodes = tree.at_each(paths, tree.component)
     return [node for node in nodes if isinstance(node, errors.WrongKind)] or tree.on_nodes(nodes, change_one)
+
+
+async def _command(node, transition, index):
+    """The command that would take a component through a Transition, '' where none is needed."""
+    words = [transition.command]
+    if index is not None:
+        is_needed = await state_in.task(node, await context_ref.task(node, index)) != transition.target
+        words += ["-e", str(index)]
+    elif transition is ACTIVATE:
+        is_needed = not _all_in(await placements(node), "Active")
+    else:
+        is_needed = bool(_to_leave(await placements(node)))
+    return " ".join(words + [shell_word(str(node.path))]) if is_needed else ""
+
+
+async def placements(node):
+    """A Placement for each execution context of a component, as -e counts them."""
+    owned, participating = await owned_context_refs.task(node), await participating_context_refs.task(node)
+    refs = owned + participating
+    known = await states.task(node, refs)
+    return [Placement(index, ref, index < len(owned), state) for index, (ref, state) in enumerate(zip(refs, known))]
 
 
 async def _members_first(node, ref, wait):
@@ -224,25 +247,142 @@ async def _members_first(node, ref, wait):
 
 
 @tasks.task
-async def change(node, transition, index=0, wait=None):
-    """Take a component through a Transition in its execution context number `index`; returns the state reached or asked for.
+async def change(node, transition, index=None, wait=None):
+    """Take a component through a Transition; returns the state reached or asked for, and where that is not its own first context.
+
+    `index` is the number of the execution context. Without it, a component becomes Inactive in all contexts in which it is not yet,
+    and Active in one: see `_activate`.
 
     `wait` (seconds) polls until the state is reached, and Active still there a period later. Contexts of 1.1 answer before the
     state has changed, later ones answer RTC_ERROR when it takes longer than their own limit of 0.5 s but change it nevertheless:
     so after RTC_ERROR the state is polled for the timeout. Raises Refused with the reason, Unreachable when it was not reached.
     """
-    await change_in.task(node, await context_ref.task(node, index), transition, wait, f"its execution context {index}")
+    if index is not None:
+        await change_in.task(node, await context_ref.task(node, index), transition, wait, _number(index))
+        return transition.target
+    places = await placements(node)
+    if not places:
+        raise errors.NoSuch(str(node.path), "execution context", "0 (it has 0)")
+    if transition is ACTIVATE:
+        return await _activate(node, places, wait)
+    await _leave(node, places, transition, wait)
     return transition.target
 
 
+def _number(index):
+    return f"its execution context {index}"
+
+
+def _all_in(places, state):
+    return [place for place in places if place.state == state]
+
+
+def _to_leave(places):
+    """The Placements in which a component has to become Inactive. A context that does not know it (Created) is asked only if none does."""
+    known = [place for place in places if place.state != "Created"] or places[:1]
+    return [place for place in known if place.state != "Inactive"]
+
+
+def _ignore(stage):
+    """In the place of a function that notes how far a change has come."""
+
+
+async def _leave(node, places, transition, wait, stage=_ignore):
+    """Make a component Inactive in all Placements in which it is not: whether there was one. Raises the first failure, at the end."""
+    failures = []
+    wanted = _to_leave(places)
+    end = time.monotonic() + (wait or 0)
+    for place in wanted:
+        try:
+            if place.state == "Unknown":
+                why = f"{_number(place.index)}, of another component, does not answer: it may be Active there"
+                raise errors.Unreachable(str(node.path), why)
+            seconds = None if wait is None else max(0.0, round(end - time.monotonic(), 2))
+            await change_in.task(node, place.ref, transition, seconds, _number(place.index), place.state, stage)
+        except errors.Error as e:
+            failures.append(e)
+    if failures:
+        raise failures[0]
+    return bool(wanted)
+
+
+async def _activate(node, places, wait):
+    """Make a component Active in one of its Placements: its own if that runs, else one of another component; returns which, in words.
+
+    Robots of hrpsys and rtcloader run many components in the context of one. A component that is Active in two contexts is
+    executed by both, at the same time; so one that is Active anywhere stays as it is.
+    """
+    active = _all_in(places, "Active")
+    if active:
+        if wait is not None:
+            await stay.task(node, active[0].ref, ACTIVATE, wait)
+        words = await _words(node, active[0])
+        return words if words == "Active" else "already " + words
+    failed = _all_in(places, "Error")
+    chosen = failed[0] if failed else await _running(node, places)
+    await change_in.task(node, chosen.ref, ACTIVATE, wait, _number(chosen.index), chosen.state)
+    return await _words(node, chosen)
+
+
 @tasks.task
-async def change_in(node, ref, transition, wait=None, called="this execution context", stage=lambda name: None):
+async def change_as_planned(node, transition, index, wait, called, stage):
+    """`change` for a plan that names the execution context number `index`, which is `called` so; whether there was something to do.
+
+    A component that is Active in the context of another component is not made Active in its own, nor the other way round; if its
+    own is stopped, the first of another component that runs is meant. It becomes Inactive in all contexts.
+    """
+    places = await placements(node)
+    if transition is not ACTIVATE:
+        return await _leave(node, places, transition, wait, stage)
+    meant = places[index]
+    others = [place for place in places if place.is_own != meant.is_own]
+    active = _all_in(others, "Active")
+    if active:
+        await stay.task(node, active[0].ref, ACTIVATE, wait)
+        return False
+    if meant.is_own:
+        meant = await _running(node, [meant] + others)
+    before = await change_in.task(node, meant.ref, ACTIVATE, wait, called, meant.state, stage)
+    return before != ACTIVATE.target
+
+
+async def _running(node, places):
+    """The first of the Placements whose context runs; the first of all where none does."""
+    if len(places) == 1:
+        return places[0]
+    for place in places:
+        if await elsewhere.task(node, place.ref, orb.Call(node.path, place.ref, "is_running"), False):
+            return place
+    return places[0]
+
+
+async def _words(node, place):
+    """Active, and in which context, if that is not the first of its own."""
+    if place.index == 0:
+        return "Active"
+    if place.is_own:
+        return f"Active in {_number(place.index)}"
+    profile = await elsewhere.task(node, place.ref, orb.Call(node.path, place.ref, "get_profile"), None)
+    owner = "another component" if profile is None or profile.owner is None else await _name(node, profile.owner)
+    return f"Active in the context of {owner}"
+
+
+async def _name(node, ref):
+    """The instance name of another component, printable."""
+    try:
+        return printable(from_wire(await orb.Call(node.path, ref, "get_sdo_id")))
+    except errors.Error:
+        return "another component"
+
+
+@tasks.task
+async def change_in(node, ref, transition, wait=None, called="this execution context", before=None, stage=_ignore):
     """`change` in the execution context `ref`; returns the state that the component was in before.
 
-    `called` is the context in messages. If the component has to change, stage("asking") is called before it is asked, and
-    stage("told") when it has accepted.
+    `called` is the context in messages; `before` its state there, where that has just been asked. If the component has to change,
+    stage("asking") is called before it is asked, and stage("told") when it has accepted.
     """
-    before = await state_in.task(node, ref)
+    before = before or await state_in.task(node, ref)
     if before == transition.target:
         if wait is not None:
             await stay.task(node, ref, transition, wait)
@@ -268,6 +408,20 @@ async def change_in(node, ref, transition, wait=None, called="this execution con
     if wait is not None:
         await stay.task(node, ref, transition, start + seconds - time.monotonic())
     return before
+
+
+@tasks.task
+async def state_as_planned(node, transition, wait):
+    """The state that shows whether `change_as_planned` has been done: over all its contexts.
+
+    Raises Refused where Active does not last for a period.
+    """
+    places = await placements(node)
+    active = _all_in(places, "Active")
+    if transition is not ACTIVATE or not active:
+        return merged([place.state for place in places])
+    await stay.task(node, active[0].ref, transition, wait)
+    return "Active"
 
 
 @tasks.task
@@ -324,8 +478,7 @@ async def _until(node, ref, transition, now, seconds):
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to Error")
         if not await orb.Call(node.path, ref, "is_running"):
-            others = "; the component takes part in others, named with -e (see rtec)" if await participating_context_refs.task(node) else ""
-            why = f"its execution context is stopped; once started, it may still do so{others}"  # OpenRTM-aist 2 remembers the request
+            why = "its execution context is stopped; once started, it may still do so"  # OpenRTM-aist 2 remembers the request
             raise errors.Refused(str(node.path), f"cannot {transition.name}: {why}")
         if time.monotonic() > limit:
             raise errors.Late(str(node.path), f"not {transition.target} within {seconds:g}s, still {now}")

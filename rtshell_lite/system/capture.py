@@ -41,7 +41,7 @@ async def ask(node, brief=False, states=True):
     if any(context.handle is None for context in contexts):
         raise errors.Unreachable(str(node.path), "one of its execution contexts does not answer")
     if brief:
-        contexts = [context._replace(ref=None, owner=None, participants=(), properties=()) for context in contexts]
+        contexts = [context._replace(ref=None, owner=None, properties=()) for context in contexts]
     sets, active = (shown.configuration.sets(with_hidden=True), shown.configuration.active) if shown.configuration else ([], "")
     return Found(node, ports.in_system(shown.ports), contexts,
                  {context.handle: state for context, state in zip(shown.contexts, shown.states)} if states else None,
@@ -151,8 +151,7 @@ def _component(each, found, notes):
     made.service_ports = [model.ServicePort(name=name) for name in names]
     made.configuration_sets = [model.ConfigurationSet(id=one.id, configuration_data=[
         model.ConfigurationData(name=name, data=value) for name, value in one.values.items()]) for one in each.sets]
-    made.execution_contexts = [model.ExecutionContext(id=str(one.handle), kind=one.kind.upper(), rate=one.rate)
-                               for one in each.owned]
+    made.execution_contexts = [_context(each, one, found, notes) for one in each.owned]
     if each.members:
         kind = each.profile.category.rpartition("composite.")[2]
         made.composite_type = model.COMPOSITE_TYPES.get(kind.lower(), "PeriodicECShared")
@@ -164,6 +163,23 @@ def _component(each, found, notes):
         name = "that does not answer" if isinstance(name, errors.Error) else printable(name)
         notes.append(f"{each.node.path}: its member {name} is not in the system, left out")
     made.participants.sort(key=lambda one: one.component.instance_name)
+    return made
+
+
+def _context(each, context, found, notes):
+    """The model.ExecutionContext of a component.Context, with those of other components that take part in it.
+
+    RTSystemEditor writes the same. The members of a composite are listed by the composite itself.
+    """
+    made = model.ExecutionContext(id=str(context.handle), kind=context.kind.upper(), rate=context.rate)
+    for ref in () if each.members else context.participants:
+        other = _member(ref, found)
+        if other is None:
+            notes.append(f"{each.node.path}: a component that takes part in its execution context {context.handle} is not in the "
+                         "system, left out")
+        elif other is not each:
+            made.participants.append(_target(model.TargetComponent, other))
+    made.participants.sort(key=lambda one: one.instance_name)
     return made
 
 

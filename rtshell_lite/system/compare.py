@@ -25,6 +25,7 @@ MESSAGES = {
     "value": "Configuration parameter {name} in set {set} on component {path} is incorrect (value: {actual})",
     "member": "Component {member} is not a member of {path}",
     "wrong member": "Wrong member of {path}: {name}",
+    "participant": "Component {member} does not take part in an execution context of {path}",
     "state": "Component {path} is in incorrect state {actual}",
     "unplaced": "The file has no component for connection {name} between {path}",
     "connection": "No connection between {path}",
@@ -87,6 +88,10 @@ def checks(profile, state, listed):
         found += [steps.Active(site, active)] if active else []
         found += [steps.Values(site, one.id, steps.wanted_values(one)) for one in site.component.configuration_sets]
     found += [_Members(site, steps.members(site, site_of)) for site in listed if site.component.participants]
+    for site in listed:
+        for index, handle, wanted in steps.own_contexts(site):
+            others = [] if site.component.participants else steps.participants(site, wanted, site_of)
+            found += [steps.Participants(site, index, handle, others)] if others else []
     for site in by_need:  # a state for each context; one over all where the file lists none by number
         handles = [context.id for context in site.component.execution_contexts if context.id.isdigit()] or [None]
         found += [_State(site, state, handle) for handle in handles]
@@ -125,13 +130,19 @@ class _State(steps.Step):
             yield steps.Difference("state", None, self.state, actual, None)
 
     def _in_context(self, found):
-        """The state in that context; None where there is none, or where it means nothing."""
+        """The state in that context; None where there is none, or where another one counts.
+
+        That of a member of a composite is stopped; a component that is Active in the context of another component is not to be
+        Active in its own, too.
+        """
         if self.handle is None:
             return None
         handle = int(self.handle)
-        stopped = any(context.handle == handle and not context.running for context in found.owned)
-        if stopped and len(found.states) > len(found.owned):
-            return None  # a member of a composite, whose context is the one that counts
+        own = {context.handle: context for context in found.owned}
+        others = [state for other, state in found.states.items() if (other in own) != (handle in own)]
+        is_stopped = handle in own and not own[handle].running
+        if "Active" in others or is_stopped and others:
+            return None
         return found.states.get(handle)
 
 
@@ -158,6 +169,8 @@ def _lines(step, component='for {0} component {3} with ID "{1}" and instance nam
                 for name, value in step.values.items()] or [f'for set "{shown}" on component "{where}"']
     if step.kind == "members":
         return [f"members of {where}"]
+    if step.kind == "participants":
+        return [f"participants in execution context {step.handle} of {where}"]
     return [f"state is {step.state} for {where}{'' if step.handle is None else f' in execution context {step.handle}'}"]
 
 

@@ -35,7 +35,7 @@ def restoring(profile, options):
     for site in listed:
         outcomes += _memberships(site, site_of)
     for site in listed:
-        outcomes += _configurations(site) + _rates(site)
+        outcomes += _configurations(site) + _rates(site) + _participations(site, site_of)
     return outcomes + _connections(profile, site_of)
 
 
@@ -139,16 +139,19 @@ def _configurations(site):
 
 
 def _rates(site):
-    """Whether the execution contexts that a component owns have their rates; contexts that it does not own are skipped."""
-    owned = [context.handle for context in site.found.owned] if site.found else None
+    """Whether the execution contexts that a component owns have their rates."""
+    return [apply.judged(steps.Rate(site, index, handle, wanted.rate)) for index, handle, wanted in steps.own_contexts(site)
+            if 0 < wanted.rate < float("inf") and wanted.kind.upper()[:8] == "PERIODIC"]
+
+
+def _participations(site, site_of):
+    """Whether other components take part in its contexts, as on robots that run many in one; a composite lists its members itself."""
     outcomes = []
-    for index, wanted in enumerate(site.component.execution_contexts):
-        if not wanted.id.isdigit() or not 0 < wanted.rate < float("inf") or wanted.kind.upper()[:8] != "PERIODIC":
-            continue
-        handle = int(wanted.id)
-        if owned is None or handle in owned:
-            index = index if owned is None else owned.index(handle)
-            outcomes.append(apply.judged(steps.Rate(site, index, handle, wanted.rate)))
+    for index, handle, wanted in steps.own_contexts(site):
+        others = [] if site.component.participants else steps.participants(site, wanted, site_of)
+        present = [other for other in others if other.error is None]
+        outcomes += [apply.judged(steps.Participants(site, index, handle, part)) for part in (
+            present, [other for other in others if other.error is not None]) if part]
     return outcomes
 
 

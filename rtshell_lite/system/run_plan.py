@@ -3,7 +3,7 @@ import collections
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb, pool
+from rtshell_lite.corba import lanes, pool
 from rtshell_lite.robot import component, ports
 from rtshell_lite.system import capture, plan, sites, steps
 from rtshell_lite.text import printable
@@ -13,8 +13,8 @@ TICK = 1.0  # seconds that the main thread sleeps at most
 # What became of an action: `outcome` is one of plan.DONE …, `error` an errors.Error that says why, None where all is well.
 Result = collections.namedtuple("Result", "action outcome error")
 
-# The execution contexts in which a component is to be changed: {handle: reference}, and those that it owns, in its order.
-_Contexts = collections.namedtuple("_Contexts", "by_handle by_place")
+# The execution contexts of a component: their handles in the order in which -e counts, and how many of them it owns.
+_Contexts = collections.namedtuple("_Contexts", "handles owned")
 
 # What is asked of a component before anything starts.
 _Answer = collections.namedtuple("_Answer", "node profile contexts")
@@ -163,10 +163,10 @@ class Run:
     def _change(self, action, node, contexts):
         """Take a component through the transition, and return the Result."""
         def change():
-            ref = _context(node, contexts or _contexts(node), action)
+            index = _context(node, contexts or _contexts(node), action)
             called = "execution context " + printable(action.context)
-            before = component.change_in(node, ref, self.transition, self.wait, called, stage)
-            return plan.ALREADY if before == self.transition.target else plan.DONE
+            has_changed = component.change_as_planned(node, self.transition, index, self.wait, called, stage)
+            return plan.DONE if has_changed else plan.ALREADY
 
         def stage(name):
             self._asked.add(action.number)
@@ -176,19 +176,15 @@ class Run:
             return Result(action, lanes.ask(node.endpoint, str(node.path), change), None)
         except errors.Unreachable as e:
             if action.number in self._asked:
-                return self._seen(action, node, contexts, e)
+                return self._seen(action, node, e)
             return self._failed(action, e)
         except errors.Error as e:
             return self._failed(action, e)
 
-    def _seen(self, action, node, contexts, failure):
+    def _seen(self, action, node, failure):
         """The Result of an action whose answer was lost: the component may have changed, so look."""
         def state():
-            ref = _context(node, contexts or _contexts(node), action)
-            found = component.seen(component.state_in.task(node, ref))
-            if found == self.transition.target:
-                component.stay(node, ref, self.transition, self.wait)
-            return found
+            return component.seen(component.state_as_planned.task(node, self.transition, self.wait))
         where = failure.where
         why = str(failure)[len(where) + 2:]
         try:
@@ -217,21 +213,17 @@ def _ask(node):
 
 
 def _contexts(node):
-    """The _Contexts of a component. A member of a composite has a stopped one; that of the composite counts instead."""
+    """The _Contexts of a component."""
     owned, participating = component.context_refs(node)
-    handles = [node.call("get_context_handle", ref) for ref in owned + participating]
-    if participating:
-        owned = [ref if orb.call(str(node.path), ref, "is_running") else participating[0] for ref in owned]
-    return _Contexts(dict(zip(handles, owned + participating)), owned)
+    return _Contexts([node.call("get_context_handle", ref) for ref in owned + participating], len(owned))
 
 
 def _context(node, contexts, action):
-    """The reference of the execution context that an action means. Raises NoSuch."""
+    """The number, as -e counts, of the execution context that an action means. Raises NoSuch."""
     if action.context.isdigit():
-        ref = contexts.by_handle.get(int(action.context))
-    else:  # some files give names to contexts
-        ref = contexts.by_place[action.place] if action.place < len(contexts.by_place) else None
-    if ref is None:
-        handles = ", ".join(str(handle) for handle in sorted(contexts.by_handle)) or "none"
-        raise errors.NoSuch(str(node.path), "execution context", f"{printable(action.context)} (it has {handles})")
-    return ref
+        if int(action.context) in contexts.handles:
+            return contexts.handles.index(int(action.context))
+    elif action.place < contexts.owned:  # some files give names to contexts
+        return action.place
+    handles = ", ".join(str(handle) for handle in sorted(contexts.handles)) or "none"
+    raise errors.NoSuch(str(node.path), "execution context", f"{printable(action.context)} (it has {handles})")

@@ -302,6 +302,73 @@ class Active(_Configuring):
         after[0].configuration.activate(before[0].active)
 
 
+class Participants(Step):
+    """Let the components at other Sites take part in the execution context with a handle: number `index` of those of one component."""
+
+    kind = "participants"
+
+    def __init__(self, site, index, handle, participants):
+        names = ", ".join(printable(participant.instance) for participant in participants)
+        super().__init__([site] + participants, site.where, f"participants {names} in execution context {handle} of {site.where}")
+        self.site, self.index, self.handle, self.participants = site, index, handle, participants
+        attached = [participant for participant in participants if site.found is None or self._is_missing(participant, site.found.owned)]
+        words = ["rtec"] + ["-e", str(index)] * bool(index) + [site.where, "attach"]
+        self.command = " ".join(map(shell_word, words + [participant.where for participant in attached]))
+
+    def jobs(self):
+        return [lanes.Job(self.endpoint, self.where, lambda: _owned_contexts(self.site))]
+
+    def found(self):
+        return [self.site.found.owned]
+
+    def differences(self, answers):
+        _with_handle(self, answers)
+        return [Difference("participant", participant.instance, participant.where, None, None) for participant in self._missing(answers)]
+
+    def _missing(self, answers):
+        return [participant for participant in self.participants if self._is_missing(participant, answers[0])]
+
+    def _is_missing(self, participant, owned):
+        refs = [ref for context in owned if context.handle == self.handle for ref in context.participants]
+        return participant.node is None or not any(orb.same(ref, participant.node.ref) for ref in refs)
+
+    def act(self, answers):
+        for participant in self._missing(answers):
+            contexts.attach(self.site.node, self.index, participant.node)
+
+    def undo(self, before, after):
+        for participant in self._missing(before):
+            contexts.detach(self.site.node, self.index, participant.node)
+
+
+def own_contexts(site):
+    """(number as -e counts, handle, model.ExecutionContext) of the contexts that the file lists for a component and that it owns."""
+    owned = [context.handle for context in site.found.owned] if site.found else None
+    for place, wanted in enumerate(site.component.execution_contexts):
+        if wanted.id.isdigit() and owned is None:
+            yield place, int(wanted.id), wanted
+        elif wanted.id.isdigit() and int(wanted.id) in owned:
+            yield owned.index(int(wanted.id)), int(wanted.id), wanted
+
+
+def participants(site, context, site_of):
+    """The Sites of the components that the profile lets take part in a context of another one; not of itself."""
+    found = [site_of(target) for target in context.participants]
+    return [participant for participant in found if participant is not None and participant is not site]
+
+
+def _owned_contexts(site):
+    return [component.context(site.node, ref) for ref in component.owned_context_refs(site.node)]
+
+
+def _with_handle(step, answers):
+    """(its number, the component.Context) of the context that a step is about. Raises NoSuch."""
+    for index, context in enumerate(answers[0]):
+        if context.handle == step.handle:
+            return index, context
+    raise errors.NoSuch(step.where, "execution context", "%d" % step.handle)
+
+
 class Rate(Step):
     """Set the rate (Hz) of the execution context with a handle: number `index` of those that the component owns."""
 
@@ -314,29 +381,19 @@ class Rate(Step):
         self.command = " ".join(map(shell_word, words))
 
     def jobs(self):
-        return [lanes.Job(self.endpoint, self.where, self._contexts)]
-
-    def _contexts(self):
-        return [component.context(self.site.node, ref) for ref in component.owned_context_refs(self.site.node)]
+        return [lanes.Job(self.endpoint, self.where, lambda: _owned_contexts(self.site))]
 
     def found(self):
         return [self.site.found.owned]
 
     def differences(self, answers):
-        _, context = self._context(answers)
+        _, context = _with_handle(self, answers)
         if not contexts.same_rate(context.rate, self.rate):
             yield Difference("rate", None, self.rate, context.rate, None)
 
-    def _context(self, answers):
-        """(its number, the component.Context). Raises NoSuch."""
-        for index, context in enumerate(answers[0]):
-            if context.handle == self.handle:
-                return index, context
-        raise errors.NoSuch(self.where, "execution context", "%d" % self.handle)
-
     def act(self, answers):
-        contexts.set_rate(self.site.node, self._context(answers)[0], self.rate)
+        contexts.set_rate(self.site.node, _with_handle(self, answers)[0], self.rate)
 
     def undo(self, before, after):
-        index, context = self._context(before)
+        index, context = _with_handle(self, before)
         contexts.set_rate(self.site.node, index, context.rate)

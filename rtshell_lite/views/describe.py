@@ -41,9 +41,8 @@ def lines(snapshot, level, ends, paint):
     # with -ll rtshell indents the following by a blank or two more, and there are scripts that cut by column
     tag, more = (" ", "  ") if level > 1 else ("", "")
     yield from composition_lines(snapshot, level, tag, more, paint)
-    for context in snapshot.owned:
-        if context.handle is not None:
-            yield from context_lines(context, snapshot, level, tag, more, paint)
+    for context, state in zip(snapshot.contexts, snapshot.states):
+        yield from context_lines(context, state, snapshot, level, tag, more, paint)
     for port in snapshot.ports:
         yield from port_lines(port, profile.instance_name, level, ends, paint, tag, more)
 
@@ -69,10 +68,16 @@ def composition_lines(snapshot, level, tag, more, paint):
             yield from text.pairs([("ID", printable(organisation_id)), ("Path", path)], more + "  ")
 
 
-def context_lines(context, snapshot, level, tag, more, paint):
-    """The lines of one execution context."""
+def context_lines(context, state, snapshot, level, tag, more, paint):
+    """The lines of one execution context; with the state of the component there if it is in several, and the owner if that is another."""
     sign = "-" if level else "+"
-    yield f"{tag}{sign}Execution Context {paint(str(context.handle), 'bold')}"
+    if context.handle is None:
+        yield f"{tag}+Execution Context of another component, which does not answer  {paint(state)}"
+        return
+    words = f"{tag}{sign}Execution Context {paint(str(context.handle), 'bold')}"
+    if not any(context is one for one in snapshot.owned):
+        words += f" of {printable(_instance(context.owner, snapshot))}"
+    yield words if len(snapshot.contexts) == 1 else f"{words}  {paint(state)}"
     if not level:
         return
     items = [("State", "Running" if context.running else "Stopped"), ("Kind", context.kind), ("Rate", str(float(context.rate)))]

@@ -81,7 +81,7 @@ go on for minutes; so they are deactivated before it:
   Inactive Sensor0.rtc
   Active composite0.rtc
 
-A member alone: its own context is stopped; the composite's is named with -e
+A member alone: its own context is stopped, so that the composite's is meant, with -e or without
 
   $ at cpp2
   $ rtact -v -e 1 --wait Motor0.rtc
@@ -94,8 +94,7 @@ A member alone: its own context is stopped; the composite's is named with -e
   $ rtdeact -v -e 1 --wait Motor0.rtc
   rtdeact: /localhost:$PORT/cpp2.host_cxt/Motor0.rtc: Inactive
   $ rtact -v Motor0.rtc
-  rtact: /localhost:$PORT/cpp2.host_cxt/Motor0.rtc: cannot activate: its execution context is stopped; once started, it may still do so; the component takes part in others, named with -e (see rtec)
-  [6]
+  rtact: /localhost:$PORT/cpp2.host_cxt/Motor0.rtc: Active in the context of composite0
 
 A composite in Error is reset as all components are:
 
@@ -106,6 +105,6 @@ A composite in Error is reset as all components are:
   $ rtreset -v --wait composite0.rtc; states
   rtreset: /localhost:$PORT/cpp2.host_cxt/composite0.rtc: Inactive
   Inactive Controller0.rtc
-  Inactive Motor0.rtc
+  Active Motor0.rtc
   Inactive Sensor0.rtc
   Inactive composite0.rtc

@@ -40,6 +40,7 @@ What it costs a component:
   1 activate_component
   1 get_component_state
   1 get_owned_contexts
+  1 get_participating_contexts
   $ rtdeact ConsoleIn0.rtc
 
 --dry-run prints commands that do it, and changes nothing; what is active already needs no command:
@@ -85,6 +86,7 @@ A period is that of the execution context; one that is Active already may fall y
   $ calls @these
   4 get_component_state
   1 get_owned_contexts
+  1 get_participating_contexts
   1 get_rate
   $ rtec ../lame.host_cxt/ConsoleIn0.rtc rate 0.1
   $ within 0.9-3 rtact --wait=1 ../lame.host_cxt/ConsoleIn0.rtc

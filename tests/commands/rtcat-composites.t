@@ -32,7 +32,8 @@ world: composite --flavour py2 --context py2.host_cxt/%n.rtc
     Type           Monolithic composite member
    +Extra properties
   +Parent composition composite0
-  +Execution Context 0
+  +Execution Context 0  Inactive
+  +Execution Context 1000 of composite0  Inactive
   +DataInPort: in
   +DataOutPort: out
   $ rtcat -l composite0.rtc | sed '/^-Data/,$d'
@@ -72,11 +73,18 @@ world: composite --flavour py2 --context py2.host_cxt/%n.rtc
   -Parent composition composite0
     ID    $UUID
     Path  /localhost:$PORT/test.host_cxt/composite0.rtc
-  -Execution Context 0
+  -Execution Context 0  Inactive
     State  Stopped
     Kind   Periodic
     Rate   1000.0
     Owner  Motor0
+   +Extra properties
+  -Execution Context 1000 of composite0  Inactive
+    State  Running
+    Kind   Periodic
+    Rate   1000.0
+    Owner  composite0
+   +Participants
    +Extra properties
   $ rtcat -ll composite0.rtc | sed -n '/Composition/,/Extra/p'
    -Composition composite0
@@ -98,7 +106,7 @@ world: composite --flavour py2 --context py2.host_cxt/%n.rtc
    -Parent composition composite0
       ID    $UUID
       Path  /localhost:$PORT/test.host_cxt/composite0.rtc
-   -Execution Context 0
+   -Execution Context 0  Inactive
       State  Stopped
       Kind   Periodic
       Rate   1000.0
@@ -235,5 +243,5 @@ Organization::get_owner is never called: C++ tells it once in its life. How ofte
   2 get_port_profile
   1 get_ports
   1 get_profile
-  1 get_sdo_id
+  2 get_sdo_id
   1 is_running

@@ -83,17 +83,24 @@ Several contexts; those that it takes part in belong to others and are not shown
 
   $ RTCSH_CWD=/localhost:$PORT/test.host_cxt; export RTCSH_CWD
   $ rtcat -l Multi0.rtc | sed -n '/^-Exec/,/^-Data/p'
-  -Execution Context 0
+  -Execution Context 0  Inactive
     State  Running
     Kind   Periodic
     Rate   1000.0
     Owner  Multi0
    +Extra properties
-  -Execution Context 1
+  -Execution Context 1  Inactive
     State  Running
     Kind   Periodic
     Rate   1000.0
     Owner  Multi0
+   +Extra properties
+  -Execution Context 1000 of Driver0  Inactive
+    State  Running
+    Kind   Periodic
+    Rate   1000.0
+    Owner  Driver0
+   +Participants
    +Extra properties
   -DataInPort: in
   $ rtcat -l Driver0.rtc | sed -n '/^-Exec/,/^-Data/p'

@@ -64,7 +64,7 @@ A component of OpenRTM 1.1 answers only after ten periods of its context:
 
 -e, another execution context:
 
-  $ rtact -e 1 Multi0.rtc; rtact Multi0.rtc
+  $ rtact -e 1 Multi0.rtc; rtact -e 0 Multi0.rtc
   $ rtdeact Multi0.rtc -e 1
   $ rtcat --json Multi0.rtc | grep -o '"state": "[A-Za-z]*"' | head -3
   "state": "Active"

@@ -42,7 +42,8 @@ All of them together cost one timeout:
     Parent\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
     Type           Monolithic
    +Extra properties
-  +Execution Context 0
+  +Execution Context 0  Inactive
+  +Execution Context of another component, which does not answer  Unknown
   +DataInPort: in
   +DataOutPort: out
   $ within 0.5-1 rtec --timeout 0.5 A.rtc

@@ -176,6 +176,18 @@ class Page(Terminal):
         self.press("q")
         self.ended(0)
 
+    def test_a_component_in_the_context_of_another_one(self):
+        for words in (["rtec", "Sensor0.rtc", "attach", "Motor0.rtc"], ["rtact", "-e", "1", "--wait", "Motor0.rtc"]):
+            self.type(" ".join(words))
+        self.addCleanup(self.type, "rtec Sensor0.rtc detach Motor0.rtc")
+        self.start("-f motor")
+        self.shows(r"^Active .*Motor0\.rtc")
+        self.press("d", "y")
+        self.shows("^rtdeact: %s/Motor0.rtc: Inactive$" % self.top)
+        self.shows(r"^Inactive .*Motor0\.rtc")
+        self.press("q")
+        self.ended(0)
+
     def test_a_paste_is_not_taken_for_keys(self):
         self.start("-f motor")
         self.shows(r"^Inactive .*Motor0\.rtc")

@@ -12,6 +12,7 @@ import processes
 import tools
 import worlds
 from rtshell_lite import api, errors
+from rtshell_lite.robot import contexts, tree
 
 ROOT = processes.ROOT
 DOCS = os.path.join(ROOT, "docs")
@@ -119,6 +120,17 @@ class World(unittest.TestCase):
         with self.assertRaises(api.Error) as caught:
             sink.activate(context=7)
         self.assertEqual((caught.exception.where, caught.exception.status), (sink.path, 3))
+
+    def test_inactive_is_inactive_in_every_context(self):
+        source, sink = (api.component(self.home + name) for name in ("ConsoleIn0.rtc", "ConsoleOut0.rtc"))
+        contexts.attach(tree.component(source.path), 0, tree.component(sink.path))
+        self.addCleanup(contexts.detach, tree.component(source.path), 0, tree.component(sink.path))
+        sink.activate(wait=10, context=1)
+        sink.activate(wait=10)
+        self.assertEqual(self.world.ctl("state", "ConsoleOut0"), (0, "INACTIVE\n"))  # in its own
+        self.assertEqual(sink.state, "Active")
+        sink.deactivate(wait=10)
+        self.assertEqual(sink.state, "Inactive")
 
     def test_connections_and_values(self):
         source, sink = (api.component(self.home + name) for name in ("ConsoleIn0.rtc", "ConsoleOut0.rtc"))
