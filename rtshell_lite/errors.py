@@ -143,6 +143,10 @@ class ProcessGone(ConnectionRefused):
     """{}: connection refused; its process is gone (zombie)"""
 
 
+class MaybeGone(ConnectionRefused):
+    """{}: connection refused; its process is gone, or a firewall refuses"""
+
+
 class NoNameServer(ConnectionRefused):
     """{}: connection refused; is the name server running?"""
 
@@ -165,6 +169,10 @@ class Refused(Error):
         """`name` is the CORBA exception's or return code's name, for callers that treat some of them otherwise."""
         super().__init__(where, why)
         self.name = name
+
+
+class LeftAlone(Error):
+    """{}: left: {}"""  # a name of what may live, and why that is not known
 
 
 class Gone(Unreachable):

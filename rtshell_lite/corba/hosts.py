@@ -52,10 +52,22 @@ class LookUp:
 
     def _ask(self, flags=0):
         try:
-            name = self._host.encode("ascii")
-        except UnicodeError:
-            name = self._host.encode("utf-8", "surrogateescape")
-        try:
-            self.found = _socket.getaddrinfo(name, None, 0, _socket.SOCK_STREAM, 0, flags)
+            self.found = _places(self._host, flags)
         except (OSError, ValueError) as e:  # ValueError: a NUL in it
             self.found = e if isinstance(e, OSError) else _socket.gaierror(0, str(e))
+
+
+def places(host):
+    """The places of a host as of getaddrinfo, [] for one that is not known; the look-up of a name may take long."""
+    try:
+        return _places(host)
+    except (OSError, ValueError):
+        return []
+
+
+def _places(host, flags=0):
+    try:
+        name = host.encode("ascii")
+    except UnicodeError:
+        name = host.encode("utf-8", "surrogateescape")
+    return _socket.getaddrinfo(name, None, 0, _socket.SOCK_STREAM, 0, flags)

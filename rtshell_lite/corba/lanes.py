@@ -39,6 +39,7 @@ class Job:
 loop = None  # function(jobs), `in_turn` on one thread where Job.call makes a coroutine; None with an ORB that needs threads
 
 _answered = {}  # {endpoint: when it last answered}
+name_servers = set()  # endpoints of name servers, which firewalls often let through
 
 
 class Peer:
@@ -151,6 +152,11 @@ def answered():
 def has_answered():
     """True if the peer of this lane has ever answered a call."""
     return in_lane() and _lane.peer.endpoint in _answered
+
+
+def last_answers():
+    """{endpoint: when it last answered a call}, by time.monotonic()."""
+    return _answered
 
 
 def note_shortage(e, host):

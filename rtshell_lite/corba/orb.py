@@ -184,7 +184,8 @@ async def is_alive(where, ref):
     try:
         gone = await Call(where, ref, "_non_existent")
     except errors.ConnectionRefused:
-        raise errors.ProcessGone(str(where))
+        from rtshell_lite.corba import liveness  # few need it
+        raise liveness.refusal(where, endpoint(ref))
     if gone:
         raise errors.Gone(str(where))
     return True

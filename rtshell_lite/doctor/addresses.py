@@ -10,6 +10,7 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes
+from rtshell_lite.corba.liveness import is_own  # noqa: F401: one of the checks of addresses
 from rtshell_lite.robot.aliases import resolve
 
 LARGE = 2000  # octets: more than an Ethernet packet holds
@@ -105,14 +106,3 @@ def why_not_bound(host, port):
     except (OSError, UnicodeError) as e:
         return getattr(e, "strerror", None) or "not a host name"
     return ""
-
-
-def is_own(address):
-    """True for an IP address of this host: a UDP socket can be bound there."""
-    family = socket.AF_INET6 if ":" in address else socket.AF_INET
-    try:
-        with socket.socket(family, socket.SOCK_DGRAM) as own:
-            own.bind((address.partition("%")[0], 0))
-    except OSError:
-        return False
-    return True

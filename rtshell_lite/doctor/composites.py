@@ -31,7 +31,7 @@ def _may_be_composite(snapshot):
 
 def _lost(snapshot, error, ref):
     shown = printable(published(ref))
-    if isinstance(error, (errors.Gone, errors.ConnectionRefused)):
+    if isinstance(error, (errors.Gone, errors.ProcessGone)):
         return fail("composite", snapshot.where, "one of its members is dead: nothing answers at " + shown,
                     remedies.words("restart composite", port=snapshot.node.endpoint[1]))
     if remedies.is_of_network(error, orb.endpoint(ref)):

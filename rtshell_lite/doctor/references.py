@@ -1,6 +1,6 @@
 """Each name in a name server and its reference: where it leads, whether it can be reached, whether its object lives."""
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import liveness, orb
 from rtshell_lite.doctor import here, networks, remedies
 from rtshell_lite.doctor.finding import fail, ok, published, reason, warn
 from rtshell_lite.text import printable, shell_word
@@ -61,7 +61,7 @@ def _silent(visit, node, offered, shown):
     if _out_of_reach(visit, offered):
         failure = visit.probes[offered[0]]
         if isinstance(failure, errors.ConnectionRefused) and networks.is_certain(node.ref, visit.addresses):
-            return fail("reference", where, "dead: nothing listens at " + shown, remedies.command("delete zombie", path=where))
+            return _refused(where, offered[0], shown)
         apart = ", of another network than its name server" if networks.is_apart(node.ref, visit.addresses) else ""
         message = f"cannot tell from here whether it lives: publishes {shown}{apart}, out of reach ({reason(failure)})"
         return fail("reference", where, message, remedies.network(offered[0]))
@@ -73,6 +73,14 @@ def _silent(visit, node, offered, shown):
                     remedies.network(offered[0]))
     return fail("reference", where, f"hung: {shown} accepts TCP, but {reason(node.error)}",
                 remedies.of_silence(node.error, offered[0], where))
+
+
+def _refused(where, endpoint, shown):
+    """Nobody listens, or a firewall refuses: see corba/liveness.py."""
+    if liveness.is_gone(endpoint):
+        return fail("reference", where, "dead: nothing listens at " + shown, remedies.command("delete zombie", path=where))
+    message = f"cannot tell from here whether it lives: {shown} refuses the connection, as a firewall would"
+    return fail("reference", where, message, remedies.words("firewall", port=endpoint[1]))
 
 
 def _out_of_reach(visit, offered):

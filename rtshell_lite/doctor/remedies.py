@@ -43,6 +43,8 @@ WORDS = {
     "clock": "compare the clocks (date, here and there) and set the wrong one: timedatectl",
     # the network
     "network": "look at what is between here and {host}: firewall (port {port}), route (ip route get {host}), MTU and loss (ping {host})",
+    "firewall": "netstat -ltnp | grep :{port} there shows whether its process runs: if so, let this host through its firewall; "
+                "if not, start it again",
     "host name": "correct the name, or write its address into /etc/hosts",
     "host file": "write its address into /etc/hosts",
     "slow": "ping {host}",
@@ -50,7 +52,9 @@ WORDS = {
     "another address": "give its process an address that others reach: corba.endpoints: {host}: in rtc.conf",
     "only good addresses": "have its process publish only addresses that others reach: corba.endpoints in rtc.conf",
     # name servers
-    "start name server": "start the name server there: rtm-naming {port}",
+    "start name server": "start the name server: rtm-naming {port}",
+    "start name server there": "netstat -ltnp | grep :{port} there shows whether it runs: if so, let this host through its firewall; "
+                               "if not: rtm-naming {port}",
     "restart name server": "restart the name server that has it",
     "restart": "restart it; netstat -ltnp | grep :{port} there names its process",
     "correct port": "correct the port; netstat -ltnp | grep omniNames there shows it",

@@ -107,8 +107,10 @@ def _transport(visit, endpoint, times):
     try:
         _timed(times, "TCP", lambda: addresses.connect(visit.addresses, port))
     except errors.ConnectionRefused:
-        raise _Stop(where, f"connection refused: {shown} runs, but nothing listens on port {port}",
-                    remedies.words("start name server", port=port))
+        if any(addresses.is_own(address) for address in visit.addresses):
+            raise _Stop(where, f"connection refused: nothing listens on port {port} here", remedies.words("start name server", port=port))
+        raise _Stop(where, f"connection refused: {shown} runs, but nothing listens on port {port}, or a firewall refuses",
+                    remedies.words("start name server there", port=port))
     except errors.Error as e:
         raise _Stop(where, f"no TCP connection to {visit.addresses[0]} port {port} ({reason(e)})",
                     remedies.network(endpoint))

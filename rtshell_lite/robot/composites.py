@@ -76,7 +76,7 @@ def member_paths(node, organisation):
 
 
 def _path_text(places, name, ref, node):
-    if isinstance(name, (errors.Gone, errors.ConnectionRefused)):
+    if isinstance(name, (errors.Gone, errors.ProcessGone)):
         return "Unknown (it is gone)"
     if isinstance(name, errors.Error):
         return f"Unknown ({name.why})"

@@ -6,13 +6,19 @@ from rtshell_lite.robot import aliases, tree
 from rtshell_lite.text import printable, shell_word
 
 
-def delete(path, note, zombie_only=False, recursive=False, dry_run=False):
+MOST_WITNESSES = 8  # objects that are asked to find out whether a host lives
+WHY_LEFT = "its host refuses the connection, as a firewall would, and no other process there answers; " \
+           "netstat -ltnp | grep :%d there shows whether its process runs; -f deletes the name all the same"
+
+
+def delete(path, note, zombie_only=False, recursive=False, dry_run=False, force=False):
     """Unbind what `path` names; yields a line (see `cli.report`) for each name, deepest first.
 
     note         called with a line on each naming context that has another name, and loses only this one
     zombie_only  refuse all but zombies, each verified twice
     recursive    delete a naming context with all that is below it; otherwise only an empty one
-    Raises what `tree.resolve` raises, WrongKind, Refused.
+    force        with zombie_only: what refuses a connection is a zombie, even if a firewall may refuse
+    Raises what `tree.resolve` raises, WrongKind, Refused, LeftAlone for what may live behind a firewall.
     """
     if path.port is not None or not path.names:
         raise errors.WrongKind(str(path), "name that can be deleted", "port" if path.port is not None
@@ -22,7 +28,7 @@ def delete(path, note, zombie_only=False, recursive=False, dry_run=False):
     if above.kind == "manager":
         raise errors.WrongKind(str(path.parent()), "directory with names in it", "manager; rtmgr deletes its components")
     if zombie_only:
-        yield _delete_zombie(_dead(node), dry_run)
+        yield _delete_zombie(_dead(node, force), dry_run, force)
     elif node.kind == "directory":
         yield from _Deletion(path, recursive, dry_run, note).lines(above, node)
     else:
@@ -30,17 +36,18 @@ def delete(path, note, zombie_only=False, recursive=False, dry_run=False):
 
 
 def zombies(top):
-    """The zombies at and below the Node `top`, federated name servers aside: (zombies, Nodes whose listing failed)."""
+    """What is or may be a zombie at and below the Node `top`, federated name servers aside: (Nodes, Nodes whose listing failed)."""
     nodes = list(aliases.within(tree.walk(top, managers=False)))
-    return [node for node in tree.look(nodes) if node.kind == "zombie"], [node for node in nodes if node.error is not None]
+    found = [node for node in tree.look(nodes) if node.kind == "zombie" or isinstance(node.error, errors.MaybeGone)]
+    return found, [node for node in nodes if node.error is not None]
 
 
-def delete_zombies(nodes, dry_run=False):
-    """Delete each of these zombies: a line, '' for one that lives after all, or an errors.Error."""
+def delete_zombies(nodes, dry_run=False, force=False):
+    """Delete each of these zombies: a line, '' for one that lives after all, or an errors.Error; for `force` see `delete`."""
     results = []
     for node in nodes:
         try:
-            results.append(_delete_zombie(node, dry_run))
+            results.append(_delete_zombie(node, dry_run, force))
         except errors.WrongKind:
             results.append("")
         except errors.Error as e:
@@ -48,22 +55,37 @@ def delete_zombies(nodes, dry_run=False):
     return results
 
 
-def _delete_zombie(node, dry_run):
+def _delete_zombie(node, dry_run, force):
     """Delete a zombie after a second look: the component may have been started again under its name."""
     try:
         again = tree.resolve(node.path)
     except errors.NotFound:
         return ""
-    return _unbind(_dead(again).path, dry_run, zombie=True)
+    return _unbind(_dead(again, force).path, dry_run, zombie=True)
 
 
-def _dead(node):
-    """Look at a node that should be a zombie and return it. Raises WrongKind, or Silent if it does not answer."""
+def _dead(node, force):
+    """Look at a node that should be a zombie and return it. Raises WrongKind, Silent if it does not answer, LeftAlone."""
     node, = tree.look([node])
+    if isinstance(node.error, errors.MaybeGone) and not force:
+        node = _with_witnesses(node)
+    if isinstance(node.error, errors.MaybeGone):
+        if force:
+            return node
+        raise errors.LeftAlone(str(node.path), WHY_LEFT % node.endpoint[1])
     if node.kind == "silent":
         raise node.error
     if node.kind != "zombie":
         raise errors.WrongKind(str(node.path), "zombie", node.what)
+    return node
+
+
+def _with_witnesses(node):
+    """Look at a Node again after others of its host that are bound beside it: if one of them answers, it is known to be gone."""
+    beside = [other for other in tree.children(tree.resolve(node.path.parent()))
+              if other.ref is not None and other.endpoint[0] == node.endpoint[0] and other.endpoint != node.endpoint]
+    tree.look(beside[:MOST_WITNESSES])
+    node, = tree.look([tree.resolve(node.path)])
     return node
 
 

@@ -80,7 +80,7 @@ class Node:
         try:
             return await orb.Call(self.path, self.typed, operation, *args, **more)
         except errors.ConnectionRefused as e:
-            raise (errors.NoNameServer if self.kind in ("server", "directory") else errors.ProcessGone)(*e.args)
+            raise errors.NoNameServer(*e.args) if self.kind in ("server", "directory") else _refusal(self)
         except errors.Gone as e:
             raise no_name_server(self) if self.kind == "server" else e
 
@@ -141,8 +141,15 @@ def judged(node, answer):
     """The Node that `node` turns out to be, given what it answered: itself, or zombie or silent after an errors.Error."""
     if not isinstance(answer, errors.Error):
         return answer
-    zombie = isinstance(answer, (errors.Gone, errors.ConnectionRefused))
-    return Node(node.path, "zombie" if zombie else "silent", node.ref, answer)
+    if isinstance(answer, errors.ConnectionRefused):
+        answer = _refusal(node)  # by now, others of its host may have answered
+    is_zombie = isinstance(answer, (errors.Gone, errors.ProcessGone))
+    return Node(node.path, "zombie" if is_zombie else "silent", node.ref, answer)
+
+
+def _refusal(node):
+    from rtshell_lite.corba import liveness  # few need it
+    return liveness.refusal(node.path, node.endpoint)
 
 
 @tasks.task

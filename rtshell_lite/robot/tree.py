@@ -70,7 +70,9 @@ def _is_server(word):
 
 def _server(path):
     """The node of the name server that `path` begins with; contacts nobody."""
-    return Node(Path(path.server, (), None, False), "server", _reference(path.server))
+    node = Node(Path(path.server, (), None, False), "server", _reference(path.server))
+    lanes.name_servers.add(node.endpoint)
+    return node
 
 
 @functools.lru_cache(maxsize=64)

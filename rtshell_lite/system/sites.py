@@ -4,7 +4,7 @@ from rtshell_lite.corba import lanes, orb
 from rtshell_lite.robot import ports, tree
 from rtshell_lite.system import capture, relocate
 
-MISSING = (errors.NotFound, errors.Gone, errors.ConnectionRefused)
+MISSING = (errors.NotFound, errors.Gone, errors.ProcessGone)
 
 
 def is_gone(failure):

@@ -187,6 +187,9 @@ Not to be deleted:
   $ rtdel
   rtdel: no path given (see --help)
   [2]
+  $ rtdel -f ConsoleIn0.rtc
+  rtdel: -f: only with -z (see --help)
+  [2]
   $ rtdel --recursive
   rtdel: no path given (see --help)
   [2]

@@ -9,7 +9,7 @@ faulty: refused dead-host silent drip reset close garbage late-silent late-reset
   $ doctor() { rtdoctor "$@" > out; code=$?; grep -v -e "this host's name" -e ": slow (" out; return $code; }
 
   $ doctor -q localhost:$REFUSED
-  fail  /localhost:$REFUSED: connection refused: localhost runs, but nothing listens on port $REFUSED; try: start the name server there: rtm-naming $REFUSED
+  fail  /localhost:$REFUSED: connection refused: nothing listens on port $REFUSED here; try: start the name server: rtm-naming $REFUSED
   [1]
   $ doctor -q localhost:$RESET
   fail  /localhost:$RESET: cannot tell from here: TCP connects, then connection lost; what listens there does not speak CORBA, or the network is broken; try: look at what is between here and localhost: firewall (port $RESET), route (ip route get localhost), MTU and loss (ping localhost)

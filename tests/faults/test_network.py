@@ -2,6 +2,7 @@
 
 If one of these fails, the tool works on the desk and not at the robot. Needs `ip netns`, and the right to use it.
 """
+import contextlib
 import os
 import shutil
 import signal
@@ -90,6 +91,12 @@ def world(label, host, words, *options):
     process = start(label, host, [sys.executable, "-m", "mock_components", "--host", HOSTS[host], "--control",
                                   tools.control(label), "--nameserver", "%s:%d" % (HOSTS[host], PORT)] + list(options) + words)
     running.processes.ready(process, label)
+    return process
+
+
+def kill(process):
+    process.kill()
+    process.wait()
 
 
 def tearDownModule():
@@ -113,6 +120,29 @@ def surroundings(timeout):
 def cable(name, how):
     """Pull the cable of a host at the switch ("down"), or plug it in again ("up"): the host itself does not notice."""
     ip("-n", namespace("switch"), "link", "set", name, how)
+
+
+WALL = """table ip wall {
+    chain inbound {
+        type filter hook input priority 0
+        iif lo accept
+        tcp dport != %d tcp flags & (syn | ack) == syn reject with %s
+    }
+}"""
+
+
+@contextlib.contextmanager
+def firewall(name, how):
+    """A host refuses all connections from outside but those with its name server."""
+    if not shutil.which("nft"):
+        raise unittest.SkipTest("needs nft (nftables)")
+    rules = WALL % (PORT, how)
+    subprocess.run(inside(name) + ["sh", "-c", "echo 0 >/proc/sys/net/ipv4/icmp_ratelimit"], check=True)  # it refuses each time
+    subprocess.run(inside(name) + ["nft", rules], check=True)
+    try:
+        yield
+    finally:
+        subprocess.run(inside(name) + ["nft", "delete table ip wall"], check=True)
 
 
 A, B = "/%s/test.host_cxt/ConsoleIn0.rtc" % HOSTS["robot1"], "/%s/test.host_cxt/ConsoleOut0.rtc" % HOSTS["robot2"]
@@ -195,6 +225,35 @@ class Network(unittest.TestCase):
         """Nobody is told to restart or delete anything."""
         self.assertIn("try: look at what is between here and ", said)
         self.assertNotRegex(said, "restart|rtdel|rtdis")
+
+    def test_a_firewall_that_refuses(self):
+        """Only the name server is let through: all components live, none is called dead, and no name is deleted, whatever we advise."""
+        self.start_up = laptop("rtls", "/" + HOSTS["robot1"], timeout=10).seconds
+        doomed_process = world("doomed", "robot2", ["these", "Mock:Doomed0"])
+        doomed, home = "/%s/test.host_cxt/Doomed0.rtc" % HOSTS["robot2"], "/%s/test.host_cxt" % HOSTS["robot2"]
+        for how in ("tcp reset", "icmp type port-unreachable"):
+            with self.subTest(how), firewall("robot2", how):
+                said = laptop("rtdoctor", "-q", "/" + HOSTS["robot2"]).out.decode()
+                self.assertRegex(said, r"ConsoleOut0.rtc: cannot tell from here whether it lives: .* refuses the connection, as a firewall")
+                self.assertNotRegex(said, "dead|zombie|rtdel")
+                self.assertIn(b"?ConsoleOut0.rtc", laptop("rtls", "-l", home).out)
+                self.assertEqual(laptop("rtfind", "/" + HOSTS["robot2"], "-t", "z").out, b"")
+                for words in (["rtdel", "-z"], ["rtdel", "-z", B]):
+                    ran = laptop(*words)
+                    self.assertEqual(ran.status, 1, ran)
+                    self.assertIn(b"ConsoleOut0.rtc: left: its host refuses the connection, as a firewall would", ran.err)
+                self.assertIn(b"a firewall refuses", laptop("rtact", B).err)
+        self.assertIn(b"ConsoleOut0.rtc", laptop("rtls", home).out)
+        kill(doomed_process)
+        with firewall("robot2", "tcp reset"):
+            self.assertEqual(laptop("rtdel", "-z", doomed).status, 1)
+        self.assertIn(b"*Doomed0.rtc", laptop("rtls", home).out)  # the others of its host answer: now that is known
+        self.assertIn("dead (zombie): nothing listens at", laptop("rtdoctor", "-q", home).out.decode())
+        self.assertEqual(laptop("rtdel", "-z", doomed).status, 0)  # which asks the others
+        kill(world("doomed-again", "robot2", ["these", "Mock:Doomed0"]))
+        with firewall("robot2", "tcp reset"):
+            self.assertEqual(laptop("rtdel", "-z", "-f", doomed).status, 0)
+        self.assertNotIn(b"Doomed0.rtc", laptop("rtls", home).out)
 
     def test_packets_that_are_lost(self):
         """What connects and then hears nothing, as larger packets are dropped on the way: the robot does not hang."""

@@ -3,6 +3,7 @@ import errno
 import ipaddress
 import socket
 import threading
+import time
 import unittest
 from unittest import mock
 
@@ -68,18 +69,24 @@ class Published(unittest.TestCase):
             with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)] if published else []):
                 self.assertEqual(networks.is_apart(None, ["10.77.0.2"]), apart, published)
 
-    def silent(self, published, failure):
+    def silent(self, published, failure, answered=()):
         """What is said of an object that publishes an address, bound at 10.77.0.2, when a connection ends so; whether to delete it."""
         node = tree.Node(path.parse("/robot/A0.rtc"), "silent", None, errors.Silent("/robot/A0.rtc", "no answer within 1s"))
         visit = mock.Mock(probes={(published, 4000): failure}, addresses=["10.77.0.2"])
         with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)]), \
+                mock.patch.object(lanes, "_answered", {other: time.monotonic() for other in answered}), \
+                mock.patch.object(lanes, "name_servers", {("10.77.0.3", 2809)}), \
                 mock.patch.object(addresses, "arrives", lambda where: True):
             found = references._silent(visit, node, [(published, 4000)], published + ":4000")
         return found.message, "rtdel" in found.remedy
 
     def test_why_an_object_is_silent(self):
         refused, lost = errors.ConnectionRefused("10.77.0.3:4000"), errors.Unreachable("10.77.0.3:4000", "no route to host")
-        self.assertEqual(self.silent("10.77.0.3", refused), ("dead: nothing listens at 10.77.0.3:4000", True))
+        unknown = "cannot tell from here whether it lives: 10.77.0.3:4000 refuses the connection, as a firewall would", False
+        for answered, found in (
+                ([], unknown), ([("10.77.0.3", 2809)], unknown), ([("10.77.0.3", 80)], unknown), ([("10.77.0.2", 4001)], unknown),
+                ([("10.77.0.3", 4000)], unknown), ([("10.77.0.3", 4001)], ("dead: nothing listens at 10.77.0.3:4000", True))):
+            self.assertEqual(self.silent("10.77.0.3", refused, answered), found, answered)
         self.assertEqual(self.silent("10.77.0.3", lost), (
             "cannot tell from here whether it lives: publishes 10.77.0.3:4000, out of reach (no route to host)", False))
         for failure, why in ((refused, "connection refused"), (lost, "no route to host")):

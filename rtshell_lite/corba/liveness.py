@@ -1,0 +1,53 @@
+"""What a refused connection proves.
+
+On this host, that nothing listens there: the process is gone. Another host may refuse because of a firewall, which answers with
+a reset, or with an ICMP message that the port is unreachable. There, the process counts as gone only while another process of
+that host answers at another port above 1023. A name server does not count: firewalls often let its port alone through.
+"""
+import time
+
+from rtshell_lite import errors
+from rtshell_lite.corba import hosts, lanes
+
+PRIVILEGED = 1023  # the highest port that only root may listen at
+AT_THE_SAME_TIME = 3  # times the timeout
+
+
+def is_gone(endpoint):
+    """Whether the process at `endpoint`, (host, port), which has refused a connection, is known to be gone."""
+    return is_this_host(endpoint[0]) or bool(_witnesses(endpoint))
+
+
+def refusal(where, endpoint):
+    """The errors.ConnectionRefused for an object at `endpoint` that says what is known."""
+    return (errors.ProcessGone if is_gone(endpoint) else errors.MaybeGone)(str(where))
+
+
+def _witnesses(endpoint):
+    """The endpoints of other processes of its host that have answered."""
+    host, port = endpoint
+    since = time.monotonic() - AT_THE_SAME_TIME * lanes.session.timeout
+    return [other for other, when in list(lanes.last_answers().items()) if other[0] == host and other[1] not in (port, None)
+            and other[1] > PRIVILEGED and other not in lanes.name_servers and when >= since]
+
+
+def is_this_host(host):
+    """Whether a host, a name or an IP address, is this one."""
+    if host == "localhost":
+        return True
+    found = lanes.aside(("places of", host), host, lambda: hosts.places(host))
+    return any(is_own(place[0]) for *_, place in found)
+
+
+def is_own(address):
+    """Whether an IP address is one of this host: a UDP socket can be bound there."""
+    import _socket  # which `socket` is made of: that one takes long to import
+    family = _socket.AF_INET6 if ":" in address else _socket.AF_INET
+    own = _socket.socket(family, _socket.SOCK_DGRAM)
+    try:
+        own.bind((address.partition("%")[0], 0))
+    except OSError:
+        return False
+    finally:
+        own.close()
+    return True
