@@ -18,6 +18,11 @@ def is_gone(endpoint):
     return is_this_host(endpoint[0]) or bool(_witnesses(endpoint))
 
 
+def shows_death(e, endpoint):
+    """Whether an errors.Error of a call to an object at `endpoint` shows that the object is gone."""
+    return isinstance(e, errors.Gone) or isinstance(e, errors.ConnectionRefused) and is_gone(endpoint)
+
+
 def refusal(where, endpoint):
     """The errors.ConnectionRefused for an object at `endpoint` that says what is known."""
     return (errors.ProcessGone if is_gone(endpoint) else errors.MaybeGone)(str(where))
@@ -41,13 +46,11 @@ def is_this_host(host):
 
 def is_own(address):
     """Whether an IP address is one of this host: a UDP socket can be bound there."""
-    import _socket  # which `socket` is made of: that one takes long to import
-    family = _socket.AF_INET6 if ":" in address else _socket.AF_INET
-    own = _socket.socket(family, _socket.SOCK_DGRAM)
+    import socket  # takes long, and few need it
+    family = socket.AF_INET6 if ":" in address else socket.AF_INET
     try:
-        own.bind((address.partition("%")[0], 0))
+        with socket.socket(family, socket.SOCK_DGRAM) as own:
+            own.bind((address.partition("%")[0], 0))
     except OSError:
         return False
-    finally:
-        own.close()
     return True

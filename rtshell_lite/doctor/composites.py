@@ -1,6 +1,6 @@
 """Composites with dead members: such a composite ends, or stops, as soon as somebody uses it."""
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import liveness, orb
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import fail, published, reason, warn
 from rtshell_lite.robot import composites, tree
@@ -31,7 +31,7 @@ def _may_be_composite(snapshot):
 
 def _lost(snapshot, error, ref):
     shown = printable(published(ref))
-    if isinstance(error, (errors.Gone, errors.ProcessGone)):
+    if liveness.shows_death(error, orb.endpoint(ref)):
         return fail("composite", snapshot.where, "one of its members is dead: nothing answers at " + shown,
                     remedies.words("restart composite", port=snapshot.node.endpoint[1]))
     if remedies.is_of_network(error, orb.endpoint(ref)):

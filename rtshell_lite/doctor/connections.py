@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import liveness, orb
 from rtshell_lite.doctor import networks, remedies, services
 from rtshell_lite.doctor.finding import fail, reason, warn
 from rtshell_lite.robot import connectors, places, ports
@@ -128,7 +128,7 @@ def _lost(link, where, end, undo):
     misled = networks.misled("connection", where, end.ref, homes)
     if misled:
         return misled._replace(message="the far end of a connection " + misled.message)
-    if isinstance(end.error, (errors.Gone, errors.ProcessGone)) and networks.is_certain(end.ref, homes):
+    if liveness.shows_death(end.error, endpoint) and networks.is_certain(end.ref, homes):
         return fail("connection", where, f"the far end of a connection is dead (at {name})", undo)
     if remedies.is_of_network(end.error, endpoint):
         message = f"cannot tell from here whether the far end of a connection, at {name}, lives ({reason(end.error)})"

@@ -5,7 +5,7 @@ Organization::get_owner is never called: a C++ component answers it once, and ha
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb, tasks
+from rtshell_lite.corba import liveness, orb, tasks
 from rtshell_lite.robot import component, configuration, manager, ports, tree
 from rtshell_lite.robot.places import Places
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
@@ -76,7 +76,7 @@ def member_paths(node, organisation):
 
 
 def _path_text(places, name, ref, node):
-    if isinstance(name, (errors.Gone, errors.ProcessGone)):
+    if isinstance(name, errors.Error) and liveness.shows_death(name, orb.endpoint(ref)):
         return "Unknown (it is gone)"
     if isinstance(name, errors.Error):
         return f"Unknown ({name.why})"
