@@ -204,7 +204,9 @@ class InPort(DataPort):
 
     def put(self, data, little):
         """A payload has come; returns the name of the status for the sender."""
-        status = self.buffer.write(self.decode(data, little))
+        value = self.decode(data, little)
+        self.component.read_between()
+        status = self.buffer.write(value)
         self.moved("RECEIVE:InPort:")
         return status
 

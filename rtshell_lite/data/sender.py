@@ -10,7 +10,6 @@ from rtshell_lite.corba import lanes
 from rtshell_lite.data import values, writing
 
 TICK = 0.2  # seconds between two calls of look()
-LATE = 1.0  # seconds of delay that are caught up at most
 HURRY = 2  # times the rate, at most, while catching up: no bursts
 
 
@@ -82,7 +81,6 @@ class Injection:
     def __init__(self, writers, kinds, types):
         self.writers, self.kinds, self.types = writers, kinds, types
         self.sent, self.begun, self.ended = 0, 0.0, 0.0
-        self.taken = [0] * len(self.writers)  # values that each port has taken
         self._ready = {}
 
     def checked(self, text, where=None):
@@ -99,14 +97,6 @@ class Injection:
             self._ready[text] = expressions
         return expressions
 
-    def expect(self, number, rate, seconds):
-        """Make the Writers ask for buffers that hold `number` values (-1: any), sent at `rate` Hz for `seconds`."""
-        coming = min(seconds, writing.BURST) * rate if rate < math.inf else writing.ROOM
-        for i, writer in enumerate(self.writers):
-            known = [found[i] for found in self._ready.values()]
-            sizes = [len(each.type.encode(each.value(0), writer.little)) for each in known]
-            writer.expect(int(min(coming, number) if number >= 0 else coming), max(sizes, default=writing.TYPICAL_SIZE))
-
     def run(self, source, number, rate, seconds, look):
         """Send what `source` gives, `number` values (-1: all), `rate` Hz, for `seconds`; yields each put's error.
 
@@ -122,13 +112,14 @@ class Injection:
             if due >= end:
                 return
             self._wait(max(due, self.ended + 1 / rate / HURRY), look)
-            yield from self._send(expressions)
+            until = math.inf if rate == math.inf else due + writing.LATE
+            yield from self._send(expressions, min(until, end), look)
             now = time.monotonic()
             if now - looked >= TICK:
                 looked = now
                 look()
             due = now if rate == math.inf else due + 1 / rate
-            due = max(due, now - LATE)
+            due = max(due, now - writing.LATE)
 
     def live(self):
         """[(Writer, its index)] to send to: those without a failure, else silent ones, which would delay the others."""
@@ -156,29 +147,26 @@ class Injection:
             if left > TICK:
                 look()
 
-    def _send(self, expressions):
-        """Send a value to all ports, with the same time; returns the errors."""
+    def _send(self, expressions, until, look):
+        """Send a value to all ports, with the same time, as writing.offer does; returns the errors."""
         now = time.time()
         self.ended = time.monotonic()
         self.begun = self.begun or self.ended
         self.sent += 1
         live = self.live()
-        jobs = []
-        for writer, i in live:
-            data = expressions[i].type.encode(expressions[i].value(now), writer.little)
-            jobs.append(lanes.Job(writer.endpoint, writer.where, lambda writer=writer, data=data: writer.put(data, writer.little)))
-        results = lanes.gather(jobs)
-        for (writer, i), result in zip(live, results):
-            self.taken[i] += not isinstance(result, errors.Error)
-            if isinstance(result, errors.Unreachable):
-                writer.failure = result
+        failures = writing.offer([(writer, expressions[i].type.encode(expressions[i].value(now), writer.little))
+                                  for writer, i in live], until, look)
+        failed = dict(failures)
+        for writer, _ in live:
+            if isinstance(failed.get(writer), errors.Unreachable):
+                writer.failure = failed[writer]
             elif isinstance(writer.failure, errors.Silent):
                 writer.failure = None
-        return [result for result in results if isinstance(result, errors.Error)]
+        return [failure for _, failure in failures]
 
     def useless(self):
         """The Writers that were given values and took none."""
-        return [writer for writer, taken in zip(self.writers, self.taken) if self.sent and not taken]
+        return [writer for writer in self.writers if self.sent and not writer.taken]
 
     def rate(self):
         """The rate that was kept, in Hz; None with fewer than two values."""

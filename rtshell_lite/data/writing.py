@@ -21,10 +21,8 @@ from rtshell_lite.robot import component, connectors, ports
 from rtshell_lite.text import shell_word
 
 LENGTH = 8  # values that a port's buffer holds unless a connector has asked for more
-ROOM, ROOM_BYTES = 5000, 16 << 20  # the longest buffer that is asked for, in values and bytes
-BURST = 5.0  # seconds of values that the buffer should hold
-TYPICAL_SIZE = 4096  # bytes of a value whose size is unknown
-SLACK = 0.25  # the fraction by which components may execute less often than they claim: 0.11 was seen (a 1 kHz context of C++)
+ROOM = 4  # values in the short buffer that several values are sent through
+SLACK = 0.25  # the fraction by which components may execute less often than they claim, where more is not known
 SETTLE = 0.1  # seconds to add to a cycle
 UNKNOWN = 1.0  # seconds to wait for a component whose contexts have no rate, but are triggered
 USUAL = 50.0  # Hz, assumed of a component whose rate is not asked for
@@ -33,6 +31,9 @@ REST = 0.2  # seconds that an interrupted command waits, at most, until the last
 LONGEST = 60.0  # seconds to linger at most, unless the user says otherwise
 ANNOUNCED = 2.0  # seconds: a longer wait is announced, with its reason
 TICK = 0.1  # seconds between two calls of look() while lingering
+LATE = 1.0  # seconds for which a value that a full buffer has refused is offered again, unless it is to wait for the reader
+STUCK = 5.0  # seconds, and cycles, without any value taken after which a component does not read its port
+PAUSES = 0.001, 0.05  # seconds between two offers of a value, at least and at most
 
 REFUSALS = {"BUFFER_FULL": "its buffer is full", "BUFFER_TIMEOUT": "its buffer stayed full",
             "PORT_ERROR": "it reports an error of the port", "UNKNOWN_ERROR": "it reports an unknown error"}
@@ -90,26 +91,51 @@ def _option(index):
 
 
 class Backlog:
-    """An estimate of how many values wait in a buffer of this `length` that is read at `rate` (Hz).
+    """How many values wait in a buffer of this `length` that is read at `rate` (Hz; None where nothing is known).
 
-    `refuses`: a full buffer refuses values instead of losing the oldest ones.
+    `refuses`: a full buffer refuses values instead of losing the oldest ones. Then all but the last `length` values that it took
+    have been read for certain, and each time that it is full says how fast: the rate that a context claims is only where
+    `rate` begins (1,000 Hz was 470 on a busy computer).
     """
 
     def __init__(self, rate, length, refuses=False):
         self.rate, self.length, self.refuses = rate, length, refuses
         self.waiting = self.lost = self.delay = self._at = 0.0
+        self.taken, self._first, self._last = 0, None, None  # the last two: (moment, values taken) after reads that it was full before
+        self.longest = 0.0  # seconds between two reads, at most, while it was full
 
     def add(self, now, delay=0.0):
-        """The port took a value at `now` (seconds), `delay` after it was sent; a full buffer loses its oldest one unless it refuses.
+        """The port took a value at `now` (seconds), `delay` after it was sent.
 
         `delay` is added to what reading takes: a computer that is too busy to answer at once is too busy to read at once.
         """
         self.drain(now)
         self.delay = max(self.delay, delay)
+        self.taken += 1
         self.waiting += 1
         excess = max(0.0, self.waiting - self.length)
         self.waiting -= excess
         self.lost += 0 if self.refuses else excess
+
+    def fill(self, now):
+        """The buffer refused a value at `now`, because it was full."""
+        self._at, self.waiting = now, min(self.length, self.taken)
+        if self._last is None:
+            self._last = None, self.taken
+        moment, taken = self._last
+        if self.taken == taken:
+            return
+        self._last = now, self.taken
+        if moment is None:
+            self._first = self._last
+            return
+        self.longest = max(self.longest, (now - moment) / (self.taken - taken))
+        begun, before = self._first
+        self.rate = (self.taken - before) / (now - begun)
+
+    def measured(self):
+        """Whether `rate` is that of the reader, and not only what its context claims."""
+        return self._first is not None and self._last != self._first
 
     def drain(self, now):
         """Subtract the values that have been read by `now`."""
@@ -117,9 +143,14 @@ class Backlog:
             self.waiting = max(0.0, self.waiting - (now - self._at) * self.rate)
         self._at = now
 
-    def seconds(self, taken):
-        """How long it takes to read all of `taken` values, with SLACK and the longest delay; the rate must be known."""
-        return (self.waiting + min(self.length, SLACK * taken) + 1) / self.rate + SETTLE + self.delay
+    def seconds(self):
+        """How long it takes to read all values, with SLACK and the longest delay; the rate must be known."""
+        waiting = min(self.length, self.waiting + SLACK * self.taken)
+        return (waiting + 1) / self.rate + SETTLE + self.delay + self.longest
+
+
+def _hertz(rate):
+    return "%g Hz" % float("%.3g" % rate)
 
 
 # ---- sending --------------------------------------------------------------------------------------------------
@@ -127,51 +158,43 @@ class Backlog:
 class Writer(Connection):
     """A connector to a DataInPort; `put` sends it values. `little` is the byte order that it expects.
 
-    `anyway`: even if the component will not read the values.
+    `anyway`: even if the component will not read the values. `several`: more than one value is coming. Then, where nobody else
+    is connected and the user asks for no other, the port is asked for a short buffer that refuses what it has no room for; it gets
+    its usual one back, empty, when the Writer is closed.
     """
 
     kind, side, dataflow, flows = "DataInPort", "inport", "push", ("push",)
     hint = ", or --anyway"  # for the user, where the component does not read the port
 
-    def __init__(self, port, properties=None, name="rtshell_lite", anyway=False):
+    def __init__(self, port, properties=None, name="rtshell_lite", anyway=False, several=False):
         super().__init__(port, name, properties)
         self.audience = None if anyway else Audience(port.node, self.where)
         self.taken = self.refused = 0
-        self.backlog = Backlog(None, LENGTH)
-        self.was_connected = False
-        self.read_by = 0.0  # time.monotonic() when all values will have been read; infinite where the component has no rate
+        self.was_connected = self.lingered = self.hurried = False
         self.alone = not port.connectors
-        self.room = None  # the length of buffer that the port is asked for
+        self.is_short = bool(several and self.alone and self.audience and not self._chosen())
+        self.backlog = self._new_backlog(None)
         self.idle, self.unanswered = threading.Event(), False  # no put is under way; the last one got no answer
         self.idle.set()
         self.last = 0.0  # when the last value was taken
-        self.hurried = False
-
-    def expect(self, values, size):
-        """Prepare for so many values, of `size` bytes each, before the component has read the first.
-
-        If nobody else is connected, the port is asked for a buffer that holds them and refuses more; it gets its usual one back,
-        empty, when the Writer is closed.
-        """
-        room = min(values, ROOM, ROOM_BYTES // max(1, size))
-        if room > LENGTH and self.alone and self.audience and not self._chosen():
-            self.room = room
 
     def _chosen(self):
         """The user's properties of the buffer: length, write.full_policy and the like."""
         return {key.partition("buffer.")[2]: value for part in ("dataport.buffer.", "dataport.inport.buffer.")
                 for key, value in self.given.items() if key.startswith(part)}
 
-    def _new_backlog(self):
+    def _new_backlog(self, rate):
+        if self.is_short:
+            return Backlog(rate, ROOM, refuses=True)
         chosen = self._chosen()
         length = chosen.get("length", "")
-        refuses = bool(self.room) or chosen.get("write.full_policy", "overwrite") != "overwrite"
-        return Backlog(self.audience.rate, self.room or (int(length) if length.isdigit() and int(length) else LENGTH), refuses)
+        refuses = self.alone and chosen.get("write.full_policy") == "do_nothing"
+        return Backlog(rate, int(length) if length.isdigit() and int(length) else LENGTH, refuses)
 
     def wishes(self):
         wishes = {"dataport.subscription_type": "flush"}
-        if self.room:
-            wishes.update({"dataport.buffer.length": str(self.room), "dataport.buffer.write.full_policy": "do_nothing"})
+        if self.is_short:
+            wishes.update({"dataport.buffer.length": str(ROOM), "dataport.buffer.write.full_policy": "do_nothing"})
         return wishes
 
     def _open(self):
@@ -179,9 +202,9 @@ class Writer(Connection):
             why = self.audience.look()
             if why:
                 raise errors.Failed(self.where, "%s and would read the values at some later connection; %s first" % why + self.hint)
-            self.backlog = self._new_backlog()
+            self.backlog = self._new_backlog(self.audience.rate)
         super()._open()
-        self.was_connected = True
+        self.was_connected, self.last = True, time.monotonic()
         self.sink = self.remote({"corba_cdr": "OpenRTM.InPortCdr", "data_service": "RTC.DataPushService"})
         self.operation = "put" if self.interface == "corba_cdr" else "push"
 
@@ -206,16 +229,49 @@ class Writer(Connection):
             status = str(orb.call(self.where, self.sink, self.operation, data))
         except errors.Gone:
             raise errors.Unreachable(self.where, self.lost())
-        except errors.Refused:
-            self.refused += 1
-            raise
-        self._compare_rates(status == "BUFFER_FULL")
-        if status != "PORT_OK":
-            self.refused += 1
-            raise errors.Refused(self.where, f"{REFUSALS.get(status, 'it did not take the value')} ({status})", name=status)
-        self.taken, self.last = self.taken + 1, time.monotonic()
-        self.backlog.add(self.last, self.last - begun)
-        self.read_by = self.last + self.backlog.seconds(self.taken) if self.backlog.rate else math.inf
+        now = time.monotonic()
+        if status == "PORT_OK":
+            self.taken, self.last = self.taken + 1, now
+            self.backlog.add(now, now - begun)
+            if self.backlog.lost >= 1:
+                self._hurry("it executes")
+            return
+        if status == "BUFFER_FULL" and self.backlog.refuses:
+            self.backlog.fill(now)
+        raise errors.Refused(self.where, f"{REFUSALS.get(status, 'it did not take the value')} ({status})", name=status)
+
+    def _hurry(self, how):
+        """Remark, once, that values come faster than they are read."""
+        if self.backlog.rate and not self.hurried:
+            self.hurried = True
+            self.remark = f"values come faster than {how} ({_hertz(self.backlog.rate)})"
+
+    def waits_for_room(self, refusal, until):
+        """Whether a value that was answered by this errors.Error is to be offered again, before `until`."""
+        if not self.is_short or getattr(refusal, "name", None) != "BUFFER_FULL" or self.failure:
+            return False
+        now = time.monotonic()
+        patience = max(STUCK, STUCK / (self.backlog.rate or USUAL))
+        if now - self.last > patience:
+            self.failure = errors.Unread(self.where, f"it has read nothing for {now - self.last:.1f} s; {self.unread_words()}")
+        return not self.failure and now < until
+
+    def refuse(self, refusal):
+        """Count a value that the port has refused for good; returns the errors.Error to report now, or None."""
+        self.refused += 1
+        if self.failure:
+            return None
+        if self.is_short and refusal.name == "BUFFER_FULL" and self.backlog.measured():
+            self._hurry("it reads them")
+            return None
+        return refusal
+
+    def refusals(self):
+        """The errors.Unread that says how many of several values were refused, or None."""
+        if not self.refused or self.refused + self.taken == 1:
+            return None
+        why = f": they came faster than it reads them ({_hertz(self.backlog.rate)})" if self.backlog.measured() else ""
+        return errors.Unread(self.where, f"it refused {self.refused} of {self.refused + self.taken} values{why}")
 
     def is_at_rest(self):
         """Wait until the component is not using the connector; False if it goes on using it.
@@ -232,13 +288,6 @@ class Writer(Connection):
             time.sleep(max(0.0, min(max(self.last + 1.5 / rate - now, waiting / rate) + READING, REST)))
         return not self.unanswered
 
-    def _compare_rates(self, full):
-        """Remark, once, that values come faster than they are read."""
-        self.backlog.drain(time.monotonic())
-        if self.backlog.rate and (self.backlog.lost >= 1 or full and self.room) and not self.hurried:
-            self.hurried = True
-            self.remark = f"values come faster than it executes ({self.backlog.rate:g} Hz)"
-
     def due(self):
         return isinstance(self.failure, errors.Silent) or self.audience is not None
 
@@ -251,37 +300,54 @@ class Writer(Connection):
             raise self.component_ended(e)
         if why:
             raise errors.Unread(self.where, f"{why[0]} now; {self.unread_words()}")
-        if self.audience:
+        if self.audience and not self.backlog.measured():
             self.backlog.drain(time.monotonic())  # at the old rate
             self.backlog.rate = self.audience.rate
 
     def unread(self):
         """errors.Unread where the component, at its rate, cannot have read all values; else None."""
-        if self.audience is None or self.audience.rate is None:
+        if self.audience is None or self.backlog.rate is None:
             return None
         self.backlog.drain(time.monotonic())
         if not self.backlog.waiting and self.backlog.lost < 1:
             return None
-        return errors.Unread(self.where, f"it executes at {self.audience.rate:g} Hz; {self.unread_words()}")
+        does = "reads" if self.backlog.measured() else "executes"
+        return errors.Unread(self.where, f"it {does} at {_hertz(self.backlog.rate)}; {self.unread_words()}")
 
     def unread_words(self):
         """The message that says how many values were read, and where the rest is."""
         self.backlog.drain(time.monotonic())
         read = max(0, round(self.taken - self.backlog.lost) - math.ceil(self.backlog.waiting))
-        rest = "dropped" if self.alone else "in its buffer, or overwritten"
-        return f"it has read about {read} of {self.taken} values; the rest is {rest}"
+        if self.alone:
+            return f"it has read about {read} of {self.taken} values; the rest is dropped"
+        return f"it has probably read about {read} of {self.taken} values; the rest is in its buffer, or overwritten"
+
+    def judge(self):
+        """Look, in the end, whether all values have been read. Raises errors.Unread, and what look() raises."""
+        if not self.taken:
+            return
+        self.look()
+        self.alone = self.alone and all(
+            connector.id == self.connector.id for connector in ports.port(self.port.node, self.port.ref).connectors)
+        unread = self.unread()
+        if unread:
+            raise unread
+        if self.audience and not self.alone:
+            what = "the value" if self.taken == 1 else f"the {self.taken} values"
+            self.remark = f"it has probably read {what}: others are connected, and share its buffer"
+        self.lingered = True
 
     def release(self):
         """Give the port its usual buffer back, empty: unread values would be read at some later connection.
 
         If somebody else has connected meanwhile, only change the policy back: the values may be theirs.
         """
-        unread = self.taken and (self.failure or time.monotonic() < self.read_by - SETTLE / 2)  # linger() rounds less than that
-        if self.left or not self.was_connected or not self.room and not (self.alone and self.audience and unread):
+        unread = self.taken and self.alone and self.audience and (self.failure or not self.lingered)
+        if self.left or not self.was_connected or not self.is_short and not unread:
             return
-        if self.failure is None and self.unread():  # interrupted while lingering
+        if self.failure is None and not self.lingered and self.unread():  # interrupted while lingering
             cli.complain(self.unread())
-        self.room, self.was_connected = None, False
+        self.is_short = self.was_connected = False
         usual = dict(self.asked(), **{"dataport.buffer.write.full_policy": "overwrite"})
         try:
             if not ports.port(self.port.node, self.port.ref).connectors:
@@ -293,26 +359,55 @@ class Writer(Connection):
             self.failure = self.failure or e
 
 
+def offer(values, until, look):
+    """Send each of `values`, (Writer, CDR bytes), all at the same time: the failures to report, [(Writer, errors.Error)].
+
+    What a short buffer has no room for is offered again until `until` (by time.monotonic(), math.inf: as long as the component
+    reads), at half the component's period; look() is called every TICK meanwhile.
+    """
+    failures, looked = [], time.monotonic()
+    while values:
+        answers = lanes.gather([lanes.Job(writer.endpoint, writer.where, lambda writer=writer, data=data: writer.put(data, writer.little))
+                                for writer, data in values])
+        waiting = []
+        for (writer, data), answer in zip(values, answers):
+            if writer.waits_for_room(answer, until):
+                waiting.append((writer, data))
+                continue
+            failure = writer.refuse(answer) if isinstance(answer, errors.Refused) else answer
+            if isinstance(failure, errors.Error):
+                failures.append((writer, failure))
+        values = waiting
+        if values:
+            fastest = max(writer.backlog.rate or USUAL for writer, _ in values)
+            time.sleep(min(max(0.5 / fastest, PAUSES[0]), PAUSES[1]))
+        if values and time.monotonic() - looked > TICK:
+            looked = time.monotonic()
+            look()
+    return failures
+
+
 def linger(writers, seconds, look):
     """Wait until the components can have read what these Writers sent, or for `seconds` (None: as long as it takes).
 
-    The failure of those that cannot have read all, or have stopped reading, becomes errors.Unread. look() is called every TICK.
+    The failure of those that cannot have read all, have refused some, or have stopped reading, becomes errors.Unread. look() is
+    called every TICK.
     """
-    for writer in writers:
-        if writer.refused and writer.refused + writer.taken > 1:
-            cli.complain("%s: it refused %d of %d values" % (writer.where, writer.refused, writer.refused + writer.taken))
-    writers = [writer for writer in writers if writer.taken]
     needed = [_needed(writer, seconds) for writer in writers]
-    if not writers:
-        return
-    if max(needed) > ANNOUNCED:
+    if max(needed, default=0) > ANNOUNCED:
         slowest = writers[needed.index(max(needed))]
         cli.note(f"{slowest.where}: waiting {max(needed):.1f} s until it has read the values (--linger limits it)")
-    begun = time.monotonic()
-    _wait(begun, writers, needed, look)
-    results = lanes.each(writers, lambda writer: writer.look())
+    _wait(time.monotonic(), writers, needed, look)
+    results = lanes.each(writers, lambda writer: writer.judge())
     for writer, result in zip(writers, results):
-        writer.failure = writer.failure or (result if isinstance(result, errors.Error) else writer.unread())
+        refused = writer.refusals()
+        if isinstance(result, errors.Error):
+            writer.failure = writer.failure or result
+        if refused and writer.is_short and writer.failure is None:
+            writer.failure = refused
+        elif refused:
+            cli.complain(refused)
+    look()
 
 
 def _wait(begun, writers, needed, look):
@@ -329,7 +424,9 @@ def _wait(begun, writers, needed, look):
 
 def _needed(writer, seconds):
     """How long (seconds) to linger for a Writer."""
-    if writer.audience is None or writer.audience.rate is None:
+    if not writer.taken:
+        return 0
+    if writer.backlog.rate is None:
         return seconds if seconds is not None else UNKNOWN if writer.audience else 0
     writer.backlog.drain(time.monotonic())
-    return min(writer.backlog.seconds(writer.taken), LONGEST if seconds is None else seconds)
+    return min(writer.backlog.seconds(), LONGEST if seconds is None else seconds)

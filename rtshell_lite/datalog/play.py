@@ -134,10 +134,8 @@ class Playing:
                 if isinstance(target, errors.Error):
                     raise target
                 number = channel(log, target.port, target.name, place)
-                writer = writing.Writer(target.port, properties, "rtlog", anyway)
                 coming = log.counts.get(log.channels[number].name, 0)
-                writer.expect(coming, log.size // max(1, coming))
-                yield number, writer
+                yield number, writing.Writer(target.port, properties, "rtlog", anyway, several=coming != 1)
             except errors.Error as e:
                 self.tally.add(e)
 
@@ -156,19 +154,34 @@ class Playing:
 
     def _send(self, entries, absolute, opened, watcher):
         """Send each entry to the ports of its channel that have not failed."""
+        spare, ended = writing.LATE, time.monotonic()  # seconds by which it may still fall behind; when it began to wait
         for entry in entries:
             live = opened.live()
             if not live:
                 return False
             able = [writer for writer in live if writer.failure is None] or live  # silent ones would delay the others
-            for _, writer in [sink for sink in self.sinks if sink[0] == entry.channel and sink[1] in able]:
-                try:
-                    moment = None if absolute else int(time.time() * 1e9)
-                    writer.put(self.channels.data(entry, writer.little, moment), writer.little)
-                    writer.failure = None
-                except (errors.Refused, errors.Failed) as e:
-                    self.tally.add(e)
-                except errors.Error as e:
-                    writer.failure = e
-                    watcher.look()
+            begun = time.monotonic()
+            spare = min(writing.LATE, spare + begun - ended)
+            writers = [writer for channel, writer in self.sinks if channel == entry.channel and writer in able]
+            self._offer(entry, writers, absolute, begun + spare, watcher.look)
+            ended = time.monotonic()
+            spare -= ended - begun
         return True
+
+    def _offer(self, entry, writers, absolute, until, look):
+        """Send an entry to these Writers."""
+        moment = None if absolute else int(time.time() * 1e9)
+        values = []
+        for writer in writers:
+            try:
+                values.append((writer, self.channels.data(entry, writer.little, moment)))
+            except errors.Failed as e:
+                self.tally.add(e)
+        failed = dict(writing.offer(values, until, look))
+        for writer, _ in values:
+            failure = failed.get(writer)
+            if isinstance(failure, errors.Refused):
+                self.tally.add(failure)
+            elif failure or isinstance(writer.failure, errors.Silent):
+                writer.failure = failure
+                look()

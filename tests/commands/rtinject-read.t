@@ -13,15 +13,29 @@ A component reads in its own cycles, however seldom they come; none of its value
   2 100
   3 10
   4 2
-  $ rtec ConsoleOut0.rtc rate 20; within 1.3-9 rtinject -c 5 -n 30 -r 400 ConsoleOut0.rtc:in; ctl received ConsoleOut0:in
+  $ rtec ConsoleOut0.rtc rate 20; yes 5 | head -n 30 | within 1.3-9 rtinject -r 0 ConsoleOut0.rtc:in; ctl received ConsoleOut0:in
   34 5
   $ ctl waiting ConsoleOut0:in; ctl buffer ConsoleOut0:in; ctl connectors ConsoleOut0:in
   0
   8 overwrite
-  $ rtec ConsoleOut0.rtc rate 5; rtinject -c 6 -n 12 -r 400 ConsoleOut0.rtc:in
+  $ rtec ConsoleOut0.rtc rate 1; rtinject -c 6 -n 4 -r 400 ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: waiting * s until it has read the values (--linger limits it) (glob)
   $ ctl received ConsoleOut0:in
-  46 6
+  38 6
+
+A rate that it does not reach is reported once, and what was refused is counted; all that was taken is read:
+
+  $ rtec ConsoleOut0.rtc rate 20; rtinject -c 7 -n 100 -r 400 ConsoleOut0.rtc:in
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: values come faster than it reads them (* Hz) (glob)
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it refused * of 100 values: they came faster than it reads them (* Hz) (glob)
+  [5]
+  $ ctl waiting ConsoleOut0:in
+  0
+
+A context may claim more than it keeps, as real ones do on a busy computer; what was sent has been read all the same:
+
+  $ rtec ConsoleOut0.rtc rate 5000; before=$(ctl received ConsoleOut0:in); seq 1 3000 | rtinject -r 0 ConsoleOut0.rtc:in; after=$(ctl received ConsoleOut0:in); echo $((${after% *} - ${before% *}))
+  3000
 
 --linger limits that; what has not been read is reported, and dropped, so that no later connection brings it:
 
@@ -89,9 +103,9 @@ Values from stdin that come all at once wait as well, and what a buffer refuses 
 
 Who stops reading is not waited for any longer:
 
-  $ rtec ConsoleOut0.rtc rate 1; within 0.1-15 rtinject -q -n 40 -r 400 -c 9 ConsoleOut0.rtc:in & pid=$!; until ctl waiting ConsoleOut0:in | grep -q [23].; do :; done
+  $ rtec ConsoleOut0.rtc rate 1; seq 1 40 | within 0.1-15 rtinject -q -r 0 ConsoleOut0.rtc:in & pid=$!; until ctl waiting ConsoleOut0:in | grep -q 4; do :; done
   $ rtdeact ConsoleOut0.rtc; wait $pid
-  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it is Inactive now; it has read about * of 40 values; the rest is dropped (glob)
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it is Inactive now; it has read about ? of ? values; the rest is dropped (glob)
   [5]
   $ ctl waiting ConsoleOut0:in; rtact ConsoleOut0.rtc
   0
@@ -100,8 +114,10 @@ The buffer of a port that others are connected to stays as it is; sending faster
 
   $ rtec ConsoleOut0.rtc rate 20; rtdeact ConsoleIn0.rtc; rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtinject -c 1 -n 100 -r 400 ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: values come faster than it executes (20 Hz)
-  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it executes at 20 Hz; it has read about 1? of 100 values; the rest is in its buffer, or overwritten (glob)
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it executes at 20 Hz; it has probably read about 1? of 100 values; the rest is in its buffer, or overwritten (glob)
   [5]
+  $ rtinject -c 1 ConsoleOut0.rtc:in
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it has probably read the value: others are connected, and share its buffer
   $ ctl buffer ConsoleOut0:in; rtdis ConsoleOut0.rtc:in; rtact ConsoleIn0.rtc
   8 overwrite
 
@@ -112,7 +128,7 @@ One that the user asks for is reckoned with:
 
 A buffer that somebody else asks for meanwhile stays as it is:
 
-  $ rtdeact ConsoleIn0.rtc; rtec ConsoleOut0.rtc rate 1; rtinject -q -c 1 -n 12 -r 400 --linger 2 ConsoleOut0.rtc:in 2>/dev/null & pid=$!; until ctl buffer ConsoleOut0:in | grep -q '^12 '; do :; done
+  $ rtdeact ConsoleIn0.rtc; rtec ConsoleOut0.rtc rate 1; rtinject -q -c 1 -n 12 -r 400 --linger 2 ConsoleOut0.rtc:in 2>/dev/null & pid=$!; until ctl buffer ConsoleOut0:in | grep -q '^4 '; do :; done
   $ rtcon -p dataport.buffer.length=64 ConsoleIn0.rtc:out ConsoleOut0.rtc:in; wait $pid
   [5]
   $ ctl buffer ConsoleOut0:in; rtdis ConsoleOut0.rtc:in; rtact ConsoleIn0.rtc

@@ -36,12 +36,33 @@ class Filling(unittest.TestCase):
         self.assertEqual(backlog.lost, 0)
         self.assertAlmostEqual(backlog.waiting, 900, delta=1)
 
-    def test_what_is_full_and_refuses_has_lost_nothing(self):
-        """What it has taken had room: the component reads faster than it claims."""
-        backlog = Backlog(100.0, 8, refuses=True)
-        for number in range(20):
-            backlog.add(number * 0.001)
-        self.assertEqual((backlog.waiting, backlog.lost), (8, 0))
+    def test_a_full_buffer_shows_how_fast_it_is_read(self):
+        """It claims 1,000 Hz and reads 100 times a second: 40 values of which four wait, and ten times as long for those."""
+        backlog = Backlog(1000.0, 4, refuses=True)
+        for number in range(4):
+            backlog.add(0.0)
+        for number in range(36):
+            backlog.fill(0.01 * number + 0.005)
+            backlog.add(0.01 * (number + 1))
+        backlog.fill(0.365)
+        self.assertTrue(backlog.measured())
+        self.assertAlmostEqual(backlog.rate, 100.0)
+        self.assertEqual((backlog.taken, backlog.waiting, backlog.lost), (40, 4, 0))
+        self.assertGreater(backlog.seconds(), (4 + 1) / 100 + SETTLE)
+
+    def test_that_it_is_full_says_nothing_before_it_is_read(self):
+        backlog = Backlog(1000.0, 4, refuses=True)
+        for moment in (0.0, 0.1, 0.2):
+            backlog.fill(moment)
+        self.assertFalse(backlog.measured())
+        self.assertEqual((backlog.rate, backlog.waiting), (1000.0, 0))
+
+    def test_all_but_the_last_have_been_read(self):
+        """Though it seems to have read all: at a quarter less than it claims it has not."""
+        backlog = Backlog(100.0, 4, refuses=True)
+        for number in range(100):
+            backlog.add(number * 0.01)
+        self.assertAlmostEqual(backlog.seconds(), (4 + 1) / 100 + SETTLE)
 
     def test_who_never_reads(self):
         backlog = self.sent(None, 8, 10, 1.0)
@@ -49,17 +70,17 @@ class Filling(unittest.TestCase):
 
     def test_who_takes_values_late_may_read_them_late(self):
         backlog = Backlog(100.0, 8)
-        usual = backlog.seconds(0)
+        usual = backlog.seconds()
         backlog.add(1.0, delay=0.3)
         backlog.add(1.1, delay=0.001)
         backlog.drain(2.0)
-        self.assertAlmostEqual(backlog.seconds(0), usual + 0.3)
+        self.assertAlmostEqual(backlog.seconds(), usual + 0.3 + 0.25 * 2 / 100)
 
     def test_how_long_reading_takes(self):
         """What waits, what a slower clock may have left, and a cycle."""
-        self.assertAlmostEqual(self.sent(2.0, 8, 1, 0).seconds(1), (1 + 0.25 + 1) / 2 + SETTLE)
-        self.assertAlmostEqual(self.sent(1000.0, 5000, 1000, 0).seconds(1000), (1000 + 250 + 1) / 1000 + SETTLE)
-        self.assertAlmostEqual(self.sent(100.0, 8, 1000, 0.01).seconds(1000), (1 + 8 + 1) / 100 + SETTLE, delta=0.001)
+        self.assertAlmostEqual(self.sent(2.0, 8, 1, 0).seconds(), (1 + 0.25 + 1) / 2 + SETTLE)
+        self.assertAlmostEqual(self.sent(1000.0, 5000, 1000, 0).seconds(), (1000 + 250 + 1) / 1000 + SETTLE)
+        self.assertAlmostEqual(self.sent(100.0, 8, 1000, 0.01).seconds(), (8 + 1) / 100 + SETTLE, delta=0.001)
 
 
 class Rest(unittest.TestCase):
