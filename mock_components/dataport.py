@@ -7,6 +7,7 @@ from .port import Port
 from .properties import get, is_text, put, text
 
 FAN_LIMIT = 100
+TOPICS = ("ros", "ros2", "fast-rtps", "opensplice", "ssm")  # transports that connect one port alone
 
 
 class DataPort(Port):
@@ -65,6 +66,8 @@ class DataPort(Port):
             return getattr(RTC, self.flavour.bad_endian)
         if interface == "direct":
             return self._direct(profile)
+        if interface in TOPICS:
+            return RTC.RTC_OK  # a topic carries the data: there is no other port
         self._merge_keys(profile)
         if flow == self.served:
             self._serve(profile, interface)
@@ -76,7 +79,7 @@ class DataPort(Port):
         flow, interface = agreed(profile)
         if not self._marshaling_known(profile):
             return RTC.RTC_ERROR
-        if flow == self.served or interface == "direct":
+        if flow == self.served or interface == "direct" or interface in TOPICS:
             return RTC.RTC_OK
         ior = get(profile.properties, f"dataport.{transport.KEYS[interface]}.{self.other_side}_ior")
         try:

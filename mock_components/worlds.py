@@ -134,6 +134,12 @@ def senders(stage, rate=1000, size=1000, *changes):
     source.owned[0].activate_component(source.reference)
 
 
+def topics(stage, *interfaces):
+    """[INTERFACE …]: ConsoleIn0 and ConsoleOut0 with transports that connect one port alone (default: fast-rtps ssm)"""
+    stage.flavour = stage.flavour.but(interfaces=",".join([stage.flavour.interfaces] + list(interfaces or ("fast-rtps", "ssm"))))
+    two(stage)
+
+
 def custom(stage):
     """Arm0 with ports `command` and `status`, whose type is that of mock_components/arm.py, in no standard IDL"""
     stage.add(components.ARM, "Arm0")
@@ -178,7 +184,7 @@ def harassing(stage, only=None):
 
 WORLDS = {world.__name__: world for world in (
     two, linked, console, services, config, parts, robot, these, many, error, slow, stopped, contexts, composite, deadmember,
-    fsm, observed, senders, custom, orphan, fragile, hung, zombie, names)}
+    fsm, observed, senders, topics, custom, orphan, fragile, hung, zombie, names)}
 WORLDS.update(deployment.WORLDS)
 WORLDS.update(ailments.WORLDS)
 WORLDS.update({"all": everything, "hostile": cruel, "wicked": harassing})

@@ -90,16 +90,19 @@ class ConnectionsDirectory(Directory):
         snapshot = self.source.get()
         ends = places.far_ends([self.above.port(snapshot)])
 
-        def text(ref):
-            end = ref is not None and ends.get(orb.identity(ref))
+        def text(far):
+            if len(far.connector.ports) == 1:
+                return ports.transport(far.connector)
+            end = far.ref is not None and ends.get(orb.identity(far.ref))
             return link_text(places.name(end) if end else "Unknown (nil)", self)
-        return {name: text(far.ref) for name, far in self.named(snapshot).items()}
+        return {name: text(far) for name, far in self.named(snapshot).items()}
 
     def named(self, snapshot):
         """{file name: Far}"""
         port = self.above.port(snapshot)
         ends = [Far(connector, ref) for connector in port.connectors for ref in connector.ports
                 if ref is None or not orb.same(ref, port.ref)]
+        ends += [Far(connector, None) for connector in port.connectors if len(connector.ports) == 1 and not ports.is_of_tool(connector)]
         return dict(zip(unique(end.connector.name for end in ends), ends))
 
     def entries(self, snapshot):

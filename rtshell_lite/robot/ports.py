@@ -1,5 +1,6 @@
 """Ports of components and their connectors, and why ports do not match. connectors.py changes them."""
 import collections
+import re
 
 from rtshell_lite import cli, errors
 from rtshell_lite.corba import orb, tasks
@@ -37,9 +38,29 @@ async def ports(node, brief=False):
     return [await port.task(node, ref, brief=brief) for ref in await refs.task(node)]
 
 
+# How the connectors of tools are called: ours, and those of rtshell, whose components are named like their connectors
+TOOLS = re.compile(r"rtshell_lite|rt(?:print|inject|log|mount)\Z|rt(?:print_reader|inject_writer|log_recorder|log_player)[0-9]")
+CORBA_INTERFACES = ("", "corba_cdr", "corba_any", "data_service", "direct", "shared_memory", "csp_channel")  # these join two ports
+
+
+def is_of_tool(connector):
+    """Whether a Connector was made by a tool that looks or sends, and is no part of a system.
+
+    Its name shows that. A connector of one port alone is a tool's, too, if a CORBA interface carries its data: only other
+    transports, such as ROS and DDS, connect one port alone.
+    """
+    return bool(TOOLS.match(connector.name)) or len(connector.ports) == 1 and transport(connector) == ""
+
+
+def transport(connector):
+    """What carries the data of a Connector instead of CORBA, as its interface type has it (ros, fast-rtps, ssm); '' for CORBA."""
+    interface = dict(connector.properties).get("dataport.interface_type", "")
+    return "" if interface.lower() in CORBA_INTERFACES else interface
+
+
 def in_system(listed):
-    """The Ports without their connectors of one port only: tools, ours or others, make those; they are no part of the system."""
-    return [port._replace(connectors=[connector for connector in port.connectors if len(connector.ports) > 1]) for port in listed]
+    """The Ports without the connectors of tools, see `is_of_tool`."""
+    return [port._replace(connectors=[connector for connector in port.connectors if not is_of_tool(connector)]) for port in listed]
 
 
 @tasks.task
@@ -139,6 +160,9 @@ def mismatches(ends, properties):
 
 
 def _data_mismatches(ends, types, properties):
+    interface = properties.get("dataport.interface_type", "")
+    if len(ends) == 1 and interface.lower() not in CORBA_INTERFACES:
+        return _not_offered(ends, "dataport.interface_type", interface)
     if len(set(types)) == 1:
         return [f"{'it is' if len(ends) == 1 else 'each is'} a {types[0]}; a connection needs an in port and an out port"]
     reasons = []

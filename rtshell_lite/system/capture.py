@@ -82,8 +82,12 @@ def capture(tops=(), all_components=False, with_states=False):
     found.sort(key=lambda each: path_uri(each.node))
     profile = model.RtsProfile(components=[_component(each, found, notes) for each in found])
     for connector in connectors:
-        data = isinstance(connector, model.DataPortConnector)
-        (profile.data_port_connectors if data else profile.service_port_connectors).append(connector)
+        if len(connector.ends) == 1:
+            profile.one_port_connectors.append(connector)
+        elif isinstance(connector, model.DataPortConnector):
+            profile.data_port_connectors.append(connector)
+        else:
+            profile.service_port_connectors.append(connector)
     return System(profile, found, unused, failures, notes)
 
 
@@ -215,7 +219,7 @@ def _connectors(found, silent, notes):
         for name in [_name(outside[orb.identity(ref)], ref, silent) for ref in refs if orb.identity(ref) not in ends]:
             notes.append("connection %s of %s: its end %s is not in the system, left out" % (
                 printable(one.id), ports.label(port), name))
-        if len(known) > 1:
+        if len(known) > 1 or len(refs) == 1:
             made.append(_connector(one, known))
     return sorted(made, key=lambda one: ([_end_key(end) for end in one.ends], one.connector_id, one.name))
 
@@ -251,6 +255,8 @@ def _connector(one, known):
     else:
         made = model.ServicePortConnector()
     made.connector_id, made.name, made.ends = one.id, one.name, ends
+    if len(known) == 1 and known[0][1].type == "DataInPort":
+        made.source, made.target = None, made.source
     made.properties = [model.Property(name=name, value=value) for name, value in properties]
     return made
 

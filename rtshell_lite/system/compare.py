@@ -29,6 +29,7 @@ MESSAGES = {
     "state": "Component {path} is in incorrect state {actual}",
     "unplaced": "The file has no component for connection {name} between {path}",
     "connection": "No connection between {path}",
+    "one-port connection": "No connection of {path} by {name}",
     "ends": "Connection between {path} has {actual} ends, not {expected}",
     "property": "Property {name} of connection from {path} is incorrect.",
 }
@@ -160,7 +161,7 @@ def _lines(step, component='for {0} component {3} with ID "{1}" and instance nam
     if step.kind == "component":
         return [component.format(_need(step), printable(step.site.component.id), printable(step.site.instance), where)]
     if step.kind == "connect":
-        return ["for connection between " + " and ".join(_end_names(step))]
+        return [f"for connection {'of' if len(step.ends) == 1 else 'between'} " + " and ".join(_end_names(step))]
     if step.kind == "active set":
         return [f'configuration set "{printable(step.set_id)}" is active on component {where}']
     if step.kind == "configuration":

@@ -84,7 +84,9 @@ class Connection(steps.Step):
         wanted_id, wanted = self.connector.connector_id, {orb.identity(port.ref) for port in at}
 
         def is_meant(connector):
-            return connector.id == wanted_id if wanted_id else wanted <= _joined(connector)
+            if wanted_id:
+                return connector.id == wanted_id
+            return wanted == _joined(connector) if len(wanted) == 1 else wanted <= _joined(connector)
         firsts = [(port, next(filter(is_meant, port.connectors), None)) for port in at]
         return [(port, connector) for port, connector in firsts if connector is not None]
 
@@ -129,7 +131,11 @@ class Connect(Connection):
             label = printable(self.connector.connector_id)
             obstacle = Incomplete(self.where, f"connection {label} is there, but not complete")
         if len(having) < len(answers) or obstacle and len(having[0][1].ports) == len(answers):
-            others = ports.joining(answers) if len(answers) > 1 else []
+            if len(answers) == 1:
+                yield Difference("one-port connection", self.connector.interface_type, self.connector.connector_id or None, None,
+                                 obstacle or self._obstacle(answers, []))
+                return
+            others = ports.joining(answers)
             yield Difference("connection", None, self.connector.connector_id or None, others[0].id if others else None,
                              obstacle or self._obstacle(answers, others))
             return

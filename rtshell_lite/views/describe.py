@@ -109,10 +109,12 @@ def port_lines(port, instance, level, ends, paint, tag="", more=""):
     listed = 0
     for connector in port.connectors:
         far = [end for end in map(ends, connector.ports) if end]
-        listed += len(far)
-        if not far:
+        carrier = printable(ports.transport(connector)) if len(connector.ports) == 1 else ""
+        listed += len(far) or bool(carrier)
+        if not far and not carrier:
             continue
-        yield f"{more} {'-' if level > 1 else '+'}Connected to  {paint(far[0], 'bold')}"
+        how = "Connected to" if far else "Connected by"
+        yield f"{more} {'-' if level > 1 else '+'}{how}  {paint((far or [carrier])[0], 'bold')}"
         for end in far[1:]:
             yield more + " " * 16 + paint(end, "bold")
         if level > 1:

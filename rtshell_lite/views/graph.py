@@ -51,8 +51,18 @@ def of(profile, states=None):
             boxes.append(Box(end.instance_name, missing=True))
         return strangers[key]
 
+    def box_of_transport(connector):
+        key = connector.interface_type
+        if key not in strangers:
+            strangers[key] = len(boxes)
+            boxes.append(Box(key))
+        return strangers[key]
+
     edges = []
     for connector in profile.connectors:
+        if len(connector.ends) == 1:
+            edges.append(_edge_alone(connector, boxes, box_of, box_of_transport(connector)))
+            continue
         edges += _edges(connector, isinstance(connector, model.ServicePortConnector), boxes, box_of)
     tops = _compose(profile, boxes, numbers, locate)
     return Graph(boxes, list(collections.OrderedDict.fromkeys(edges)), tops)
@@ -64,6 +74,19 @@ def _edges(connector, service, boxes, box_of):
     for number, (box, port) in enumerate(ends):
         boxes[box].use(port, boxes[box].left if number else boxes[box].right)
     return [ends[0] + end + (service,) for end in ends[1:]]
+
+
+def _edge_alone(connector, boxes, box_of, transport):
+    """The Edge between a port that is connected alone and the box of what carries its data."""
+    end, = connector.ends
+    box, port = box_of(end), capture.port_of(end)
+    if connector.source is None:
+        boxes[box].use(port, boxes[box].left)
+        boxes[transport].use("", boxes[transport].right)
+        return transport, "", box, port, False
+    boxes[box].use(port, boxes[box].right)
+    boxes[transport].use("", boxes[transport].left)
+    return box, port, transport, "", False
 
 
 def _compose(profile, boxes, numbers, locate):

@@ -248,6 +248,7 @@ class RtsProfile(Element):
         Children("groups", "rts:Groups", Group),
         Children("data_port_connectors", "rts:DataPortConnectors", DataPortConnector),
         Children("service_port_connectors", "rts:ServicePortConnectors", ServicePortConnector),
+        Children("one_port_connectors", "rtsExt:OnePortConnectors", DataPortConnector),
     ) + SECTIONS + (
         Children("version_up_logs", "rtsExt:VersionUpLogs", TEXT, also=("VersionUpLog",)),
         PROPERTIES,
@@ -256,5 +257,10 @@ class RtsProfile(Element):
 
     @property
     def connectors(self):
-        """All connections, those of data ports first, without those of tools, which have a single end."""
-        return [connector for connector in self.data_port_connectors + self.service_port_connectors if len(connector.ends) > 1]
+        """All connections, those of data ports first.
+
+        The schema lets a connection have two ends. Those of one port, whose data goes by ROS, DDS or the like, are in an element of
+        our own, which other tools ignore; those of one end among the others were a tool's, and are left out.
+        """
+        joining = [connector for connector in self.data_port_connectors + self.service_port_connectors if len(connector.ends) > 1]
+        return joining + [connector for connector in self.one_port_connectors if len(connector.ends) == 1]

@@ -145,6 +145,7 @@ class RtsProfile(Element):
     groups: List[Group]
     data_port_connectors: List[DataPortConnector]
     service_port_connectors: List[ServicePortConnector]
+    one_port_connectors: List[DataPortConnector]
     start_up: Optional[MessageSending]
     shut_down: Optional[MessageSending]
     activation: Optional[MessageSending]

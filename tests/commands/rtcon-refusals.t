@@ -25,11 +25,11 @@ Ports that do not match are told apart before anything is asked of them. Compone
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleIn1.rtc:out: each is a DataOutPort; a connection needs an in port and an out port
   [6]
   $ rtcon ConsoleOut0.rtc:in
-  rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it is a DataInPort; a connection needs an in port and an out port
-  [6]
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: a data port alone; name another port, or the transport that carries its data: -p dataport.interface_type=ros, ros2, fast-rtps, ssm … (see --help)
+  [2]
   $ rtcon ConsoleIn0.rtc:out
-  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: it is a DataOutPort; a connection needs an in port and an out port
-  [6]
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: a data port alone; name another port, or the transport that carries its data: -p dataport.interface_type=ros, ros2, fast-rtps, ssm … (see --help)
+  [2]
   $ rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: a data port and a service port do not go together
   [6]

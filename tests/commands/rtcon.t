@@ -157,3 +157,4 @@ invocation: B:in A:out
 invocation: --dry-run A:out B:in
 looking: --dry-run A:out B:in
 example: rtcon -p dataport.subscription_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in <- rtdis ConsoleIn0.rtc
+example: rtcon -p dataport.interface_type=fast-rtps ConsoleIn0.rtc:out -> 6

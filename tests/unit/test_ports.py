@@ -36,6 +36,31 @@ def service(name, *interfaces):
     return port(name, "CorbaPort", interfaces=[ports.Interface(*each) for each in interfaces])
 
 
+class Tools(unittest.TestCase):
+    """Connectors of tools are no part of a system: they are known by their names, others by what carries their data."""
+
+    def is_of_tool(self, name, interface, ends):
+        made = ports.Connector("id", name, ["A.out", "B.in"][:ends], [("dataport.interface_type", interface)])
+        return ports.is_of_tool(made)
+
+    def test_ours(self):
+        for name in ("rtprint", "rtinject", "rtlog", "rtmount", "rtshell_lite", "rtshell_lite rates"):
+            self.assertTrue(self.is_of_tool(name, "fast-rtps", 1), name)
+
+    def test_rtshells(self):
+        for name in ("rtprint_reader0_out", "rtinject_writer12_in", "rtlog_recorder0_out", "rtlog_player3_in"):
+            self.assertTrue(self.is_of_tool(name, "corba_cdr", 2), name)
+
+    def test_other_tools_that_connect_one_port_by_corba(self):
+        for interface in ("", "corba_cdr", "CORBA_Any", "data_service"):
+            self.assertTrue(self.is_of_tool("viewer", interface, 1), interface)
+
+    def test_parts_of_a_system(self):
+        for name, interface, ends in (("chatter", "ros", 1), ("", "fast-rtps", 1), ("rtlog_out", "ssm", 1), ("outin", "corba_cdr", 2),
+                                      ("rtprinter", "corba_cdr", 2), ("rtlog_reader", "corba_cdr", 2)):
+            self.assertFalse(self.is_of_tool(name, interface, ends), name)
+
+
 class Case(unittest.TestCase):
     def setUp(self):
         for name, replaced in (("identity", lambda ref: ref), ("same", lambda one, other: one == other)):
