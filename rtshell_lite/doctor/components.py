@@ -155,7 +155,7 @@ def _contexts(snapshot):
                               remedies.command("reset", option=remedies.option(index), path=snapshot.where)))
     active = [str(index) for index, state in enumerate(snapshot.states) if state == "Active"]
     if len(active) > 1:
-        message = f"Active in its execution contexts {' and '.join(active)} at once: each of them executes it"
+        message = f"Active in its execution contexts {' and '.join(active)} at once: each that runs executes it"
         found.append(warn("context", snapshot.where, message, remedies.words("active once", path=shell_word(snapshot.where))))
     alive = [context for context in snapshot.contexts if context.handle is not None]
     if alive and not any(context.running for context in alive):

@@ -137,12 +137,14 @@ async def running(node, ref):
 
 @tasks.task
 async def elsewhere(node, ref, asked, otherwise):
-    """What `asked`, a coroutine, returns, or `otherwise` if `ref`, a context of another process, does not answer.
+    """What `asked`, a coroutine, returns, or `otherwise` if `ref`, a context of another process, does not answer, or has ended.
 
     So a hung composite does not hide its members.
     """
     try:
         return await asked
+    except errors.Gone:
+        return otherwise
     except errors.Unreachable:
         if orb.endpoint(ref) == node.endpoint:
             raise
@@ -215,23 +217,54 @@ def change_all(paths, transition, index=None, wait=None, dry_run=False):
 
 async def _command(node, transition, index):
     """The command that would take a component through a Transition, '' where none is needed."""
-    words = [transition.command]
     if index is not None:
-        is_needed = await state_in.task(node, await context_ref.task(node, index)) != transition.target
-        words += ["-e", str(index)]
-    elif transition is ACTIVATE:
-        is_needed = not _all_in(await placements(node), "Active")
-    else:
-        is_needed = bool(_to_leave(await placements(node)))
-    return " ".join(words + [shell_word(str(node.path))]) if is_needed else ""
+        now = await state_in.task(node, await context_ref.task(node, index))
+        return "" if now == transition.target else _words(transition, index, node)
+    places = await placements(node)
+    if transition is ACTIVATE:
+        place = await _to_activate(node, places)
+        return "" if place.state == "Active" else _words(transition, place.index or None, node)
+    wanted = _to_leave(places)
+    _check_that_one_answers(node, wanted)
+    return _words(transition, None, node) if wanted else ""
+
+
+def _words(transition, index, node):
+    option = [] if index is None else ["-e", str(index)]
+    return " ".join([transition.command] + option + [shell_word(str(node.path))])
 
 
 async def placements(node):
-    """A Placement for each execution context of a component, as -e counts them."""
+    """A Placement for each execution context of a component, as -e counts them, but not for those that are known to have ended.
+
+    The state is Unknown in a context of another process that does not answer: the component may be Active there. Raises NoSuch if
+    it has no context.
+    """
     owned, participating = await owned_context_refs.task(node), await participating_context_refs.task(node)
-    refs = owned + participating
-    known = await states.task(node, refs)
-    return [Placement(index, ref, index < len(owned), state) for index, (ref, state) in enumerate(zip(refs, known))]
+    found = []
+    for index, ref in enumerate(owned + participating):
+        try:
+            state = await state_in.task(node, ref)
+        except errors.Gone:
+            continue
+        except errors.Unreachable as e:
+            if orb.endpoint(ref) == node.endpoint:
+                raise
+            if _proves_death(e, ref):
+                continue
+            state = "Unknown"
+        found.append(Placement(index, ref, index < len(owned), state))
+    if not found:
+        raise errors.NoSuch(str(node.path), "execution context", "0 (it has 0)")
+    return found
+
+
+def _proves_death(failure, ref):
+    """Whether the failure of a call of the context `ref` proves that its process is gone: nothing is executed there."""
+    if not isinstance(failure, errors.ConnectionRefused):
+        return False
+    from rtshell_lite.corba import liveness  # few need it
+    return liveness.is_gone(orb.endpoint(ref))
 
 
 async def _members_first(node, ref, wait):
@@ -258,15 +291,16 @@ async def change(node, transition, index=None, wait=None):
     so after RTC_ERROR the state is polled for the timeout. Raises Refused with the reason, Unreachable when it was not reached.
     """
     if index is not None:
-        await change_in.task(node, await context_ref.task(node, index), transition, wait, _number(index))
+        await _change_in(node, await context_ref.task(node, index), transition, wait, _number(index))
         return transition.target
     places = await placements(node)
-    if not places:
-        raise errors.NoSuch(str(node.path), "execution context", "0 (it has 0)")
-    if transition is ACTIVATE:
-        return await _activate(node, places, wait)
-    await _leave(node, places, transition, wait)
-    return transition.target
+    if transition is not ACTIVATE:
+        await _leave(node, places, transition, wait)
+        return transition.target
+    place = await _activate(node, places, wait)
+    already = "already " if place.state == "Active" and place.index else ""
+    silent = _all_in(places, "Unknown")
+    return already + await _where(node, place) + (f"; {_silence(silent[0])}" if silent else "")
 
 
 def _number(index):
@@ -283,22 +317,35 @@ def _to_leave(places):
     return [place for place in known if place.state != "Inactive"]
 
 
+def _check_that_one_answers(node, places):
+    """Raise Unreachable if nothing can be done, as none of the contexts of these Placements answers."""
+    if places and all(place.state == "Unknown" for place in places):
+        raise errors.Unreachable(str(node.path), _silence(places[0]))
+
+
+def _silence(place):
+    return f"{_number(place.index)}, of another component, does not answer: it may be Active there"
+
+
 def _ignore(stage):
     """In the place of a function that notes how far a change has come."""
 
 
 async def _leave(node, places, transition, wait, stage=_ignore):
-    """Make a component Inactive in all Placements in which it is not: whether there was one. Raises the first failure, at the end."""
-    failures = []
-    wanted = _to_leave(places)
-    end = time.monotonic() + (wait or 0)
+    """Make a component Inactive in all Placements in which it is not: whether there was one. Raises the first failure, at the end.
+
+    All contexts are asked before one is waited for: where a component stops slowly, or never, it stops elsewhere all the same.
+    """
+    wanted, asked, failures, start = _to_leave(places), [], [], time.monotonic()
     for place in wanted:
         try:
-            if place.state == "Unknown":
-                why = f"{_number(place.index)}, of another component, does not answer: it may be Active there"
-                raise errors.Unreachable(str(node.path), why)
-            seconds = None if wait is None else max(0.0, round(end - time.monotonic(), 2))
-            await change_in.task(node, place.ref, transition, seconds, _number(place.index), place.state, stage)
+            _check_that_one_answers(node, [place])
+            asked.append((place, await _request(node, place.ref, transition, wait, _number(place.index), stage)))
+        except errors.Error as e:
+            failures.append(e)
+    for place, code in asked:
+        try:
+            await _reach(node, place.ref, transition, code, place.state, wait, start)
         except errors.Error as e:
             failures.append(e)
     if failures:
@@ -306,57 +353,34 @@ async def _leave(node, places, transition, wait, stage=_ignore):
     return bool(wanted)
 
 
-async def _activate(node, places, wait):
-    """Make a component Active in one of its Placements: its own if that runs, else one of another component; returns which, in words.
+async def _activate(node, places, wait, stage=_ignore):
+    """Make a component Active in one of its Placements, and return that: its state there is Active if it was so before.
 
     Robots of hrpsys and rtcloader run many components in the context of one. A component that is Active in two contexts is
     executed by both, at the same time; so one that is Active anywhere stays as it is.
     """
-    active = _all_in(places, "Active")
-    if active:
-        if wait is not None:
-            await stay.task(node, active[0].ref, ACTIVATE, wait)
-        words = await _words(node, active[0])
-        return words if words == "Active" else "already " + words
-    failed = _all_in(places, "Error")
-    chosen = failed[0] if failed else await _running(node, places)
-    await change_in.task(node, chosen.ref, ACTIVATE, wait, _number(chosen.index), chosen.state)
-    return await _words(node, chosen)
+    place = await _to_activate(node, places)
+    await _change_in(node, place.ref, ACTIVATE, wait, _number(place.index), place.state, stage)
+    return place
 
 
-@tasks.task
-async def change_as_planned(node, transition, index, wait, called, stage):
-    """`change` for a plan that names the execution context number `index`, which is `called` so; whether there was something to do.
+async def _to_activate(node, places):
+    """The Placement in which a component is Active, or in Error, or is to become Active: the first one whose context runs.
 
-    A component that is Active in the context of another component is not made Active in its own, nor the other way round; if its
-    own is stopped, the first of another component that runs is meant. It becomes Inactive in all contexts.
+    Raises Unreachable where none is known to run, and the component may be Active in one that does not answer.
     """
-    places = await placements(node)
-    if transition is not ACTIVATE:
-        return await _leave(node, places, transition, wait, stage)
-    meant = places[index]
-    others = [place for place in places if place.is_own != meant.is_own]
-    active = _all_in(others, "Active")
-    if active:
-        await stay.task(node, active[0].ref, ACTIVATE, wait)
-        return False
-    if meant.is_own:
-        meant = await _running(node, [meant] + others)
-    before = await change_in.task(node, meant.ref, ACTIVATE, wait, called, meant.state, stage)
-    return before != ACTIVATE.target
-
-
-async def _running(node, places):
-    """The first of the Placements whose context runs; the first of all where none does."""
-    if len(places) == 1:
-        return places[0]
-    for place in places:
+    settled = _all_in(places, "Active") or _all_in(places, "Error")
+    if settled or len(places) == 1:
+        return (settled or places)[0]
+    known = [place for place in places if place.state != "Unknown"]
+    for place in known:
         if await elsewhere.task(node, place.ref, orb.Call(node.path, place.ref, "is_running"), False):
             return place
+    _check_that_one_answers(node, _all_in(places, "Unknown"))
     return places[0]
 
 
-async def _words(node, place):
+async def _where(node, place):
     """Active, and in which context, if that is not the first of its own."""
     if place.index == 0:
         return "Active"
@@ -376,38 +400,66 @@ async def _name(node, ref):
 
 
 @tasks.task
-async def change_in(node, ref, transition, wait=None, called="this execution context", before=None, stage=_ignore):
-    """`change` in the execution context `ref`; returns the state that the component was in before.
+async def change_as_planned(node, transition, index, wait, stage):
+    """`change` for a plan that names the execution context number `index`: whether there was something to do.
 
-    `called` is the context in messages; `before` its state there, where that has just been asked. If the component has to change,
-    stage("asking") is called before it is asked, and stage("told") when it has accepted.
+    A component that is Active in the context of another component is not made Active in its own, nor the other way round; if the
+    one that the plan names is stopped, such another one that runs is meant. It becomes Inactive in all contexts.
+
+    If the component has to change, stage("asking") is called before it is asked, and stage("told") when it has accepted.
     """
+    places = await placements(node)
+    if transition is not ACTIVATE:
+        return await _leave(node, places, transition, wait, stage)
+    named = [place for place in places if place.index == index]
+    if not named:
+        raise errors.NoSuch(str(node.path), "execution context", f"{index}: it has ended")
+    others = [place for place in places if place.is_own != named[0].is_own]
+    place = await _activate(node, named + others, wait, stage)
+    return place.state != "Active"
+
+
+async def _change_in(node, ref, transition, wait, called, before=None, stage=_ignore):
+    """`change` in one execution context, which messages call so; `before` is the state there, if that has just been asked."""
     before = before or await state_in.task(node, ref)
-    if before == transition.target:
-        if wait is not None:
-            await stay.task(node, ref, transition, wait)
-        return before
+    if before != transition.target:
+        code = await _request(node, ref, transition, wait, called, stage)
+        await _reach(node, ref, transition, code, before, wait, time.monotonic())
+    elif wait is not None:
+        await stay.task(node, ref, transition, wait)
+
+
+async def _request(node, ref, transition, wait, called, stage):
+    """Ask the context `ref` for a Transition: its return code as text."""
     stage("asking")
     if transition is DEACTIVATE:
         await _members_first(node, ref, wait)
-    code = await _request(node, ref, transition, node.typed, wait)
-    if code == "BAD_PARAMETER":
+    # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz: `wait` is for the answer, too
+    code = await orb.Call(node.path, ref, transition.operation, node.typed, seconds=wait)
+    if str(code) == "BAD_PARAMETER":
         known = await canonical.task(node)
         if known is None:
             raise errors.Refused(str(node.path), "is not in " + called)
-        code = await _request(node, ref, transition, known, wait)
-    if code == "RTC_OK":
+        code = await orb.Call(node.path, ref, transition.operation, known, seconds=wait)
+    if str(code) == "RTC_OK":
         stage("told")
+    return str(code)
+
+
+async def _reach(node, ref, transition, code, before, wait, start):
+    """See that a Transition from the state `before`, answered with `code`, is made; without `wait`, RTC_OK is enough.
+
+    `wait` counts from `start`, by time.monotonic().
+    """
     if code == "RTC_OK" and wait is None:
-        return before
+        return
     now = await seen.task(state_in.task(node, ref))
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
         raise errors.Refused(str(node.path), f"cannot {transition.name}: {_reason(code, before, now, transition)}")
-    seconds, start = lanes.session.timeout if wait is None else wait, time.monotonic()
-    await _until(node, ref, transition, now, seconds)
+    seconds = lanes.session.timeout if wait is None else wait
+    await _until(node, ref, transition, now, seconds, start)
     if wait is not None:
         await stay.task(node, ref, transition, start + seconds - time.monotonic())
-    return before
 
 
 @tasks.task
@@ -418,7 +470,9 @@ async def state_as_planned(node, transition, wait):
     """
     places = await placements(node)
     active = _all_in(places, "Active")
-    if transition is not ACTIVATE or not active:
+    if transition is not ACTIVATE:
+        return merged([place.state for place in _to_leave(places)] or [transition.target])
+    if not active:
         return merged([place.state for place in places])
     await stay.task(node, active[0].ref, transition, wait)
     return "Active"
@@ -434,11 +488,6 @@ async def seen(asked):
         return await asked
     except errors.Refused as e:
         raise errors.Uncertain(*e.args)
-
-
-async def _request(node, ref, transition, target, wait):
-    # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz: `wait` is for the answer, too
-    return str(await orb.Call(node.path, ref, transition.operation, target, seconds=wait))
 
 
 def _reason(code, before, now, transition):
@@ -471,9 +520,9 @@ async def stay(node, ref, transition, seconds):
             raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to {now}")
 
 
-async def _until(node, ref, transition, now, seconds):
-    """Poll until the state is reached, at first more often: most components need a few periods only."""
-    limit, pause = time.monotonic() + seconds, POLL / 10
+async def _until(node, ref, transition, now, seconds, start):
+    """Poll until the state is reached, for `seconds` from `start`, at first more often: most need a few periods only."""
+    limit, pause = start + seconds, POLL / 10
     while now != transition.target:
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to Error")

@@ -164,8 +164,7 @@ class Run:
         """Take a component through the transition, and return the Result."""
         def change():
             index = _context(node, contexts or _contexts(node), action)
-            called = "execution context " + printable(action.context)
-            has_changed = component.change_as_planned(node, self.transition, index, self.wait, called, stage)
+            has_changed = component.change_as_planned(node, self.transition, index, self.wait, stage)
             return plan.DONE if has_changed else plan.ALREADY
 
         def stage(name):

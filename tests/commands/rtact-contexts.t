@@ -51,7 +51,7 @@ Two contexts at once happen only with -e; rtdoctor reports it, with both:
 
   $ rtact -e 0 Motor0.rtc; rtact -e 1 Motor0.rtc
   $ rtdoctor -q Motor0.rtc | grep Motor0
-  warn  /localhost:$PORT/test.host_cxt/Motor0.rtc: Active in its execution contexts 0 and 1 at once: each of them executes it; try: see whose they are (rtec /localhost:$PORT/test.host_cxt/Motor0.rtc), and leave all but one: rtdeact -e N /localhost:$PORT/test.host_cxt/Motor0.rtc
+  warn  /localhost:$PORT/test.host_cxt/Motor0.rtc: Active in its execution contexts 0 and 1 at once: each that runs executes it; try: see whose they are (rtec /localhost:$PORT/test.host_cxt/Motor0.rtc), and leave all but one: rtdeact -e N /localhost:$PORT/test.host_cxt/Motor0.rtc
   $ rtdeact --wait Motor0.rtc
   $ rtec Motor0.rtc | awk '{print $1, $2, $6, $7}'
   0 0 Inactive Motor0
@@ -62,6 +62,9 @@ Its own context is preferred if that runs, else the one of another component tha
   $ rtact -v Motor0.rtc; rtdeact --wait Motor0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Motor0.rtc: Active
   $ rtec Motor0.rtc stop
+  $ rtact --dry-run Motor0.rtc Camera0.rtc
+  rtact -e 1 /localhost:$PORT/test.host_cxt/Motor0.rtc
+  rtact /localhost:$PORT/test.host_cxt/Camera0.rtc
   $ rtact -v --wait Motor0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Motor0.rtc: Active in the context of Sensor0
   $ rtdeact --wait Motor0.rtc

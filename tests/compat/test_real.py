@@ -21,7 +21,7 @@ import unittest
 import real
 import worlds
 from rtshell_lite.data import reading
-from rtshell_lite.robot import ports
+from rtshell_lite.robot import component, ports
 
 DIRECTORIES = [each for each in os.environ.get("RTSHELL_REAL", "").split(os.pathsep) if each]
 ROUNDS = int(os.environ.get("RTSHELL_ROUNDS", "100"))
@@ -180,7 +180,7 @@ class Real(unittest.TestCase):
                     done(["rtinject", "-q", "-c", value, robot.path("ConsoleOut") + ":in"])
                     read[hz] += value in read_values(robot.said("ConsoleOut"))
                 self.unharmed(robot, "rtinject at %d Hz" % hz)
-            done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % robot.rate])  # early, because it takes effect late: see test_6
+            done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % robot.rate])  # early, because it takes effect late: see test_7
             if set(read.values()) != {50 if ROUNDS >= 50 else ROUNDS}:
                 raise AssertionError("read: %s" % dict(read))
             return "values read at 2, 10, 100, 1000 Hz: %s" % sorted(read.items())
@@ -222,7 +222,37 @@ class Real(unittest.TestCase):
             return "%d rounds of rtdeact, rtact, rtcon, rtdis" % ROUNDS
         self.each_robot(change)
 
-    def test_5_bare_calls(self):
+    def test_5_contexts(self):
+        """A component in the execution context of another one: Active in one of them, Inactive in all."""
+        def share(robot):
+            owner, part = robot.path("Sensor"), robot.path("MyServiceProvider")
+            for number in range(ROUNDS):
+                done(["rtec", owner, "attach", part])
+                if number % 2:  # as hrpsys does
+                    done(["rtec", part, "stop"])
+                    done(["rtact", "--wait", "5", part])
+                else:
+                    done(["rtact", "-e", "1", "--wait", "5", part])
+                    done(["rtact", part])
+                self.has_states(robot, "MyServiceProvider", ["Inactive", "Active"])
+                done(["rtdeact", "--wait", "5", part])
+                self.has_states(robot, "MyServiceProvider", ["Inactive", "Inactive"])
+                if number % 2:
+                    done(["rtec", part, "start"])
+                done(["rtec", owner, "detach", part])
+                self.has_states(robot, "MyServiceProvider", ["Inactive"])
+                self.unharmed(robot, "contexts, round %d" % number, robot.fallen)
+            return "%d rounds of rtec attach, rtact, rtdeact, rtec detach" % ROUNDS
+        self.each_robot(share)
+
+    def has_states(self, robot, part, wanted):
+        """That a part has these states in its execution contexts, in the order of -e."""
+        owned, participating = component.context_refs(robot.nodes[part])
+        states = component.states(robot.nodes[part], owned + participating)
+        if states != wanted:
+            raise AssertionError("%s %s: %s, not %s" % (robot.label, part, states, wanted))
+
+    def test_6_bare_calls(self):
         """The same connections by bare calls: the race within OpenRTM itself that no tool can avoid (push, while it writes)."""
         def bare(robot):
             port, = [each for each in ports.ports(robot.nodes["Sensor"]) if each.name.endswith("out")]
@@ -235,7 +265,7 @@ class Real(unittest.TestCase):
             return "%d bare push connections without harm" % ROUNDS
         self.each_robot(bare)
 
-    def test_6_a_log_is_read(self):
+    def test_7_a_log_is_read(self):
         """5,000 entries played into a reader of the same rate: all of them are taken and read; into a slower one: the truth."""
         def play(robot):
             reader = robot.path("ConsoleOut") + ":in"
