@@ -102,15 +102,19 @@ class Behaviour:
         if comp is None:
             return RTC.BAD_PARAMETER
         handle = comp.attach_context(self.reference)
-        if not self._find(comp):
-            self.members.append(Member(comp, self.process.local_servant(comp), handle))
         self.participants.append(comp)
+        if self.flavour.modern and self.running:
+            self.process.thread(self._add_in_time, comp, handle)
+        else:
+            self._add(comp, handle)
         return RTC.RTC_OK
 
     def remove_component(self, comp):
         member = self._find(comp)
         if not member:
             return RTC.BAD_PARAMETER
+        if self.flavour.modern:         # its profile no longer lists it, though it is executed until the next cycle
+            self._unlist(member)
         self.process.thread(self._remove, member)
         return RTC.RTC_OK
 
@@ -201,10 +205,25 @@ class Behaviour:
                 return RTC.RTC_OK
         return RTC.RTC_ERROR
 
-    def _remove(self, member):
-        time.sleep(min(1.0 / self.rate, 0.3))
-        self.members.remove(member)
+    def _add_in_time(self, comp, handle):
+        """The context of 2.x knows a component from its next cycle on."""
+        time.sleep(self._to_cycle())
+        self._add(comp, handle)
+
+    def _add(self, comp, handle):
+        if not self._find(comp):
+            self.members.append(Member(comp, self.process.local_servant(comp), handle))
+
+    def _to_cycle(self):
+        return min(1.0 / self.rate, 0.3)
+
+    def _unlist(self, member):
         self.participants = [p for p in self.participants if not p._is_equivalent(member.reference)]
+
+    def _remove(self, member):
+        time.sleep(self._to_cycle())
+        self.members.remove(member)
+        self._unlist(member)
         try:
             member.reference.detach_context(member.handle)
         except CORBA.SystemException:

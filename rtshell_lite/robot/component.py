@@ -30,12 +30,13 @@ Context = collections.namedtuple("Context", "handle ref kind rate running owner 
 
 
 def until(reached, seconds):
-    """Call reached() until it returns True, for at most so many seconds; returns whether it did."""
-    limit = time.monotonic() + seconds
+    """Call reached() until it returns True, at first more often, for at most `seconds`; returns whether it did."""
+    limit, pause = time.monotonic() + seconds, POLL / 10
     while not reached():
         if time.monotonic() > limit:
             return False
-        time.sleep(POLL)
+        time.sleep(pause)
+        pause = min(2 * pause, POLL)
     return True
 
 

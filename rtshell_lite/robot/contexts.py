@@ -6,7 +6,7 @@ from rtshell_lite.corba import orb
 from rtshell_lite.robot import component
 from rtshell_lite.text import shell_word
 
-SETTLE_TIME = 2.0  # seconds: a component leaves at the context's next cycle, in 0.3 s as a rule
+SETTLE_TIME = 2.0  # seconds: a component joins and leaves at the context's next cycle, in 0.3 s as a rule
 
 # One line of rtec: `index` as -e counts, a component.Context, the component's state in it, names of owner and participants.
 Entry = collections.namedtuple("Entry", "index context state owner participants")
@@ -78,7 +78,10 @@ def one_by_one(change, node, index, participants):
 
 
 def attach(node, index, participant):
-    """Let the component `participant` take part in a context. Raises Failed, Refused, and Unreachable if that is dead."""
+    """Let the component `participant` take part in a context. Raises Failed, Refused, and Unreachable if that is dead.
+
+    OpenRTM-aist 2 lists it at once, and knows its state, and takes commands for it, from the context's next cycle on.
+    """
     ref, where = component.context_ref(node, index), str(node.path)
     orb.is_alive(str(participant.path), participant.ref)
     profile = orb.call(where, ref, "get_profile")
@@ -88,7 +91,8 @@ def attach(node, index, participant):
         code = str(orb.call(where, ref, "add_component", participant.typed))
         if code != "RTC_OK" or not _takes_part(component.seen(orb.Call(where, ref, "get_profile")), participant):
             raise errors.Refused(where, f"its execution context does not take {participant.path!s} ({code})")
-    return f"{node.path}: {participant.path} takes part"
+    is_known = component.until(lambda: component.state_in(participant, ref) != "Created", SETTLE_TIME)
+    return f"{node.path}: {participant.path} takes part{'' if is_known else ' from its next cycle on'}"
 
 
 def detach(node, index, participant):
@@ -99,9 +103,16 @@ def detach(node, index, participant):
         raise errors.NoSuch(where, "participant", str(participant.path))
     code = str(orb.call(where, ref, "remove_component", participant.typed))
     seconds = max(SETTLE_TIME, 3 / profile.rate if profile.rate > 0 else 0)
-    if not component.until(lambda: not _takes_part(component.seen(orb.Call(where, ref, "get_profile")), participant), seconds):
+    if not component.until(lambda: _has_left(where, ref, participant), seconds):
         raise errors.Refused(where, f"its execution context does not let go of {participant.path!s} ({code})")
     return f"{node.path}: {participant.path} left"
+
+
+def _has_left(where, ref, participant):
+    """Whether neither the context lists the component, nor the component the context, which may execute it until then."""
+    if _takes_part(component.seen(orb.Call(where, ref, "get_profile")), participant):
+        return False
+    return not any(orb.same(ref, other) for other in component.participating_context_refs(participant))
 
 
 def _takes_part(profile, participant):

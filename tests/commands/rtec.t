@@ -94,6 +94,15 @@ Other components can take part in a context; they leave it at its next cycle, wh
   $ rtec ConsoleIn0.rtc
   0  0  Periodic  50  Running  Inactive  ConsoleIn0  -
 
+A context of OpenRTM-aist 2 knows a new component from its next cycle on, and executes one that leaves until then: both are waited for
+
+  $ rtec ConsoleIn0.rtc rate 4
+  $ rtec ConsoleIn0.rtc attach ConsoleOut0.rtc; ctl @these state ConsoleOut0 1001
+  INACTIVE
+  $ rtec ConsoleIn0.rtc detach ConsoleOut0.rtc; ctl @these state ConsoleOut0 1001 >/dev/null 2>&1
+  [1]
+  $ rtec ConsoleIn0.rtc rate 50
+
 --measure watches a component that is active and writes to an out port in each cycle; how long can be given. A mock runs at
 50 Hz at most; its context's rate may be less:
 
