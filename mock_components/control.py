@@ -38,6 +38,9 @@ class Commands:
         found = self.stage.port(port).buffer
         return ["%d %s" % (found.length, found.policy)]
 
+    def near_misses(self):
+        return [str(self.stage.process.near_misses)]
+
     def times(self, port):
         return [str(len(self.stage.port(port).times))]
 

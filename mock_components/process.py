@@ -38,6 +38,7 @@ class Process:
                                    "-ORBtraceLevel", "0",
                                    "-ORBgiopMaxMsgSize", str(32 << 20)], CORBA.ORB_ID)  # as components that send images need it
         self.ledger = Ledger()
+        self.near_misses = 0            # see transport.Sender
         self.locator = Locator(self.ledger)
         self.arrived = threading.Condition()    # notified when an InPort has received something
         self.components = {}                    # instance name -> component that lives here

@@ -4,6 +4,8 @@
 
 However the `with` statement ends, the connectors are removed. Commands call cli.unwind_when_ended() before it.
 """
+import _signal  # see start.py
+import os
 import sys
 import threading
 import time
@@ -34,6 +36,7 @@ class Connection:
         self.endpoint = orb.endpoint(port.ref)
         self.given = dict(properties or {})
         self.connector = self.failure = None
+        self.agreed = {}  # the properties of the connector, as the port returned them
         self.left = None  # (a connector that was not removed, what to say of it)
         self.told = None  # a failure that has been reported as the connection was closed
         self.remark = None  # a note for the user, printed once
@@ -102,9 +105,34 @@ class Connection:
             connector, self.connector = self.connector, None
         if connector:
             self.left = connector, BUSY
-            if self.is_at_rest():
-                self._remove(connector)
+            self.leave(connector)
         self.release()
+
+    def leave(self, connector):
+        """Remove the connector, as soon as that does no harm."""
+        if self.is_at_rest():
+            self._remove(connector)
+
+    def step_aside(self):
+        """Remove the connector for a while."""
+        with self.changing:
+            if self.closing.is_set() or not self.connector:
+                return
+            with self.lock:
+                connector, self.connector = self.connector, None
+            self.left = connector, BUSY
+            self.leave(connector)
+            self.release()
+
+    def come_back(self):
+        """Make the connector again that step_aside() has removed. Raises errors.Error."""
+        with self.changing:
+            if self.closing.is_set() or self.connector or self.failure:
+                return
+            if self.left:
+                raise errors.Unreachable(self.where, "a fetch is not answered")
+            self.renew()
+            self._open()
 
     def _remove(self, connector):
         self.left = connector, SILENT
@@ -147,15 +175,17 @@ class Connection:
     def look(self):
         """Check that the port exists and has the connector. Raises errors.Error."""
         connector = self.connector
-        if not connector:
-            return
+        if connector and not self.is_there(connector) and not self.closing.is_set():
+            raise errors.Unreachable(self.where, self.lost())
+
+    def is_there(self, connector):
+        """Whether the port has the connector. Raises errors.Error."""
         try:
             profile = component.once_more(lambda: orb.Call(
                 self.where, self.port.ref, "get_connector_profile", to_wire(connector.id)))
         except (errors.Gone, errors.ConnectionRefused) as e:
             raise self.component_ended(e)
-        if not profile.connector_id and not self.closing.is_set():
-            raise errors.Unreachable(self.where, self.lost())
+        return bool(profile.connector_id)
 
     def component_ended(self, e):
         """The error for a component that was Gone or ConnectionRefused."""
@@ -176,6 +206,9 @@ class Connection:
 
     def release(self):
         """Free what belonged to the connector."""
+
+    def renew(self):
+        """Prepare for another connector."""
 
     def always_little(self):
         """Whether values are little-endian whatever was agreed upon."""
@@ -226,6 +259,7 @@ class Opened:
     def __init__(self, connections):
         self.connections = list(connections)
         self.ended, self.closed = threading.Event(), False
+        self.stopping, self.hears_stop = threading.Lock(), False  # for Ctrl-Z
 
     def __enter__(self):
         complete = False
@@ -247,9 +281,30 @@ class Opened:
                 self._close()
             self._report(known)
 
+    def step_aside_when_stopped(self):
+        """Leave when Ctrl-Z (SIGTSTP) comes, before this process stops, and connect again when it goes on (SIGCONT).
+
+        A stopped process would stop the components that wait for its answers.
+        """
+        if _signal.getsignal(_signal.SIGTSTP) == _signal.SIG_DFL:
+            _signal.signal(_signal.SIGTSTP, lambda number, frame: lanes.start(self._stop_here))
+            self.hears_stop = True
+
+    def _stop_here(self):
+        if not self.stopping.acquire(False):
+            return
+        try:
+            self._in_lanes("step_aside")
+            os.kill(os.getpid(), _signal.SIGSTOP)
+            self._in_lanes("come_back")
+        finally:
+            self.stopping.release()
+
     def _close(self):
         with interrupts.held():
             self.ended.set()
+            if self.hears_stop:
+                _signal.signal(_signal.SIGTSTP, _signal.SIG_DFL)
             for connection in self.connections:
                 connection.stop()
             self._remove(self.connections)

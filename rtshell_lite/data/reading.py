@@ -10,8 +10,8 @@ import threading
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb, servants
-from rtshell_lite.data.connection import GRACE, Connection
+from rtshell_lite.corba import lanes, liveness, orb, servants
+from rtshell_lite.data.connection import GRACE, SILENT, Connection
 from rtshell_lite.robot import component, ports
 
 # One value: its arrival, in nanoseconds since 1970; its CDR bytes without a header; their byte order.
@@ -24,7 +24,9 @@ FEWEST = 4  # values that it may queue however large they are
 POLL = 0.02  # seconds between two fetches from an empty queue
 ANSWERED = 0.05  # seconds from the answer to a fetch until the component has left the connector
 QUIET = 0.1  # seconds to wait for a last value; after them a connector is no longer new
-HANDED_OVER = 0.002  # seconds from the arrival of a value until the component has left the connector
+PERIODS = 4  # of the component, in which it finds out that we have left, and removes the connector itself
+LONGEST = 0.5  # seconds to wait for that, at most
+LOOKS = 0.005, 0.05  # seconds between two looks whether it has done so, at first and in the end
 SWITCH = 0.0005  # seconds between switches of Python's threads; with the default, 0.005, 290 MB/s arrived, not 430
 
 
@@ -32,23 +34,27 @@ class Reader(Connection):
     """A connector from a DataOutPort that calls deliver(Message) for each value, on a thread of its own.
 
     dataflow: "push" (the component calls us), "pull" (we fetch, for components that cannot reach us), None for push where the
-    port offers it. subscription, of push: new, flush or periodic; None is new, which lets no slow reader delay the component.
-    `properties` is a dict of the connector's properties, which override ours; `name` is the connector's name.
+    port offers it. `properties` is a dict of the connector's properties, which override ours; `name` is the connector's name.
+
+    Removing a push connector may end the component: with the subscription "new" its publisher may be using what is deleted. On
+    this host the component calls us itself, in its own cycle ("flush"): deliver() returns at once. We leave by being no more,
+    and its next call finds that out: OBJECT_NOT_EXIST, upon which it removes the connector between two calls. Over a network a slow
+    link must not slow the component: "new", and the connector is removed right after a value has come.
     """
 
     kind, side, flows = "DataOutPort", "outport", ("push", "pull")
 
-    def __init__(self, port, deliver, dataflow=None, subscription=None, properties=None, name="rtshell_lite"):
+    def __init__(self, port, deliver, dataflow=None, properties=None, name="rtshell_lite"):
         super().__init__(port, name, properties)
         self.deliver = deliver
         offer = ports.offer_without(port, "dataport.dataflow_type", "push")
         self.dataflow = self.given.get("dataport.dataflow_type", "").lower() or dataflow or ("pull" if offer else "push")
-        self.subscription = subscription
         self.room, self.heaviest = BUFFER, 0  # values that the port may queue; bytes of the largest one so far
         self.idle, self.answered = threading.Event(), 0.0  # no fetch is under way; when the last one ended
         self.idle.set()
         self.ended, self.came = threading.Event(), threading.Event()  # no more values are wanted; one came all the same
         self.count = self.seen = 0  # values so far, and at the last look
+        self.first = self.last = 0.0  # when the first and the last of them came
         self.served = None
         self.early, self.early_bytes = [], 0  # values that came before the byte order was known
 
@@ -58,9 +64,13 @@ class Reader(Connection):
             return dict(common, **{"dataport.subscription_type": "new", "dataport.buffer.read.empty_policy": "do_nothing"})
         sys.setswitchinterval(SWITCH)
         self.served = servants.Served(servants.RECEIVERS[self.interface](self._take))
-        subscription = self.subscription or ports.connection_properties([self.port], {})["dataport.subscription_type"]
+        is_near = liveness.is_this_host(self.endpoint[0])
+        if is_near and not ports.offer_without(self.port, "dataport.subscription_type", "flush"):
+            subscription = "flush"
+        else:
+            subscription = ports.connection_properties([self.port], {})["dataport.subscription_type"] or "new"
         return dict(common, **{
-            "dataport.subscription_type": subscription or "new", "dataport.publisher.push_policy": "all",
+            "dataport.subscription_type": subscription, "dataport.publisher.push_policy": "all",
             f"dataport.{self.interface}.inport_ior": self.served.ior(self.endpoint)})
 
     def _open(self):
@@ -95,6 +105,8 @@ class Reader(Connection):
         return True
 
     def _count(self, data):
+        self.last = time.monotonic()
+        self.first = self.first or self.last
         self.count += 1
         self.heaviest = max(self.heaviest, len(data))
         if self.ended.is_set():
@@ -127,21 +139,49 @@ class Reader(Connection):
         if not self.ended.is_set():
             self.stopped = time.monotonic()
             self.ended.set()
+        if self._is_flush():
+            self.release()
+
+    def _is_flush(self):
+        """Whether the component calls us in its own cycle."""
+        return self.dataflow == "push" and self.agreed.get("dataport.subscription_type", "").lower() == "flush"
+
+    def leave(self, connector):
+        self.stop()
+        if not self._is_flush() or not self._is_forgotten(connector):
+            super().leave(connector)
+
+    def _is_forgotten(self, connector):
+        """Wait until the component has found out that we have left, and has removed the connector. A silent one will."""
+        period = (self.last - self.first) / (self.count - 1) if self.count > 1 else QUIET
+        end, pause = self.stopped + min(LONGEST, QUIET + PERIODS * period), LOOKS[0]
+        try:
+            while self.is_there(connector):
+                if time.monotonic() > end:
+                    return False
+                time.sleep(pause)
+                pause = min(2 * pause, LOOKS[1])
+            self.left = None
+        except errors.Refused:
+            return False
+        except errors.Unreachable as e:
+            self.left = (connector, SILENT) if isinstance(e, errors.Silent) else None
+            self.failure = self.failure or e
+        return True
 
     def is_at_rest(self):
         """Wait until the component is not using the connector; False if it goes on using it.
 
         Removing a connector ends a C++ component that is serving a fetch through it: so wait for the last answer. It may also end
-        one that is pushing a value: with C++ 2.1 at 100 Hz, 17 of 2,100 removals soon after connecting ended the process, 1 of 600
-        later ones, and none of 6,000 right after a value had come: so wait for a value, too. Ports are closed a few at a time: all
-        share the wait since stop(), and a value that came before this call is too old.
+        one whose publisher is pushing a value (17 of 2,100 removals soon after connecting to C++ 2.1 at 100 Hz): so remove it while
+        the answer to a value is on its way, when the publisher has nothing to do until the next one. Ports are closed a few at a
+        time: all share the wait since stop(), and a value that came before this call is too old.
         """
-        self.stop()
         if self.dataflow == "push":
-            limit = self.stopped + (2 * QUIET if self.came.is_set() else QUIET)
-            self.came.clear()
-            if self.came.wait(max(0, limit - time.monotonic())):
-                time.sleep(HANDED_OVER)
+            if not self._is_flush():
+                limit = self.stopped + (2 * QUIET if self.came.is_set() else QUIET)
+                self.came.clear()
+                self.came.wait(max(0, limit - time.monotonic()))
             return True
         if not self.idle.wait(0 if isinstance(self.failure, errors.Silent) else lanes.session.timeout + GRACE):
             return False
@@ -161,23 +201,18 @@ class Reader(Connection):
 
     def _is_too_heavy(self):
         """Whether a full queue of the largest values would take too much of the component's memory."""
-        return self.heaviest * self.room > BUFFER_BYTES and self.failure is None and "dataport.buffer.length" not in self.given
+        too_heavy = self.heaviest * self.room > BUFFER_BYTES and "dataport.buffer.length" not in self.given
+        return too_heavy and not self._is_flush() and self.failure is None
 
     def _reopen(self):
         """Replace the connector by one with a shorter buffer, now that the size of values is known."""
-        with self.changing:
-            if self.closing.is_set():
-                return
-            if not self.is_at_rest():
-                raise errors.Unreachable(self.where, "a fetch is not answered")
-            connector, self.connector = self.connector, None
-            self._remove(connector)
-            self.release()
-            if self.left:
-                raise self.failure
-            self.room, self.early = max(FEWEST, BUFFER_BYTES // self.heaviest), []
-            self.ended, self.came = threading.Event(), threading.Event()
-            self._open()
+        self.step_aside()
+        self.room = max(FEWEST, BUFFER_BYTES // self.heaviest)
+        self.come_back()
+
+    def renew(self):
+        self.early, self.early_bytes = [], 0
+        self.ended, self.came = threading.Event(), threading.Event()
 
     def lost(self):
         if self.dataflow == "push" and not self.count:

@@ -177,6 +177,7 @@ def record(wanted, types, properties, pull, limits, file):
     watcher, begun = Watcher(readers), int(time.time() * 1e9)
     try:
         with connection.Opened(readers) as opened:
+            opened.step_aside_when_stopped()
             if opened.live():
                 work.start(file.writer(channels, begun))
                 if limits.words():
@@ -192,7 +193,7 @@ def _readers(wanted, properties, pull, channels, box, tally):
         try:
             if isinstance(target, errors.Error):
                 raise target
-            reader = reading.Reader(target.port, None, "pull" if pull else None, None, properties, "rtlog")
+            reader = reading.Reader(target.port, None, "pull" if pull else None, properties, "rtlog")
             reader.deliver = box.taker(channels.add(target.port, target.name or f"input{number}"))
             yield reader
         except errors.Error as e:

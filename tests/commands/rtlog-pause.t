@@ -15,9 +15,10 @@ Values of any size, 500 a second, while rtlog does nothing for 0.2 s, four times
   > print(len(numbers) > 800, [n for n, m in zip(numbers, numbers[1:]) if m != n + 1])'
   True []
 
-How large values are is known when they come: then the port gets a shorter buffer:
+With the subscription that keeps a slow network from slowing the component, values wait in its buffer. How large they are is known
+when they come: then the port gets a shorter one:
 
-  $ rtlog -q -f b.rtlog ../big.host_cxt/Source0.rtc:block & pid=$!
+  $ rtlog -q -f b.rtlog --property dataport.subscription_type=new ../big.host_cxt/Source0.rtc:block & pid=$!
   $ until rtcat --json ../big.host_cxt/Source0.rtc:block | grep -o 'buffer.length": "55"'; do :; done
   buffer.length": "55"
   $ kill $pid; wait $pid

@@ -85,7 +85,7 @@ Hung when it ends:
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 0.5s
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   [143]
-  $ resume two; while connected; do :; done
+  $ resume two; ctl write ConsoleIn0:out 1; while connected; do :; done
 
 Killed in the middle of its stream:
 

@@ -1,0 +1,50 @@
+Whoever reads on this host is called by the component in its own cycle, and leaves without touching its connector: removing that
+of a publisher has ended components.
+
+world: senders 500 100
+world: senders 50 100 --context slow.host_cxt/%n.rtc
+once: it is the clock that counts here
+
+  $ rtprint -q Source0.rtc:number >/dev/null & pid=$!; until ctl connectors Source0:number | grep -q rtprint; do :; done
+  $ rtcat --json Source0.rtc:number | grep -o 'subscription_type": "[a-z]*"' | tail -n 1
+  subscription_type": "flush"
+  $ ctl reset; kill $pid; wait $pid
+  [143]
+  $ ctl connectors Source0:number; calls Source0 | grep -c disconnect
+  0
+  [1]
+
+Again and again; none of it touches a reference that is in use:
+
+  $ for i in 1 2 3 4 5 6 7 8 9 10; do rtprint -q -n 2 Source0.rtc:number >/dev/null; rtlog -q -i -e 2 -f a.rtlog Source0.rtc:number; done
+  $ ctl near_misses; ctl connectors Source0:number
+  0
+
+What the user asks for counts:
+
+  $ rtprint -q --property dataport.subscription_type=new Source0.rtc:number >/dev/null & pid=$!; until ctl connectors Source0:number | grep -q rtprint; do :; done
+  $ rtcat --json Source0.rtc:number | grep -o 'subscription_type": "[a-z]*"' | tail -n 1
+  subscription_type": "new"
+  $ kill $pid; wait $pid
+  [143]
+  $ for i in 1 2 3 4 5 6 7 8 9 10; do rtprint -q -n 2 --property dataport.subscription_type=new ../slow.host_cxt/Source0.rtc:number >/dev/null; done
+  $ ctl @senders2 near_misses; ctl @senders2 connectors Source0:number
+  0
+
+Nobody reads what rtprint prints; the component goes on:
+
+  $ mkfifo full; sleep 60 >/dev/null <full & reader=$!; rtprint -q Source0.rtc:number >full & pid=$!; until ctl connectors Source0:number | grep -q rtprint; do :; done
+  $ before=$(ctl sent Source0:number); sleep 2; after=$(ctl sent Source0:number); test $((after - before)) -gt 800 && echo it goes on
+  it goes on
+  $ kill $reader $pid; wait $pid
+  [143]
+
+Ctrl-Z leaves before it stops, for a stopped reader would stop the component; fg connects again:
+
+  $ rtprint -q Source0.rtc:number >printed & pid=$!; until test -s printed; do :; done
+  $ kill -TSTP $pid; until grep -q 'State:.*stopped' /proc/$pid/status; do :; done; ctl connectors Source0:number
+  $ before=$(ctl sent Source0:number); sleep 1; after=$(ctl sent Source0:number); test $((after - before)) -gt 300 && echo it goes on
+  it goes on
+  $ lines=$(wc -l <printed); kill -CONT $pid; until test $(wc -l <printed) -gt $lines; do :; done; kill $pid; wait $pid
+  [143]
+  $ ctl connectors Source0:number
