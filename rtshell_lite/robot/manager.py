@@ -160,7 +160,7 @@ def create(node, argument, wait=None):
     if wanted in [name for name, _ in before]:
         # managers do not refuse it: two components of one name crash their process later (C++ 1.x)
         raise errors.Refused(str(node.path), f"has a component {printable(wanted)} already")
-    refs = (node.call("create_component", to_wire(spelt), seconds=CREATE_TIME) for spelt in _spellings(argument))
+    refs = (node.call("create_component", to_wire(spelt), seconds=CREATE_TIME) for spelt in _spellings(node, argument))
     ref = next((ref for ref in refs if ref is not None), None)
     if ref is None:
         raise errors.Refused(str(node.path), f"does not create {printable(argument)} ({_why_not(node, argument)})")
@@ -185,15 +185,40 @@ def _same_name(node, created, name):
     return f"created nothing of use: it returned the name {name}, which is taken; give another one: ?instance_name=…"
 
 
-def _spellings(argument):
-    """The argument, and its other form: an identity has no language for C++ 1.1, and one for all later versions."""
+def _spellings(node, argument):
+    """The argument, and its other form: an identity has no language for C++ 1.1, and one for all later versions.
+
+    Without a language, it is first looked up, see `whole_id`.
+    """
     ident, mark, rest = argument.partition("?")
     fields = ident.split(":")
-    yield argument
-    if fields[0] == "RTC" and len(fields) == 6:
-        yield ":".join(fields[:4] + fields[5:]) + mark + rest
-    elif fields[0] == "RTC" and len(fields) == 5:
+    if fields[0] != "RTC" or len(fields) not in (5, 6):
+        yield argument
+        return
+    whole = whole_id(node, ident)
+    yield whole + mark + rest
+    if len(fields) == 5 and whole == ident:
         yield ":".join(fields[:4] + [""] + fields[4:]) + mark + rest
+    elif not dict(configuration(node)).get("openrtm.version", "").startswith(("1.2", "2.")):
+        yield ":".join(fields[:4] + fields[-1:]) + mark + rest
+
+
+def whole_id(node, ident):
+    """The id of a component (RTC:vendor:category:name:version) with its language, as a factory or a loadable module has it.
+
+    `name` may be that of the implementation or of the type. Returns `ident` where it has a language, or nothing like it is known.
+    A master of C++ 2.1 starts a new slave process for each creation by an id that no loaded factory has.
+    """
+    fields = ident.split(":")
+    if len(fields) == 6 and fields[4]:
+        return ident
+    wanted = fields[1:4] + fields[-1:]
+    for operation in ("get_factory_profiles", "get_loadable_modules"):
+        for module in modules(node, operation):
+            for kind in ("implementation_id", "type_name"):
+                if wanted == [module.get(key, "") for key in ("vendor", "category", kind, "version")]:
+                    return component_id(module)
+    return ident
 
 
 def _why_not(node, argument):

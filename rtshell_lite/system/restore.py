@@ -80,14 +80,13 @@ class Holder:
         manager.check(path)
         self.node = manager.find(path)
         self.where = str(self.node.path)
-        self.factories = manager.modules(self.node, "get_factory_profiles")
+        self._identities = {}
 
     def identity(self, component_id):
-        """The id by which it creates a component: profiles have the type's name in their ids, factories the implementation's."""
-        for factory in self.factories:
-            if component_id == ":".join(["RTC"] + [factory.get(key, "") for key in ("vendor", "category", "type_name", "version")]):
-                return manager.component_id(factory)
-        return component_id
+        """The id by which it creates a component: profiles have the type's name in their ids and no language."""
+        if component_id not in self._identities:
+            self._identities[component_id] = manager.whole_id(self.node, component_id)
+        return self._identities[component_id]
 
 
 def _named_managers(profile, locate):

@@ -138,3 +138,15 @@ One that gives a name of its own to what it makes: that is not left behind.
   $ rtresurrect --manager manager.mgr a.xml
   rtresurrect: --manager is for --create (see --help)
   [2]
+
+A master of C++ starts a new process for each id that no factory of its slaves has, as one without its language: so ids have one.
+
+  $ mock manager SeqOut SeqIn Sensor --flavour cpp2 --context cpp2.host_cxt/%n.rtc
+  $ slaves() { rtls --json /localhost:$PORT/cpp2.host_cxt/manager.mgr | grep -c '"kind": "manager"'; }
+  $ rtcryo --all -o cpp2.rtsys /localhost:$PORT/cpp2.host_cxt; slaves
+  1
+  $ for c in SequenceOutComponent0 SequenceInComponent0 Sensor0; do rtmgr -d $c /localhost:$PORT/cpp2.host_cxt/manager.mgr; done
+  $ rtresurrect -q --create --manager /localhost:$PORT/cpp2.host_cxt/manager.mgr cpp2.rtsys; slaves
+  1
+  $ rtmgr -c RTC:AIST:example:SeqOut:2.0.0?instance_name=Another /localhost:$PORT/cpp2.host_cxt/manager.mgr; slaves
+  1
