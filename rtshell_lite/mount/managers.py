@@ -23,11 +23,14 @@ class ManagerDirectory(Directory):
         return self.node.endpoint, self.node.path
 
     def entries(self, value):
-        def lines(operation, key=None):
-            return Text, self.mount.source(self.place, lambda: self._modules(operation, key)), "".join
-        return {"components": (ManagedDirectory,), "loaded": lines("get_loaded_modules", "file_path"),
-                "loadable": lines("get_loadable_modules"), "factories": lines("get_factory_profiles"),
-                "create": (Control, NOTHING, lambda _: "", self._create)}
+        return {"components": (ManagedDirectory,), "loaded": self._lines("get_loaded_modules", "file_path"),
+                "factories": self._lines("get_factory_profiles"), "create": (Control, NOTHING, lambda _: "", self._create)}
+
+    def hidden(self, value):
+        return {"loadable": self._lines("get_loadable_modules")}  # runs a process for each module
+
+    def _lines(self, operation, key=None):
+        return Text, self.mount.source(self.place, lambda: self._modules(operation, key)), "".join
 
     def _modules(self, operation, key):
         orb.is_alive(self.where, self.node.ref)  # looking for modules may take long

@@ -28,17 +28,18 @@ README = """This is the RTC Tree, the tree of OpenRTM-aist components, as files.
     members/NAME                            of a composite: links
   HOST[:PORT]/CONTEXTS/NAME.mgr/            a manager
     components/NAME                         links to where they are bound, or the component itself
-    loaded, loadable, factories             modules and what they make, one a line
+    loaded, factories                       modules and what they make, one a line
     create                                  write MODULE?instance_name=NAME
   HOST[:PORT]/CONTEXTS/DEAD.rtc             a zombie: a link that leads nowhere; rm takes its name away
   errors                                    the last hundred failures, in words
 
-Not listed, as they wait, connect or change something; whoever may read can open those that are read by name:
+Not listed, as they wait, connect, change something or cost much; those that are read can be opened by name:
 
   ports/PORT/value                          of an in port: write a value; it has been read when the write returns.
                                             of an out port: the next value
   ports/PORT/values                         of an out port: one value a line, for ever
   events, log                               of a component, as rtwatch and rtvlog print them
+  loadable                                  of a manager: modules that it could load; it runs a process for each
 
 A write returns when what it asks for is so; a failure is the write's. Control characters, slashes and backslashes in names and
 values are escaped as in the paths of rtls, and read back: \\n is \\x0a, / in a name \\x2f, an empty name \\e.

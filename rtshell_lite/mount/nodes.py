@@ -262,7 +262,7 @@ class Directory(Node):
         raise NotImplementedError
 
     def hidden(self, value):
-        """What can be opened by name, but is not listed, as reading it connects, blocks or changes something."""
+        """What can be opened by name, but is not listed, as reading it connects, blocks, changes something or costs much."""
         return {}
 
     def list(self):

@@ -164,13 +164,12 @@ A manager:
   components
   create
   factories
-  loadable
   loaded
   $ ls -l components | sed 's/.*[0-9] //'
   total 0
   ConsoleIn0.rtc -> ../../ConsoleIn0.rtc
   ConsoleOut0.rtc -> ../../ConsoleOut0.rtc
-  $ cat loaded; cat factories loadable; cat create
+  $ cat loaded; cat factories; cat create
   /opt/openrtm/components/python/Composite/Controller.py
   /opt/openrtm/components/python/Composite/Motor.py
   /opt/openrtm/components/python/Composite/Sensor.py
@@ -182,6 +181,13 @@ A manager:
   RTC:Shinji Kurihara:example:ConsoleIn:Python:1.0
   RTC:Shinji Kurihara:example:ConsoleOut:Python:1.0
   RTC:jp.go.aist:composite.PeriodicECShared:PeriodicECSharedComposite:Python:1.0
+
+The modules that could be loaded are in no listing: to find them, a manager runs a process a file (7 s with 7 modules of C++).
+
+  $ PATH=$tools ctl @manager reset; grep -r . . >/dev/null; PATH=$tools calls @manager | grep -c modules
+  0
+  [1]
+  $ PATH=$tools ctl @manager reset; cat loadable; PATH=$tools calls @manager | grep modules
   RTC::example:Sensor:Python:1.0
   RTC:Geoffrey Biggs, AIST:Perception:Clusterer:Python:2.1
   RTC:Geoffrey Biggs, AIST:Sensor:Hokuyo_AIST:Python:1.0
@@ -202,6 +208,7 @@ A manager:
   RTC:Shinji Kurihara:test:Source:Python:1.0
   RTC:Shinji Kurihara:test:Stuck:Python:1.0
   RTC:Shinji Kurihara:test:Unborn:Python:1.0
+  1 get_loadable_modules
 
 A zombie is a link that leads nowhere:
 
