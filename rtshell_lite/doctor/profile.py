@@ -14,12 +14,24 @@ def findings(profile, file, state):
     result = compare.compare(profile, state)
     found = [fail("profile", e.where, reason(e),
                   remedies.words("look at component", path=shell_word(e.where))) for e in result.failures]
-    for difference in result.differences:
+    differences = [difference for difference in result.differences if difference.check != compare.OTHER_ID]
+    idle = [difference for difference in differences if _is_idle(difference)]
+    if len(idle) > 1:
+        paths = ", ".join(difference.path for difference in idle)
+        found.append(fail("profile", str(path.ROOT), f"{len(idle)} components are Inactive, in the file Active: {paths}",
+                          remedies.command("start system", file=remedies.Line(file))))
+        differences = [difference for difference in differences if difference not in idle]
+    for difference in differences:
         report = fail if difference.required else warn
-        found.append(report("profile", difference.path, safe(difference.message), _remedy(difference, file)))
+        found.append(report("profile", difference.path, safe(difference.brief), _remedy(difference, file)))
     found += _rates(profile)
     content = f"{counted(len(profile.components), 'component')}, {counted(len(profile.connectors), 'connection')}"
     return found or [ok("profile", str(path.ROOT), "as the profile says: " + content)]
+
+
+def _is_idle(difference):
+    """Whether a required component is only not activated: to start the whole system does that for all."""
+    return difference.required and difference.check == "state" and (difference.actual, difference.expected) == ("Inactive", "Active")
 
 
 def _rates(profile):

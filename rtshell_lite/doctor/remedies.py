@@ -25,6 +25,7 @@ COMMANDS = {
     "delete name": "rtdel {path}",
     "delete zombie": "rtdel -z {path}",
     "restore": "rtresurrect {file}",
+    "start system": "rtstart {file}",
     "unset": "unset {variable}",
     "unmount": "rtmount -u {directory}",
 }

@@ -4,6 +4,7 @@ What differs is found by the steps themselves (steps.py); the order of checks, a
 """
 import collections
 import functools
+import re
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
@@ -12,26 +13,31 @@ from rtshell_lite.system import capture, connect_steps, sites, steps
 from rtshell_lite.text import printable
 
 # Where file and system differ: `message` as rtshell says it, `path` of the component or ports, what the file has (`expected`)
-# and what there is (`actual`), None where that is nothing. `check` is the kind of the check that found it.
-Difference = collections.namedtuple("Difference", "check required message path expected actual")
+# and what there is (`actual`), None where that is nothing. `check` is the kind of the check that found it, `brief` the message for
+# those who say the path, too.
+Difference = collections.namedtuple("Difference", "check required message path expected actual brief")
 
-# What rtshell says, by `what` of a steps.Difference.
+OTHER_ID = "connection id"  # the check that finds connections which only have another id: they are as good
+
+# What rtshell says, by `what` of a steps.Difference. What is in brackets is left out of a brief message.
 MESSAGES = {
     "instance name": "Component instance names mismatched: {actual} != {expected}",
     "id": "Component IDs mismatched: {actual} != {expected}",
-    "active set": "Wrong configuration set is active on {path} (Active set: {actual})",
-    "set": "Invalid configuration set: {set} on component {path}",
-    "parameter": "Invalid configuration parameter: {name} in set {set} on component {path}",
-    "value": "Configuration parameter {name} in set {set} on component {path} is incorrect (value: {actual})",
-    "member": "Component {member} is not a member of {path}",
-    "wrong member": "Wrong member of {path}: {name}",
-    "participant": "Component {member} does not take part in an execution context of {path}",
-    "state": "Component {path} is in incorrect state {actual}",
-    "unplaced": "The file has no component for connection {name} between {path}",
-    "connection": "No connection between {path}",
-    "one-port connection": "No connection of {path} by {name}",
-    "ends": "Connection between {path} has {actual} ends, not {expected}",
-    "property": "Property {name} of connection from {path} is incorrect.",
+    "active set": "Wrong configuration set is active[ on {path}] (Active set: {actual})",
+    "set": "Invalid configuration set: {set}[ on component {path}]",
+    "parameter": "Invalid configuration parameter: {name} in set {set}[ on component {path}]",
+    "value": "Configuration parameter {name} in set {set}[ on component {path}] is incorrect (value: {actual})",
+    "member": "Component {member} is not a member[ of {path}]",
+    "wrong member": "Wrong member[ of {path}]: {name}",
+    "participant": "Component {member} does not take part in an execution context[ of {path}]",
+    "state": "[Component {path} is in ]incorrect state {actual}",
+    "unplaced": "The file has no component for connection {name}[ between {path}]",
+    "connection": "No connection[ between {path}]",
+    "other connection": "Connection[ between {path}] is another one: {actual}, not {expected}",
+    "other id": "Connection[ {between} {path}] has another id: {actual}, not {expected}",
+    "one-port connection": "No connection[ of {path}] by {name}",
+    "ends": "Connection[ between {path}] has {actual} ends, not {expected}",
+    "property": "Property {name} of connection[ from {path}] is incorrect.",
 }
 
 
@@ -56,13 +62,15 @@ def compare(profile, state, tell=lambda line: None, extra=False):
     for step in checks(profile, state, listed):
         for line in _lines(step):
             tell("Checking " + line)
-        for difference in _differences(step):
+        for difference in _differences(step) + _remarks(step):
             if difference.message not in seen:
                 seen.add(difference.message)
                 result.differences.append(difference)
     if extra:
         _strangers(listed, result)
-        result.differences += _extra(profile, [site for site in listed if site.found is not None])
+        known = {connector.connector_id for connector in profile.connectors}
+        known |= {difference.actual for difference in result.differences if difference.check == OTHER_ID}
+        result.differences += _extra(known, [site for site in listed if site.found is not None])
     return result
 
 
@@ -195,6 +203,18 @@ def _differences(step):
     return [_in_words(step, difference) for difference in step.differences(step.found())]
 
 
+def _remarks(step):
+    """A Difference that does not count, for a connection that is like that of the file in all but its id."""
+    if not isinstance(step, connect_steps.Connect) or any(site.found is None for site in step.sites):
+        return []
+    at = step.found()
+    actual = None if errors.parted(at)[1] else step.other_id(at)
+    if actual is None:
+        return []
+    remark = _in_words(step, steps.Difference("other id", None, step.connector.connector_id, actual, None))
+    return [remark._replace(check=OTHER_ID, required=False)]
+
+
 def _missing(step):
     """Differences for a component that is missing; for the components, or else the ports, that are missing of a connection."""
     if isinstance(step, steps.Present):
@@ -203,13 +223,13 @@ def _missing(step):
         ends = [("Destination" if number else "Source", site, port) for number, (site, port) in enumerate(step.ends)]
     else:
         return []
-    components = [_difference(step, f"{role} component missing: {site.where}", site.where, site.where)
+    components = [_difference(step, f"{role} component missing[: {{path}}]", site.where, site.where)
                   for role, site, _ in ends if site.error is not None]
     if components:
         return components
     lost = [(role, f"{site.where}:{printable(port)}", port) for role, site, port in ends
             if port is not None and isinstance(site.port(port), errors.Error)]
-    return [_difference(step, f"{role} port missing: {where}", where, port) for role, where, port in lost]
+    return [_difference(step, f"{role} port missing[: {{path}}]", where, port) for role, where, port in lost]
 
 
 def _in_words(step, difference):
@@ -217,17 +237,25 @@ def _in_words(step, difference):
     path = step.where
     if step.kind == "connect":
         path = (" to " if difference.what == "property" else " and ").join(_end_names(step))
-    name, expected, actual = ["" if value is None else printable(str(value)) for value in difference[1:4]]
-    message = MESSAGES[difference.what].format(path=path, set=printable(getattr(step, "set_id", "")), name=name,
-                                               expected=expected, actual=actual, member=difference.expected)
-    return _difference(step, message, path, difference.expected, difference.actual)
+    words = {"set": printable(getattr(step, "set_id", "")), "name": printable(str(difference.name)), "member": difference.expected,
+             "between": "of" if len(step.sites) == 1 else "between"}
+    return _difference(step, MESSAGES[difference.what], path, difference.expected, difference.actual, words)
 
 
-def _difference(step, message, path, expected=None, actual=None):
-    return Difference("connection" if step.kind == "connect" else step.kind, _is_required(step), message, path, expected, actual)
+def _difference(step, template, path, expected=None, actual=None, words=()):
+    """The Difference with a message as in MESSAGES; `words` are more that the template may name."""
+    check = "connection" if step.kind == "connect" else step.kind
+    named = dict(words, path=path)
+    named.update((key, "" if value is None else printable(str(value))) for key, value in (("expected", expected), ("actual", actual)))
+    message, brief = [re.sub(pattern, "", template).format(**named) for pattern in (r"[][]", r"\[.*?\]")]
+    return Difference(check, _is_required(step), message, path, expected, actual, brief)
 
 
 # ---- what there is beyond the profile -------------------------------------------------------------------------
+
+def _beyond(check, required, message, path, actual):
+    return Difference(check, required, message, path, None, actual, message)
+
 
 def _strangers(listed, result):
     """Add to the Result the components in the name servers of the Sites `listed` that are none of these."""
@@ -240,13 +268,15 @@ def _strangers(listed, result):
             failures.append(node.error)
         elif node.kind == "component":
             path = str(node.path)
-            result.differences.append(Difference("component", True, "Component not in the file: " + path, path, None, path))
+            result.differences.append(_beyond("component", True, "Component not in the file: " + path, path, path))
     result.failures += [failure for failure in failures if str(failure) not in map(str, result.failures)]
 
 
-def _extra(profile, there):
-    """Differences for what the components at the Sites `there` have beyond the profile: connections, configuration."""
-    listed = {connector.connector_id for connector in profile.connectors}
+def _extra(listed, there):
+    """Differences for what the components at the Sites `there` have beyond the profile: connections, configuration.
+
+    `listed` are the ids of the connections that the profile has.
+    """
     names = {orb.identity(port.ref): f"{site.where}:{printable(ports.short_name(port.name, site.found.profile.instance_name))}"
              for site in there for port in site.found.ports}
     differences = []
@@ -255,9 +285,8 @@ def _extra(profile, there):
             if connector.id not in listed:
                 listed.add(connector.id)
                 ends = " and ".join(names.get(orb.identity(ref), "a port outside the file") for ref in connector.ports if ref is not None)
-                differences.append(Difference(
-                    "connection", site.required, f"Connection not in the file: {printable(connector.id)} between {ends}", ends,
-                    None, connector.id))
+                differences.append(_beyond("connection", site.required, f"Connection not in the file: {printable(connector.id)} "
+                                           f"between {ends}", ends, connector.id))
         differences += _extra_configuration(site)
     return differences
 
@@ -267,11 +296,10 @@ def _extra_configuration(site):
     listed = {one.id: steps.wanted_values(one) for one in site.component.configuration_sets}
     for one in site.found.sets:
         if one.id not in listed:
-            yield Difference("configuration", True, f"Configuration set not in the file: {printable(one.id)} on component {site.where}",
-                             site.where, None, one.id)
+            yield _beyond("configuration", True, f"Configuration set not in the file: {printable(one.id)} on component {site.where}",
+                          site.where, one.id)
             continue
         for name in one.values:
             if name not in listed[one.id]:
-                yield Difference(
-                    "configuration", True, f"Configuration parameter not in the file: {printable(name)} in set {printable(one.id)} "
-                    f"on component {site.where}", site.where, None, one.values[name])
+                yield _beyond("configuration", True, f"Configuration parameter not in the file: {printable(name)} in set "
+                              f"{printable(one.id)} on component {site.where}", site.where, one.values[name])

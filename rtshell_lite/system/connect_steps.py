@@ -13,8 +13,7 @@ class Incomplete(errors.Refused):
 
 def connecting(profile, site_of):
     """A Connect, or Unplaced, for each connector of a profile; `site_of` as sites.finder makes it."""
-    ids = {connector.connector_id for connector in profile.connectors}
-    return _placed(profile, site_of, lambda connector, ends: Connect(connector, ends, ids))
+    return _placed(profile, site_of, Connect)
 
 
 def disconnecting(profile, site_of):
@@ -23,8 +22,13 @@ def disconnecting(profile, site_of):
 
 
 def _placed(profile, site_of, kind):
-    placed = [(connector, [(site_of(end), capture.port_of(end)) for end in connector.ends]) for connector in profile.connectors]
-    return [(Unplaced if any(site is None for site, _ in ends) else kind)(connector, ends) for connector, ends in placed]
+    ids = {connector.connector_id for connector in profile.connectors}
+    steps_of_all = []
+    for connector in profile.connectors:
+        ends = [(site_of(end), capture.port_of(end)) for end in connector.ends]
+        is_lost = any(site is None for site, _ in ends)
+        steps_of_all.append(Unplaced(connector, ends) if is_lost else kind(connector, ends, ids))
+    return steps_of_all
 
 
 class Unplaced(steps.Step):
@@ -47,11 +51,14 @@ class Unplaced(steps.Step):
 
 
 class Connection(steps.Step):
-    """What connecting and disconnecting share: a connector of the profile, and its `ends` as (Site, port name)."""
+    """What connecting and disconnecting share: a connector of the profile, and its `ends` as (Site, port name).
+
+    `ids` are those of all connectors in the profile.
+    """
 
     free = True
 
-    def __init__(self, connector, ends):
+    def __init__(self, connector, ends, ids):
         paths = [str(site.path.with_port(name)) for site, name in ends]
         concerned = []
         for site, _ in ends:
@@ -60,6 +67,7 @@ class Connection(steps.Step):
         label = printable(connector.connector_id) or "without id"
         super().__init__(concerned, " to ".join(paths), f"connection {label} of {' to '.join(paths)}")
         self.connector, self.ends, self.paths = connector, ends, paths
+        self.ids, self.wanted = ids, wanted_properties(connector)
 
     def jobs(self):
         return [site.port_job(name) for site, name in self._living()]
@@ -79,16 +87,35 @@ class Connection(steps.Step):
     def having(self, at):
         """[(Port, its ports.Connector)] of the Ports `at`, all that it is to join, for those that have the connection.
 
-        That is the one with the id in the profile, or, where that has none, any that joins the same ports.
+        That is the one with the id in the profile; else one that is like it in all but the id, see `equal`; where the profile has
+        no id, any that joins the same ports.
         """
         wanted_id, wanted = self.connector.connector_id, {orb.identity(port.ref) for port in at}
+        if wanted_id:
+            return _with_id(at, wanted_id) or self.equal(at)
 
         def is_meant(connector):
-            if wanted_id:
-                return connector.id == wanted_id
             return wanted == _joined(connector) if len(wanted) == 1 else wanted <= _joined(connector)
         firsts = [(port, next(filter(is_meant, port.connectors), None)) for port in at]
         return [(port, connector) for port, connector in firsts if connector is not None]
+
+    def equal(self, at):
+        """As `having`, for a connection that joins the same ports with the same properties, under an id that the profile has not.
+
+        Somebody has made it again by hand, or the component itself at its start.
+        """
+        if len(at) < len(self.ends):
+            return []
+        for connector in self.others(at):
+            found = _with_id(at, connector.id)
+            if len(found) == len(at) and not _differing(self.wanted, connector):
+                return found
+        return []
+
+    def others(self, at):
+        """The connectors of the first of the Ports `at` that join as many, others of them too, under ids that the profile has not."""
+        joining = ports.joining(at) if len(at) > 1 else [one for port in ports.in_system(at) for one in port.connectors]
+        return [connector for connector in joining if connector.id not in self.ids and len(connector.ports) == len(at)]
 
     def disconnect(self, having):
         """Remove the connection from what `having` returned; returns the errors of the ports that fail."""
@@ -101,6 +128,18 @@ class Connection(steps.Step):
         return failures
 
 
+def _with_id(at, connector_id):
+    """[(Port, its ports.Connector)] of those of the Ports `at` that have a connector with this id."""
+    return [(port, connector) for port in at for connector in port.connectors if connector.id == connector_id]
+
+
+def _differing(wanted, connector):
+    """(name, expected, actual) of the properties, a dict, that a ports.Connector lacks or has otherwise."""
+    properties = dict(connector.properties)
+    return [(name, expected, properties.get(name)) for name, expected in sorted(wanted.items())
+            if not _agree(name, expected, properties.get(name))]
+
+
 def _joined(connector):
     """The identities of the ports that a ports.Connector joins."""
     return {orb.identity(ref) for ref in connector.ports if ref is not None}
@@ -109,13 +148,12 @@ def _joined(connector):
 # ---- connecting -------------------------------------------------------------------------------------------------
 
 class Connect(Connection):
-    """Make a connection with the id, name and properties that the profile gives it; `ids` are those of all in the profile."""
+    """Make a connection with the id, name and properties that the profile gives it."""
 
     kind = "connect"
 
     def __init__(self, connector, ends, ids):
-        super().__init__(connector, ends)
-        self.ids, self.wanted = ids, wanted_properties(connector)
+        super().__init__(connector, ends, ids)
         self.given = {name: value for name, value in self.wanted.items()
                       if name != "dataport.data_type" or value.startswith("IDL:")}  # a short name: the ports know the long one
         self.command = connectors.command(self.paths, connector.name, connector.connector_id, self.given)
@@ -126,39 +164,50 @@ class Connect(Connection):
         return [] if len(having) == len(at) and all(_joined(connector) == wanted for _, connector in having) else having
 
     def differences(self, answers):
-        having, obstacle = self.having(answers), None
-        if self.leftovers(answers):
-            label = printable(self.connector.connector_id)
-            obstacle = Incomplete(self.where, f"connection {label} is there, but not complete")
+        having = self.having(answers)
+        obstacle = self._incomplete(answers)
         if len(having) < len(answers) or obstacle and len(having[0][1].ports) == len(answers):
-            if len(answers) == 1:
-                yield Difference("one-port connection", self.connector.interface_type, self.connector.connector_id or None, None,
-                                 obstacle or self._obstacle(answers, []))
-                return
-            others = ports.joining(answers)
-            yield Difference("connection", None, self.connector.connector_id or None, others[0].id if others else None,
-                             obstacle or self._obstacle(answers, others))
+            yield self._absence(answers, obstacle)
             return
         if obstacle:
             yield Difference("ends", None, len(answers), len(having[0][1].ports), obstacle)
-        properties = dict(having[0][1].properties)
-        for name, expected in sorted(self.wanted.items()):
-            actual = properties.get(name)
-            if not _agree(name, expected, actual):
-                yield Difference("property", name, expected, actual, errors.Refused(
-                    self.where, f"is connected with {printable(name)}={printable(actual or '')}, not {printable(expected)}; "
-                                "rtdis removes that"))
+        for name, expected, actual in _differing(self.wanted, having[0][1]):
+            yield Difference("property", name, expected, actual, errors.Refused(
+                self.where, f"is connected with {printable(name)}={printable(actual or '')}, not {printable(expected)}; "
+                            "rtdis removes that"))
 
-    def _obstacle(self, at, others):
-        """The error that says why the Ports `at` cannot be connected, or None; `others` are connectors that join them already."""
+    def _incomplete(self, at):
+        """The Incomplete of a connection that some of the Ports `at` lack, or that joins others; or None."""
+        if not self.leftovers(at):
+            return None
+        return Incomplete(self.where, f"connection {printable(self.connector.connector_id)} is there, but not complete")
+
+    def _absence(self, at, obstacle):
+        """The Difference of a connection that is not there, or not as a whole."""
+        obstacle = obstacle or self._obstacle(at)
+        wanted_id = self.connector.connector_id or None
+        if len(at) == 1:
+            return Difference("one-port connection", self.connector.interface_type, wanted_id, None, obstacle)
+        for other in self.others(at):
+            return Difference("other connection", None, wanted_id, other.id, obstacle)
+        joining = ports.joining(at)
+        return Difference("connection", None, wanted_id, joining[0].id if joining else None, obstacle)
+
+    def _obstacle(self, at):
+        """The error that says why the Ports `at` cannot be connected, or None. A port alone may have several connections."""
         try:
             ports.check(at, self.given)
         except errors.Error as e:
             return e
-        for other in others:
-            if other.id not in self.ids and len(other.ports) == len(at):
-                return errors.Refused(self.where, f"already connected with another id ({printable(other.id)}); rtdis removes that")
+        for other in self.others(at) if len(at) > 1 else []:
+            return errors.Refused(self.where, f"already connected with another id ({printable(other.id)}); rtdis removes that")
         return None
+
+    def other_id(self, at):
+        """The id of a connection in the place of this one that is like it in all but the id; or None."""
+        having = self.having(at)
+        is_other = having and having[0][1].id != self.connector.connector_id and self.connector.connector_id
+        return having[0][1].id if is_other else None
 
     def act(self, answers):
         connectors.connect(answers, self.connector.name, self.connector.connector_id, self.given)

@@ -169,7 +169,7 @@ def _connections(profile, site_of):
                 printable(outcome.step.connector.connector_id))))
         else:
             outcome.status, outcome.error = apply.UNTRIED, None
-            removal = apply.judged(connect_steps.Disconnect(outcome.step.connector, outcome.step.ends))
+            removal = apply.judged(connect_steps.Disconnect(outcome.step.connector, outcome.step.ends, outcome.step.ids))
             outcomes.insert(outcomes.index(outcome), removal)
     return outcomes
 

@@ -34,6 +34,7 @@ States are to be Active unless you say otherwise:
   Component /localhost:$PORT/test.host_cxt/Motor0.rtc is in incorrect state Inactive
   Component /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc is in incorrect state Inactive
   Component /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc is in incorrect state Inactive
+  rtcheck: all of them are Inactive: -s Inactive compares with that
   [1]
   $ rtact ConsoleIn0.rtc ConsoleOut0.rtc ConsoleOut1.rtc MyServiceConsumer0.rtc MyServiceProvider0.rtc Motor0.rtc Hokuyo_AIST0.rtc
   $ rtcheck a.xml

@@ -122,15 +122,15 @@ With a profile, all that rtcheck finds:
   ok    /: as the profile says: 5 components, 4 connections
   $ rtconf Motor0.rtc set motor_id 7; rtdis Sensor0.rtc:out; rtdeact --wait Clusterer0.rtc
   $ doctor -q --profile robot.rtsys
-  fail  /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Controller0.rtc:in: No connection between /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Controller0.rtc:in; try: rtresurrect robot.rtsys
-  fail  /localhost:$PORT/test.host_cxt/Motor0.rtc: Configuration parameter motor_id in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc is incorrect (value: 7); try: rtresurrect robot.rtsys
-  fail  /localhost:$PORT/test.host_cxt/Clusterer0.rtc: Component /localhost:$PORT/test.host_cxt/Clusterer0.rtc is in incorrect state Inactive; try: rtact /localhost:$PORT/test.host_cxt/Clusterer0.rtc
+  fail  /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Controller0.rtc:in: No connection; try: rtresurrect robot.rtsys
+  fail  /localhost:$PORT/test.host_cxt/Motor0.rtc: Configuration parameter motor_id in set default is incorrect (value: 7); try: rtresurrect robot.rtsys
+  fail  /localhost:$PORT/test.host_cxt/Clusterer0.rtc: incorrect state Inactive; try: rtact /localhost:$PORT/test.host_cxt/Clusterer0.rtc
   [1]
   $ sed 's/Motor0/Motor1/g; s/isRequired="true"/isRequired="false"/' robot.rtsys > optional.xml
   $ doctor -q --profile optional.xml | grep Motor1
-  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Optional component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: start it, or have its manager make it: rtresurrect --create optional.xml
-  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Destination component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: start it, or have its manager make it: rtresurrect --create optional.xml
-  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Source component missing: /localhost:$PORT/test.host_cxt/Motor1.rtc; try: start it, or have its manager make it: rtresurrect --create optional.xml
+  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Optional component missing; try: start it, or have its manager make it: rtresurrect --create optional.xml
+  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Destination component missing; try: start it, or have its manager make it: rtresurrect --create optional.xml
+  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Source component missing; try: start it, or have its manager make it: rtresurrect --create optional.xml
   $ rtec Motor0.rtc rate 20; doctor -q --profile robot.rtsys | grep Hz; rtec Motor0.rtc rate 10
   fail  /localhost:$PORT/test.host_cxt/Motor0.rtc: its execution context has a rate of 20 Hz, in the file it is 10 Hz; try: rtec /localhost:$PORT/test.host_cxt/Motor0.rtc rate 10
   $ doctor -q -s Inactive --profile robot.rtsys | grep -c 'incorrect state'

@@ -74,6 +74,9 @@ FAULTS = {
         doctor=["{}", "--profile", "rates.rtsys", "--state", "Inactive"], mends={"set rate": ["rate ConsoleIn0"]}),
     "a stale mount": fault(before=[
         "mkdir stale; rtmount -f stale & until [ -e stale/README ]; do sleep 0.1; done; kill -9 $!"], mends={"unmount": []}),
+    "not started": fault(
+        "linked", before=["rtcryo -o linked.rtsys {}"], doctor=["{}", "--profile", "linked.rtsys"],
+        mends={"start system": ["state ConsoleIn0", "state ConsoleOut0"]}),
     "in Error in the profile": fault(
         "linked", asks=["error ConsoleIn0"], before=["rtcryo -o linked.rtsys {}"], doctor=["{}", "--profile", "linked.rtsys"],
         mends={"reset and activate": ["state ConsoleIn0"], "activate": ["state ConsoleOut0"]}),
