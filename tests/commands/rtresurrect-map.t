@@ -78,7 +78,7 @@ What is elsewhere can be checked, started, stopped and examined with the same fi
   No connection between /localhost:$PORT2/old.host_cxt/arm.cxt/Left.rtc:out and /localhost:$PORT2/old.host_cxt/arm.cxt/Right.rtc:in
   [1]
   $ rtdoctor --profile a.xml -s Inactive $M localhost:$PORT2 | grep ^fail
-  fail  /localhost:$PORT2/old.host_cxt/arm.cxt/Left.rtc:out and /localhost:$PORT2/old.host_cxt/arm.cxt/Right.rtc:in: No connection between /localhost:$PORT2/old.host_cxt/arm.cxt/Left.rtc:out and /localhost:$PORT2/old.host_cxt/arm.cxt/Right.rtc:in; try: rtresurrect -m localhost:$PORT=localhost:$PORT2 -m ConsoleIn0.rtc=Left.rtc -m ConsoleOut0.rtc=Right.rtc a.xml
+  fail  /localhost:$PORT2/old.host_cxt/arm.cxt/Left.rtc:out and /localhost:$PORT2/old.host_cxt/arm.cxt/Right.rtc:in: No connection; try: rtresurrect -m localhost:$PORT=localhost:$PORT2 -m ConsoleIn0.rtc=Left.rtc -m ConsoleOut0.rtc=Right.rtc a.xml
   $ rtresurrect -q $M a.xml; rtstart -q $M a.xml
   $ sed 's/portName="\([a-z]*\)"\(.*instanceName="\([A-Za-z0-9]*\)"\)/portName="\3.\1"\2/' a.xml > b.xml; grep -c 'ConsoleIn0.out\|ConsoleOut0.in' b.xml
   2
