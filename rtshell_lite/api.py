@@ -63,11 +63,11 @@ class Component:
         return component.state(self._node())
 
     def activate(self, wait=None, context=None):
-        """Activate it in its execution context of that number; `wait`: until it is Active, at most so many seconds."""
+        """Activate it, as rtact does; `wait`: until it is Active, for at most so many seconds; `context`: as -e of rtact."""
         self._change("ACTIVATE", wait, context)
 
     def deactivate(self, wait=None, context=None):
-        """The reverse."""
+        """Deactivate it, as rtdeact does: in all its execution contexts, or in the one with the number `context`."""
         self._change("DEACTIVATE", wait, context)
 
     def reset(self, wait=None, context=None):

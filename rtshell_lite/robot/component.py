@@ -467,12 +467,14 @@ async def _reach(node, ref, transition, code, before, wait, start):
 async def state_as_planned(node, transition, wait):
     """The state that shows whether `change_as_planned` has been done: over all its contexts.
 
-    Raises Refused where Active does not last for a period.
+    Raises Unreachable where that is not known, Refused where Active does not last for a period.
     """
     places = await placements(node)
-    active = _all_in(places, "Active")
     if transition is not ACTIVATE:
-        return merged([place.state for place in _to_leave(places)] or [transition.target])
+        wanted = _to_leave(places)
+        _check_that_one_answers(node, wanted)
+        return merged([place.state for place in wanted]) if wanted else transition.target
+    active = _all_in(places, "Active")
     if not active:
         return merged([place.state for place in places])
     await stay.task(node, active[0].ref, transition, wait)

@@ -46,6 +46,12 @@ Where a component may be Active in a context that does not answer, only its own 
   $ ctl @these2 state Motor0
   INACTIVE
   $ rtact Motor0.rtc
+  $ rtcryo --all -o lost.rtsys /localhost:$PORT/test.host_cxt/Motor0.rtc; rtstop -q --timeout 0.5 lost.rtsys
+  rtstop: /localhost:$PORT/test.host_cxt/Motor0.rtc: its execution context 1, of another component, does not answer: it may be Active there; whether it has been done is not known
+  [4]
+  $ ctl @these2 state Motor0
+  INACTIVE
+  $ rtact Motor0.rtc
 
 Where the process of that context is gone, the component is known not to be executed there:
 
@@ -54,6 +60,6 @@ Where the process of that context is gone, the component is known not to be exec
   rtdeact: /localhost:$PORT/test.host_cxt/Motor0.rtc: Inactive
   $ rtact -v --wait Motor0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Motor0.rtc: Active
-  $ rtcryo --all -o lost.rtsys /localhost:$PORT/test.host_cxt/Motor0.rtc; rtstop -q lost.rtsys; states Motor0
+  $ rtstop -q lost.rtsys; states Motor0
   0 Running Inactive Motor0
   1 ? Unknown ?
