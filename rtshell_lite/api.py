@@ -75,8 +75,8 @@ class Component:
         self._change("RESET", wait, context)
 
     def _change(self, name, wait, context):
-        from rtshell_lite.robot import component
-        component.change(self._node(), getattr(component, name), context, wait)
+        from rtshell_lite.robot import transitions
+        transitions.change(self._node(), getattr(transitions, name), context, wait)
 
     def configuration(self, set_id=None):
         """The values of a configuration set (default: the active one), a dict of texts."""

@@ -6,12 +6,12 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.mount.nodes import Control, Directory, Items, Link, Text, WritableItem, line, link_text, meant, unique
 from rtshell_lite.mount.ports import PortsDirectory
-from rtshell_lite.robot import component, composites, configuration, contexts, places, tree
+from rtshell_lite.robot import component, composites, configuration, contexts, places, transitions, tree
 from rtshell_lite.robot.snapshot import EACH, FULL, Snapshot
 from rtshell_lite.text import json_line, printable
 
 FIELDS = ("instance_name", "type_name", "category", "vendor", "version", "description")
-TRANSITIONS = {"Active": component.ACTIVATE, "Inactive": component.DEACTIVATE, "reset": component.RESET}
+TRANSITIONS = {"Active": transitions.ACTIVATE, "Inactive": transitions.DEACTIVATE, "reset": transitions.RESET}
 WAIT = 5.0  # seconds that a state may take to be reached, as with rtact --wait
 
 
@@ -104,7 +104,7 @@ class ComponentDirectory(Directory):
     def _change(self, text):
         if text not in TRANSITIONS:
             raise errors.BadValue(self.where + "/state", f"not {', '.join(TRANSITIONS)}")
-        component.change(self.node, TRANSITIONS[text], wait=WAIT)
+        transitions.change(self.node, TRANSITIONS[text], wait=WAIT)
 
 
 def _field(name, profile):

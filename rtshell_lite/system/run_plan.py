@@ -4,7 +4,7 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, pool
-from rtshell_lite.robot import component, ports
+from rtshell_lite.robot import component, ports, transitions
 from rtshell_lite.system import capture, plan, sites, steps
 from rtshell_lite.text import printable
 
@@ -164,7 +164,7 @@ class Run:
         """Take a component through the transition, and return the Result."""
         def change():
             index = _context(node, contexts or _contexts(node), action)
-            has_changed = component.change_as_planned(node, self.transition, index, self.wait, stage)
+            has_changed = transitions.change_as_planned(node, self.transition, index, self.wait, stage)
             return plan.DONE if has_changed else plan.ALREADY
 
         def stage(name):
@@ -183,7 +183,7 @@ class Run:
     def _seen(self, action, node, failure):
         """The Result of an action whose answer was lost: the component may have changed, so look."""
         def state():
-            return component.seen(component.state_as_planned.task(node, self.transition, self.wait))
+            return component.seen(transitions.state_as_planned.task(node, self.transition, self.wait))
         where = failure.where
         why = str(failure)[len(where) + 2:]
         try:
@@ -199,7 +199,7 @@ class Run:
         return self._failed(action, failure)
 
     def _failed(self, action, error):
-        gone = self.transition is component.DEACTIVATE and sites.is_gone(error)
+        gone = self.transition is transitions.DEACTIVATE and sites.is_gone(error)
         return Result(action, plan.GONE if gone else plan.FAILED, error)
 
 

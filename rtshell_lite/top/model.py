@@ -9,7 +9,7 @@ import time
 
 from rtshell_lite import errors, path as paths
 from rtshell_lite.corba import lanes, orb, pool
-from rtshell_lite.robot import component, places, snapshot, tree
+from rtshell_lite.robot import component, places, snapshot, transitions, tree
 from rtshell_lite.top.rows import Row
 from rtshell_lite.views import describe
 
@@ -226,7 +226,7 @@ class Top:
 
     def change(self, path, transition):
         """Take the component at a path (text) through a component.Transition; `news` returns its state then."""
-        self._on(path, transition.command, lambda node: component.change(node, transition))
+        self._on(path, transition.command, lambda node: transitions.change(node, transition))
 
     def show(self, path):
         """Ask the component at a path (text) for all that rtcat -l shows; `news` returns the lines."""

@@ -8,7 +8,7 @@ import time
 
 from rtshell_lite import text
 from rtshell_lite.data.watcher import Watcher
-from rtshell_lite.robot import component
+from rtshell_lite.robot import transitions
 from rtshell_lite.top import rows
 
 TICK = 0.1  # seconds to wait for a key
@@ -128,7 +128,7 @@ class Page:
         self.number = self.first = self.room = 0  # index of the selected Row, of the first one shown; how many can be shown
         self.message = ""
         self.typing = False  # whether the user types the filter
-        self.asked = None  # the component.Transition and the Row that wait for a y
+        self.asked = None  # the transitions.Transition and the Row that wait for a y
         self.overlay = None  # lines shown instead of the rows: of rtcat, the keys
         self.overlay_first = 0
         self.ended = False
@@ -253,7 +253,7 @@ class Page:
         self.selected = self.rows[self.number].path if self.rows else None
 
     def _act(self, key):
-        transition = {"a": component.ACTIVATE, "d": component.DEACTIVATE, "r": component.RESET}.get(key)
+        transition = {"a": transitions.ACTIVATE, "d": transitions.DEACTIVATE, "r": transitions.RESET}.get(key)
         if (transition is None and key != "c" and key not in ENTER) or self.selected is None:
             return
         if transition:

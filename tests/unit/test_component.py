@@ -4,7 +4,7 @@ from unittest import mock
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
-from rtshell_lite.robot import component, composites, fsm, tree
+from rtshell_lite.robot import composites, fsm, transitions, tree
 
 NODE = tree.Node(path.parse("/localhost/a.rtc"), "component", None)
 
@@ -27,13 +27,14 @@ class Asked:
 class Contexts(unittest.TestCase):
     def change(self, code):
         """Why it is not activated where its context answers `code`, and has no other reference of it."""
-        node = Asked(get_component_state=mock.Mock(_v=1), activate_component=code, get_owned_contexts=[])
-        with node.patched(), self.assertRaises(errors.Refused) as caught:
-            component.change_in(node, object(), component.ACTIVATE, 0)
+        node = Asked(get_component_state=mock.Mock(_v=1), activate_component=code, get_owned_contexts=["context"],
+                     get_profile=mock.Mock(owner=None))
+        with node.patched(), mock.patch.object(orb, "narrow", lambda ref, name: ref), self.assertRaises(errors.Refused) as caught:
+            transitions.change(node, transitions.ACTIVATE, index=0, wait=0)
         return str(caught.exception)
 
     def test_one_that_does_not_know_it(self):
-        self.assertEqual(self.change("BAD_PARAMETER"), "/localhost/a.rtc: is not in this execution context")
+        self.assertEqual(self.change("BAD_PARAMETER"), "/localhost/a.rtc: is not in its execution context 0")
 
     def test_one_that_refuses(self):
         self.assertEqual(self.change("UNSUPPORTED"), "/localhost/a.rtc: cannot activate: UNSUPPORTED, it is Inactive")

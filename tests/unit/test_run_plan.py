@@ -9,7 +9,7 @@ import worlds  # noqa: E402
 from mock_components import asking  # noqa: E402
 from rtshell_lite import errors  # noqa: E402
 from rtshell_lite.corba import lanes  # noqa: E402
-from rtshell_lite.robot import component, tree  # noqa: E402
+from rtshell_lite.robot import transitions, tree  # noqa: E402
 from rtshell_lite.system import capture, plan, run_plan  # noqa: E402
 from rtshell_lite.xmlprofile import model  # noqa: E402
 
@@ -71,7 +71,7 @@ class Sweep(unittest.TestCase):
     def start(self):
         """{name: outcome}; None where the checks found a failure, and nothing was to be changed."""
         told = Reported()
-        run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, component.ACTIVATE, told)
+        run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, transitions.ACTIVATE, told)
         if run.check(self.profile):
             return None
         run.carry_out()
@@ -79,7 +79,7 @@ class Sweep(unittest.TestCase):
 
     def stop(self):
         told = Reported()
-        run = run_plan.Run(plan.make(self.profile, "deactivation", "a.xml", False).actions, component.DEACTIVATE, told)
+        run = run_plan.Run(plan.make(self.profile, "deactivation", "a.xml", False).actions, transitions.DEACTIVATE, told)
         run.find(self.profile)
         run.carry_out()
         return told.outcomes
@@ -139,7 +139,7 @@ class Sweep(unittest.TestCase):
                 Reported.ended(self, result)
                 raise errors.Usage("as a bug would")
         told = Broken()
-        run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, component.ACTIVATE, told)
+        run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, transitions.ACTIVATE, told)
         run.check(self.profile)
         with self.assertRaises(errors.Usage):
             run.carry_out()
