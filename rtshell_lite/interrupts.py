@@ -17,6 +17,7 @@ import time
 from _thread import TIMEOUT_MAX, allocate_lock
 
 SOON = 0.001  # seconds
+CHECK = 0.3  # seconds until it is checked that an interrupt has not been swallowed
 BOUNCE = 0.3  # seconds within which a second Ctrl-C is taken for the same key press
 UNWINDING = 5.0  # seconds to clean up in before another signal ends the process
 
@@ -47,7 +48,14 @@ def strike(exception, ends=False):
 def _raise(exception):
     global _waiting, _raised, _struck
     _waiting, _raised, _struck = None, time.monotonic(), exception
+    _check_in(CHECK)
     raise exception
+
+
+def _check_in(seconds):
+    """See later whether the interrupt that was raised last is on its way."""
+    _signal.signal(_signal.SIGALRM, _again)
+    _signal.setitimer(_signal.ITIMER_REAL, seconds)
 
 
 def lost(unraisable):
@@ -55,22 +63,34 @@ def lost(unraisable):
     if unraisable.exc_value is None or unraisable.exc_value is not _struck:
         sys.__unraisablehook__(unraisable)
         return
-    _signal.signal(_signal.SIGALRM, _again)
-    _signal.setitimer(_signal.ITIMER_REAL, SOON)
+    _check_in(SOON)
 
 
 def _again(number, frame):
+    """Raise the last interrupt again where nobody handles it: Python drops some in silence, such as in close() of a dying file."""
     global _waiting
+    handled = sys.exc_info()[1]
+    while handled is not None and handled is not _struck:
+        handled = handled.__context__
+    if _struck is None or handled is not None:
+        return
     if _held:
         _waiting = _waiting or _struck
     else:
         _raise(_struck)
 
 
+def arrived():
+    """The interrupt has reached who wants to go on after it."""
+    global _struck
+    _struck = None
+
+
 def begin():
     """Another command begins, in rtsh: the next Ctrl-C is meant for it."""
     global _raised
     _raised = -BOUNCE
+    arrived()
 
 
 def ctrl_c(number, frame):

@@ -10,6 +10,8 @@ in the end, an orb.Call or a Sleep, has a method `wait()`, which a thread calls.
 import functools
 import time
 
+from rtshell_lite import interrupts
+
 
 def task(function):
     """Decorates an `async def` function: called, it blocks and returns its value; its attribute `task` makes the coroutine."""
@@ -39,6 +41,7 @@ def run(coroutine):
                 value = awaited.wait()
             except BaseException as e:  # Ctrl-C, too: its `finally` clauses are to see it
                 error = e
+                interrupts.arrived()  # what the coroutine does with it may take long
     except StopIteration as end:
         return end.value
 

@@ -16,6 +16,7 @@ class Inbox:
     def __init__(self, most=MOST, most_bytes=MOST_BYTES):
         self.most, self.most_bytes = most, most_bytes
         self.waiting, self.bytes = [], 0
+        self.in_hand = 0  # bytes that get() has given out last: they take memory, too
         self.dropped = collections.Counter()
         self.lock, self.arrived = threading.Lock(), interrupts.Bell()
 
@@ -23,7 +24,7 @@ class Inbox:
         """Add a value, from any thread; returns at once. One value always fits, however big."""
         size = len(message.data)
         with self.lock:
-            if self.waiting and (len(self.waiting) >= self.most or self.bytes + size > self.most_bytes):
+            if self.waiting and (len(self.waiting) >= self.most or self.in_hand + self.bytes + size > self.most_bytes):
                 self.dropped[key] += 1
                 return
             self.waiting.append((key, message))
@@ -42,5 +43,6 @@ class Inbox:
                 self.arrived.wait(seconds)
             time.sleep(min(seconds, GATHER))
         with self.lock:
-            taken, self.waiting, self.bytes = self.waiting, [], 0
+            taken, self.waiting = self.waiting, []
+            self.in_hand, self.bytes = self.bytes, 0
         return taken

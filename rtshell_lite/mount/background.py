@@ -3,7 +3,7 @@ import io
 import os
 import sys
 
-from rtshell_lite import cli, errors
+from rtshell_lite import cli, errors, interrupts
 from rtshell_lite.corba import orb
 from rtshell_lite.mount import kernel
 
@@ -76,7 +76,7 @@ def _served(directory, ttl, read_only, leave):
         serving.serve()
         device = None  # it has been unmounted: what is mounted there now is another, even if it has the same number
     except cli.Ended:
-        pass
+        interrupts.arrived()
     finally:
         if device and kernel.mounted().get(directory) == device:
             _unmount(directory)

@@ -80,9 +80,9 @@ Ports that offer something else only:
 
 Values of 10 MB, pushed and fetched, shown and recorded:
 
-  $ rtprint --stats -n 3 ../big.host_cxt/Source0.rtc:block | sed 's/.*all: //; s/, .*//'
+  $ rtprint --stats -n 3 ../big.host_cxt/Source0.rtc:block | tail -n 1 | sed 's/.*all: //; s/, .*//'
   3 values
-  $ rtprint --stats --pull -n 3 ../big.host_cxt/Source0.rtc:block | sed 's/.*all: //; s/, .*//'
+  $ rtprint --stats --pull -n 3 ../big.host_cxt/Source0.rtc:block | tail -n 1 | sed 's/.*all: //; s/, .*//'
   3 values
   $ rtprint -n 1 ../big.host_cxt/Source0.rtc:block 2>/dev/null | wc -c
   30000025

@@ -4,6 +4,7 @@ A directory with built examples of C++ holds programs such as SeqOutComp; one of
 """
 import glob
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -12,7 +13,7 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.robot import component, ports, tree
 
-START_LIMIT = 20.0  # seconds
+START_LIMIT = 60.0  # seconds
 # The parts of a robot: the program (C++), the script (Python), and the instance name, where it is not that of the program.
 PARTS = {
     "SeqOut": ("SeqOut", "SeqIO/SeqOut.py", "SequenceOutComponent"),
@@ -91,10 +92,19 @@ class Robot:
         self.implementation, self.label, self.rate = implementation, label, rate
         self.home = "/127.0.0.1:%d/%s.host_cxt" % (name_server, label)
         self.directory = tempfile.TemporaryDirectory(prefix="rt-real-")
-        self.processes = {part: self._start(part, name_server) for part in parts if implementation.command(part)}
-        self.nodes = {part: self._node(part) for part in self.processes}
+        self.processes, self.nodes = {}, {}
+        self.harm = None  # what was wrong first: reported once, and the rest is not tried
+        try:
+            for part in parts:
+                if implementation.command(part):
+                    self.processes[part] = self._start(part, name_server)
+            self.nodes.update((part, self._node(part)) for part in self.processes)
+        except BaseException:
+            self.close()
+            raise
         self.connected = self.connectors()
         self.active = ()  # the parts that are to stay Active
+        self.feeder = None  # the process that sends values through it
 
     def _start(self, part, name_server):
         where = os.path.join(self.directory.name, part)
@@ -106,13 +116,19 @@ class Robot:
                                     stdout=out, stderr=out, env=dict(os.environ, **self.implementation.environment))
 
     def _node(self, part):
+        """The part, once it answers with its ports and its state: its name is bound before."""
         end = time.monotonic() + START_LIMIT
         while True:
             try:
-                return tree.component(self.path(part))
-            except errors.Error:
-                if time.monotonic() > end or self.processes[part].poll() is not None:
-                    raise AssertionError("%s did not start: %s" % (self.path(part), self.said(part)[-500:]))
+                node = tree.component(self.path(part))
+                ports.ports(node)
+                component.state(node)
+                return node
+            except errors.Error as e:
+                if self.processes[part].poll() is not None:
+                    raise AssertionError(self.ending(part)) from None
+                if time.monotonic() > end:
+                    raise AssertionError("%s did not start: %s\n%s" % (self.path(part), e, self.last_words(part))) from None
                 time.sleep(0.1)
 
     def path(self, part):
@@ -130,8 +146,19 @@ class Robot:
 
     def dead(self):
         """Which processes have ended, and how."""
-        return ["%s %s: %s" % (self.label, part, process.returncode) for part, process in self.processes.items()
-                if process.poll() is not None]
+        return [self.ending(part) for part, process in self.processes.items() if process.poll() is not None]
+
+    def ending(self, part):
+        """How the process of a part has ended: its command line, its signal or status, the end of its log."""
+        process = self.processes[part]
+        how = "status %d" % process.returncode
+        if process.returncode < 0:
+            how = "signal %s" % signal.Signals(-process.returncode).name
+        return "%s %s ended: %s: %s\n%s" % (self.label, part, " ".join(process.args), how, self.last_words(part))
+
+    def near_misses(self):
+        """How often a publisher has used a reference that had been released: of some hundred, one ends the process."""
+        return sum(self.said(part).count("nil reference") for part in self.processes)
 
     def connectors(self):
         """The ids of the connectors of each port."""

@@ -1,5 +1,6 @@
 """Signals at the worst of moments: if one of these fails, Ctrl-C brings an internal error, or leaves a connection in a robot."""
 import dis
+import io
 import os
 import random
 import signal
@@ -39,6 +40,22 @@ class Struck(list):
         for _ in range(2):
             os.kill(os.getpid(), signal.SIGINT)
             time.sleep(0.1)
+
+
+class Bounded(unittest.TestCase):
+    def test_what_is_being_written_takes_memory_too(self):
+        """rtlog at full flood held 144 MiB, though 64 may wait: what it was writing did not count."""
+        box = Inbox(most_bytes=1000)
+        for _ in range(2):
+            box.put(0, Message(0, b"x" * 400, True))
+        self.assertEqual(len(box.get(0)), 2)
+        for _ in range(3):
+            box.put(0, Message(0, b"x" * 400, True))
+        self.assertEqual((len(box.waiting), box.dropped[0]), (1, 2))
+        box.get(0)
+        box.get(0)
+        box.put(0, Message(0, b"x" * 400, True))
+        self.assertEqual(len(box.waiting), 1)
 
 
 class Waiting(Striking):
@@ -195,6 +212,34 @@ class Lost(Striking):
         with self.assertRaises(KeyboardInterrupt):
             Dying()
             time.sleep(LIMIT)
+
+
+class Silent(io.RawIOBase):
+    """Ctrl-C comes while this file is closed because nobody has it any more, where Python drops exceptions without a word."""
+
+    def close(self):
+        os.kill(os.getpid(), signal.SIGINT)
+        time.sleep(0.01)
+
+
+class Swallowed(Striking):
+    handler = staticmethod(interrupts.ctrl_c)
+
+    def test_comes_again(self):
+        with self.assertRaises(KeyboardInterrupt):
+            Silent()
+            time.sleep(LIMIT)
+
+    def test_cleaning_up_is_not_disturbed(self):
+        with self.assertRaises(KeyboardInterrupt) as caught:
+            try:
+                os.kill(os.getpid(), signal.SIGINT)
+                time.sleep(LIMIT)
+            finally:
+                time.sleep(3 * interrupts.CHECK)
+        interrupts.arrived()
+        self.assertIsNone(caught.exception.__context__)
+        time.sleep(2 * interrupts.CHECK)
 
 
 class Connection:
