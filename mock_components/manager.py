@@ -114,18 +114,18 @@ class Manager(stubs.skeleton("RTM.Manager")):
             component = slave.create_component(line)
             if component is not None:
                 return component
-        if slaves and self._lacks_only_language(line.partition("?")[0]):  # a new process is to have it, which stays
+        if slaves and self._is_unknown_without_language(line.partition("?")[0]):  # a new process is to have it, which stays
             for slave in self._started(name, address):
                 return slave.create_component(line)
         return None
 
-    def _lacks_only_language(self, ident):
-        """Whether C++ 2.x would know an id if it had a language: it has no factory for it, and tries in a new process."""
+    def _is_unknown_without_language(self, ident):
+        """Whether an id lacks a language: then C++ 2.x has no factory for it, and tries in a new process."""
         fields = ident.split(":")
-        spec = self.modules.factory(fields[3]) if len(fields) == 5 else None
-        if spec is None or self.flavour.language != "C++" or not self.flavour.modern:
+        if len(fields) != 5 or self.flavour.language != "C++" or not self.flavour.modern:
             return False
-        return dict(modules.factory(spec, self.flavour))["version"] == fields[-1]
+        spec = self.modules.factory(fields[3])
+        return spec is None or dict(modules.factory(spec, self.flavour))["version"] == fields[-1]
 
     def _started(self, name, address):
         if not self.flavour.starts_slaves:

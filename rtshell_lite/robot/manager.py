@@ -195,12 +195,16 @@ def _spellings(node, argument):
     if fields[0] != "RTC" or len(fields) not in (5, 6):
         yield argument
         return
-    whole = whole_id(node, ident)
-    yield whole + mark + rest
-    if len(fields) == 5 and whole == ident:
-        yield ":".join(fields[:4] + [""] + fields[4:]) + mark + rest
-    elif not dict(configuration(node)).get("openrtm.version", "").startswith(("1.2", "2.")):
-        yield ":".join(fields[:4] + fields[-1:]) + mark + rest
+    whole, is_old = whole_id(node, ident), _is_old(node)
+    if is_old or whole.count(":") == 5:
+        yield whole + mark + rest
+    if is_old:  # a later one knows no such id, and a master of C++ 2.1 would start a slave to look there
+        yield ":".join(fields[:4] + ([""] if whole.count(":") == 4 else []) + fields[-1:]) + mark + rest
+
+
+def _is_old(node):
+    """Whether a manager is older than 1.2, or of RtORB, whose ids have no language."""
+    return not dict(configuration(node)).get("openrtm.version", "").startswith(("1.2", "2."))
 
 
 def whole_id(node, ident):
@@ -212,12 +216,13 @@ def whole_id(node, ident):
     fields = ident.split(":")
     if len(fields) == 6 and fields[4]:
         return ident
-    wanted = fields[1:4] + fields[-1:]
+    _, vendor, category, name = fields[:4]
+    wanted = {"vendor": vendor, "category": category, "version": fields[-1]}
     for operation in ("get_factory_profiles", "get_loadable_modules"):
         for module in modules(node, operation):
-            for kind in ("implementation_id", "type_name"):
-                if wanted == [module.get(key, "") for key in ("vendor", "category", kind, "version")]:
-                    return component_id(module)
+            is_named = name in (module.get("implementation_id"), module.get("type_name"))
+            if is_named and all(module.get(key, "") in ("", value) for key, value in wanted.items()):  # Python may not find out all
+                return component_id(module)
     return ident
 
 

@@ -150,3 +150,9 @@ A master of C++ starts a new process for each id that no factory of its slaves h
   1
   $ rtmgr -c RTC:AIST:example:SeqOut:2.0.0?instance_name=Another /localhost:$PORT/cpp2.host_cxt/manager.mgr; slaves
   1
+
+An id that nothing has is not tried: that would start one, too.
+
+  $ rtmgr -c RTC:AIST:example:Engine:2.0.0 /localhost:$PORT/cpp2.host_cxt/manager.mgr; slaves
+  rtmgr: /localhost:$PORT/cpp2.host_cxt/manager.mgr: does not create RTC:AIST:example:Engine:2.0.0 (no factory Engine; there are: Controller, Motor, PeriodicECSharedComposite, Sensor, SeqIn, SeqOut)
+  1
