@@ -121,7 +121,7 @@ def component(path, wait=0.0):
 def components(top="/"):
     """The Components at and below a path, a list. What does not answer is left out; if that leaves none, the first failure is raised."""
     from rtshell_lite.system import capture
-    nodes, failures, _ = capture.components([paths.parse(top)])
+    nodes, _, failures, _ = capture.components([paths.parse(top)])
     if failures and not nodes:
         raise failures[0]
     return [Component(str(node.path)) for node in nodes]

@@ -11,6 +11,7 @@ from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model, rtsprofile
 
 PATH_ID = "COMPONENT_PATH_ID"  # the property by which rtshell and RTSystemEditor say where the component of an end is bound
+MANAGER = "MANAGER"  # an extended property of a component: path of the manager that lists it, and can create it
 # Fields of a model.DataPortConnector that stand for properties `dataport.…` of the connection.
 DATA_FIELDS = ("data_type", "interface_type", "dataflow_type", "subscription_type")
 
@@ -65,9 +66,13 @@ def is_reference(name, value):
 
 # ---- capturing ------------------------------------------------------------------------------------------------
 
-def capture(tops=(), all_components=False, with_states=False):
-    """The System below the Paths `tops` (none: all name servers), sorted; only what is connected, or a composite of it."""
-    nodes, failures, notes = components(tops)
+def capture(tops=(), all_components=False, with_states=False, with_managers=False):
+    """The System below the Paths `tops` (none: all name servers), sorted; only what is connected, or a composite of it.
+
+    `with_managers`: which manager lists a component goes into the profile.
+    """
+    nodes, managers, failures, notes = components(tops)
+    holders = _holders(managers, notes) if with_managers else {}
     found, silent = [], {}
     for node, answer in zip(nodes, tree.on_nodes(nodes, functools.partial(ask, brief=True, states=with_states))):
         if not isinstance(answer, errors.Error):
@@ -81,6 +86,9 @@ def capture(tops=(), all_components=False, with_states=False):
     found, unused = (found, []) if all_components else _in_use(found)
     found.sort(key=lambda each: path_uri(each.node))
     profile = model.RtsProfile(components=[_component(each, found, notes) for each in found])
+    for each, made in zip(found, profile.components):
+        holder = holders.get(orb.identity(each.node.ref))
+        made.properties += [model.Property(name=MANAGER, value=holder)] if holder else []
     for connector in connectors:
         if len(connector.ends) == 1:
             profile.one_port_connectors.append(connector)
@@ -92,7 +100,7 @@ def capture(tops=(), all_components=False, with_states=False):
 
 
 def components(tops=()):
-    """(component nodes, each object once, by its first path; errors; notes) below the Paths (none: all name servers).
+    """(component nodes, each object once, by its first path; manager nodes; errors; notes) below the Paths (none: all name servers).
 
     Components below managers are skipped: they are bound in a name server, too.
     """
@@ -103,8 +111,10 @@ def components(tops=()):
     failures += [node.error for node in walked if node.kind in ("server", "directory") and node.error is not None]
     unsure = [node for node in walked if node.kind == "unsure"]
     sure = dict(zip(unsure, tree.look(unsure)))
+    walked = sorted([sure.get(node, node) for node in walked], key=lambda node: str(node.path))
+    managers = [node for node in walked if node.kind == "manager" and node.alias is None]
     nodes, notes, seen = [], [], {}
-    for node in sorted([sure.get(node, node) for node in walked], key=lambda node: str(node.path)):
+    for node in walked:
         if node.kind == "silent":
             failures.append(node.error)
         if node.kind != "component":
@@ -114,7 +124,22 @@ def components(tops=()):
             nodes.append(node)
         elif before.path != node.path:
             notes.append(f"{node.path}: the same component as {before.path}")
-    return nodes, failures, notes
+    return nodes, managers, failures, notes
+
+
+def _holders(managers, notes):
+    """{identity of a component: path of the manager that lists it, as an RtsProfile has it}; one that is dead lists none."""
+    holders = {}
+    for node, answer in zip(managers, tree.on_nodes(managers, lambda node: node.call("get_components"))):
+        if isinstance(answer, (errors.Gone, errors.ConnectionRefused)):
+            continue
+        if isinstance(answer, errors.Error):
+            notes.append(f"{answer}; which components it has made is not saved")
+            continue
+        for ref in answer:
+            if ref is not None:
+                holders.setdefault(orb.identity(ref), path_uri(node))
+    return holders
 
 
 def _is_zombie(node, failure):

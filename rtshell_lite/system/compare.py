@@ -260,7 +260,7 @@ def _beyond(check, required, message, path, actual):
 def _strangers(listed, result):
     """Add to the Result the components in the name servers of the Sites `listed` that are none of these."""
     servers = {site.path._replace(names=()) for site in listed if site.path.server is not None}
-    nodes, failures, _ = capture.components(sorted(servers, key=str))
+    nodes, _, failures, _ = capture.components(sorted(servers, key=str))
     known = {orb.identity(site.node.ref) for site in listed if site.found is not None} | {site.where for site in listed}
     strange = [node for node in nodes if orb.identity(node.ref) not in known and str(node.path) not in known]
     for node in tree.look(strange):

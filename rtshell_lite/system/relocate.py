@@ -7,8 +7,7 @@ from rtshell_lite.system import capture
 from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model
 
-MANAGER = "MANAGER"  # an extended property of a component: path of the manager that can create it
-PATHS = (capture.PATH_ID, MANAGER)  # extended properties that hold a path
+PATHS = (capture.PATH_ID, capture.MANAGER)  # extended properties that hold a path
 LISTS = ("members", composites.EXPORTED)  # parameters of composites that list names of instances and of their ports
 TARGETS = (model.TargetComponent, model.TargetPort, model.TargetExecutionContext)
 

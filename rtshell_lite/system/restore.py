@@ -99,7 +99,7 @@ def _named_managers(profile, locate):
         if component is not None and uri:
             managers.setdefault(id(component), _above(relocate.path_in(uri)))
     for component in profile.components:
-        own = component.property(relocate.MANAGER)
+        own = component.property(capture.MANAGER)
         if own:
             managers[id(component)] = own if own.startswith("corbaloc:") else "/" + own.lstrip("/")
     return managers
