@@ -139,14 +139,12 @@ async def running(node, ref):
 
 @tasks.task
 async def elsewhere(node, ref, asked, otherwise):
-    """What `asked`, a coroutine, returns, or `otherwise` if `ref`, a context of another process, does not answer, or has ended.
+    """What `asked`, a coroutine, returns, or `otherwise` if `ref`, a context of another process, does not answer.
 
     So a hung composite does not hide its members.
     """
     try:
         return await asked
-    except errors.Gone:
-        return otherwise
     except errors.Unreachable:
         if orb.endpoint(ref) == node.endpoint:
             raise

@@ -68,6 +68,8 @@ async def placements(node):
         try:
             state = await component.state_in.task(node, ref)
         except errors.Gone:
+            if index < len(owned):  # the component itself is ending
+                raise
             continue
         except errors.Unreachable as e:
             if orb.endpoint(ref) == node.endpoint:
