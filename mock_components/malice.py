@@ -9,6 +9,7 @@ from .giop import (COMPONENT, Raw, bad_operation, bindings, cdr, reference, repl
 
 USER_EXCEPTION = 1
 CONTEXT_SERVICE = "IDL:openrtm.aist.go.jp/OpenRTM/ExtTrigExecutionContextService:1.0"
+ORGANIZATION = "IDL:org.omg/SDOPackage/Organization:1.0"
 PORT, ITERATOR = "IDL:omg.org/RTC/PortService:1.0", "IDL:omg.org/CosNaming/BindingIterator:1.0"
 CANNOT_PROCEED = b"IDL:omg.org/CosNaming/NamingContext/CannotProceed:1.0"
 NO_TEXT = b"IDL:\xff\xfe\x80:1.0"
@@ -47,6 +48,23 @@ def _ports(peer, count=1):
     return Raw(cdr(count, *[Raw(reference(peer.port, PORT, b"port%d" % number)) for number in range(count)]))
 
 
+def _connectors(peer, count=300, ends=2):
+    """A PortProfile with so many connectors, each with other ports of this very peer, which answer with as many."""
+    connectors = []
+    for number in range(count):
+        far = [Raw(reference(peer.port, PORT, b"port%d_%d" % (number, end))) for end in range(ends)]
+        connectors += [b"connector%d" % number, b"id%d" % number, ends, *far, 0]
+    kinds = _strings(b"DataOutPort", b"IDL:RTC/TimedLong:1.0")
+    given = list(zip((b"port.port_type", b"dataport.data_type"), kinds))
+    return Raw(cdr(b"Evil0.out", 0, Raw(reference(peer.port, PORT)), count, *connectors, Raw(reference(peer.port)),
+                   _properties(given)))
+
+
+def _references(peer, type_id, count=5000):
+    """So many different objects of this very peer."""
+    return Raw(cdr(count, *[Raw(reference(peer.port, type_id, b"object%d" % number)) for number in range(count)]))
+
+
 def _component(peer, port=None, more=(), texts=b"evil"):
     """A ComponentProfile."""
     return Raw(cdr(b"Evil0", texts, texts, texts, texts, texts, 1, port or _port(peer), b"", 0, _properties(list(more))))
@@ -73,6 +91,8 @@ ANSWERS = {
     "get_port_profile": _port,
     "get_component_profile": _component,
     "get_connector_profiles": lambda peer: cdr(0),
+    "get_organization_id": lambda peer: cdr(b"organization"),
+    "get_members": lambda peer: cdr(0),
     "get_organizations": lambda peer: cdr(0),
     "get_owned_organizations": lambda peer: cdr(0),
 }
@@ -104,6 +124,9 @@ CHANGES = {
     "bad-type": {"resolve": lambda peer: _strange(peer.port, NO_TEXT)},
     "bad-profiles": {"resolve": lambda peer: _strange(peer.port, profiles=10000)},
     "bad-body": {"resolve": lambda peer: _strange(peer.port, body=b"\1\1\2\0\xff\xff\xff\x7fabc")},
+    "bad-address": {"resolve": lambda peer: _strange(peer.port, body=b"")},
+    "no-address": {"resolve": lambda peer: Raw(cdr(COMPONENT.encode(), 1, 7, sequence(b"of another protocol")))},
+    "long-type": {"resolve": lambda peer: _strange(peer.port, b"IDL:" + MEGABYTES + b":1.0")},
     "bad-exception": {"resolve": lambda peer: (CANNOT_PROCEED, _strange(peer.port, NO_TEXT), 0)},
     "bad-iterator": {"list": lambda peer: Raw(_names(b"Evil0")[:-12] + _strange(peer.port, NO_TEXT))},
     "bad-ports": {"get_ports": lambda peer: Raw(cdr(1, _strange(peer.port, NO_TEXT)))},
@@ -118,6 +141,14 @@ CHANGES = {
     "endless-long": _endless(30, 131000),
     "many-ports": {"get_ports": lambda peer: _ports(peer, MANY)},
     "many-ends": {"get_port_profile": lambda peer: _port(peer, ends=MANY)},
+    "many-contexts": {"get_owned_contexts": lambda peer: _references(peer, CONTEXT_SERVICE)},
+    "many-organizations": {operation: lambda peer: _references(peer, ORGANIZATION)
+                           for operation in ("get_owned_organizations", "get_organizations")},
+    "many-members": {"get_owned_organizations": lambda peer: _references(peer, ORGANIZATION, 1),
+                     "get_members": lambda peer: _references(peer, COMPONENT),
+                     "get_profile": lambda peer: struct.pack("<IId", 0, 0, 100) + cdr(
+                         Raw(reference(peer.port)), _references(peer, COMPONENT), 0)},
+    "many-connectors": {"get_port_profile": _connectors},
     "megabytes": {"get_port_profile": lambda peer: _port(peer, name=b"Evil0." + MEGABYTES),
                   "get_component_profile": lambda peer: _component(peer, texts=MEGABYTES),
                   "list": lambda peer: _names(b"Evil0", MEGABYTES)},

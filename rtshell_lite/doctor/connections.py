@@ -72,7 +72,8 @@ def _again(link, ends):
     """The same Link after its ports were asked again, None when it is gone or has other ends now; updates `ends`."""
     refs, own = _refs(link.connector), link.port
     asked = [identity for identity in refs if ends[identity].port is not None]
-    for identity, answer in zip(asked, places.ask([refs[identity] for identity in asked])):
+    joining = dict.fromkeys(asked, {link.connector.id})
+    for identity, answer in zip(asked, places.ask([refs[identity] for identity in asked], joining)):
         before = ends[identity]
         if isinstance(answer, errors.Error):
             ends[identity] = before._replace(port=None, error=answer)

@@ -9,6 +9,7 @@ from rtshell_lite.corba import lanes
 
 MOST = 256  # threads that ask, at most
 IDLE = 5.0  # seconds that a thread waits for more to do
+NOTHING = object()  # in place of a key; None is the key of what has no address
 NUMERIC = re.compile(r"[0-9.]+\Z|.*:")  # an address; to look a name up may take longer than any deadline of the ORB
 
 
@@ -49,8 +50,8 @@ class Crew:
                     raise
 
     def _work(self):
-        key = self._next(None)
-        while key is not None:
+        key = self._next(NOTHING)
+        while key is not NOTHING:
             with self._changed:
                 job = self._waiting[key].popleft() if self._waiting[key] else None  # another thread has done it
             try:
@@ -61,11 +62,11 @@ class Crew:
             key = self._next(key)
 
     def _next(self, done):
-        """The key of the job to run after one with the key `done`; None if the thread is needed no longer."""
+        """The key of the job to run after one with the key `done`; NOTHING if the thread is needed no longer."""
         with self._changed:
-            if done is not None and self._waiting[done]:
+            if done is not NOTHING and self._waiting[done]:
                 self._ready.append(done)
-            elif done is not None:
+            elif done is not NOTHING:
                 self._running[done] -= 1
                 if not self._running[done]:
                     del self._running[done], self._waiting[done]
@@ -75,7 +76,7 @@ class Crew:
             if has_work:
                 return self._ready.popleft()
             self._threads -= 1
-            return None
+            return NOTHING
 
 
 class Kept:

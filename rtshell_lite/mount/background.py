@@ -8,13 +8,13 @@ from rtshell_lite.corba import orb
 from rtshell_lite.mount import kernel
 
 
-def serve(directory, ttl, read_only=False, foreground=False):
+def serve(directory, ttl, read_only=False, foreground=False, over=False):
     """Mount the RTC Tree at an absolute path and serve it; returns the exit status. Raises Failed and what `orb.start` raises.
 
     Without `foreground` this process returns as soon as the tree can be used; its child serves. It is made before there is any
-    thread, and before the ORB starts: neither survives a fork.
+    thread, and before the ORB starts: neither survives a fork. `over`: mount also where that hides files.
     """
-    kernel.check(directory)
+    kernel.check(directory, over)
     if foreground:
         return _served(directory, ttl, read_only, None)
     ours, theirs = os.pipe()
@@ -69,6 +69,7 @@ def _served(directory, ttl, read_only, leave):
             leave()
         sys.stderr = Sentences(mount)
     cli.unwind_when_ended()
+    kernel.hold(directory)
     fd = kernel.mount(directory, read_only)
     device = kernel.mounted().get(directory)
     serving = server.Server(mount, naming.Root(mount), fd, ready)

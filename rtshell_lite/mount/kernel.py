@@ -1,11 +1,13 @@
 """Mounting and unmounting: mount(2) for root, fusermount3 or fusermount for others; what is mounted where. Linux only."""
 import array
 import errno
+import fcntl
 import os
 import re
 import socket
 import sys
 import threading
+import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes
@@ -15,6 +17,8 @@ DEVICE = "/dev/fuse"
 NAME = "rtmount"
 TYPE = "fuse." + NAME
 HELPERS = ("fusermount3", "fusermount")  # set-uid root; of FUSE 3 and 2
+MOUNTS = "/proc/self/mountinfo"  # a poll of it ends when something is mounted or unmounted
+LOOK = 0.02  # seconds between looks at whether a server has ended
 RDONLY, NOSUID, NODEV, DETACH = 1, 2, 4, 2  # MS_… and MNT_DETACH of <sys/mount.h>
 
 
@@ -23,7 +27,7 @@ RDONLY, NOSUID, NODEV, DETACH = 1, 2, 4, 2  # MS_… and MNT_DETACH of <sys/moun
 def mounted():
     """{directory, absolute: number of its device} where RTC Trees are mounted. Asks no server."""
     try:
-        with open("/proc/self/mountinfo", encoding="utf-8", errors="surrogateescape") as file:
+        with open(MOUNTS, encoding="utf-8", errors="surrogateescape") as file:
             lines = [line.split(" ") for line in file]
     except OSError:
         return {}
@@ -63,8 +67,11 @@ def _is_stale_for_certain(directory):
 
 # ---- mounting -------------------------------------------------------------------------------------------------
 
-def check(directory):
-    """Raise Failed unless a tree can be mounted on this system, at this absolute path; a stale mount there is detached."""
+def check(directory, over=False):
+    """Raise Failed unless a tree can be mounted on this system, at this absolute path; a stale mount there is detached.
+
+    `over`: also where that hides files.
+    """
     if not sys.platform.startswith("linux"):
         raise errors.Failed(NAME, "works on Linux only")
     if directory in mounted():
@@ -73,10 +80,20 @@ def check(directory):
         unmount(directory)
     if not os.path.isdir(directory):
         raise errors.Failed(printable(directory), "no such directory")
+    if not over and _is_filled(directory):
+        raise errors.Failed(printable(directory), "not empty; a mount hides what is there (--over mounts all the same)")
     if not os.path.exists(DEVICE):
         raise errors.Failed(DEVICE, "not there: this kernel or container has no FUSE (modprobe fuse)")
     if os.geteuid() and not _helper():
         raise errors.Failed(" and ".join(HELPERS), "not found: without them only root can mount")
+
+
+def _is_filled(directory):
+    try:
+        with os.scandir(directory) as found:
+            return next(found, None) is not None
+    except OSError:  # it can be mounted on, but not read
+        return False
 
 
 def _helper():
@@ -136,6 +153,37 @@ def _received(channel):
             os.set_inheritable(fd, False)
             return fd
     return None
+
+
+def hold(directory):
+    """Let `is_released` wait for the end of this process; to be called before it mounts at a directory."""
+    try:
+        fd = os.open(directory, os.O_RDONLY)
+        fcntl.flock(fd, fcntl.LOCK_SH)
+    except OSError:  # no right to read it; a file system without locks
+        pass
+
+
+def is_released(directory, seconds):
+    """Whether all processes that have mounted at a directory, where nothing is mounted now, end in so many seconds."""
+    try:
+        fd = os.open(directory, os.O_RDONLY)
+    except OSError:
+        return True
+    end = time.monotonic() + seconds
+    try:
+        while True:
+            try:
+                fcntl.flock(fd, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                return True
+            except BlockingIOError:
+                if time.monotonic() > end:
+                    return False
+                time.sleep(LOOK)
+            except OSError:  # a file system without locks
+                return True
+    finally:
+        os.close(fd)
 
 
 def unmount(directory):

@@ -12,7 +12,7 @@ import sys
 import threading
 
 from rtshell_lite import errors
-from rtshell_lite.mount import wire
+from rtshell_lite.mount import kernel, wire
 from rtshell_lite.mount.nodes import Absent, Directory, Link, Node
 from rtshell_lite.mount.opened import Listing, Opened
 from rtshell_lite.text import printable
@@ -39,7 +39,7 @@ def errno_of(error):
 
 
 class Waiting:
-    """In a `with` statement on the main thread: wait() until there is something to read from a descriptor.
+    """In a `with` statement on the main thread: wait() until there is something to read from a descriptor, or mounts have changed.
 
     A signal ends it, too, if it comes just before, or if the kernel hands it to another thread: a blocking read would go on, and
     nobody would hear the signal before the next request.
@@ -47,11 +47,13 @@ class Waiting:
 
     def __init__(self, fd):
         self._poll = select.poll()
+        self._mounts = open(kernel.MOUNTS)
         self._bell, self._rope = os.pipe()
         for each in (fd, self._bell, self._rope):
             os.set_blocking(each, False)
         self._poll.register(fd, select.POLLIN)
         self._poll.register(self._bell, select.POLLIN)
+        self._poll.register(self._mounts, select.POLLPRI)
 
     def __enter__(self):
         self._before = signal.set_wakeup_fd(self._rope)
@@ -61,10 +63,14 @@ class Waiting:
         signal.set_wakeup_fd(self._before)
         os.close(self._bell)
         os.close(self._rope)
+        self._mounts.close()
 
     def wait(self):
-        if any(fd == self._bell for fd, _ in self._poll.poll()):
+        """Returns whether something has been mounted or unmounted."""
+        ready = [fd for fd, _ in self._poll.poll()]
+        if self._bell in ready:
             os.read(self._bell, 64)
+        return self._mounts.fileno() in ready
 
 
 class Server:
@@ -90,9 +96,10 @@ class Server:
             self._serve(waiting, bytearray(wire.LONGEST))
 
     def _serve(self, waiting, buffer):
-        view = memoryview(buffer)
-        while True:
-            waiting.wait()
+        view, device, is_mounted = memoryview(buffer), kernel.mounted().get(self.mount.directory), True
+        while is_mounted or self._handles:  # another mount namespace, as of a container, may keep a copy
+            if waiting.wait():
+                is_mounted = kernel.mounted().get(self.mount.directory) == device
             try:
                 size = os.readv(self.fd, [buffer])
             except OSError as e:

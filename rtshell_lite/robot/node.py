@@ -197,34 +197,39 @@ def bound(node):
     """
     if node.kind not in ("server", "directory"):
         return []
-    size = 10000
+    received = too_long = 0
+    entries = collections.OrderedDict()  # of names that may come again and again, each is kept once
+    for bindings in _batches(node):
+        for binding in [binding for binding in bindings if binding.binding_name]:
+            name, received = binding.binding_name[0], received + 1
+            if len(name.id) + len(name.kind) >= LONGEST:
+                too_long += 1
+                continue
+            entries[Name(from_wire(name.id), from_wire(name.kind)), binding.binding_type._v == 1] = None  # 1: ncontext
+    if too_long:
+        cli.left_out(f"{node.path}: {too_long} of {received} names are left out: they are longer than {LONGEST} characters")
+    return list(entries)
+
+
+def _batches(node, size=10000):
+    """The bindings of a naming context in lists, MOST of them at most, and few more than MOST_OCTETS."""
     try:
         bindings, iterator = node.call("list", size)
     except errors.Refused as e:
         raise name_server_error(node, e)
-    if iterator is not None:
-        bindings = _iterated(node, iterator, bindings, size)
-    names = [(binding.binding_name[0], binding.binding_type._v == 1) for binding in bindings if binding.binding_name]  # 1: ncontext
-    entries = [(Name(from_wire(name.id), from_wire(name.kind)), is_context) for name, is_context in names
-               if len(name.id) + len(name.kind) < LONGEST]
-    if len(entries) < len(names):
-        cli.left_out(f"{node.path}: {len(names) - len(entries)} of {len(names)} names are left out: they are longer than {LONGEST} "
-                     "characters")
-    return list(collections.OrderedDict.fromkeys(entries))
-
-
-def _iterated(node, iterator, bindings, size):
-    """The bindings that came, and those of an iterator, MOST of them at most, and few more than MOST_OCTETS."""
-    end, more, octets = time.monotonic() + PATIENCE * lanes.session.timeout, True, 0
+    yield bindings[:MOST]
+    if iterator is None:
+        return
+    received, octets, more, end = len(bindings), 0, True, time.monotonic() + PATIENCE * lanes.session.timeout
     try:
         while True:  # see interrupts
-            if not more or len(bindings) >= MOST or octets >= MOST_OCTETS or time.monotonic() >= end:
+            if not more or received >= MOST or octets >= MOST_OCTETS or time.monotonic() >= end:
                 break
-            more, batch = orb.call(str(node.path), iterator, "next_n", size)
-            bindings += batch
-            octets += sum(len(name.id) + len(name.kind) for binding in batch for name in binding.binding_name)
+            more, bindings = orb.call(str(node.path), iterator, "next_n", size)
+            yield bindings[:MOST - received]
+            received += len(bindings)
+            octets += sum(len(name.id) + len(name.kind) for binding in bindings for name in binding.binding_name)
     finally:
         orb.call(str(node.path), iterator, "destroy")
     if more:
-        cli.left_out(f"{node.path}: only its first {len(bindings[:MOST])} names are taken; its list of them does not end")
-    return bindings[:MOST]
+        cli.left_out(f"{node.path}: only its first {min(received, MOST)} names are taken; its list of them does not end")

@@ -1,11 +1,14 @@
 """Where in the RTC Tree a reference is bound, and so whose the far ends of connections are: found by comparing references."""
 import collections
+import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import lanes, orb, tasks
 from rtshell_lite.path import Name
 from rtshell_lite.robot import ports, tree
 from rtshell_lite.text import printable
+
+PATIENCE = 2  # times the timeout, in which all far ends have to answer
 
 
 class Places:
@@ -42,16 +45,18 @@ End = collections.namedtuple("End", "ref port error")
 def far_ends(near, silent=None):
     """{identity of a port: End} of all ports that the Ports `near` are connected with, except these themselves.
 
-    They are asked, one call each, unless their processes are `silent` ({endpoint: errors.Error}). Whose they are is found by
+    They are asked, one call each (see `ask`), unless their processes are `silent` ({endpoint: errors.Error}). Whose they are is found by
     comparing their owners with what is bound in the name servers.
     """
     own, silent = {orb.identity(port.ref) for port in near}, silent or {}
     wanted = collections.OrderedDict()  # by identity: its reference, and the Node of a component that is connected with it
+    joining = collections.defaultdict(set)  # by identity: ids of the connectors that lead there
     for port in near:
-        for ref in [ref for connector in port.connectors for ref in connector.ports if ref is not None]:
-            if orb.identity(ref) not in own:
+        for connector in port.connectors:
+            for ref in [ref for ref in connector.ports if ref is not None and orb.identity(ref) not in own]:
                 wanted.setdefault(orb.identity(ref), (ref, port.node))
-    answers = ask([ref for ref, _ in wanted.values() if orb.endpoint(ref) not in silent])
+                joining[orb.identity(ref)].add(connector.id)
+    answers = ask([ref for ref, _ in wanted.values() if orb.endpoint(ref) not in silent], joining)
     places, ends = Places(), {}
     for identity, (ref, node) in wanted.items():
         answer = silent.get(orb.endpoint(ref)) or next(answers)
@@ -60,9 +65,23 @@ def far_ends(near, silent=None):
     return ends
 
 
-def ask(refs):
-    """An iterator of the Port of each reference, or an errors.Error; the Node of a Port has an address as its path."""
-    return iter(orb.each(refs, lambda ref: ports.port(tree.Node(orb.at_address(ref), "component", ref), ref)))
+def ask(refs, joining):
+    """An iterator of the Port of each reference, or an errors.Error; the Node of a Port has an address as its path.
+
+    A Port has no other connectors than those whose ids are in joining[its identity], as thousands of ports may each have a
+    thousand. Those that cannot be asked in PATIENCE are Late.
+    """
+    end = time.monotonic() + PATIENCE * lanes.session.timeout
+
+    @tasks.task
+    async def look(ref):
+        if time.monotonic() > end:
+            raise errors.Late(orb.at_address(ref), lanes.NO_TIME)
+        port = await ports.port.task(tree.Node(orb.at_address(ref), "component", ref), ref)
+        ids = joining[orb.identity(ref)]
+        joined = {connector.id: connector for connector in reversed(port.connectors) if connector.id in ids}
+        return port._replace(connectors=list(joined.values()))
+    return iter(orb.each(refs, look))
 
 
 def _placed(port, places, known):

@@ -25,6 +25,12 @@ Wrong usage and what cannot be mounted; each is reported before rtmount returns,
   $ rtmount -u a
   rtmount: $TMP/a: no RTC Tree is mounted there
   [1]
+  $ mkdir full; touch full/file; rtmount full
+  rtmount: $TMP/full: not empty; a mount hides what is there (--over mounts all the same)
+  [1]
+  $ rtmount --over full; ls full/README; rtmount -u full; ls full
+  full/README
+  file
   $ mkdir m; RTSHELL_ORB=nonsense rtmount m
   rtmount: RTSHELL_ORB: nonsense: neither omniorb nor builtin (see --help)
   [2]
@@ -99,7 +105,13 @@ What is mounted there meanwhile is another tree, and stays when the last file of
 
   $ rtmount $PWD/m; old=$(pgrep -f "rtmount $PWD/m"); sleep 1000 <m/README & one=$!
   $ rtmount -u m; rtmount m; kill $one; while kill -0 $old 2>/dev/null; do sleep 0.1; done; ls m | head -n 1; rtmount -u m
+  rtmount: $TMP/m: unmounted; its process serves the files that are still open, or is stopped
   README
+
+Unmounting waits for the end of its process, even where another mount namespace, as of a container, keeps a copy:
+
+  $ rtmount $PWD/m; unshare --mount sleep 1000 & one=$!; until [ -e /proc/$one/exe ]; do sleep 0.1; done
+  $ rtmount -u m; pgrep -f "rtmount $PWD/m"; kill $one
 
 One whose rtmount is stopped answers nobody, but can be taken away:
 
@@ -107,6 +119,7 @@ One whose rtmount is stopped answers nobody, but can be taken away:
   rtmount: $TMP/m: an RTC Tree is mounted there already
   [1]
   $ rtmount -u m/; ls m; kill -CONT $pid; wait $pid
+  rtmount: $TMP/m: unmounted; its process serves the files that are still open, or is stopped
 
 In front, SIGTERM and Ctrl-C unmount:
 

@@ -96,6 +96,7 @@ Unmounting disconnects:
   $ PATH=$tools ctl connectors Source0:number | wc -l; cd $TMP
   1
   $ PATH=$tools rtmount -u m; PATH=$tools ctl connectors Source0:number | wc -l; kill $one
+  rtmount: $TMP/m: unmounted; its process serves the files that are still open, or is stopped
   1
   $ until [ "$(PATH=$tools ctl connectors Source0:number | wc -l)" = 0 ]; do sleep 0.1; done
 

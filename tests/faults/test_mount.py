@@ -2,6 +2,7 @@
 
 If this fails, a hung component stops every shell that looks at the robot, or a mount of a week fills its memory.
 """
+import errno
 import os
 import pwd
 import re
@@ -17,6 +18,7 @@ import mounts
 import running
 import tools
 import worlds
+from mock_components import faulty
 
 ONCE = "it is about the kernel and the peers"
 BOTH = "each ORB waits in its own way"
@@ -32,6 +34,12 @@ PROMPT = 0.1  # seconds within which an interrupted reader is free
 PATIENCE = 8  # seconds, the timeout of what hangs; what does not wait for it must be done in half that time
 THREADS = 40  # of a server that a thousand readers wait for
 RESIDENT = 30 * 1024  # kB
+# kB, when all hostile peers have been read; omniORB takes what the builtin ORB refuses
+HOSTILE = (64 if os.environ.get("RTSHELL_ORB") == "builtin" else 192) * 1024
+AT_ONCE = 2  # hostile peers that are read at a time
+UNHEARD = errno.EHOSTUNREACH, errno.EIO, errno.ENOENT, errno.ETIMEDOUT, errno.ECONNREFUSED, errno.EPERM  # of what cannot be read
+LONGEST = 200  # seconds of all of them
+TALK_LIMIT = {"many-connectors": 10.0, "many-ports": LONGEST}  # seconds for a file of those that answer all that is asked
 GROWTH = 1024  # kB in the second half of the rounds
 
 
@@ -173,6 +181,73 @@ class Long(Case):
         self.assertLess(seen[-1][0] - half[0], GROWTH)
         self.assertLessEqual(seen[-1][1], half[1] + 4)
         self.assertLess(seen[-1][0], RESIDENT)
+
+
+class Peers(Case):
+    """Every peer that harms who reads it, as a component and as a name server: whatever is read of it ends, in time."""
+
+    options = ["--timeout", str(running.TIMEOUT)]
+
+    @classmethod
+    def setUpClass(cls):
+        modes = sorted(set(faulty.MODES) | set(faulty.UNREACHABLE))
+        cls.ports = around.faulty(*modes)
+        for mode in modes:
+            faulty.bind("%s/peer.host_cxt" % server[1:], {mode: cls.ports[mode]})
+
+    def end(self):
+        """With status 5, as more than 20,000 names is left out."""
+        self.process.terminate()
+        self.assertEqual(self.process.wait(worlds.LIMIT), 5)
+
+    def look(self, place):
+        """Read what people and scripts read of a component: the longest time that one file or directory took."""
+        slowest = 0.0
+        for name in ("", "state", "version", "ports", "ports/out/connections", "ports/out/connections/connector0", "contexts",
+                     "contexts/0/rate", "configuration/active", "members", "properties", "profile.json", "state"):
+            begun = time.monotonic()
+            try:
+                self.read_any(os.path.join(place, name))
+            except OSError as e:
+                self.assertIn(e.errno, UNHEARD)
+            slowest = max(slowest, time.monotonic() - begun)
+        return slowest
+
+    def read_any(self, path):
+        """Read a file, a link or a directory."""
+        if os.path.islink(path):
+            os.readlink(path)
+        elif os.path.isdir(path):
+            os.listdir(path)
+        else:
+            with open(path) as file:
+                file.read()
+
+    def test_every_peer(self):
+        places = {mode + " as component": os.path.join(self.root, "peer.host_cxt", mode + ".rtc") for mode in self.ports}
+        for mode, port in self.ports.items():
+            places[mode + " as name server"] = os.path.join(self.top, "127.0.0.1:%d" % port, "Evil0.rtc")
+        looked = {}
+
+        def look(case):
+            looked[case] = self.look(places[case])
+        reader = threading.Thread(target=running.together, args=(look, sorted(places), AT_ONCE), daemon=True)
+        reader.start()
+        reader.join(LONGEST)
+        self.assertEqual(sorted(set(places) - set(looked)), [])
+        slowest = sorted(looked, key=looked.get)[-5:]
+        print("%d hostile peers: %s; %d kB, %d threads" % (
+            len(places), ", ".join("%s %.1f s" % (case, looked[case]) for case in slowest), self.most_resident(), self.threads()))
+        waited = tools.waited_for_processor(self.process.pid)
+        for case in looked:
+            limit = TALK_LIMIT.get(case.split()[0], 3 * running.TIMEOUT + running.SLACK)
+            self.assertLess(looked[case] - waited, limit, case)
+        self.assertLess(self.most_resident(), HOSTILE)
+
+    def most_resident(self):
+        """kB that rtmount has taken at most."""
+        with open("/proc/%d/status" % self.process.pid) as file:
+            return int(re.search(r"VmHWM:\s*(\d+) kB", file.read()).group(1))
 
 
 class Hostile(Case):
