@@ -16,6 +16,7 @@ HEEDED = None  # all settings of omniORB
 
 shared = False  # True: others in this process may use the ORB, too; deadlines are set for our references only
 _own = set()  # type: set  # (host, port) at which this process itself serves objects, once one of them has been asked
+_of_one_reply = set()  # type: set  # (host, port) of processes that have closed connections of ours after a reply
 _started = None  # the ORB, once there is one
 _deadline = None  # s, the deadline that it was given
 _starting = threading.RLock()
@@ -127,9 +128,12 @@ def invoke(call):
         import omniORB
         omniORB.setClientCallTimeout(ref, int(_milliseconds(longer or lanes.session.timeout)))
     try:
+        if not failures.may_repeat(operation) and address(ref)[1:3] in _of_one_reply:
+            _use_up_connections(ref)
         try:
             return _answer(where, ref, operation, args)
         except CORBA.COMM_FAILURE as e:
+            _check_version(str(where), address(ref)[1:3])
             return _asked_again(e, where, ref, operation, args)
     except CORBA.Exception as e:
         raise _error(str(where), e, max(seconds or 0, lanes.session.timeout), ref)
@@ -169,10 +173,44 @@ def _asked_again(failure, where, ref, operation, args):
     from omniORB import CORBA
     for _ in range(CONNECTIONS if failures.may_repeat(operation) and lanes.has_answered() else 0):
         try:
-            return answers.invoke(where, ref, operation, args)
+            answer = answers.invoke(where, ref, operation, args)
         except CORBA.COMM_FAILURE as e:
             failure = e
+        else:
+            _of_one_reply.add(address(ref)[1:3])
+            return answer
     raise failure
+
+
+def _use_up_connections(ref):
+    """Have omniORB notice that all connections to a process have been closed: a change must not be sent by one of these."""
+    from omniORB import CORBA
+    is_last = False  # of which we know that there is no other, as omniORB has made a new one
+    for _ in range(2 * CONNECTIONS):
+        try:
+            ref._non_existent()
+            is_last = True
+        except CORBA.COMM_FAILURE:
+            if is_last:
+                return
+
+
+def _check_version(where, endpoint):
+    """Raise Unreachable if a process that has closed the connection to omniORB answers in GIOP 1.0 or 1.1 only."""
+    if lanes.has_answered():
+        return
+    import socket
+
+    from rtshell_lite.corba.iiop import giop
+    for minor in (1, 0):
+        try:
+            with socket.create_connection(endpoint, lanes.session.timeout / PROBING) as probe:
+                probe.sendall(giop.request(1, (1, minor), giop.KEY, b"\1\0\0\0?", "_non_existent", ()))
+                head = probe.recv(giop.HEADER)
+        except (OSError, ValueError):
+            return
+        if head[:6] == b"GIOP\1" + bytes([minor]) and head[7:8] == bytes([giop.REPLY]):
+            raise errors.Unreachable(where, f"speaks GIOP 1.{minor} only, which omniORB does not try; set RTSHELL_ORB=builtin")
 
 
 def _error(where, e, seconds, ref):

@@ -157,7 +157,11 @@ class Call:
         """The result of the operation, called on this thread, a lane of the process that answers."""
         with lanes.session.slots:
             lanes.alive(self.seconds and max(self.seconds, lanes.session.timeout))
-            result = _orb.invoke(self)
+            try:
+                result = _orb.invoke(self)
+            except errors.Refused:
+                lanes.answered()
+                raise
         lanes.answered()
         return result
 

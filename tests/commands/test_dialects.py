@@ -2,8 +2,10 @@
 import os
 import re
 import unittest
+from unittest import mock
 
 import dialects
+import relay
 import running
 
 try:
@@ -63,6 +65,44 @@ class Dialects(unittest.TestCase):
         for (_, order, _), robot in robots.items():
             self.assertLessEqual(robot.untranslated, {"get_profile"})  # of a manager: one of its properties is a boolean
             self.assertEqual(bool(robot.translated), order == ">" and bool(robot.fronts))
+
+    def test_connections_of_one_reply(self):
+        """A peer that closes the connection after each reply."""
+        robot = OneReply()
+        for number, words in enumerate(COMMANDS):
+            with self.subTest(words=words):
+                self.assertEqual(self.run_at(robot.front(self.port), words), self.expected[number])
+
+
+class OneReply(relay.Relay):
+    closes = True
+
+    def passed(self, request, reply):
+        return reply
+
+
+class OldServers(unittest.TestCase):
+    """omniNames that speaks GIOP 1.0 or 1.1 only: the one says so, the other just closes the connection."""
+
+    def test_all_commands(self):
+        for version in ("1.0", "1.1"):
+            around = running.Surroundings()
+            self.addCleanup(around.close)
+            server = around.name_server(options=["-ORBmaxGIOPVersion", version])
+            ran = running.run(["rtls", server], around.top)
+            if not IS_BUILTIN:
+                self.assertEqual((ran.status, ran.err.decode()),
+                                 (4, f"rtls: {server}: speaks GIOP {version} only, which omniORB does "
+                                 "not try; set RTSHELL_ORB=builtin\n"))
+                continue
+            self.assertEqual((ran.status, ran.out, ran.err), (0, b"", b""))
+            with mock.patch.dict(os.environ, ORBmaxGIOPVersion=version):  # or it could not reach its name server
+                around.world(server, "linked")
+            for words in (["rtls", "-lR", server], ["rtcat", "-l", server + "/test.host_cxt/ConsoleIn0.rtc"],
+                          ["rtact", server + "/test.host_cxt/ConsoleIn0.rtc"], ["rtdel", server + "/test.host_cxt/ConsoleIn0.rtc"]):
+                with self.subTest(version=version, words=words):
+                    ran = running.run(words, around.top)
+                    self.assertEqual((ran.status, ran.err), (0, b""), ran)
 
 
 if __name__ == "__main__":

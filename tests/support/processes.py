@@ -19,19 +19,20 @@ START_LIMIT = 30.0  # seconds until a peer must have said that it is ready
 
 # ---- starting ----
 
-def start_name_server(name, above=nameserver.PORTS, published=None):
+def start_name_server(name, above=nameserver.PORTS, published=None, options=()):
     """Start an omniNames of its own data directory; returns its port as text, one that sorts behind `above`.
 
-    `published` is the port that its references tell, where that is another one.
+    `published` is the port that its references tell, where that is another one; `options` are further words of omniNames.
     """
     publish = ["-ORBendPointPublish", "giop:tcp:127.0.0.1:%d" % published] if published else []
+    more = list(options) + publish
     for attempt in range(nameserver.ATTEMPTS):
         port = nameserver.free_port(int(above))
         data = session_file("%s-%d" % (name, attempt))
         os.mkdir(data)
-        server = start(name, nameserver.command(port, data) + publish)
+        server = start(name, nameserver.command(port, data) + more)
         with open(session_file(name + ".command"), "w") as file:
-            json.dump(nameserver.command(port, data) + publish, file)
+            json.dump(nameserver.command(port, data) + more, file)
         if wait_until(lambda: nameserver.answers(port), server):
             return str(port)
     raise Failed("omniNames does not start: " + said(name))

@@ -11,7 +11,9 @@ HOST = re.compile(rb"127\.0\.0\.1\0(..)", re.DOTALL)  # of a reference; the port
 
 
 class Relay:
-    """Subclasses say what they make of what passes."""
+    """Subclasses say what they make of what passes. `closes`: the connection is closed after each reply."""
+
+    closes = False
 
     def __init__(self):
         self.fronts, self._real, self._lock = {}, {}, threading.Lock()  # ports: of ours by those behind, and the reverse
@@ -59,6 +61,8 @@ class Relay:
                 request = giop.parse_request(header + payload)
                 if request.expects_reply:
                     client.sendall(self.passed(request, HOST.sub(self._to_front, _whole(server))))
+                    if self.closes:
+                        return
         except (EOFError, OSError):
             pass
         finally:

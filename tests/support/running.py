@@ -150,9 +150,9 @@ class Surroundings:
         self.processes, self.worlds = [], {}
         self.lock = threading.Lock()
 
-    def name_server(self, name="names", published=None):
+    def name_server(self, name="names", published=None, options=()):
         """Start a name server; returns its address. `published`: the port in its references, if it is another one."""
-        return "/127.0.0.1:" + processes.start_name_server(name, published=published)
+        return "/127.0.0.1:" + processes.start_name_server(name, published=published, options=options)
 
     def world(self, server, *words):
         """Start a world on a name server; its name, for `ctl`."""

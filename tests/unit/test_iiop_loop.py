@@ -105,6 +105,12 @@ class Loop(Calls):
         self.assertEqual((str(found[1][0]), found[1][1] == data), ("PORT_OK", True))
         self.assertIs(found[2], False)
 
+    def test_replies_that_nobody_waits_for(self):
+        """Some peers repeat a reply: those that are waited for count."""
+        ask = ("RTC.RTObject", "_non_existent")
+        replies = [answer(1, b"\1"), answer(1), answer(7), answer(1), answer(2, b"\1"), answer(2), answer(3, b"\1")]
+        self.assertEqual(self.outcomes(replies, ask, ask, ask), [True, True, True])
+
     def test_fragments_that_nobody_asked_for(self):
         replies = [answer(1)[:6] + b"\3" + answer(number)[7:] for number in range(1000, 3000)]
         self.assertEqual(self.outcomes(replies, ("RTC.RTObject", "_non_existent")), ["garbled answer (a reply to another request)"])

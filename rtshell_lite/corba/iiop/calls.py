@@ -20,7 +20,7 @@ class Request:
     ref        whom it is sent to: another object than at first where that has forwarded it
     seconds    how long its answer may take
     sent       time.monotonic() when it was sent
-    again      whether it has been sent a second time, as a connection was lost, here or by the peer, that may have begun it
+    again      how often it has been sent again, as a connection was lost, here or by the peer, that may have begun it
     """
 
     __slots__ = ("call", "resume", "ref", "operation", "seconds", "sent", "again", "_forwards", "_spent", "_mode")
@@ -29,7 +29,7 @@ class Request:
         self.call, self.resume, self.ref = call, resume, call.ref
         self.operation = operations.operation(call.ref.interface, call.operation)
         self.seconds = max(call.seconds or 0, lanes.session.timeout)
-        self.sent, self.again, self._forwards, self._spent, self._mode = None, False, 0, 0.0, giop.KEY
+        self.sent, self.again, self._forwards, self._spent, self._mode = None, 0, 0, 0.0, giop.KEY
 
     @property
     def endpoint(self):
@@ -77,7 +77,7 @@ class Request:
             elif status == giop.SYSTEM_EXCEPTION:
                 name, label = _system_exception(data, at, little)
                 if name == "COMM_FAILURE" and self.asks and not self.again:  # the peer has lost a connection of its own
-                    self.again = True
+                    self.again = 1
                     return True
                 error = failures.system(str(self.call.where), name, label)
             elif status == giop.USER_EXCEPTION:

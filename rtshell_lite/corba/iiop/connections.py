@@ -14,11 +14,13 @@ from rtshell_lite.corba.iiop import giop
 
 PIECE = 16384  # octets received at a time: buffers of more are slow to allocate
 AT_A_TIME = 64  # pieces of one connection; then others have their turn, too
+MOST_STRAYS = 100  # replies of one connection that nobody waits for
 _AT_ONCE = _socket.MSG_DONTWAIT
 SWEEP = 10.0  # seconds between two looks for idle connections that the peer has closed
 _idle = {}  # {endpoint: [Connection]} for the next calls, at most one for each lane
 _swept = time.monotonic()
 _spoken = {}  # {endpoint: the x of GIOP 1.x}, for peers that did not understand a later one
+of_one_reply = set()  # endpoints of peers that close the connection after each reply, as far as is known
 
 
 class Closed(Exception):
@@ -82,7 +84,7 @@ class Connection:
         self.endpoint, self.requests, self.has_answered = endpoint, {}, False
         self.waits_for = "address"
         self.end = None
-        self._number, self._given_up = 0, set()
+        self._number, self._given_up, self._strays = 0, set(), 0
         self._version, self._via = (1, _spoken.get(endpoint, 2)), endpoint  # the latest GIOP to speak; where it is connected
         self._socket, self._ways, self._error = None, self._all_ways(others), None
         self._out, self._not_begun = bytearray(), {}  # what is to be sent; requests until there is a connection, by number
@@ -191,15 +193,22 @@ class Connection:
             return
         del self._out[:sent]
 
+    def is_stray(self, number):
+        """Whether nobody waits, or has waited, for a reply with this number: some peers repeat replies. Raises giop.Garbled at too many."""
+        if number in self.requests or number in self._given_up:
+            return False
+        self._strays += 1
+        if self._strays > MOST_STRAYS:
+            raise giop.Garbled("replies to other requests")
+        return True
+
     def answered(self, number):
-        """The request with this number, which has its reply; None if it was given up. Raises giop.Garbled if there was none."""
+        """The request with this number, which has its reply; None if it was given up."""
+        if self.has_answered:
+            of_one_reply.discard(self.endpoint)
         self.has_answered = True
-        if number in self._given_up:
-            self._given_up.discard(number)
-            return None
-        if number not in self.requests:
-            raise giop.Garbled("a reply to another request")
-        return self.requests.pop(number)
+        self._given_up.discard(number)
+        return self.requests.pop(number, None)
 
     def give_up(self, number):
         """The request with this number, whose reply is not to be waited for; it is not sent any more if it has not been."""
@@ -216,11 +225,23 @@ class Connection:
         begun = self._fragments.begun
         return set() if None in begun else {request for number, request in self.requests.items() if number not in begun}
 
-    def may_speak(self, minor):
-        """Whether a peer that did not understand us may understand GIOP 1.`minor`; if so, that is spoken with it from now on."""
-        if self.has_answered or (1, minor) >= self._version:
+    def may_speak_older(self, end):
+        """Whether a peer that has ended this connection before any reply, with an exception, may understand an older GIOP.
+
+        If so, that is spoken with it from now on. Some say which; omniORB that is limited to GIOP 1.1 just closes.
+        """
+        _, minor = self._version
+        if isinstance(end, giop.Misunderstood):
+            older = end.minor
+        elif isinstance(end, Closed) and not end.untouched and not self._pieces and self.endpoint not in lanes.last_answers():
+            older = minor - 1
+        else:
             return False
-        _spoken[self.endpoint] = minor
+        if older < 0:  # it was not that
+            _spoken.pop(self.endpoint, None)
+        if self.has_answered or not 0 <= older < minor:
+            return False
+        _spoken[self.endpoint] = older
         return True
 
     # ---- receiving ----

@@ -14,6 +14,7 @@ from rtshell_lite.corba.iiop import calls, connections, giop
 LOOK = 0.005  # seconds between looks at whether the address of a host has been found
 AWAY = 3  # ticks between two looks for what has waited too long; after more of them we, not others, were away: stopped, say
 MOST = 64  # jobs of one process under way at a time, most of which wait for their turn
+MOST_AGAIN = 2  # times that a question is asked again as a connection was lost by which others were answered
 NAMING = "IDL:omg.org/CosNaming/"  # interfaces of name servers begin so
 
 
@@ -67,7 +68,16 @@ class _Peer(lanes.Peer):
         At each answer, not two at every second one: a peer without TCP_NODELAY sends the second when the first is acknowledged, by the
         next request or 40 ms later.
         """
+        if self.endpoint in connections.of_one_reply:
+            return not self.connection.requests
         return len(self.connection.requests) < lanes.LANES or _is_naming(self.waiting[0])
+
+    def needs_connection(self):
+        """Whether the first that waits must not be lost again with a connection that the peer may close after its reply."""
+        if self.connection is None or self.endpoint not in connections.of_one_reply:
+            return False
+        request = self.waiting[0]
+        return self.connection.has_answered and not self.connection.requests and (not request.asks or request.again > 1)
 
     def overdue(self, now):
         """Give up the requests that have waited too long, and return them.
@@ -228,6 +238,10 @@ class _Loop:
         """Send requests to a process, as many as it may get."""
         try:
             while peer.waiting:
+                if peer.needs_connection():
+                    self._unwatch(peer)
+                    peer.connection.close()
+                    peer.connection = None
                 if peer.connection is None:
                     self._connect(peer)
                 if not peer.may_send():
@@ -305,6 +319,8 @@ class _Loop:
     def _reply(self, peer, data):
         """Take a whole reply. Raises giop.Garbled, struct.error."""
         number, status, little, at = giop.reply(data)
+        if peer.connection.is_stray(number):
+            return
         request = peer.connection.answered(number)
         if not peer.connection.requests:
             self._asked.discard(peer)
@@ -333,13 +349,15 @@ class _Loop:
         untouched = connection.untouched() if getattr(e, "untouched", False) else ()
         if is_cut:
             connections.forget(peer.endpoint)  # the others are no better, where the peer has been started again
-        is_older = isinstance(e, giop.Misunderstood) and connection.may_speak(e.minor)
+            if connection.has_answered and not untouched:
+                connections.of_one_reply.add(peer.endpoint)
+        is_older = connection.may_speak_older(e)
         for request in lost:
             is_untouched = request in untouched
             if is_older and request.asks:
                 peer.waiting.append(request)
-            elif is_cut and connection.has_answered and (is_untouched or request.asks and not request.again):
-                request.again |= not is_untouched
+            elif is_cut and connection.has_answered and (is_untouched or request.asks and request.again < MOST_AGAIN):
+                request.again += not is_untouched
                 peer.waiting.append(request)
             else:
                 request.failed(connections.Closed() if is_cut else e)
