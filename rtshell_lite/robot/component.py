@@ -2,13 +2,14 @@
 import collections
 import time
 
-from rtshell_lite import errors
+from rtshell_lite import cli, errors
 from rtshell_lite.corba import orb, tasks
 from rtshell_lite.text import from_wire
 
 STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by number
 KINDS = ("Periodic", "Event-driven", "Other")  # RTC::ExecutionKind by number
 POLL = 0.2  # seconds between looks at a state: monitors that ask more often have disturbed real-time threads
+MOST_CONTEXTS, MOST_MEMBERS = 64, 1000  # of a component; of a context or a composite; more are not taken
 
 # RTC::ComponentProfile as text; `properties` is a list of (name, value) in the component's order.
 Profile = collections.namedtuple("Profile", "instance_name type_name description version vendor category parent properties")
@@ -103,7 +104,8 @@ async def participating_context_refs(node):
 
 
 async def _refs(node, operation):
-    return [orb.narrow(ref, "RTC.ExecutionContextService") for ref in await node.ask(operation) if ref is not None]
+    listed = cli.first(MOST_CONTEXTS, await node.ask(operation), node.path, "execution contexts")
+    return [orb.narrow(ref, "RTC.ExecutionContextService") for ref in listed if ref is not None]
 
 
 @tasks.task
@@ -126,7 +128,8 @@ async def context(node, ref):
     """The Context of an execution context, complete."""
     raw = await orb.Call(node.path, ref, "get_profile")
     return Context(handle=await node.ask("get_context_handle", ref), ref=ref, kind=_by_number(KINDS, raw.kind), rate=raw.rate,
-                   running=await orb.Call(node.path, ref, "is_running"), owner=raw.owner, participants=raw.participants,
+                   running=await orb.Call(node.path, ref, "is_running"), owner=raw.owner,
+                   participants=cli.first(MOST_MEMBERS, raw.participants, node.path, "participants of an execution context"),
                    properties=orb.properties(raw.properties))
 
 

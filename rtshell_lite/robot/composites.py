@@ -4,7 +4,7 @@ Organization::get_owner is never called: a C++ component answers it once, and ha
 """
 import collections
 
-from rtshell_lite import errors
+from rtshell_lite import cli, errors
 from rtshell_lite.corba import liveness, orb, tasks
 from rtshell_lite.robot import component, configuration, manager, ports, tree
 from rtshell_lite.robot.places import Places
@@ -56,7 +56,8 @@ async def _composites(node, contexts):
 
 async def _refs(node, operation):
     try:
-        return [ref for ref in await node.ask(operation) if ref is not None]
+        listed = cli.first(component.MOST_CONTEXTS, await node.ask(operation), node.path, "organizations")
+        return [ref for ref in listed if ref is not None]
     except errors.Refused as e:
         if e.name in ("NO_IMPLEMENT", "BAD_OPERATION"):  # small implementations lack compositions
             return []
@@ -64,7 +65,8 @@ async def _refs(node, operation):
 
 
 async def _organisation(node, ref):
-    members = [member for member in await orb.Call(node.path, ref, "get_members") if member is not None]
+    listed = cli.first(component.MOST_MEMBERS, await orb.Call(node.path, ref, "get_members"), node.path, "members")
+    members = [member for member in listed if member is not None]
     names = orb.each(members, lambda member: from_wire(orb.call(node.path, member, "get_sdo_id")), node.path)
     return Organisation(from_wire(await orb.Call(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
 

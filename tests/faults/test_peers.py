@@ -27,7 +27,8 @@ MOST_SAID = 2 << 20     # octets on stdout and stderr
 KEPT = 1 << 20          # octets of each
 LENGTHY = {"megabytes": 64, "many": 2, "endless-long": 20}  # times MOST_SAID: 20,000 names are 20,000 lines of JSON
 SHORT = 150             # of 4,500 cases; these take 30 s of processor
-TALKATIVE = {"many-ports", "many-ends"}  # these answer as many questions as are asked, or at great length
+LISTS = ["many-contexts", "many-organizations", "many-members"]
+TALKATIVE = {"many-ports", "many-ends", "many-connectors", *LISTS}  # these answer as many questions as are asked, or at great length
 TALK_LIMIT = 10.0       # seconds for them
 LIST_LIMIT = 60.0       # seconds for 20,000 names, each of which is asked for and then asked
 
@@ -161,6 +162,20 @@ class Peers(unittest.TestCase):
                 with self.subTest(str(case)):
                     self.assertEqual(case.found, [], case.ran)
                     self.assertLessEqual(case.ran.seconds, case.limit(), case.ran)
+
+    def test_long_lists(self):
+        """What one component can list is not asked one by one without end."""
+        global start_up
+        start_up = 0.0
+        lines = ["rtwatch -t 1 A", "rtcat -l A", "rtls -l A", "rtec A", "rtact A"]
+        chosen = [Case(number, line.split()[0], line.partition(" ")[2], mode, "component")
+                  for number, (line, mode) in enumerate((line, mode) for line in lines for mode in LISTS)]
+        for case in running.together(Case.run, chosen, 2):
+            with self.subTest(str(case)):
+                self.assertEqual(case.found, [], case.ran)
+                self.assertLessEqual(case.ran.seconds, TALK_LIMIT, case.ran)
+                if case.command == "rtcat":
+                    self.assertIn(b"are left out", case.ran.err)
 
 
 if __name__ == "__main__":
