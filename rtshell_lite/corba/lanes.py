@@ -110,7 +110,7 @@ class Session:
 
     def __init__(self, timeout=3.0):
         self.timeout, self.end, self.slots = timeout, None, Slots()
-        self.shortage, self.silent = None, {}
+        self.shortage, self.silent, self.turned_away = None, {}, 0
 
 
 session = Session()  # of the command that runs: rtsh runs several, see cli.command

@@ -133,7 +133,8 @@ def invoke(call):
         try:
             return _answer(where, ref, operation, args)
         except CORBA.COMM_FAILURE as e:
-            _check_version(str(where), address(ref)[1:3])
+            if lanes.in_lane() and not lanes.has_answered():
+                _check_version(str(where), address(ref)[1:3])
             return _asked_again(e, where, ref, operation, args)
     except CORBA.Exception as e:
         raise _error(str(where), e, max(seconds or 0, lanes.session.timeout), ref)
@@ -197,20 +198,21 @@ def _use_up_connections(ref):
 
 def _check_version(where, endpoint):
     """Raise Unreachable if a process that has closed the connection to omniORB answers in GIOP 1.0 or 1.1 only."""
-    if lanes.has_answered():
-        return
     import socket
 
     from rtshell_lite.corba.iiop import giop
-    for minor in (1, 0):
+    for minor in (2, 1, 0):
         try:
             with socket.create_connection(endpoint, lanes.session.timeout / PROBING) as probe:
                 probe.sendall(giop.request(1, (1, minor), giop.KEY, b"\1\0\0\0?", "_non_existent", ()))
                 head = probe.recv(giop.HEADER)
         except (OSError, ValueError):
             return
-        if head[:6] == b"GIOP\1" + bytes([minor]) and head[7:8] == bytes([giop.REPLY]):
+        if head[:6] != b"GIOP\1" + bytes([minor]) or head[7:8] != bytes([giop.REPLY]):
+            continue
+        if minor < 2:
             raise errors.Unreachable(where, f"speaks GIOP 1.{minor} only, which omniORB does not try; set RTSHELL_ORB=builtin")
+        return
 
 
 def _error(where, e, seconds, ref):

@@ -324,6 +324,9 @@ class Opened:
         unwound = sys.exc_info()[0] is not None
         for connection, failure in zip(self.connections, known):
             connection.report(failure, unwound)
+        if lanes.session.turned_away:
+            cli.left_out(f"{lanes.session.turned_away} connections to this command were turned away, as too many came: values may be "
+                         "missing")
 
     def live(self):
         """The connections that work, or may work again."""

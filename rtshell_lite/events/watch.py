@@ -3,7 +3,7 @@ import collections
 import threading
 import time
 
-from rtshell_lite import errors, interrupts
+from rtshell_lite import cli, errors, interrupts
 from rtshell_lite.corba import lanes, orb
 from rtshell_lite.events import observer, polling
 from rtshell_lite.events.observer import BEAT, Event
@@ -324,6 +324,8 @@ class Watch:
                 with self._guard:
                     unasked.clear()  # who is late changes nothing
                     session.end = None
+        if session.turned_away:
+            cli.left_out(f"{session.turned_away} connections to this command were turned away, as too many came: events may be missing")
         unheard = [watched.subscription for watched in self.watched if not watched.is_heard()]
         for subscription, value in zip(self._subscriptions, values):
             if isinstance(value, errors.Silent) and (subscription in unheard or not hurried):

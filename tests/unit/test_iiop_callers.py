@@ -9,6 +9,7 @@ import unittest
 from unittest import mock
 
 from giop_client import CLOSE, ERROR, LIMIT, Served, block, fragments, request, result, whole
+from rtshell_lite.corba import lanes
 from rtshell_lite.corba.iiop import giop, requests, server
 
 
@@ -133,11 +134,32 @@ class Hostile(Served):
     def test_answers_that_nobody_reads(self):
         here, ask = self.client(), request(self.key, "_non_existent")
         here.socket.settimeout(1)
-        with self.assertRaises(socket.timeout):
+        with self.assertRaises((socket.timeout, ConnectionError)):  # the latter: it has asked too much
             while True:
                 here.socket.sendall(ask * 1000)
         self.still_served()
         self.assertLess(max(len(caller.out) for caller in list(server._server.callers)), 1000)
+
+    def test_who_has_delivered_keeps_its_place(self):
+        """Others, who ask and ask, are turned away, which is noted."""
+        component, ask, before = self.client(), request(self.key, "_non_existent"), lanes.session.turned_away
+        self.assertEqual(result(component.ask(request(self.key, "put", block(b"1")))), bytes(4))
+        with mock.patch.object(server, "MOST", 40), mock.patch.object(server, "MOST_OF_ADDRESS", 20):
+            for _ in range(60):
+                self.assertEqual(result(self.client().ask(ask)), b"\0")
+            self.assertEqual(result(component.ask(request(self.key, "put", block(b"2")))), bytes(4))
+        self.assertEqual(self.port.taken, [b"1", b"2"])
+        self.assertGreaterEqual(lanes.session.turned_away - before, 40)
+
+    def test_who_only_asks(self):
+        """A connection that delivers nothing may not ask without end."""
+        here, ask = self.client(), request(self.key, "_non_existent")
+        with mock.patch.object(server, "MOST_ASKED", 20):
+            for _ in range(20):
+                self.assertEqual(result(here.ask(ask)), b"\0")
+            here.send(ask * 2)
+            self.assertIn(CLOSE, here.last_words())
+        self.still_served()
 
     def test_a_thousand_connections(self):
         with mock.patch.object(server, "MOST", 40):

@@ -1,7 +1,8 @@
 """Our objects that components call, with our own ORB: one thread serves all who connect, and none of them can block it.
 
 Who connects may send anything. So a message takes memory as it comes, not as it is announced; who never completes one, asks for
-nothing, or takes no answers, is closed after a while, or as soon as others need the room.
+nothing, or takes no answers, is closed after a while, or as soon as others need the room. A connection that has called a servant
+keeps its place, and is served first; of others there is a limit for each address, for a second, and for what they may ask.
 """
 import binascii
 import os
@@ -17,6 +18,9 @@ from rtshell_lite.corba import idl, lanes
 from rtshell_lite.corba.iiop import allowance, giop, operations, references, requests
 
 MOST = 500  # connections
+MOST_OF_ADDRESS = 200  # of them that have called no servant yet
+MOST_NEW = 200  # connections that are accepted in a second; others wait
+MOST_ASKED = 500  # questions that need no servant, such as _non_existent, of a connection that has called none
 MOST_PARTS = 8  # messages of a connection whose fragments are still coming
 MOST_OCTETS = 2 * giop.LARGEST  # of all messages that are still coming
 LONGEST_KEPT = 2048  # octets before its arguments up to which a request is kept, to compare the next one with; real ones have 150
@@ -65,8 +69,9 @@ def _setting(name):
 class Caller:
     """A connection that somebody has made to us: what came of its messages, and answers that have not left yet."""
 
-    def __init__(self, connection):
-        self.socket, self.minor, self.last = connection, 0, None
+    def __init__(self, connection, host):
+        self.socket, self.host, self.minor, self.last = connection, host, 0, None
+        self.has_called, self.asked = False, 0  # a servant; how often it has asked what needs none
         self.data, self.begin, self.end = bytearray(), 0, 0  # data[begin:end] has come; data never shrinks while it is in use
         self.fragments = giop.Fragments()
         self.out = bytearray()
@@ -139,6 +144,7 @@ class Server:
 
     def __init__(self, host, port):
         self.objects, self.callers, self.swept = {}, set(), 0.0
+        self.second, self.new, self.is_open = time.monotonic(), 0, True  # since when new connections are counted; how many
         self.listening = _listening(host, port)
         self.port = self.listening.getsockname()[1]
         self.selector = selectors.DefaultSelector()
@@ -147,33 +153,50 @@ class Server:
     def run(self):
         """Serve for ever."""
         while True:
-            for event, _ in self.selector.select(SWEEP):
+            events = [event for event, _ in self.selector.select(SWEEP if self.may_accept() else 1)]
+            for event in sorted(events, key=_comes_later):
                 if event.data is None:
                     self.accept()
                 elif event.data in self.callers:
                     self.attend(event.data, event.events == selectors.EVENT_WRITE)
             self.sweep()
 
+    def may_accept(self):
+        """Whether new connections are accepted in this second; the selector looks for them only then."""
+        now = time.monotonic()
+        if now - self.second >= 1:
+            self.second, self.new = now, 0
+        may = self.new < MOST_NEW
+        if may and not self.is_open:
+            self.selector.register(self.listening, selectors.EVENT_READ)
+        if self.is_open and not may:
+            self.selector.unregister(self.listening)
+        self.is_open = may
+        return may
+
     def accept(self):
-        """Take a new connection; the one that has asked for nothing for longest gives its place."""
-        if len(self.callers) >= MOST:
-            self.close(self.idlest())
+        """Take a new connection; where there is no room, one that has called no servant gives its place, or the new one."""
+        self.new += 1
         try:
-            connection, _ = self.listening.accept()
+            connection, (host, *_) = self.listening.accept()
         except (BlockingIOError, ConnectionError):
             return  # gone already
         except OSError:  # out of files
-            if self.callers:
-                self.close(self.idlest())
-            else:
+            if not self.turn_away(self.strangers()):
                 time.sleep(lanes.TICK)
+            return
+        beside = self.strangers(host)
+        if len(beside) >= MOST_OF_ADDRESS:
+            self.turn_away(beside)
+        elif len(self.callers) >= MOST and not self.turn_away(self.strangers()):
+            self.turn_away([Caller(connection, host)])
             return
         connection.setblocking(False)
         try:
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         except OSError:  # on macOS, where it has ended already
             pass
-        caller = Caller(connection)
+        caller = Caller(connection, host)
         self.callers.add(caller)
         self.selector.register(connection, selectors.EVENT_READ, caller)
 
@@ -193,6 +216,8 @@ class Server:
                 answer = self.answered(caller, data)
                 if answer:
                     caller.send(answer)
+                if not caller.has_called and caller.asked > MOST_ASKED:
+                    self.close(caller)
         except BlockingIOError:
             return
         except (giop.Garbled, struct.error, IndexError):
@@ -209,10 +234,19 @@ class Server:
             for caller in unused:
                 caller.data, caller.begin, caller.end = bytearray(), 0, 0
             if not unused:
-                self.close(min(filter(Caller.held, self.callers), key=lambda caller: caller.since))
+                self.turn_away([caller for caller in self.strangers() if caller.held()] or list(filter(Caller.held, self.callers)))
 
-    def idlest(self):
-        return min(self.callers, key=lambda caller: caller.since)
+    def strangers(self, host=None):
+        """The connections, of a host or of all, that have called no servant."""
+        return [caller for caller in self.callers if not caller.has_called and host in (None, caller.host)]
+
+    def turn_away(self, callers):
+        """Close the one of some connections that has completed no message for longest; False if there are none."""
+        if not callers:
+            return False
+        lanes.session.turned_away += 1
+        self.close(min(callers, key=lambda caller: caller.since))
+        return True
 
     def sweep(self):
         """Close the connections that nobody uses, and those that somebody abuses."""
@@ -226,8 +260,9 @@ class Server:
 
     def close(self, caller, last=giop.CLOSE):
         """Close a connection with a last word: that what has not been answered has not been begun, or was not understood."""
-        self.callers.discard(caller)
-        self.selector.unregister(caller.socket)
+        if caller in self.callers:
+            self.callers.discard(caller)
+            self.selector.unregister(caller.socket)
         try:
             if not caller.out:
                 caller.socket.send(requests.word(last, caller.minor))
@@ -254,6 +289,8 @@ class Server:
             answer = requests.located(request, int(request.key in self.objects))
         else:
             answer = self.called(request)
+            caller.has_called |= request.key in self.objects and request.operation not in _ASKED
+        caller.asked += 1
         request.data = None  # its caller keeps the request
         return answer if request.is_answered else None
 
@@ -284,6 +321,14 @@ class Server:
         except Exception:
             return requests.failed(request, "UNKNOWN", requests.MAYBE)
         return requests.sized(out)
+
+
+_ASKED = ("_is_a", "_non_existent")  # which need no servant
+
+
+def _comes_later(event):
+    """False for a connection that has called a servant: it is attended first."""
+    return event.data is None or not event.data.has_called
 
 
 def _result(servant, interface, operation, arguments):
