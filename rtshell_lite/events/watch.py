@@ -325,7 +325,8 @@ class Watch:
                     unasked.clear()  # who is late changes nothing
                     session.end = None
         if session.turned_away:
-            cli.left_out(f"{session.turned_away} connections to this command were turned away, as too many came: events may be missing")
+            cli.left_out(f"{session.turned_away} connections to this command were turned away, as too many came: events may be "
+                         "missing")
         unheard = [watched.subscription for watched in self.watched if not watched.is_heard()]
         for subscription, value in zip(self._subscriptions, values):
             if isinstance(value, errors.Silent) and (subscription in unheard or not hurried):

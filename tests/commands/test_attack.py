@@ -1,0 +1,90 @@
+"""A command that receives values, while others keep its port busy: all values come, and what was turned away is reported."""
+import glob
+import os
+import re
+import socket
+import subprocess
+import threading
+import time
+import unittest
+
+import giop_client
+import running
+import worlds
+
+try:
+    import omniORB  # noqa: F401: the mocks need it
+except ImportError:
+    raise unittest.SkipTest("needs omniORBpy")
+
+ONCE = "it is about the kernel's connections"
+CROWD, VALUES = 600, 6
+
+
+def listening_port(pid):
+    """The port at which a process listens, or None."""
+    found = [re.match(r"socket:\[(\d+)\]", os.readlink(path)) for path in glob.glob("/proc/%d/fd/*" % pid) if os.path.islink(path)]
+    inodes = {match.group(1) for match in found if match}
+    for table in ("tcp", "tcp6"):
+        with open("/proc/net/" + table) as file:
+            for fields in [line.split() for line in file][1:]:
+                if fields[3] == "0A" and fields[9] in inodes:
+                    return int(fields[1].rpartition(":")[2], 16)
+    return None
+
+
+@unittest.skipUnless(os.path.exists("/proc/net/tcp"), "needs Linux")
+class Attack(unittest.TestCase):
+    def setUp(self):
+        self.around = running.Surroundings()
+        self.addCleanup(self.around.close)
+        self.server = self.around.name_server()
+        self.world = self.around.world(self.server, "two")
+        self.port = self.server + "/test.host_cxt/ConsoleIn0.rtc:out"
+        self.printing = running.start(["rtprint", "-n", str(VALUES), "-t", "30", self.port], self.around.top, {"RTSHELL_ORB": "builtin"},
+                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        worlds.eventually(lambda: self.around.ctl(self.world, "connectors", "ConsoleIn0:out"), "connected")
+        self.at = listening_port(self.printing.pid)
+
+    def values_come(self):
+        """Send the values; what rtprint printed, and its errors."""
+        for value in range(1, VALUES):
+            self.around.ctl(self.world, "write", "ConsoleIn0:out", str(value))
+            time.sleep(0.2)
+        out, err = self.printing.communicate(timeout=worlds.LIMIT)
+        self.assertEqual([line.split()[-1] for line in out.decode().splitlines()], [str(value) for value in range(VALUES)], err)
+        return err.decode()
+
+    def attack(self, talk):
+        """Have many connections talk, until the end of the test, once a value has been delivered."""
+        self.around.ctl(self.world, "write", "ConsoleIn0:out", "0")
+        ended = threading.Event()
+        self.addCleanup(ended.set)
+
+        def keep_on():
+            clients = []
+            while not ended.is_set():
+                try:
+                    if len(clients) < CROWD // 6:
+                        clients.append(socket.create_connection(("127.0.0.1", self.at), 1))
+                    for client in clients:
+                        talk(client)
+                except OSError:
+                    for client in clients[:1]:
+                        client.close()
+                    del clients[:1]
+            for client in clients:
+                client.close()
+        for _ in range(6):
+            threading.Thread(target=keep_on, daemon=True).start()
+        time.sleep(1)
+
+    def test_many_that_ask(self):
+        ask = giop_client.request(b"x", "_non_existent")
+        self.attack(lambda client: client.sendall(ask))
+        self.assertIn("were turned away", self.values_come())
+        self.assertEqual(self.printing.returncode, 5)
+
+
+if __name__ == "__main__":
+    unittest.main()
