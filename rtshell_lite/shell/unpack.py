@@ -16,6 +16,8 @@ from rtshell_lite import errors
 from rtshell_lite.files import create, umask
 from rtshell_lite.shell import installation
 
+LARGEST = 64 << 20  # octets of what is in a wheel
+
 # Relative to the command, so that the whole directory can be moved or copied to the robot.
 FIND_LIBRARY = """import os, sys  # these two lines were added by --unpack
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__))), "lib"))
@@ -66,6 +68,8 @@ class Files:
         """Add what can be imported from a wheel; scripts, headers and data are left out."""
         try:
             with zipfile.ZipFile(path) as wheel:
+                if sum(member.file_size for member in wheel.infolist()) > LARGEST:  # no more of a member is read than it claims
+                    raise errors.Error(f"{path}: refused: it unpacks to more than {LARGEST >> 20} MB")
                 for member in wheel.infolist():
                     target = _target(path, member.filename)
                     if target:
@@ -77,6 +81,8 @@ class Files:
 
     def write(self):
         """Write beside the targets, flush to the disk, then rename; the commands last, so that they find what they import."""
+        for directory in {os.path.dirname(name) for name in self.contents}:
+            self._check_links(directory)
         order = sorted(self.contents, key=lambda name: (name.startswith("bin/"), name))
         temporaries = []
         try:
@@ -90,6 +96,14 @@ class Files:
         finally:
             for temporary in filter(os.path.lexists, temporaries):
                 os.unlink(temporary)
+
+    def _check_links(self, directory):
+        """Raise Error if a directory below ours is a link: it may lead anywhere."""
+        place = self.directory
+        for part in directory.split("/"):
+            place = os.path.join(place, part)
+            if os.path.islink(place):
+                raise errors.Error(f"{place}: refused: it is a link")
 
     def _write_temporary(self, name):
         content, program = self.contents[name]

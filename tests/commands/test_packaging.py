@@ -296,10 +296,22 @@ class Unpacked(Robot):
             file.truncate(30)
         self.check_refused(torn, "not a wheel")
 
-    def wheel(self, name, member):
+    def test_a_wheel_that_grows_without_measure(self):
+        self.check_refused(self.wheel("bomb-1-py3-none-any.whl", "x", bytes(65 << 20)), "refused: it unpacks to more than 64 MB")
+
+    def test_links_in_the_place(self):
+        """They may lead anywhere."""
+        place, outside = os.path.join(self.directory, "place"), os.path.join(self.directory, "outside")
+        os.mkdir(place)
+        os.mkdir(outside)
+        os.symlink(outside, os.path.join(place, "lib"))
+        self.check_line("rtshell_lite", 1, self.from_wheel("--unpack", place), "refused: it is a link")
+        self.assertEqual((os.listdir(place), os.listdir(outside)), (["lib"], []))
+
+    def wheel(self, name, member, content="evil"):
         path = os.path.join(self.directory, name)
-        with zipfile.ZipFile(path, "w") as wheel:
-            wheel.writestr(member, "evil")
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as wheel:
+            wheel.writestr(member, content)
         return path
 
     def check_refused(self, wheel, part):
