@@ -24,6 +24,7 @@ def examined(nodes):
     snapshots = [Snapshot(first, others) for first, *others in by_object.values()]
     ask_all(snapshots, ports=EACH, owned=FULL, participating=FULL, states=FULL, profile=FULL)
     for snapshot in snapshots:
+        snapshot.of_tools = [(port, connector) for port in snapshot.ports for connector in port.connectors if ports.is_of_tool(connector)]
         snapshot.ports = ports.in_system(snapshot.ports)
     return snapshots
 

@@ -28,7 +28,34 @@ def findings(snapshots):
             again = _again(link, ends)
             troubles = _troubles(again, ends) if again else []
         found += troubles
-    return sorted(found, key=lambda finding: finding.path)
+    return sorted(found + _forgotten(snapshots), key=lambda finding: finding.path)
+
+
+def _forgotten(snapshots):
+    """Findings on connectors of tools that were killed: what they served, as their properties have it, is certainly gone.
+
+    Of a tool that serves nothing, as one that sends, nobody can know whether it still runs.
+    """
+    held = [(snapshot, port, connector, ref) for snapshot in snapshots for port, connector in snapshot.of_tools
+            for ref in _served(snapshot, port, connector)]
+    found = []
+    for (snapshot, port, connector, ref), answer in zip(held, orb.each([ref for *_, ref in held], lambda ref: orb.is_alive("", ref))):
+        is_dead = isinstance(answer, errors.Error) and liveness.shows_death(answer, orb.endpoint(ref))
+        if is_dead and networks.is_certain(ref, networks.homes_of(snapshot.node.ref)):
+            found.append(warn("connection", ports.label(port), f"connection {_called(connector)} was left by a tool that is gone",
+                              remedies.command("disconnect", id=connector.id, port=ports.label(port))))
+    return found
+
+
+def _served(snapshot, port, connector):
+    """References in a connector's properties to what is not in the process of the component itself."""
+    for _, value in connector.properties:
+        try:
+            ref = orb.from_text(ports.label(port), value) if value.startswith("IOR:") else None
+        except errors.Unreachable:
+            continue
+        if ref is not None and orb.endpoint(ref) != snapshot.node.endpoint:
+            yield ref
 
 
 def _links(snapshots):

@@ -27,7 +27,8 @@ class Snapshot:
     The parts:
 
     ports          its ports.Ports; `refusing` (number from 1, errors.Error, endpoint) of those that failed, see EACH;
-                   `dropped` those Ports that have just dropped a connection whose far end is dead
+                   `dropped` those Ports that have just dropped a connection whose far end is dead; `of_tools` (Port, Connector)
+                   of the connectors that are a tool's, where these were set apart
     owned          component.Contexts of its own; `participating` those of others that execute it, too. Those of another process
                    that does not answer have only their reference
     states         its states in `contexts`
@@ -38,7 +39,7 @@ class Snapshot:
     """
 
     asking, answered, error = "", False, None
-    ports = refusing = dropped = owned = participating = states = organisations = composites = ()
+    ports = refusing = dropped = of_tools = owned = participating = states = organisations = composites = ()
     configuration = profile = None
 
     def __init__(self, node, others=(), rest=0):
