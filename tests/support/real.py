@@ -139,6 +139,10 @@ class Robot:
         with open(os.path.join(self.directory.name, part, "out"), encoding="utf-8", errors="replace") as file:
             return file.read()
 
+    def reads(self):
+        """How many values ConsoleOut has read: it says so once for each, in Python twice. (Its listeners say other words.)"""
+        return self.said("ConsoleOut").count("Received:") // (2 if self.implementation.name == "Python" else 1)
+
     def last_words(self, part):
         """The end of what a component has printed, or of its last traceback (Python)."""
         said = self.said(part)
