@@ -48,7 +48,8 @@ class Stretch:
                     leaves the same gap
         absent      values that would fill the long gaps between timestamps, less those that came close after; for ports
                     that send at regular intervals
-        disordered  values with an earlier timestamp than the value before; repeated: with the same one
+        disordered  values with an earlier timestamp than the value before; repeated: with the same one, or the same value again,
+                    which no other figure counts
         """
         gaps, ages = self.gaps, self.ages
         return {"seconds": seconds, "values": self.count, "bytes": self.bytes,
@@ -67,10 +68,18 @@ class Flow:
     def __init__(self):
         self.total, self.recent = Stretch(), Stretch()
         self.last = self.stamp = None  # the last arrival and the last timestamp, ns
+        self.data = None  # bytes of the last value
         self.stamps = self.since = 0  # number and sum of the gaps between timestamps since a pause
 
-    def add(self, received, size, stamp):
-        """Count a value of `size` bytes that came at `received` with a timestamp or None; both in ns since 1970."""
+    def add(self, received, data, stamp):
+        """Count a value, bytes, that came at `received` with a timestamp or None; both in ns since 1970.
+
+        One that comes twice in a row is counted as repeated only: OpenRTM-aist 2.1 repeats a `put` whose answer was lost.
+        """
+        if stamp and stamp == self.stamp and data == self.data:
+            self._count("repeated", 1)
+            return
+        self.data, size = data, len(data)
         if self.last is not None:
             self._both("gaps", (received - self.last) / 1e9)
         self.last = received

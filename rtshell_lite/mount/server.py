@@ -24,6 +24,7 @@ SWEEP = 1.0  # seconds between two looks for what is not needed any more
 ERRNOS = (
     (errors.NotFound, errno.ENOENT), (errors.NoSuch, errno.ENOENT), (errors.WrongKind, errno.ENOENT),
     (errors.Silent, errno.ETIMEDOUT), (errors.Late, errno.ETIMEDOUT), (errors.Unread, errno.EIO),
+    (errors.ConnectionRefused, errno.ECONNREFUSED), (errors.Gone, errno.ENXIO), (errors.Garbled, errno.EIO),
     (errors.Unreachable, errno.EHOSTUNREACH), (errors.Unsupported, errno.EOPNOTSUPP), (errors.BadType, errno.EOPNOTSUPP),
     (errors.BadValue, errno.EINVAL), (errors.BadPath, errno.EINVAL), (errors.Usage, errno.EINVAL),
     (errors.Refused, errno.EPERM), (errors.Failed, errno.EPERM))

@@ -59,7 +59,7 @@ class Channel:
 
     def count(self, message):
         """Count a Message for the figures."""
-        self.flow.add(message.received, len(message.data), self.stamp(message))
+        self.flow.add(message.received, message.data, self.stamp(message))
 
     def stamp(self, message):
         """The time in a Message's value, in ns since 1970, or None."""

@@ -46,17 +46,17 @@ A name server that is not there, and one that goes and comes back:
   ls: cannot access 'm/nosuchhost.invalid': No route to host
   /nosuchhost.invalid: host name not known
   $ ls m/localhost:1 || why
-  ls: cannot access 'm/localhost:1': No route to host
+  ls: cannot access 'm/localhost:1': Connection refused
   /localhost:1: connection refused; is the name server running?
   $ ls m/.git m/con*
   ls: cannot access 'm/.git': No such file or directory
   ls: cannot access 'm/con*': No such file or directory
   [2]
   $ cd m/localhost:$PORT; kill-mock names; ls . || why
-  ls: reading directory '.': No route to host
+  ls: reading directory '.': Connection refused
   /localhost:$PORT: connection refused; is the name server running?
   $ cat test.host_cxt/ConsoleIn0.rtc/state || why
-  cat: test.host_cxt/ConsoleIn0.rtc/state: No route to host
+  cat: test.host_cxt/ConsoleIn0.rtc/state: Connection refused
   /localhost:$PORT: connection refused; is the name server running?
   $ start-again names; until ls . >/dev/null 2>&1; do sleep 0.1; done; ls
   fragile.host_cxt
@@ -78,7 +78,7 @@ A component that dies is out of reach; when it is started again, even those whos
 
   $ cd ../test.host_cxt/ConsoleIn0.rtc; cat state; kill-mock two; cat state || why
   Inactive
-  cat: state: No route to host
+  cat: state: Connection refused
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection refused* (glob)
   $ (cd /; mock two); cat state; echo Active >state && cat state; cd ..
   Inactive

@@ -15,8 +15,8 @@ PERIOD = 10 * MS
 def figures(arrivals, stamps, size=8, dropped=0):
     """The summary of values that came at these times, with these timestamps (ms after BEGIN; None: without)."""
     found = statistics.Flow()
-    for arrival, stamp in zip(arrivals, stamps):
-        found.add(BEGIN + int(arrival * MS), size, None if stamp is None else BEGIN + int(stamp * MS))
+    for number, (arrival, stamp) in enumerate(zip(arrivals, stamps)):
+        found.add(BEGIN + int(arrival * MS), b"%0*d" % (size, number), None if stamp is None else BEGIN + int(stamp * MS))
     return found.total.summary(2.0, dropped)
 
 
@@ -56,7 +56,7 @@ class Figures(Checked):
     def test_zero_is_no_timestamp(self):
         found = statistics.Flow()
         for number in range(3):
-            found.add(BEGIN + number * PERIOD, 8, 0)
+            found.add(BEGIN + number * PERIOD, bytes(8), 0)
         self.check(found.total.summary(1, 0), values=3, age_mean=None, absent=None, disordered=None, repeated=None)
 
     def test_clocks_that_differ(self):
@@ -115,6 +115,14 @@ class Cycles(Checked):
         stamps = cycles(0, 1, 3, 2, 4, 4, 4, 5)
         self.check(figures(cycles(*range(8)), stamps), disordered=1, repeated=2, absent=0)
 
+    def test_the_same_value_twice(self):
+        """OpenRTM-aist 2.1 repeats a value whose answer was lost: that is no value of the port's, early or late."""
+        found = statistics.Flow()
+        for number in range(30):
+            for delay in (0, 1) if number % 10 == 5 else (0,):
+                found.add(BEGIN + number * PERIOD + delay * MS, b"%d" % number, BEGIN + number * PERIOD)
+        self.check(found.total.summary(0.3, 0), values=30, repeated=3, jitter=0.0, absent=0, disordered=0)
+
     def test_what_was_dropped_here_is_known_to_be_lost(self):
         self.check(figures([0, 10], [0, 10], dropped=7), dropped=7, missing=7, absent=0)
 
@@ -123,10 +131,10 @@ class Looks(Checked):
     def test_a_look_begins_a_new_stretch_and_gaps_reach_over_it(self):
         found = statistics.Flow()
         for number in range(20):
-            found.add(BEGIN + number * PERIOD, 4, BEGIN + number * PERIOD)
+            found.add(BEGIN + number * PERIOD, bytes(4), BEGIN + number * PERIOD)
         self.check(found.look().summary(1.0, 0), values=20, bytes=80, absent=0, rate=100.0)
         for number in (22, 23):
-            found.add(BEGIN + number * PERIOD, 4, BEGIN + number * PERIOD)
+            found.add(BEGIN + number * PERIOD, bytes(4), BEGIN + number * PERIOD)
         self.check(found.look().summary(1.0, 0), values=2, bytes=8, absent=2, gap_max=0.03, gap_min=0.01)
         self.check(found.look().summary(1.0, 0), values=0, absent=None)
         self.check(found.total.summary(2.0, 0), values=22, bytes=88, absent=2)
