@@ -37,7 +37,8 @@ RESIDENT = 30 * 1024  # kB
 # kB, when all hostile peers have been read; omniORB takes what the builtin ORB refuses
 HOSTILE = (64 if os.environ.get("RTSHELL_ORB") == "builtin" else 192) * 1024
 AT_ONCE = 2  # hostile peers that are read at a time
-UNHEARD = errno.EHOSTUNREACH, errno.EIO, errno.ENOENT, errno.ETIMEDOUT, errno.ECONNREFUSED, errno.ENXIO, errno.EPERM  # of what cannot be read
+# of what cannot be read
+UNHEARD = errno.EHOSTUNREACH, errno.EIO, errno.ENOENT, errno.ETIMEDOUT, errno.ECONNREFUSED, errno.ENXIO, errno.EPERM
 LONGEST = 200  # seconds of all of them
 TALK_LIMIT = {"many-connectors": 10.0, "many-ports": LONGEST}  # seconds for a file of those that answer all that is asked
 GROWTH = 1024  # kB in the second half of the rounds
