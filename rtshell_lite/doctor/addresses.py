@@ -1,4 +1,5 @@
 """Host names, addresses and TCP, checked without CORBA: which step towards a peer fails."""
+import contextlib
 import errno
 import fcntl
 import functools
@@ -10,15 +11,18 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes
-from rtshell_lite.corba.liveness import is_own  # noqa: F401: one of the checks of addresses
+from rtshell_lite.corba.liveness import is_own, is_this_host  # noqa: F401: checks of addresses
 from rtshell_lite.robot.aliases import resolve
 
-LARGE = 2000  # octets: more than an Ethernet packet holds
+SMALL, LARGE = 4, 2000  # octets: the latter are more than an Ethernet packet holds
 LEAST, PAUSE = 0.2, 0.005  # seconds
 
 
 def connect(addresses, port):
-    """Open a TCP connection to the first of the IP addresses that accepts one, and close it. Raises Unreachable, Silent."""
+    """Open a TCP connection to the first of the IP addresses that accepts one, and close it: that address.
+
+    Raises Unreachable, Silent.
+    """
     where = f"{addresses[0]}:{port}"
 
     def attempt():
@@ -26,12 +30,12 @@ def connect(addresses, port):
         for address in addresses:
             try:
                 socket.create_connection((address, port), max(0.001, end - time.monotonic())).close()
-                return
+                return address
             except OSError as e:
                 lanes.note_shortage(e, address)
                 failure = failure or e
         raise _error(where, failure)
-    lanes.aside(("TCP", tuple(addresses), port), where, attempt)
+    return lanes.aside(("TCP", tuple(addresses), port), where, attempt)
 
 
 def _error(where, e):
@@ -56,17 +60,11 @@ def probe(endpoint):
 def arrives(endpoint):
     """Whether the host of (host, port) receives what is sent: its process may hang, but the network works.
 
-    A GIOP question about an object that nobody has is sent, larger than a packet, and the kernel says whether all of it was
-    acknowledged. Asked once for each endpoint; `arrives.cache_clear()` forgets the answers.
+    A question larger than a packet is sent, and the kernel says whether all of it was acknowledged. Asked once for each endpoint;
+    `forget` forgets the answers.
     """
-    key = b"\0" * LARGE
-    question = b"GIOP\1\0\1\3" + struct.pack("<III", len(key) + 8, 1, len(key)) + key
-    patience = LEAST if lanes.is_over() else max(LEAST, lanes.session.timeout / 2)
-    end = time.monotonic() + patience
-    lanes.alive()  # this is no silence of the peer
     try:
-        with socket.create_connection(endpoint, patience) as connection:
-            connection.sendall(question)
+        with _asked(endpoint, LARGE) as (connection, end):
             while _unacknowledged(connection):
                 if time.monotonic() > end:
                     return False
@@ -76,6 +74,40 @@ def arrives(endpoint):
     return True
 
 
+@functools.lru_cache(maxsize=None)
+def loses_large(endpoint):
+    """Whether answers of (host, port), a process that was asked for something large in vain, may be lost on the way.
+
+    Its host is another one, and a small question is answered. Asked once for each endpoint.
+    """
+    try:
+        if is_this_host(endpoint[0]):
+            return False
+        with _asked(endpoint, SMALL) as (connection, _):
+            return bool(connection.recv(1))
+    except (errors.Error, OSError, ValueError):
+        return False
+
+
+def forget():
+    """Forget which hosts received what, for the next examination."""
+    arrives.cache_clear()
+    loses_large.cache_clear()
+
+
+@contextlib.contextmanager
+def _asked(endpoint, size):
+    """(connection, when to give up): a GIOP question about an object with a key of that size, which nobody has, has been sent."""
+    key = b"\0" * size
+    question = b"GIOP\1\0\1\3" + struct.pack("<III", len(key) + 8, 1, len(key)) + key
+    patience = LEAST if lanes.is_over() else max(LEAST, lanes.session.timeout / 2)
+    end = time.monotonic() + patience
+    lanes.alive()  # this is no silence of the peer
+    with socket.create_connection(endpoint, patience) as connection:
+        connection.sendall(question)
+        yield connection, end
+
+
 def _unacknowledged(connection):
     """How many octets sent have not been acknowledged; 0 if the kernel does not report it."""
     try:
@@ -83,6 +115,20 @@ def _unacknowledged(connection):
         return struct.unpack("i", fcntl.ioctl(connection, termios.TIOCOUTQ, b"\0" * 4))[0]
     except (OSError, ImportError):
         return 0
+
+
+def is_numeric(host):
+    """True for an IP address, not a name."""
+    try:
+        ipaddress.ip_address(host.partition("%")[0])
+    except ValueError:
+        return False
+    return True
+
+
+def is_incomplete(host):
+    """True for an IPv6 address of one link only, fe80::1, without its interface: fe80::1%eth0."""
+    return "%" not in host and is_numeric(host) and ipaddress.ip_address(host).is_link_local and ":" in host
 
 
 def is_loopback(address):

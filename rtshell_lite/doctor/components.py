@@ -3,13 +3,33 @@ import collections
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb
-from rtshell_lite.doctor import remedies, started, waiting
+from rtshell_lite.doctor import limits, remedies, started, waiting
 from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, warn
-from rtshell_lite.robot import component, ports
+from rtshell_lite.robot import component, manager, ports, tree
 from rtshell_lite.robot.snapshot import EACH, FULL, Snapshot, ask_all
 from rtshell_lite.text import printable, shell_word
 
 MOST = 3  # names of one component that are reported one by one
+
+
+def logs(snapshots, nodes):
+    """{path: log file, as its manager has it in logger.file_name} of the components in Error.
+
+    Their managers are among the Nodes, or are slaves of those.
+    """
+    broken = [snapshot for snapshot in snapshots if "Error" in snapshot.states]
+    bound = [node for node in nodes if node.kind == "manager"]
+    if not broken or not bound:
+        return {}
+    slaves = [slave for answer in tree.on_nodes(bound, tree.slaves) if not isinstance(answer, errors.Error) for slave in answer]
+    ends = {snapshot.node.endpoint for snapshot in broken}
+    asked = [node for node in bound + slaves if node.kind == "manager" and node.endpoint in ends]
+    files = {}
+    for node, settings in zip(asked, tree.on_nodes(asked, manager.configuration)):
+        settings = {} if isinstance(settings, errors.Error) else dict(settings)
+        if settings.get("logger.enable", "YES").upper() == "YES" and settings.get("logger.file_name"):
+            files[node.endpoint] = printable(settings["logger.file_name"])
+    return {snapshot.where: files[snapshot.node.endpoint] for snapshot in broken if snapshot.node.endpoint in files}
 
 
 def examined(nodes):
@@ -31,30 +51,30 @@ def examined(nodes):
 
 # ---- findings -------------------------------------------------------------------------------------------------
 
-def findings(snapshots, rates, hung, stated=False):
+def findings(snapshots, rates, hung, stated=False, logs=None):
     """Findings on all components, sorted by path.
 
     rates   what was measured, see rates.measured
     hung    Nodes that do not answer at all: components connected to one wait for it, and seem to hang, too
+    logs    see `logs`
     stated  whether a profile says which states they should have
     """
     found = []
     for snapshot in snapshots:
-        troubles = _troubles(snapshot, hung) + rates.get(snapshot.where, [])
+        troubles = _troubles(snapshot, hung, (logs or {}).get(snapshot.where, "")) + rates.get(snapshot.where, [])
         found += troubles
         if not any(finding.level == "fail" for finding in troubles) and snapshot.error is None:
             found.append(ok("component", snapshot.where, _summary(snapshot)))
     found.sort(key=lambda finding: finding.path)
-    if not stated and not any(finding.level == "fail" for finding in found):  # perhaps it was only not started
-        found += started.findings(snapshots)
-    return found
+    failed = {finding.path for finding in found if finding.level == "fail"}
+    return found if stated else found + started.findings(snapshots, failed)
 
 
-def _troubles(snapshot, hung):
+def _troubles(snapshot, hung, log):
     found = _names(snapshot) + _ports(snapshot)
     if snapshot.error is not None:
         return found + [_stopped_answering(snapshot, hung)]
-    return found + _contexts(snapshot)
+    return found + _contexts(snapshot, log)
 
 
 def _summary(snapshot):
@@ -69,7 +89,7 @@ def _summary(snapshot):
 def _stopped_answering(snapshot, hung):
     e = snapshot.error
     if e.why == lanes.NO_TIME:
-        return fail("component", snapshot.where, "slow: " + lanes.NO_TIME, remedies.words("more time", path=shell_word(snapshot.where)))
+        return limits.late("component", snapshot.where)
     if isinstance(e, errors.Silent) and not snapshot.asking:
         message = "not looked at: others of its process hang"
         return warn("component", snapshot.where, message, remedies.words("others first", path=shell_word(snapshot.where)))
@@ -82,6 +102,8 @@ def _stopped_answering(snapshot, hung):
         if paths:  # a port asks the far ends of its connections before it answers
             message += f", {'' if known else 'maybe '}waiting for a far end that does not answer"
             return fail("component", snapshot.where, message, remedies.words("hung first", paths=" and ".join(paths)))
+        elif remedies.may_be_lost(e, snapshot.node.endpoint):
+            message = f"answers small questions, but not when asked for {snapshot.asking}: large packets are lost on the way, perhaps"
         return fail("component", snapshot.where, message, remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
     return fail("component", snapshot.where, f"does not report {snapshot.asking} ({reason(e)})",
                 remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
@@ -142,7 +164,7 @@ def _refusing(snapshot, number, e, endpoint):
 
 # ---- execution contexts ---------------------------------------------------------------------------------------
 
-def _contexts(snapshot):
+def _contexts(snapshot, log):
     """Errors, and what keeps a component from being executed."""
     if not snapshot.contexts:
         return [fail("context", snapshot.where, "has no execution context: nothing executes it", _restart(snapshot))]
@@ -152,7 +174,8 @@ def _contexts(snapshot):
             message = f"its execution context {index} belongs to another component, which does not answer"
             found.append(warn("context", snapshot.where, message, remedies.words("look at contexts", path=shell_word(snapshot.where))))
         elif state == "Error":
-            found.append(fail("component", snapshot.where, "in Error",
+            message = "in Error" + (f"; its process writes its log to {log}" if log else "")
+            found.append(fail("component", snapshot.where, message,
                               remedies.command("reset", option=remedies.option(index), path=snapshot.where)))
     active = [str(index) for index, state in enumerate(snapshot.states) if state == "Active"]
     if len(active) > 1:

@@ -1,7 +1,7 @@
 """Composites with dead members: such a composite ends, or stops, as soon as somebody uses it."""
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb
-from rtshell_lite.doctor import remedies
+from rtshell_lite.corba import lanes, liveness, orb
+from rtshell_lite.doctor import limits, remedies
 from rtshell_lite.doctor.finding import fail, published, reason, warn
 from rtshell_lite.robot import composites, tree
 from rtshell_lite.text import printable
@@ -15,6 +15,9 @@ def findings(snapshots):
     for snapshot, answer in zip(candidates, answers):
         where = snapshot.where
         if isinstance(answer, errors.Error):
+            if answer.why == lanes.NO_TIME:
+                found.append(limits.late("composite", where))
+                continue
             message = f"does not report its members ({reason(answer)})"
             found.append(warn("composite", where, message, remedies.of_silence(answer, snapshot.node.endpoint, where)))
             continue
@@ -31,6 +34,8 @@ def _may_be_composite(snapshot):
 
 def _lost(snapshot, error, ref):
     shown = printable(published(ref))
+    if error.why == lanes.NO_TIME:
+        return limits.late("composite", snapshot.where)
     if liveness.shows_death(error, orb.endpoint(ref)):
         return fail("composite", snapshot.where, "one of its members is dead: nothing answers at " + shown,
                     remedies.words("restart composite", port=snapshot.node.endpoint[1]))

@@ -2,12 +2,12 @@
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb
-from rtshell_lite.doctor import networks, remedies, services
-from rtshell_lite.doctor.finding import fail, reason, warn
-from rtshell_lite.robot import connectors, places, ports
+from rtshell_lite.corba import lanes, liveness, orb
+from rtshell_lite.doctor import limits, networks, remedies, services
+from rtshell_lite.doctor.finding import fail, listed, reason, warn
+from rtshell_lite.robot import component, connectors, places, ports
 from rtshell_lite.system import capture
-from rtshell_lite.text import printable
+from rtshell_lite.text import printable, shell_word
 
 # One connection as its first end has it: the Snapshot of a component, its ports.Port, the ports.Connector.
 Link = collections.namedtuple("Link", "snapshot port connector")
@@ -28,7 +28,7 @@ def findings(snapshots):
             again = _again(link, ends)
             troubles = _troubles(again, ends) if again else []
         found += troubles
-    return sorted(found + _forgotten(snapshots), key=lambda finding: finding.path)
+    return sorted(found + _forgotten(snapshots) + _unserved(snapshots), key=lambda finding: finding.path)
 
 
 def _forgotten(snapshots):
@@ -56,6 +56,28 @@ def _served(snapshot, port, connector):
             continue
         if ref is not None and orb.endpoint(ref) != snapshot.node.endpoint:
             yield ref
+
+
+def _unserved(snapshots):
+    """Findings on consumers without a connection, for which there is a provider that nobody uses: one of them was started again.
+
+    Only those that have lost a connection, or whose component is Active: others may be on their way.
+    """
+    free = [(snapshot, port) for snapshot in snapshots for port in snapshot.ports
+            if port.type == "CorbaPort" and not port.connectors]
+    found = []
+    for snapshot, port in free:
+        if port not in snapshot.dropped and component.merged(snapshot.states) != "Active":
+            continue
+        wanted = {interface.type_name for interface in port.interfaces if interface.polarity == "Required"}
+        fitting = [ports.label(other) for _, other in free for interface in other.interfaces
+                   if interface.polarity == "Provided" and interface.type_name in wanted]
+        if fitting:
+            message = f"requires {printable(' and '.join(sorted(wanted)))} and is not connected, though {listed(fitting)} " \
+                      "provides it to nobody"
+            found.append(warn("connection", ports.label(port), message, remedies.words(
+                "connect provider", one=shell_word(ports.label(port)), other=shell_word(fitting[0]))))
+    return found
 
 
 def _links(snapshots):
@@ -152,9 +174,11 @@ def _redo(link, others):
 
 def _lost(link, where, end, undo):
     """The far end of a connection does not answer."""
+    if end.error.why == lanes.NO_TIME:
+        return limits.late("connection", where)
     name, endpoint, homes = _name(end), orb.endpoint(end.ref), networks.homes_of(link.snapshot.node.ref)
     misled = networks.misled("connection", where, end.ref, homes)
-    if misled:
+    if misled and misled.level == "fail":
         return misled._replace(message="the far end of a connection " + misled.message)
     if liveness.shows_death(end.error, endpoint) and networks.is_certain(end.ref, homes):
         return fail("connection", where, f"the far end of a connection is dead (at {name})", undo)

@@ -21,18 +21,22 @@ def examine(tops=(), compare=None, seconds=0):
     seconds  how long to measure rates, by connecting to an out port of each active component; 0: do not
     """
     lanes.session.end = time.monotonic() + STEPS * lanes.session.timeout
+    starved = limits.starved()
     try:
         for findings in _steps(tops, compare, seconds):
+            before, starved = starved, limits.starved()
+            if lanes.session.end is not None:  # what was late here is no silence of others
+                lanes.session.end += starved - before
             if lanes.session.shortage:
                 raise lanes.session.shortage
-            yield findings
+            yield limits.left_out(findings)
     except errors.Shortage as e:
         yield [limits.lack(e)]
     except MemoryError:
         yield [limits.lack(errors.Shortage("memory", "no more can be had"))]
     finally:
         lanes.session.shortage = None
-        addresses.arrives.cache_clear()
+        addresses.forget()
         lanes.session.end = None  # other commands may follow in this process
 
 
@@ -63,7 +67,8 @@ def _robot(tops, seconds, stated):
     examined = components.examined(nodes)
     links, managed, members = connections.findings(examined), managers.findings(nodes), composites.findings(examined)
     hung = sorted((node for node in nodes if node.kind == "silent"), key=lambda node: str(node.path))
-    yield components.findings(examined, _rates(examined, seconds) if seconds else {}, hung, stated)
+    rates = _rates(examined, seconds) if seconds else {}
+    yield components.findings(examined, rates, hung, stated, components.logs(examined, nodes))
     yield members
     yield links
     yield managed

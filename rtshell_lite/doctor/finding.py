@@ -1,9 +1,14 @@
 """What an examination finds, each in one line."""
 import collections
+import re
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
+from rtshell_lite.doctor import addresses
 from rtshell_lite.text import printable
+
+LEVELS = ("fail", "warn", "ok")
+MANY, SHOWN = 3, 3  # warnings that are joined, and paths that are named in one line
 
 HERE = "here"  # in the place of a path: this host and this shell
 
@@ -28,8 +33,52 @@ def fail(check, path, message, remedy):
 
 
 def published(ref):
-    """The addresses that a reference publishes, decoded from its IOR: `192.0.2.1:4000, 127.0.0.1:4000`."""
-    return ", ".join(f"{printable(host)}:{port}" for host, port in orb.addresses(ref)) or "no TCP address"
+    """The addresses that a reference publishes, decoded from its IOR: `192.0.2.1:4000, robot1:4000 (192.0.2.1)`."""
+    return ", ".join(f"{printable(host)}:{port}" + meaning(host) for host, port in orb.addresses(ref)) or "no TCP address"
+
+
+def sorted_by_level(findings):
+    """The Findings, failures first, then warnings, each in their order."""
+    return sorted(findings, key=lambda finding: LEVELS.index(finding.level))
+
+
+def grouped(findings):
+    """The Findings, failures first, then warnings; warnings that are alike but for numbers, from MANY on, are one with their paths.
+
+    Commands are not grouped: each is to be pasted.
+    """
+    groups = collections.OrderedDict()
+    for number, finding in enumerate(sorted_by_level(findings)):
+        alone = finding.level != "warn" or finding.remedy.startswith(("rt", "unset"))
+        groups.setdefault(number if alone else (finding.check, re.sub("[0-9]+", "0", finding.message)), []).append(finding)
+    for group in groups.values():
+        yield from group if len(group) < MANY else [_joined(group)]
+
+
+def _joined(group):
+    first, *others = group
+    return first._replace(message=f"{first.message}; the same with {listed(finding.path for finding in others)}")
+
+
+def listed(paths):
+    """`a`, `a and b`, `a, b, c and 7 more`."""
+    paths = list(paths)
+    shown, rest = paths[:SHOWN], paths[SHOWN:]
+    if rest:
+        return f"{', '.join(shown)} and {len(rest)} more"
+    return " and ".join([", ".join(shown[:-1]), shown[-1]] if shown[1:] else shown)
+
+
+def meaning(host):
+    """What the name of a host means here: ` (192.0.2.1)`, ` (127.0.1.1, this host)`; empty for IP addresses and localhost."""
+    if host == "localhost" or addresses.is_numeric(host):
+        return ""
+    try:
+        known = addresses.resolve(host)
+    except errors.Error:
+        return ""
+    here = ", this host" if any(addresses.is_own(address) for address in known) else ""
+    return f" ({', '.join(known)}{here})"
 
 
 def counted(number, noun):

@@ -29,7 +29,7 @@ def findings():
     if lacking:
         return found + lacking
     found += _settings(started=found[-1].level != "fail")
-    return found + _host_name() + _localhost() + _name_servers() + _working_directory() + _mounts()
+    return found + _host_name() + _localhost() + _name_servers() + _patience() + _working_directory() + _mounts()
 
 
 # ---- programs -------------------------------------------------------------------------------------------------
@@ -177,6 +177,15 @@ def _localhost():
 
 
 # ---- our environment ------------------------------------------------------------------------------------------
+
+def _patience():
+    """RTSHELL_TIMEOUT: less than a cycle of many components, and a network's repetition of a lost packet, seems to be silence."""
+    value = os.environ.get("RTSHELL_TIMEOUT", "")
+    if not value or 1000 * lanes.session.timeout >= LEAST_PATIENCE:
+        return []
+    message = f"RTSHELL_TIMEOUT is {printable(value)}: what answers after {lanes.session.timeout:g} s is taken for silent"
+    return [warn("RTSHELL_TIMEOUT", HERE, message, remedies.command("unset", variable="RTSHELL_TIMEOUT"))]
+
 
 def _name_servers():
     """RTCTREE_NAMESERVERS: HOST[:PORT], separated by semicolons."""

@@ -5,8 +5,10 @@ import threading
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes
 from rtshell_lite.doctor import remedies
-from rtshell_lite.doctor.finding import HERE, fail
+from rtshell_lite.doctor.finding import HERE, MANY, counted, fail, listed
+from rtshell_lite.text import shell_word
 
+LATE = "slow: " + lanes.NO_TIME
 FILES, THREADS = 64, 8  # what an examination of a small system needs at a time
 
 # How to see or raise what is scarce.
@@ -28,6 +30,30 @@ def lack(shortage):
     what, why = shortage.args
     return fail("limit", HERE, f"out of {what} here ({why}): nothing can be judged",
                 remedies.words("raise limit", what=what, command=COMMANDS[what]))
+
+
+def starved():
+    """Seconds for which this thread could have run, but its host was too busy to let it; 0.0 if the kernel does not report that."""
+    try:
+        with open("/proc/thread-self/schedstat") as file:  # Documentation/scheduler/sched-stats.rst of Linux
+            return int(file.read().split()[1]) / 1e9
+    except (OSError, ValueError, IndexError):
+        return 0.0
+
+
+def late(check, where):
+    """The Finding on what could not be asked in the time that an examination has, which is `where`, as text."""
+    return fail(check, where, LATE, remedies.words("more time", path=shell_word(where)))
+
+
+def left_out(findings):
+    """The Findings, with one in the place of all, if there are many, on what there was no time for."""
+    missed = [finding for finding in findings if finding.message == LATE]
+    if len(missed) < MANY:
+        return findings
+    what = "name" if missed[0].check == "reference" else missed[0].check
+    message = f"{counted(len(missed), what)} not looked at, as there was no time left: {listed(finding.path for finding in missed)}"
+    return [finding for finding in findings if finding.message != LATE] + [fail("limit", HERE, message, remedies.words("in parts"))]
 
 
 def _files():

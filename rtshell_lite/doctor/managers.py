@@ -1,7 +1,7 @@
 """Each manager: whether it answers, and whether what it lists lives."""
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, tasks
-from rtshell_lite.doctor import networks, remedies
+from rtshell_lite.doctor import limits, networks, remedies
 from rtshell_lite.doctor.finding import counted, fail, ok, published, reason
 from rtshell_lite.robot import component, tree
 from rtshell_lite.text import shell_word
@@ -31,7 +31,7 @@ def _is_of_network(node, homes):
 def _troubles(node, answer):
     where, word = str(node.path), shell_word(str(node.path))
     if isinstance(answer, errors.Error) and answer.why == lanes.NO_TIME:
-        return [fail("manager", where, "slow: " + lanes.NO_TIME, remedies.words("more time", path=word))]
+        return [limits.late("manager", where)]
     if isinstance(answer, errors.Error):
         both = isinstance(answer, errors.Silent)
         restart = remedies.words("restart manager or slave" if both else "restart", port=node.endpoint[1])
@@ -48,7 +48,9 @@ def _troubles(node, answer):
         misled = networks.misled("manager", where, child.ref, homes)
         if misled:
             found.append(misled._replace(message=what + misled.message))
-        elif child.kind in ("zombie", "silent") and _is_of_network(child, homes):
+        if misled and misled.level == "fail":
+            continue
+        if child.kind in ("zombie", "silent") and _is_of_network(child, homes):
             message = what + f"cannot be reached from here ({reason(child.error)})"
             found.append(fail("manager", where, message, remedies.network(child.endpoint)))
         elif child.kind == "zombie":

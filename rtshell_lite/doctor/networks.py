@@ -1,4 +1,5 @@
 """What the addresses that references publish mean: to this host, and to the one where the references are bound."""
+import collections
 import fcntl
 import ipaddress
 import socket
@@ -16,6 +17,8 @@ SIOCGIFADDR, SIOCGIFNETMASK = 0x8915, 0x891b  # of Linux
 def misled(check, where, ref, homes, elsewhere=""):
     """The Finding on an object that publishes addresses at which others do not find it, or None.
 
+    One that is a warning must not hide what is worse: only after a failure is nothing else to be known from here.
+
     homes      IP addresses of what knows the object: the name server that it is bound in, its manager, the near end of a connection
     elsewhere  an address of another host that takes part in the system, '' if all of it is on one
     """
@@ -23,6 +26,9 @@ def misled(check, where, ref, homes, elsewhere=""):
     if not offered or not homes:
         return None
     shown = published(ref)
+    if all(addresses.is_incomplete(host) for host, _ in offered):
+        message = f"publishes {shown}, of one link only (IPv6), which means nothing without an interface"
+        return fail(check, where, message, _another_address(homes[0]))
     if all(_is_loopback(host) for host, _ in offered):
         if all(addresses.is_loopback(home) for home in homes):
             message = f"publishes {shown}: only this host can reach it, and {printable(elsewhere)} takes part in the system"
@@ -33,9 +39,11 @@ def misled(check, where, ref, homes, elsewhere=""):
     if all(addresses.is_loopback(home) for home in homes):
         return None  # it is known on this host; whether others know it cannot be seen
     numeric = _numeric(offered)
-    if not is_apart(ref, homes) or here and not all(addresses.is_own(address) for address in numeric):
+    if not is_apart(ref, homes):
         return None
-    if here:
+    if here:  # an address of another interface is one of this host
+        if not elsewhere or not all(addresses.is_own(address) for address in numeric):
+            return None
         message = f"publishes {shown}, of another network than {homes[0]}: what finds it there may not reach it"
         return warn(check, where, message, _another_address(homes[0]))
     if any(addresses.is_own(address) for address in numeric):
@@ -45,12 +53,25 @@ def misled(check, where, ref, homes, elsewhere=""):
 
 
 def is_certain(ref, homes):
-    """True if the addresses of `ref` mean the same host here as to what published them: those of private networks may not."""
+    """True if the addresses of `ref` mean the same host here as to what published them.
+
+    Those of private networks may not, nor may a name that means this host here.
+    """
+    if names_here(ref, homes):
+        return False
     for address in _numeric(orb.addresses(ref)):
         number = ipaddress.ip_address(address.partition("%")[0])
         if number.is_private and not any(together(home, address) or addresses.is_own(home) for home in homes):
             return False
     return True
+
+
+def names_here(ref, homes):
+    """The host names in `ref` that mean this host here, while none of `homes` is of this host; its process may run on another."""
+    if any(addresses.is_own(home) for home in homes):
+        return []
+    names = [host for host, _ in orb.addresses(ref) if host and host != "localhost" and not addresses.is_numeric(host)]
+    return [name for name in names if any(addresses.is_own(address) for address in _numeric([(name, 0)]))]
 
 
 def is_apart(ref, homes):
@@ -65,12 +86,14 @@ def homes_of(ref):
 
 
 def outside(refs):
-    """The first address that references publish which is not only for this host; '' if there is none."""
-    for ref in refs:
-        for host, _ in orb.addresses(ref):
-            if host and not _is_loopback(host):
-                return host
-    return ""
+    """The first address that references publish which is not of this host; '' if there is none."""
+    offered = collections.OrderedDict((host, None) for ref in refs for host, _ in orb.addresses(ref) if host)
+    return next((host for host in offered if not _is_here(host)), "")
+
+
+def _is_here(host):
+    numeric = () if _is_loopback(host) else _numeric([(host, 0)])
+    return _is_loopback(host) or any(addresses.is_own(address) for address in numeric)
 
 
 def together(one, other):

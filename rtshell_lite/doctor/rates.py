@@ -13,7 +13,9 @@ from rtshell_lite.text import printable, shell_word
 
 TOGETHER = 4  # components of a process measured at a time: fetching their values is work for it
 ENOUGH = 0.9  # of the rate claimed
-DAY = 86400.0  # seconds
+MINUTE, DAY = 60.0, 86400.0  # seconds
+APART = 2  # minutes by which clocks differ
+PIECE = 0.01  # seconds slept at a time, to see how late this process is woken
 
 
 class Watched:
@@ -103,30 +105,42 @@ def _watch(batch, seconds):
     with connection.Opened([watched.reader for watched in batch if watched.reader]) as opened:
         time.sleep(2 * reading.POLL)  # older values may be there
         before = {reader: reader.count for reader in opened.connections}
-        begun = time.monotonic()
-        time.sleep(seconds)
-        spent = time.monotonic() - begun
+        spent, missed = _slept(seconds)
         for watched in batch:
             if watched.reader:
                 watched.count, watched.failure = watched.reader.count - before[watched.reader], watched.reader.failure
-    return [_unmeasured(watched.where, watched.failure) if watched.failure else _finding(watched, spent) for watched in batch]
+    return [_unmeasured(watched.where, watched.failure) if watched.failure else _finding(watched, spent, missed) for watched in batch]
+
+
+def _slept(seconds):
+    """Sleep so long: the time that it took, and how much of that this process was not let run: its host has more to do than it can."""
+    begun, missed = time.monotonic(), 0.0
+    now = begun
+    while now < begun + seconds:
+        piece = min(PIECE, begun + seconds - now)
+        time.sleep(piece)
+        before, now = now, time.monotonic()
+        missed += now - before - piece
+    return now - begun, missed
 
 
 def _clock(watched):
-    """A Finding if the values of a Watched carry times of other days: whatever compares times takes them for old."""
-    away = watched.stamp and (watched.stamp[1] - watched.stamp[0]) / DAY
-    if not away or abs(away) < 1:
+    """A Finding if the values of a Watched carry other times than this host's: whatever compares times takes them for old."""
+    away = watched.stamp and (watched.stamp[1] - watched.stamp[0]) / MINUTE
+    if not away or abs(away) < APART:
         return []
-    message = f"the times in its values are {abs(away):.1f} days {'behind' if away < 0 else 'ahead of'} this host's clock"
+    shown = f"{abs(away):.0f} minutes" if abs(away) < DAY / MINUTE else f"{abs(away) * MINUTE / DAY:.1f} days"
+    message = f"the times in its values are {shown} {'behind' if away < 0 else 'ahead of'} this host's clock"
     return [warn("clock", watched.where, message, remedies.words("clock"))]
 
 
-def _finding(watched, spent):
+def _finding(watched, spent, missed):
+    """What was counted in `spent` seconds, in which this host was too busy for `missed` seconds to let us run, and perhaps others."""
     where, name = watched.where, printable(ports.short_name(watched.port.name, watched.snapshot.node.path.names[-1].id))
     if watched.count < 2:
         return ok("rate", where, "rate not measured: nothing is written to " + name)
     kept = watched.count / spent
-    if watched.count + 1 >= ENOUGH * watched.rate * spent:  # one more may have been on its way
+    if watched.count + 1 >= ENOUGH * watched.rate * (spent - missed):  # one more may have been on its way
         return ok("rate", where, f"keeps {kept:.1f} of {watched.rate:g} Hz (writes to {name})")
     return warn("rate", where, f"keeps {kept:.1f} of {watched.rate:g} Hz, or does not write to {name} in each cycle",
-                remedies.words("load"))
+                remedies.words("load", host=printable(watched.snapshot.node.endpoint[0])))

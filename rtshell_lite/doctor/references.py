@@ -1,7 +1,7 @@
 """Each name in a name server and its reference: where it leads, whether it can be reached, whether its object lives."""
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb
-from rtshell_lite.doctor import here, networks, remedies
+from rtshell_lite.corba import lanes, liveness, orb
+from rtshell_lite.doctor import here, limits, networks, remedies
 from rtshell_lite.doctor.finding import fail, ok, published, reason, warn
 from rtshell_lite.text import printable, shell_word
 
@@ -33,17 +33,22 @@ def _unreachable(visit, node):
         return []  # of another transport
     shown = published(node.ref)
     misled = networks.misled("reference", where, node.ref, visit.addresses, visit.outside)
-    if misled:
+    if misled and misled.level == "fail":
         return [misled]
+    also = [misled] if misled else []
     if node.kind == "zombie":
-        return [_dead(visit, node, shown)]
+        return [_dead(visit, node, shown)] + also
     if node.kind == "silent" or node.kind == "unknown" and _out_of_reach(visit, offered):
-        return [_silent(visit, node, offered, shown)]
-    return _half_reachable(visit, where, offered)
+        return [_silent(visit, node, offered, shown)] + also
+    return also or _half_reachable(visit, where, offered)
 
 
 def _dead(visit, node, shown):
     where = str(node.path)
+    names = networks.names_here(node.ref, visit.addresses)
+    if names:
+        message = f"cannot tell from here whether it lives: {shown} may mean another host where it runs, and this one refuses"
+        return fail("reference", where, message, remedies.words("name of this host", host=printable(names[0])))
     if not networks.is_certain(node.ref, visit.addresses):
         message = f"cannot tell from here whether it lives: {shown} is of another network than its name server, and the host that " \
                   "has that address here refuses"
@@ -58,21 +63,32 @@ def _dead(visit, node, shown):
 def _silent(visit, node, offered, shown):
     """An object that does not answer: because of its host, the network, its process, or itself."""
     where, rule = str(node.path), here.transport_rule()
+    if node.error is not None and node.error.why == lanes.NO_TIME:
+        return limits.late("reference", where)
     if _out_of_reach(visit, offered):
         failure = visit.probes[offered[0]]
         if isinstance(failure, errors.ConnectionRefused) and networks.is_certain(node.ref, visit.addresses):
             return _refused(where, offered[0], shown)
+        if failure.why == errors.NO_USABLE_ADDRESS or not networks.homes_of(node.ref):
+            message = f"cannot tell from here whether it lives: publishes {shown}, a host name that is not known here"
+            return fail("reference", where, message, remedies.words("name in reference", host=printable(offered[0][0])))
         apart = ", of another network than its name server" if networks.is_apart(node.ref, visit.addresses) else ""
         message = f"cannot tell from here whether it lives: publishes {shown}{apart}, out of reach ({reason(failure)})"
         return fail("reference", where, message, remedies.network(offered[0]))
     if rule and reason(node.error) == errors.NO_USABLE_ADDRESS:
         return fail("reference", where, f"at {shown}: TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
+    if reason(node.error).startswith("garbled"):
+        message = f"what listens at {shown} does not speak CORBA ({reason(node.error)})"
+        return fail("reference", where, message, remedies.words("who listens instead", port=offered[0][1]))
     if remedies.is_of_network(node.error, offered[0]):
         what = "TCP connects, but what is sent is not received" if isinstance(node.error, errors.Silent) else reason(node.error)
         return fail("reference", where, f"cannot tell from here whether it lives: at {shown}, {what}",
                     remedies.network(offered[0]))
+    if isinstance(node.error, errors.Refused):
+        return fail("reference", where, f"at {shown}, answers the question whether it is there with {reason(node.error)}",
+                    remedies.words("exception", port=offered[0][1]))
     return fail("reference", where, f"hung: {shown} accepts TCP, but {reason(node.error)}",
-                remedies.of_silence(node.error, offered[0], where))
+                remedies.words("restart", port=offered[0][1]))
 
 
 def _refused(where, endpoint, shown):

@@ -44,8 +44,15 @@ WORDS = {
     "clock": "compare the clocks (date, here and there) and set the wrong one: timedatectl",
     # the network
     "network": "look at what is between here and {host}: firewall (port {port}), route (ip route get {host}), MTU and loss (ping {host})",
+    "large packets": "ping -M do -s 1472 {host}, here and there back, shows whether large packets come through: if not, correct the "
+                     "MTU on the way; if they do, it hangs: netstat -ltnp | grep :{port} there names its process",
     "firewall": "netstat -ltnp | grep :{port} there shows whether its process runs: if so, let this host through its firewall; "
                 "if not, start it again",
+    "name in reference": "write the address of {host} into /etc/hosts here, or have its process publish an address: corba.endpoints "
+                         "in rtc.conf",
+    "name of this host": "see what {host} means where its process runs, and have that publish an address: corba.endpoints in rtc.conf",
+    "exception": "see what it writes into its log; netstat -ltnp | grep :{port} there names its process",
+    "who listens instead": "netstat -ltnp | grep :{port} there names what listens; the component that had this port is gone, or elsewhere",
     "host name": "correct the name, or write its address into /etc/hosts",
     "host file": "write its address into /etc/hosts",
     "slow": "ping {host}",
@@ -56,6 +63,9 @@ WORDS = {
     "start name server": "start the name server: rtm-naming {port}",
     "start name server there": "netstat -ltnp | grep :{port} there shows whether it runs: if so, let this host through its firewall; "
                                "if not: rtm-naming {port}",
+    "other port": "see whether it is the name server (rtls {server}), and correct the address; if not: rtm-naming {port} there",
+    "bind again": "look again in some time, as many bind their names again by themselves (naming.update.enable); restart those that "
+                  "do not",
     "restart name server": "restart the name server that has it",
     "restart": "restart it; netstat -ltnp | grep :{port} there names its process",
     "correct port": "correct the port; netstat -ltnp | grep omniNames there shows it",
@@ -67,17 +77,20 @@ WORDS = {
     "name taken": "restart the component that should have this name; if none should: rtdel {path}",
     # components
     "more time": "ask it with more time: rtdoctor --timeout 30 {path}",
+    "in parts": "examine the system in parts (rtdoctor PATH), or with more time: rtdoctor --timeout 30",
     "others first": "mend those first, then: rtdoctor {path}",
     "hung first": "mend {paths} first",
     "look at contexts": "look at its contexts: rtec {path}",
     "active once": "see whose they are (rtec {path}), and leave all but one: rtdeact -e N {path}",
+    "activate": "if it is to move, activate it: rtact {path}",
     "activate many": "activate those that are to move (rtact), or the whole system by its file (rtstart)",
     "restart composite": "restart its process, with all members alive (rtcomp cannot remove a dead one); "
                          "netstat -ltnp | grep :{port} there names it",
-    "load": "look for what takes the time of its host, or of the component itself: top",
+    "load": "look for what takes the time of its host, or of the component itself (top there), or what is lost on the way (ping {host})",
     "measure again": "measure it alone: rtec --measure {path}",
     # connections
     "connect again": "disconnect it (rtdis -i {id} {port}), then connect its ends again: rtcon",
+    "connect provider": "if they belong together, connect them again: rtcon {one} {other}",
     "restart its process": "restart the process of the far end; netstat -ltnp | grep :{port} there names it",
     "restart far end": "restart the far end and connect it again: rtcon",
     # managers
@@ -132,7 +145,7 @@ def network(endpoint):
 
 
 def of_silence(e, endpoint, path, restart=None):
-    """The Remedy for an errors.Error of a process at `endpoint` that has not answered, or badly.
+    """The Remedy for an errors.Error of a process at `endpoint` that has not answered a question with a large answer, or badly.
 
     Only if a call is known to have reached it is it to be restarted; `restart` is the Remedy then.
     """
@@ -140,7 +153,14 @@ def of_silence(e, endpoint, path, restart=None):
         return words("more time", path=shell_word(path))
     if is_of_network(e, endpoint):
         return network(endpoint)
+    if may_be_lost(e, endpoint):
+        return words("large packets", host=printable(endpoint[0]), port=endpoint[1])
     return restart or words("restart", port=endpoint[1])
+
+
+def may_be_lost(e, endpoint):
+    """True if the errors.Error of a process may mean that its answer was too large for the network on the way."""
+    return isinstance(e, errors.Silent) and e.why != lanes.NO_TIME and addresses.loses_large(endpoint)
 
 
 def is_of_network(e, endpoint):

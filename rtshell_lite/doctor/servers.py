@@ -5,8 +5,8 @@ import time
 from rtshell_lite import errors, path
 from rtshell_lite.corba import lanes, orb
 from rtshell_lite.doctor import addresses, here, networks, references, remedies
-from rtshell_lite.doctor.finding import fail, ok, reason, warn
-from rtshell_lite.robot import aliases, tree
+from rtshell_lite.doctor.finding import counted, fail, listed, ok, reason, warn
+from rtshell_lite.robot import aliases, manager, tree
 from rtshell_lite.text import printable, shell_word
 
 SLOW = 1.0  # seconds: a step that takes longer makes every command slow
@@ -25,8 +25,20 @@ def visits(tops):
     for top in sorted(tops, key=str):
         by_server.setdefault(top.server, []).append(top)
     places = [path.Path(server, (), None, False) for server in by_server]
-    answers = tree.at_each(places, lambda place: _visit(place, by_server[place.server]))
+    used = _ports(places)
+    answers = tree.at_each(places, lambda place: _visit(place, by_server[place.server], used))
     return [_too_late(place, visit) if isinstance(visit, errors.Error) else visit for place, visit in zip(places, answers)]
+
+
+def _ports(places):
+    """The TCP ports of the name servers at some Paths."""
+    found = set()
+    for place in places:
+        try:
+            found.add(tree.resolve(place).endpoint[1])
+        except errors.Error:  # which a visit reports
+            continue
+    return found - {None}
 
 
 def _too_late(place, e, findings=()):
@@ -36,9 +48,10 @@ def _too_late(place, e, findings=()):
     return Visit(place, [], list(findings) + [late], [], {}, aliases.Known(), "")
 
 
-def _visit(place, tops):
+def _visit(place, tops, used):
+    """The Visit to one name server; `used` are the ports of all."""
     visit = Visit(place, [], [], [], {}, aliases.Known(), "")
-    if not _reach(visit, tree.resolve(place)):
+    if not _reach(visit, tree.resolve(place), used):
         return visit
     for top in tops:
         known = {node.path for node in visit.nodes}
@@ -51,17 +64,35 @@ def _visit(place, tops):
         if isinstance(failure, errors.Error):
             return _too_late(place, failure, visit.findings)
     visit.nodes[:] = looked
+    if not any(node.kind not in ("root", "server", "directory") for node in looked) and any(not top.names for top in tops):
+        visit.findings.extend(_unbound(visit))
     visit.probes.update(probes)
     return visit._replace(outside=networks.outside(node.ref for node in looked if node.kind in ("component", "manager")))
 
 
 # ---- the name server itself -----------------------------------------------------------------------------------
 
-def _reach(visit, server):
+def _unbound(visit):
+    """Findings on components that live though the name server has nothing: it was started again, and they were not."""
+    host = orb.endpoint(tree.resolve(visit.path).ref)[0]
+    where = str(visit.path)
+    word = "corbaloc::%s:%d/manager" % (f"[{host}]" if ":" in host else host, manager.DEFAULT_PORT)
+    try:
+        living = manager.components(manager.find(word))
+    except errors.Error:
+        return []
+    if not living:
+        return []
+    message = f"has no names, though a manager at port {manager.DEFAULT_PORT} of its host has {counted(len(living), 'component')} " \
+              f"({listed(printable(name) for name, _ in living)}): it was started again, perhaps, and they were not"
+    return [warn("name server", where, message, remedies.words("bind again"))]
+
+
+def _reach(visit, server, used):
     """Reach a name server step by step; False when a step fails. Adds its findings."""
     where, times = str(server.path), []
     try:
-        _transport(visit, server.endpoint, times)
+        _transport(visit, server.endpoint, times, used)
         _timed(times, "CORBA", lambda: _is_there(where, server.ref))
         _timed(times, "naming", lambda: _is_context(where, server.ref))
     except _Stop as stop:
@@ -73,8 +104,17 @@ def _reach(visit, server):
         cure = remedies.words("host file" if slow == ["name"] else "slow", host=printable(server.endpoint[0]))
         visit.findings.append(warn("name server", where, f"slow ({shown})", cure))
     else:
-        visit.findings.append(ok("name server", where, f"answers ({shown})"))
+        visit.findings.append(ok("name server", where, f"answers ({shown}){_used(visit, server.endpoint[0])}"))
     return True
+
+
+def _used(visit, host):
+    """The address at which a name server that is given by a host name was reached, and what else that name means."""
+    if host == "localhost" or not visit.addresses or addresses.is_numeric(host):
+        return ""
+    used, *others = visit.addresses
+    here = ", this host" if addresses.is_own(used) else ""
+    return f" at {used}{here}" + (f"; {printable(host)} also means {', '.join(others)}" if others else "")
 
 
 class _Stop(Exception):
@@ -92,7 +132,7 @@ def _timed(times, name, step):
     return value
 
 
-def _transport(visit, endpoint, times):
+def _transport(visit, endpoint, times, used):
     """Name and TCP; addresses of other protocols than IIOP (http://…, ssliop:…) are left to the ORB."""
     host, port = endpoint
     address = visit.path.server
@@ -105,8 +145,13 @@ def _transport(visit, endpoint, times):
         raise _Stop(where, f"host name {shown} not known here ({reason(e)})",
                     remedies.words("host name"))
     try:
-        _timed(times, "TCP", lambda: addresses.connect(visit.addresses, port))
+        address = _timed(times, "TCP", lambda: addresses.connect(visit.addresses, port))
+        visit.addresses.sort(key=address.__ne__)  # the one that was used first
     except errors.ConnectionRefused:
+        other = _other_port(visit, port, used)
+        if other:
+            raise _Stop(where, f"connection refused: nothing listens on port {port}, but something does on port {other} of that host",
+                        remedies.words("other port", server=shell_word("/%s:%d" % (host, other)), port=port))
         if any(addresses.is_own(address) for address in visit.addresses):
             raise _Stop(where, f"connection refused: nothing listens on port {port} here", remedies.words("start name server", port=port))
         raise _Stop(where, f"connection refused: {shown} runs, but nothing listens on port {port}, or a firewall refuses",
@@ -114,6 +159,17 @@ def _transport(visit, endpoint, times):
     except errors.Error as e:
         raise _Stop(where, f"no TCP connection to {visit.addresses[0]} port {port} ({reason(e)})",
                     remedies.network(endpoint))
+
+
+def _other_port(visit, port, used):
+    """Another port of name servers, of those given, at which this host accepts connections; None if there is none."""
+    for other in sorted(used - {port}):
+        try:
+            addresses.connect(visit.addresses, other)
+        except errors.Error:
+            continue
+        return other
+    return None
 
 
 def _is_there(where, ref):
@@ -126,7 +182,7 @@ def _is_there(where, ref):
     except errors.Silent as e:
         if remedies.is_of_network(e, endpoint):
             raise _Stop(where, "cannot tell from here: TCP connects, but what is sent is not received", remedies.network(endpoint))
-        raise _Stop(where, f"hung: accepts TCP, but {reason(e)}", remedies.of_silence(e, endpoint, where))
+        raise _Stop(where, f"hung: accepts TCP, but {reason(e)}", _restart(e, where, port))
     except errors.Unreachable as e:
         if rule and reason(e) == errors.NO_USABLE_ADDRESS:
             raise _Stop(where, f"TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
@@ -141,12 +197,18 @@ def _is_there(where, ref):
                     remedies.words("correct port"))
 
 
+def _restart(e, where, port):
+    if e.why == lanes.NO_TIME:
+        return remedies.words("more time", path=shell_word(where))
+    return remedies.words("restart", port=port)
+
+
 def _is_context(where, ref):
     try:
         is_context = orb.call(where, ref, "_is_a", _NAMING_CONTEXT)
     except errors.Error as e:
         raise _Stop(where, f"is there, but does not report what it is ({reason(e)})",
-                    remedies.of_silence(e, orb.endpoint(ref), where))
+                    _restart(e, where, orb.endpoint(ref)[1]))
     if not is_context:
         raise _Stop(where, "its object NameService is no naming context", remedies.words("correct or restart"))
 

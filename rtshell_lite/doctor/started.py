@@ -1,24 +1,34 @@
 """Whether the system has been started: all of it, or all but what was reset."""
+import collections
+
 from rtshell_lite.corba import orb
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import counted, warn
 from rtshell_lite.robot import component
+from rtshell_lite.text import shell_word
 
 MANY = 10  # components that one command activates
 
 
-def findings(snapshots):
-    """Findings on Inactive components, given their Snapshots, in order."""
+def findings(snapshots, failed):
+    """Findings on Inactive components, given their Snapshots, in order; `failed` are the paths of components with a failure.
+
+    A system is what is connected. One with a failure is not judged: what is Inactive there may wait for it.
+    """
     answered = [(snapshot, component.merged(snapshot.states)) for snapshot in snapshots if snapshot.states]
-    if answered and all(state == "Inactive" for _, state in answered):
+    if not failed and answered and all(state == "Inactive" for _, state in answered):
         return [_nothing_moves([snapshot for snapshot, _ in answered])]
+    groups, states = _connected(snapshots), {id(snapshot): state for snapshot, state in answered}
     found = []
-    for snapshot, others in _systems(answered):
-        active = sum(state == "Active" for state in others)
+    for snapshot, state in answered:
+        group = groups[id(snapshot)]
+        if state != "Inactive" or any(other.where in failed for other in group):
+            continue
+        active = collections.Counter(states.get(id(other)) for other in group)["Active"]
         if active:
             message = f"Inactive, while {counted(active, 'component')} of its system {'is' if active == 1 else 'are'} Active; it may " \
                       "have been reset"
-            found.append(warn("component", snapshot.where, message, remedies.command("activate", option=[], path=snapshot.where)))
+            found.append(warn("component", snapshot.where, message, remedies.words("activate", path=shell_word(snapshot.where))))
     return found
 
 
@@ -26,22 +36,6 @@ def _nothing_moves(snapshots):
     cure = remedies.words("activate many") if len(snapshots) > MANY else remedies.command(
         "activate", option=[], path=[snapshot.where for snapshot in snapshots])
     return warn("component", "/", "all components are Inactive: nothing has been started", cure)
-
-
-def _systems(answered):
-    """(Snapshot, states of the others in its system) for each that is Inactive.
-
-    Its system is what is connected with it; without connections, what is bound in the same directory.
-    """
-    groups = _connected([snapshot for snapshot, _ in answered])
-    for snapshot, state in answered:
-        if state != "Inactive":
-            continue
-        group = groups[id(snapshot)]
-        if len(group) == 1:
-            group = [other for other, _ in answered if other.node.path.parent() == snapshot.node.path.parent()]
-        members = {id(other) for other in group}
-        yield snapshot, [state for other, state in answered if id(other) in members and other is not snapshot]
 
 
 def _connected(snapshots):

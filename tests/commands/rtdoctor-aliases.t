@@ -6,11 +6,11 @@ world: zombie 1 --nameserver localhost:$PORT2
 
   $ doctor() { rtdoctor "$@" | grep -v -e ' here: ' -e 'ok    .*answers' -e 'Inactive'; }
   $ doctor
+  warn  /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc: somebody else's name: this component calls itself test.host_cxt/Inner0.rtc; try: restart the component that should have this name; if none should: rtdel /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc
   ok    /localhost:$PORT/test.host_cxt/again.cxt/loop.cxt: an alias: the same directory as /localhost:$PORT/test.host_cxt/again.cxt
   ok    /localhost:$PORT/test.host_cxt/far0.cxt: an alias: a directory of the name server at localhost:$PORT2, which is examined by: rtdoctor localhost:$PORT2
   ok    /localhost:$PORT/test.host_cxt/real.cxt: an alias: the same directory as /localhost:$PORT/test.host_cxt/again.cxt
   ok    /localhost:$PORT/test.host_cxt/top.cxt: an alias: the same directory as /localhost:$PORT
-  warn  /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc: somebody else's name: this component calls itself test.host_cxt/Inner0.rtc; try: restart the component that should have this name; if none should: rtdel /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc
   0 failed, 3 to be looked at, 8 ok
   $ doctor --json | grep alias | head -1
   {"check": "context", "level": "ok", "message": "an alias: the same directory as /localhost:$PORT/test.host_cxt/again.cxt", "path": "/localhost:$PORT/test.host_cxt/again.cxt/loop.cxt", "remedy": ""}
@@ -34,8 +34,8 @@ What is only empty, or dead, behind several names is nobody's to delete:
   ok    /localhost:$PORT/test.host_cxt/far0.cxt: an alias: a directory of the name server at localhost:$PORT2, which is examined by: rtdoctor localhost:$PORT2
   0 failed, 1 to be looked at, 4 ok
   $ doctor -q localhost:$PORT2
-  warn  /localhost:$PORT2/test.host_cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT2/test.host_cxt
   fail  /localhost:$PORT2/test.host_cxt/Mock0.rtc: dead (zombie): nothing listens at 127.0.0.1:*; try: rtdel -z /localhost:$PORT2/test.host_cxt/Mock0.rtc (glob)
+  warn  /localhost:$PORT2/test.host_cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT2/test.host_cxt
 
 With the last but one name gone it is what it was:
 

@@ -80,32 +80,24 @@ A context that claims more than it keeps: with --measure an out port of each act
 
   $ rtact --wait ../rates.host_cxt/Fast0.rtc ../rates.host_cxt/Deaf0.rtc ../rates.host_cxt/Calm0.rtc ../many.host_cxt/A0.rtc
   $ within 1-4 rtdoctor --measure ../rates.host_cxt ../many.host_cxt/A0.rtc | grep rtc
+  warn  /localhost:$PORT/rates.host_cxt/Fast0.rtc: keeps * of 1000 Hz, or does not write to out in each cycle; try: look for what takes the time of its host, or of the component itself (top there), or what is lost on the way (ping 127.0.0.1) (glob)
   ok    /localhost:$PORT/many.host_cxt/A0.rtc: rate not measured: nothing is written to out
   ok    /localhost:$PORT/many.host_cxt/A0.rtc: Active, claims 1000 Hz, 2 ports, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/rates.host_cxt/Calm0.rtc: keeps * of 10 Hz (writes to out) (glob)
   ok    /localhost:$PORT/rates.host_cxt/Calm0.rtc: Active, claims 10 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/rates.host_cxt/Deaf0.rtc: rate not measured: it has no out port
   ok    /localhost:$PORT/rates.host_cxt/Deaf0.rtc: Active, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
-  warn  /localhost:$PORT/rates.host_cxt/Fast0.rtc: keeps * of 1000 Hz, or does not write to out in each cycle; try: look for what takes the time of its host, or of the component itself: top (glob)
   ok    /localhost:$PORT/rates.host_cxt/Fast0.rtc: Active, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/rates.host_cxt/Lazy0.rtc: rate not measured: it is Inactive
   ok    /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, claims 10 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
-  warn  /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, while 3 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/rates.host_cxt/Lazy0.rtc
   $ rtact --wait ../many.host_cxt/Ports0.rtc; rtdoctor -q --measure ../rates.host_cxt ../many.host_cxt | grep rtc
-  warn  /localhost:$PORT/many.host_cxt/Ports0.rtc: keeps * of 1000 Hz, or does not write to Octet in each cycle; try: look for what takes the time of its host, or of the component itself: top (glob)
-  warn  /localhost:$PORT/rates.host_cxt/Fast0.rtc: keeps * of 1000 Hz, or does not write to out in each cycle; try: look for what takes the time of its host, or of the component itself: top (glob)
-  warn  /localhost:$PORT/many.host_cxt/A1.rtc: Inactive, while 2 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/many.host_cxt/A1.rtc
-  warn  /localhost:$PORT/many.host_cxt/A2.rtc: Inactive, while 2 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/many.host_cxt/A2.rtc
-  warn  /localhost:$PORT/many.host_cxt/A3.rtc: Inactive, while 2 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/many.host_cxt/A3.rtc
-  warn  /localhost:$PORT/many.host_cxt/A4.rtc: Inactive, while 2 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/many.host_cxt/A4.rtc
-  warn  /localhost:$PORT/many.host_cxt/A5.rtc: Inactive, while 2 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/many.host_cxt/A5.rtc
-  warn  /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, while 3 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/rates.host_cxt/Lazy0.rtc
+  warn  /localhost:$PORT/many.host_cxt/Ports0.rtc: keeps * of 1000 Hz, or does not write to Octet in each cycle; try: look for what takes the time of its host, or of the component itself (top there), or what is lost on the way (ping 127.0.0.1) (glob)
+  warn  /localhost:$PORT/rates.host_cxt/Fast0.rtc: keeps * of 1000 Hz, or does not write to out in each cycle; try: look for what takes the time of its host, or of the component itself (top there), or what is lost on the way (ping 127.0.0.1) (glob)
   $ rtdeact --wait ../many.host_cxt/Ports0.rtc; doctor ../rates.host_cxt
   ok    /localhost:$PORT/rates.host_cxt/Calm0.rtc: Active, claims 10 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/rates.host_cxt/Deaf0.rtc: Active, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/rates.host_cxt/Fast0.rtc: Active, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, claims 10 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
-  warn  /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, while 3 components of its system are Active; it may have been reset; try: rtact /localhost:$PORT/rates.host_cxt/Lazy0.rtc
 
 Nothing of that is left, whether it ends by itself or not, also where the values do not come:
 
@@ -121,18 +113,18 @@ Nothing of that is left, whether it ends by itself or not, also where the values
 Managers: what they list must be there:
 
   $ doctor ../mgr.host_cxt
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/mgr.host_cxt/ConsoleIn0.rtc /localhost:$PORT/mgr.host_cxt/ConsoleOut0.rtc
   ok    /localhost:$PORT/mgr.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/mgr.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/mgr.host_cxt/ConsoleIn0.rtc /localhost:$PORT/mgr.host_cxt/ConsoleOut0.rtc
   ok    /localhost:$PORT/mgr.host_cxt/manager.mgr: manager of 2 components, 2 slaves, at 127.0.0.1:* (glob)
   $ doctor -q ../lost.host_cxt
   fail  /localhost:$PORT/lost.host_cxt/ConsoleOut0.rtc: dead (zombie): nothing listens at 127.0.0.1:*; try: rtdel -z /localhost:$PORT/lost.host_cxt/ConsoleOut0.rtc (glob)
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/lost.host_cxt/ConsoleIn0.rtc
   fail  /localhost:$PORT/lost.host_cxt/manager.mgr: lists a slave that is gone; try: restart it; rtls /localhost:$PORT/lost.host_cxt/manager.mgr marks what is gone
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/lost.host_cxt/ConsoleIn0.rtc
   [1]
   $ doctor -q ../forgotten.host_cxt
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/forgotten.host_cxt/ConsoleIn0.rtc
   fail  /localhost:$PORT/forgotten.host_cxt/manager.mgr: lists a component that is gone; try: restart it; rtls /localhost:$PORT/forgotten.host_cxt/manager.mgr marks what is gone
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/forgotten.host_cxt/ConsoleIn0.rtc
   [1]
   $ ctl @managers fail get_slave_managers 1 NO_PERMISSION; doctor -q ../mgr.host_cxt | grep mgr:
   fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: does not report what it has (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
@@ -144,14 +136,14 @@ Managers: what they list must be there:
 A composite with a dead member, whether that exports a port or not:
 
   $ rtcomp -r Peer0:in ../half.host_cxt/composite0.rtc 2> out; doctor -q ../half.host_cxt/composite0.rtc
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/half.host_cxt/composite0.rtc
   fail  /localhost:$PORT/half.host_cxt/composite0.rtc: one of its members is dead: nothing answers at 127.0.0.1:*; try: restart its process, with all members alive (rtcomp cannot remove a dead one); netstat -ltnp | grep :* there names it (glob)
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/half.host_cxt/composite0.rtc
   [1]
 
 One that is Inactive, while what it is connected with is Active:
 
   $ rtcon ../rates.host_cxt/Lazy0.rtc:out ../rates.host_cxt/Deaf0.rtc:in; doctor -q ../rates.host_cxt
-  warn  /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /localhost:$PORT/rates.host_cxt/Lazy0.rtc
+  warn  /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: if it is to move, activate it: rtact /localhost:$PORT/rates.host_cxt/Lazy0.rtc
 
 The times in values:
 

@@ -16,14 +16,14 @@ world: services --context service.host_cxt/%n.rtc
 One-sided; told differently at both ends; of different types; left by a tool that has been killed:
 
   $ doctor -q .
-  warn  /: all components are Inactive: nothing has been started; try: activate those that are to move (rtact), or the whole system by its file (rtstart)
   fail  /localhost:$PORT/test.host_cxt/Have0.rtc:MyService: connected to /localhost:$PORT/test.host_cxt/Have1.rtc:MyService: each end provides something, and none requires anything; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Have0.rtc:MyService
   fail  /localhost:$PORT/test.host_cxt/Have1.rtc:MyService: connected to /localhost:$PORT/test.host_cxt/Want3.rtc:MyService: nobody in it provides interface myservice0 (MyService), which /localhost:$PORT/test.host_cxt/Want3.rtc:MyService requires; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Have1.rtc:MyService
   fail  /localhost:$PORT/test.host_cxt/In0.rtc:out: connection out_in is one-sided: /localhost:$PORT/test.host_cxt/Out0.rtc:in does not know it; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/In0.rtc:out; rtcon -n out_in -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=flush /localhost:$PORT/test.host_cxt/In0.rtc:out /localhost:$PORT/test.host_cxt/Out0.rtc:in
-  warn  /localhost:$PORT/test.host_cxt/In1.rtc:out: dataport.subscription_type is flush here, new at /localhost:$PORT/test.host_cxt/Out1.rtc:in; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/In1.rtc:out; rtcon -n out_in -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=flush /localhost:$PORT/test.host_cxt/In1.rtc:out /localhost:$PORT/test.host_cxt/Out1.rtc:in
   fail  /localhost:$PORT/test.host_cxt/Out2.rtc:in: connected to /localhost:$PORT/test.host_cxt/Sensor0.rtc:out: data types differ (RTC/TimedLong, RTC/TimedFloat); try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Out2.rtc:in
   fail  /localhost:$PORT/test.host_cxt/Want0.rtc:MyService: connected to /localhost:$PORT/test.host_cxt/Want1.rtc:MyService: nobody in it provides interface myservice0 (MyService), which /localhost:$PORT/test.host_cxt/Want0.rtc:MyService requires; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Want0.rtc:MyService
   fail  /localhost:$PORT/test.host_cxt/Want0.rtc:MyService: connected to /localhost:$PORT/test.host_cxt/Want1.rtc:MyService: nobody in it provides interface myservice0 (MyService), which /localhost:$PORT/test.host_cxt/Want1.rtc:MyService requires; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Want0.rtc:MyService
+  warn  /: all components are Inactive: nothing has been started; try: activate those that are to move (rtact), or the whole system by its file (rtstart)
+  warn  /localhost:$PORT/test.host_cxt/In1.rtc:out: dataport.subscription_type is flush here, new at /localhost:$PORT/test.host_cxt/Out1.rtc:in; try: rtdis -i $UUID /localhost:$PORT/test.host_cxt/In1.rtc:out; rtcon -n out_in -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=flush /localhost:$PORT/test.host_cxt/In1.rtc:out /localhost:$PORT/test.host_cxt/Out1.rtc:in
   [1]
 
 The kind of finding is in the JSON:
@@ -85,12 +85,12 @@ It is found, wherever it is bound, or bound nowhere; an inactive component keeps
   $ rtdeact --wait ../near.host_cxt/Near0.rtc; rtdis ../near.host_cxt/Near0.rtc
   $ rtcon -i one ../near.host_cxt/Near0.rtc:out ../far.host_cxt/Far0.rtc:in
   $ ctl @these2 forget Far0:in; doctor -q ../near.host_cxt
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/near.host_cxt/Near0.rtc
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: connection outin is one-sided: /localhost:$PORT/far.host_cxt/Far0.rtc:in does not know it; try: rtdis -i one /localhost:$PORT/near.host_cxt/Near0.rtc:out; rtcon -n outin -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=new /localhost:$PORT/near.host_cxt/Near0.rtc:out /localhost:$PORT/far.host_cxt/Far0.rtc:in
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/near.host_cxt/Near0.rtc
   [1]
   $ rtdel ../far.host_cxt/Far0.rtc; doctor -q ../near.host_cxt
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/near.host_cxt/Near0.rtc
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: connection outin is one-sided: Far0.in at 127.0.0.1:*, bound nowhere, does not know it; try: disconnect it (rtdis -i one /localhost:$PORT/near.host_cxt/Near0.rtc:out), then connect its ends again: rtcon (glob)
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/near.host_cxt/Near0.rtc
   [1]
   $ rtdis ../near.host_cxt/Near0.rtc
 
@@ -98,15 +98,15 @@ Connections that are well, of all kinds:
 
   $ rtcon ../service.host_cxt/MyServiceConsumer0.rtc:MyService ../service.host_cxt/MyServiceProvider0.rtc:MyService
   $ for each in old new small service; do doctor ../$each.host_cxt; done
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc /localhost:$PORT/old.host_cxt/ConsoleOut0.rtc
   ok    /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/old.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc /localhost:$PORT/old.host_cxt/ConsoleOut0.rtc
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/new.host_cxt/ConsoleIn0.rtc /localhost:$PORT/new.host_cxt/ConsoleOut0.rtc
   ok    /localhost:$PORT/new.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/new.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/new.host_cxt/ConsoleIn0.rtc /localhost:$PORT/new.host_cxt/ConsoleOut0.rtc
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/small.host_cxt/ConsoleIn0.rtc /localhost:$PORT/small.host_cxt/ConsoleOut0.rtc
   ok    /localhost:$PORT/small.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/small.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/small.host_cxt/ConsoleIn0.rtc /localhost:$PORT/small.host_cxt/ConsoleOut0.rtc
+  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/service.host_cxt/MyServiceConsumer0.rtc /localhost:$PORT/service.host_cxt/MyServiceProvider0.rtc
   ok    /localhost:$PORT/service.host_cxt/MyServiceConsumer0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/service.host_cxt/MyServiceProvider0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/service.host_cxt/MyServiceConsumer0.rtc /localhost:$PORT/service.host_cxt/MyServiceProvider0.rtc

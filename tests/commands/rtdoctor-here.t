@@ -109,14 +109,24 @@ host, but asked under its outer address, only others would be lost:
   $ HOSTS="robot1=198.51.100.1 127.0.0.1=198.51.100.7" doctor -q 127.0.0.1:$PORT
   fail  /127.0.0.1:$PORT/test.host_cxt/ConsoleIn0.rtc: publishes 127.0.0.1:*, which means this host, not its own; try: give its process an address that others reach: corba.endpoints: 198.51.100.7: in rtc.conf (glob)
   fail  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc: publishes 127.0.0.1:*, which means this host, not its own; try: give its process an address that others reach: corba.endpoints: 198.51.100.7: in rtc.conf (glob)
-  warn  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc
   [1]
   $ HOSTS="robot1=198.51.100.1 127.0.0.1=198.51.100.1" doctor -q 127.0.0.1:$PORT
   warn  /127.0.0.1:$PORT/test.host_cxt/ConsoleIn0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address that others reach: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
   warn  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address that others reach: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
-  warn  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc
   $ doctor -q localhost:$PORT
-  warn  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+
+What is worse comes first:
+
+  $ mock these Mock:Gone0 --context gone.host_cxt/%n.rtc; hang these; export HOSTS="robot1=198.51.100.1 127.0.0.1=198.51.100.1"
+  $ doctor -q --timeout 0.5 /127.0.0.1:$PORT/gone.host_cxt
+  fail  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
+  warn  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address that others reach: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
+  [1]
+  $ resume these; kill-mock these; doctor -q /127.0.0.1:$PORT/gone.host_cxt | grep Gone0
+  fail  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: dead (zombie): nothing listens at 127.0.0.1:*; try: rtdel -z /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc (glob)
+  warn  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address that others reach: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
+  $ rtdel /localhost:$PORT/gone.host_cxt/Gone0.rtc /localhost:$PORT/gone.host_cxt
+  $ export HOSTS="robot1=198.51.100.1 localhost=127.0.0.1"
 
 One that is no address costs its own line:
 
@@ -124,17 +134,14 @@ One that is no address costs its own line:
   fail  here: RTCTREE_NAMESERVERS: http://laptop: not HOST[:PORT]; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
   ok    /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
-  warn  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
-  1 failed, 1 to be looked at, 5 ok
+  1 failed, 0 to be looked at, 5 ok
 
 An end point that cannot be bound:
 
   $ ORBendPoint=giop:tcp:203.0.113.9: doctor -q
   warn  here: ORBendPoint sets endPoint to giop:tcp:203.0.113.9:: components started here cannot listen there (Cannot assign requested address); try: unset ORBendPoint
-  warn  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   $ ORBendPoint=giop:tcp::$PORT doctor -q
   warn  here: ORBendPoint sets endPoint to giop:tcp::$PORT: components started here cannot listen there (Address already in use); try: unset ORBendPoint
-  warn  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive, while 1 component of its system is Active; it may have been reset; try: rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
 
 Out of what a process needs here: nobody else is to blame:
 

@@ -5,8 +5,8 @@ orb: omniorb
   $ touch none.cfg; export OMNIORB_CONFIG=$TMP/none.cfg
   $ doctor() { rtdoctor "$@" | grep -v -e "this host's name" -e failed; }
   $ RTCTREE_ORB_ARGS="-ORBclientCallTimeOutPeriod;0;-ORBthrowTransientOnTimeOut;1;-ORBclientTransportRule;198.51.100.1 none" doctor -q
-  warn  here: RTCTREE_ORB_ARGS sets throwTransientOnTimeOut to 1: hung peers look like peers out of reach to these commands; try: unset RTCTREE_ORB_ARGS
   fail  /localhost:$PORT: TCP connects, omniORB does not: clientTransportRule 198.51.100.1 none of RTCTREE_ORB_ARGS forbids it; try: unset RTCTREE_ORB_ARGS
+  warn  here: RTCTREE_ORB_ARGS sets throwTransientOnTimeOut to 1: hung peers look like peers out of reach to these commands; try: unset RTCTREE_ORB_ARGS
   $ RTCTREE_ORB_ARGS="-ORBtraceLevel;0" doctor | grep ORB
   ok    here: Python *, omniORBpy * (glob)
   ok    here: settings of omniORB that break nothing: RTCTREE_ORB_ARGS
@@ -21,8 +21,8 @@ It needs threads:
 When omniORB cannot be started, that is all that can be said:
 
   $ RTCTREE_ORB_ARGS="-ORBnonsense 1" doctor
-  ok    here: Python *, omniORBpy * (glob)
   fail  here: the ORB does not start: it does not understand RTCTREE_ORB_ARGS; try: correct or remove it
+  ok    here: Python *, omniORBpy * (glob)
   ok    here: RTCTREE_NAMESERVERS: localhost:$PORT
   $ echo garbage > omniORB.cfg; OMNIORB_CONFIG=$TMP/omniORB.cfg doctor -q
   fail  here: the ORB does not start: it does not understand $TMP/omniORB.cfg; try: correct or remove it

@@ -59,13 +59,11 @@ Names that lead nowhere, to the same, to somebody else:
   fail  /localhost:$PORT/test.host_cxt/Ended0.rtc: dead (zombie): what listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/test.host_cxt/Ended0.rtc (glob)
   fail  /localhost:$PORT/test.host_cxt/Nil0.rtc: the name is bound to nothing (a nil reference); try: rtdel /localhost:$PORT/test.host_cxt/Nil0.rtc
   fail  /localhost:$PORT/test.host_cxt/Stranger0.rtc: somebody else's: not a component but IDL:SimpleService/MyService:1.0; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Stranger0.rtc
-  warn  /localhost:$PORT/test.host_cxt/dead.cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/test.host_cxt/dead.cxt
   fail  /localhost:$PORT/test.host_cxt/dead.cxt/Gone0.rtc: dead (zombie): what listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/test.host_cxt/dead.cxt/Gone0.rtc (glob)
+  warn  /localhost:$PORT/test.host_cxt/dead.cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/test.host_cxt/dead.cxt
   warn  /localhost:$PORT/test.host_cxt/empty.cxt: stale: empty; try: rtdel /localhost:$PORT/test.host_cxt/empty.cxt/emptier.cxt /localhost:$PORT/test.host_cxt/empty.cxt
   warn  /localhost:$PORT/test.host_cxt/Other0.rtc: somebody else's name: this component calls itself test.host_cxt/Moved0.rtc; try: restart the component that should have this name; if none should: rtdel /localhost:$PORT/test.host_cxt/Other0.rtc
-  warn  /localhost:$PORT/test.host_cxt/Wrong0.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong0.rtc
-  warn  /localhost:$PORT/test.host_cxt/Wrong1.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong1.rtc
-  warn  /localhost:$PORT/test.host_cxt/Wrong2.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong2.rtc
+  warn  /localhost:$PORT/test.host_cxt/Wrong0.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; the same with /localhost:$PORT/test.host_cxt/Wrong1.rtc and /localhost:$PORT/test.host_cxt/Wrong2.rtc; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong0.rtc
   warn  /localhost:$PORT/test.host_cxt/Wrong3.rtc: and 2 names like it; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong3.rtc
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/Other0.rtc /localhost:$PORT/test.host_cxt/Right0.rtc
   [1]
@@ -79,14 +77,14 @@ A process that has ended, one that hangs, and one that took over the port of ano
   fail  /localhost:$PORT/hung.host_cxt/Hung0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
   fail  /localhost:$PORT/hung.host_cxt/Hung1.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
   $ doctor -q ../dead.host_cxt
-  warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/dead.host_cxt
   fail  /localhost:$PORT/dead.host_cxt/Dead0.rtc: dead (zombie): nothing listens at 127.0.0.1:*; try: rtdel -z /localhost:$PORT/dead.host_cxt/Dead0.rtc (glob)
+  warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/dead.host_cxt
   [1]
   $ TAKEN=$(doctor -q ../dead.host_cxt | sed -n 's/.*nothing listens at [^:]*:\([0-9]*\);.*/\1/p')
   $ mock these Mock:Other0 --port $TAKEN --context other.host_cxt/%n.rtc
   $ doctor -q ../dead.host_cxt ../other.host_cxt
-  warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/dead.host_cxt
   fail  /localhost:$PORT/dead.host_cxt/Dead0.rtc: dead (zombie): what listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/dead.host_cxt/Dead0.rtc (glob)
+  warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/dead.host_cxt
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/other.host_cxt/Other0.rtc
   [1]
 

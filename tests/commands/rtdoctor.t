@@ -103,7 +103,7 @@ One JSON object a line, whatever -q leaves:
 
   $ rtdoctor --json Motor0.rtc | tail -1
   {"check": "component", "level": "ok", "message": "Active, claims 10 Hz, 2 ports, 2 connections, at 127.0.0.1:*", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "remedy": ""} (glob)
-  $ rtdoctor --json -q nobody.rtc | tail -1
+  $ rtdoctor --json -q nobody.rtc | grep nobody
   {"check": "path", "level": "fail", "message": "no such path", "path": "/localhost:$PORT/test.host_cxt/nobody.rtc", "remedy": "see what is there: rtls /localhost:$PORT/test.host_cxt"}
   $ rtdoctor --json | python3 -c 'import json, sys
   > for line in sys.stdin:
@@ -113,7 +113,7 @@ One JSON object a line, whatever -q leaves:
 
 On a terminal the levels have colours:
 
-  $ NO_COLOR= tty 80 rtdoctor -q nobody.rtc | tail -1
+  $ NO_COLOR= tty 80 rtdoctor -q nobody.rtc | grep nobody
   \x1b[01;37;41mfail\x1b[00m  /localhost:$PORT/test.host_cxt/nobody.rtc: no such path; try: see what is there: rtls /localhost:$PORT/test.host_cxt (esc)
 
 With a profile, all that rtcheck finds:

@@ -126,7 +126,7 @@ world: manager --context managed.host_cxt/%n.rtc
   $ rtls '/a..b'
   rtls: /a..b: host name not known
   [4]
-  $ rtdoctor -v | head -1
+  $ rtdoctor -v | grep -m 1 Python
   ok    here: Python *, builtin ORB (glob)
   $ rtls -v --version; rtls --version
   0.* (glob)

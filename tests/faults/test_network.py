@@ -104,13 +104,29 @@ def tearDownModule():
     unbuild()
 
 
+def call_hosts(**names):
+    """Give names to addresses, seen from the laptop: files of /etc/netns are mounted by ip netns exec."""
+    place = os.path.join("/etc/netns", namespace("laptop"))
+    os.makedirs(place, exist_ok=True)
+    with open("/etc/hosts") as known, open(os.path.join(place, "hosts"), "w") as file:
+        file.write(known.read())
+        for name, addresses in names.items():
+            file.write("".join("%s %s\n" % (address, name) for address in addresses))
+
+
 def unbuild():
+    shutil.rmtree(os.path.join("/etc/netns", namespace("laptop")), ignore_errors=True)
     for name in list(HOSTS) + ["switch"]:
         subprocess.run(["ip", "netns", "del", namespace(name)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
 def laptop(*words, timeout=running.TIMEOUT):
     return running.run(list(words), around.top, inside("laptop"), **surroundings(timeout))
+
+
+def doctor(host, *words):
+    """What rtdoctor -q says on a host."""
+    return running.run(["rtdoctor", "-q"] + list(words), around.top, inside(host), **surroundings(2)).out.decode()
 
 
 def surroundings(timeout):
@@ -143,6 +159,19 @@ def firewall(name, how):
         yield
     finally:
         subprocess.run(inside(name) + ["nft", "delete table ip wall"], check=True)
+
+
+@contextlib.contextmanager
+def hole(name, most):
+    """What a host sends is lost where it is larger than so many octets, as where an MTU on the way is too small and ICMP is dropped."""
+    if not shutil.which("nft"):
+        raise unittest.SkipTest("needs nft (nftables)")
+    rules = "table ip hole { chain outbound { type filter hook output priority 0; oif lo accept; meta length > %d drop; }; }" % most
+    subprocess.run(inside(name) + ["nft", rules], check=True)
+    try:
+        yield
+    finally:
+        subprocess.run(inside(name) + ["nft", "delete table ip hole"], check=True)
 
 
 A, B = "/%s/test.host_cxt/ConsoleIn0.rtc" % HOSTS["robot1"], "/%s/test.host_cxt/ConsoleOut0.rtc" % HOSTS["robot2"]
@@ -272,18 +301,66 @@ class Network(unittest.TestCase):
         ip("-n", namespace("robot1"), "link", "add", "inner", "type", "veth", "peer", "name", "outer")
         ip("-n", namespace("robot1"), "address", "add", "192.168.78.2/24", "dev", "inner")
         ip("-n", namespace("robot1"), "link", "set", "inner", "up")
-        world("looped", "robot1", ["these", "Mock:Looped0"], "--publish", "127.0.0.1", "--port", "2997")
-        world("inner", "robot1", ["these", "Mock:Inner0"], "--publish", "192.168.78.2", "--port", "2996")
+        looped = world("looped", "robot1", ["these", "Mock:Looped0"], "--host", "", "--publish", "127.0.0.1", "--port", "2997")
+        world("inner", "robot1", ["these", "Mock:Inner0"], "--host", "", "--publish", "192.168.78.2", "--port", "2996")
         home = "/" + HOSTS["robot1"]
         for name, message in (("laptop", "Looped0.rtc: publishes 127.0.0.1:2997, which means this host, not its own"),
                               ("robot1", "Looped0.rtc: publishes 127.0.0.1:2997: only this host can reach it"),
                               ("laptop", "Inner0.rtc: cannot tell from here whether it lives: publishes 192.168.78.2:2996, of another "
                                          "network than its name server, out of reach"),
-                              ("robot1", "Inner0.rtc: publishes 192.168.78.2:2996, of another network than 10.77.0.2")):
+                              ):
             with self.subTest(name + " " + message):
-                said = running.run(["rtdoctor", "-q", home], around.top, inside(name), **surroundings(2)).out.decode()
+                said = doctor(name, home)
                 self.assertIn(message, said)
                 self.assertNotIn("rtdel", said)
+        self.assertNotIn("Inner0.rtc: publishes", doctor("robot1", home))  # another interface of the same host
+        looped.send_signal(signal.SIGSTOP)
+        try:
+            said = doctor("robot1", home)
+        finally:
+            looped.send_signal(signal.SIGCONT)
+        self.assertRegex(said, "fail  [^ ]*Looped0.rtc: hung: ")
+        self.assertIn("Looped0.rtc: publishes 127.0.0.1:2997: only this host can reach it", said)
+        kill(looped)
+        said = doctor("robot1", home)
+        self.assertRegex(said, "fail  [^ ]*Looped0.rtc: dead .*rtdel -z")
+        self.assertNotIn("dead", doctor("laptop", home))
+
+    def test_large_packets_that_are_lost(self):
+        """Small questions are answered, a profile never comes: that is the network, and nobody is told to restart anything."""
+        with hole("robot2", 500):
+            said = doctor("laptop", "/" + HOSTS["robot2"])
+        self.assertIn("ConsoleOut0.rtc: answers small questions, but not when asked for the profile of its port 1", said)
+        self.assertIn("try: ping -M do -s 1472 %(robot2)s" % HOSTS, said)
+        self.assertNotRegex(said, "restart|rtdel|rtdis")
+
+    def test_names_of_hosts(self):
+        """A name in a reference that nobody knows, or that means this host here; one of a name server that means two hosts."""
+        call_hosts(arm=[HOSTS["robot1"], HOSTS["robot2"]], desk=[HOSTS["laptop"]])
+        for number, (name, host) in enumerate((("Far0", "robot.invalid"), ("Desk0", "desk"))):
+            world(name, "robot1", ["these", "Mock:" + name, "--context", "named.host_cxt/%n.rtc"], "--publish", host, "--port",
+                  str(2990 + number))
+        said = doctor("laptop", "/%(robot1)s/named.host_cxt" % HOSTS)
+        self.assertIn("Far0.rtc: cannot tell from here whether it lives: publishes robot.invalid:2990, a host name that is not known here",
+                      said)
+        self.assertIn("/etc/hosts here, or have its process publish an address: corba.endpoints", said)
+        self.assertIn("Desk0.rtc: cannot tell from here whether it lives: desk:2991 (10.77.0.1, this host) may mean another host", said)
+        self.assertNotIn("rtdel", said)
+        said = laptop("rtdoctor", "/arm").out.decode()
+        self.assertRegex(said, r"ok    /arm: answers \(.*\) at 10.77.0.2; arm also means 10.77.0.3")
+        self.assertIn("something does on port 2809 of that host", doctor("laptop", "/arm:2808", "/" + HOSTS["robot2"]))
+
+    def test_a_name_server_without_names(self):
+        """It has been started again, empty, while components of its host live."""
+        start("names-empty", "robot1", running.processes.nameserver.command(2812, around.directory("names-empty"), HOSTS["robot1"]))
+        where = "/%(robot1)s:2812" % HOSTS
+        end = time.monotonic() + running.LIMIT
+        while laptop("rtls", where).status:
+            self.assertLess(time.monotonic(), end)
+        self.assertNotIn("has no names", doctor("laptop", where))
+        world("master", "robot1", ["manager11"], "--port", "2810")
+        self.assertIn("%s: has no names, though a manager at port 2810 of its host has 2 components (ConsoleIn0 and ConsoleOut0)" % where,
+                      doctor("laptop", where))
 
 
 if __name__ == "__main__":

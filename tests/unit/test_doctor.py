@@ -9,7 +9,8 @@ from unittest import mock
 import worlds
 from rtshell_lite import errors, path
 from rtshell_lite.corba import lanes, orb
-from rtshell_lite.doctor import components, connections, here, profile, rates, remedies, servers, started, waiting
+from rtshell_lite.doctor import (components, connections, finding, here, limits, profile, rates, references, remedies, servers, started,
+                                 waiting)
 from rtshell_lite.robot import component, places, ports, snapshot, tree
 from rtshell_lite.xmlprofile import model
 
@@ -88,7 +89,8 @@ class Started(unittest.TestCase):
             for name, state in sorted(states.items())]
         with mock.patch.object(started.component, "merged", lambda states: states), \
                 mock.patch.object(started.orb, "identity", lambda ref: ref):
-            return [(finding.path, finding.message) for finding in started.findings(snapshots)]
+            return [(finding.path, finding.message) for finding in started.findings(
+                snapshots, {"/d/" + name for name, state in states.items() if state == "Error"})]
 
     def test_it(self):
         self.assertEqual(self.messages(A="Inactive", B="Inactive"),
@@ -96,10 +98,11 @@ class Started(unittest.TestCase):
         self.assertEqual(self.messages(A="Active", B="Active"), [])
         self.assertEqual(self.messages(A="Error", B="Inactive"), [])
         reset = "Inactive, while 1 component of its system is Active; it may have been reset"
-        self.assertEqual(self.messages(A="Active", B="Inactive"), [("/d/B", reset)])
+        self.assertEqual(self.messages(A="Active", B="Inactive"), [])  # nobody is connected to it
         for others in ({"C": "Active"}, {"C": "Active", "D": "Error"}):
             self.assertEqual(self.messages(("A", "B"), A="Inactive", B="Inactive", **others), [])
-        self.assertEqual(self.messages(("A", "B"), A="Active", B="Inactive", C="Active"), [("/d/B", reset)])
+            self.assertEqual(self.messages(("A", "B"), A="Active", B="Inactive", **others), [("/d/B", reset)])
+        self.assertEqual(self.messages(("A", "B", "C"), A="Active", B="Inactive", C="Error"), [])
 
 
 class Waiting(unittest.TestCase):
@@ -183,6 +186,55 @@ class Names(unittest.TestCase):
         each.profile = component.Profile("In0", "In", "", "", "", "", "", properties=[])
         self.assertEqual([(finding.path, finding.message) for finding in components._names(each)],
                          [("/one/b.host_cxt/In0.rtc", "the same component as /one/a.host_cxt/In0.rtc")])
+
+
+class ManyFindings(unittest.TestCase):
+    def late(self, number):
+        return [limits.late("component", "/robot/A%d.rtc" % i) for i in range(number)]
+
+    def test_what_there_was_no_time_for_is_one_failure(self):
+        self.assertEqual(limits.left_out(self.late(2)), self.late(2))
+        other = finding.ok("component", "/robot/B0.rtc", "Active")
+        first, joined = limits.left_out(self.late(3000) + [other])
+        self.assertEqual((first, joined.level), (other, "fail"))
+        self.assertEqual(joined.message, "3000 components not looked at, as there was no time left: /robot/A0.rtc, /robot/A1.rtc, "
+                                         "/robot/A2.rtc and 2997 more")
+
+    def test_a_process_that_was_not_asked_does_not_hang(self):
+        node = tree.Node(path.parse("/robot/A0.rtc"), "silent", None, errors.Silent("/robot/A0.rtc", lanes.NO_TIME))
+        visit = servers.Visit(None, [], [], [], {("robot", 4000): None}, None, "")
+        self.assertEqual(references._silent(visit, node, [("robot", 4000)], "robot:4000").message, "slow: " + lanes.NO_TIME)
+
+    def test_failures_come_first_and_like_warnings_are_one(self):
+        words = remedies.words("slow", host="robot")
+        warnings = [finding.warn("reference", "/robot/A%d.rtc" % i, "publishes 127.0.0.1:%d" % (4000 + i), words) for i in range(3)]
+        pasted = [finding.warn("reference", "/robot/C%d.rtc" % i, "to be pasted", remedies.command("delete name", path="/c"))
+                  for i in range(3)]
+        failure = finding.fail("component", "/robot/B0.rtc", "in Error", words)
+        found = list(finding.grouped(warnings + pasted + [failure]))
+        self.assertEqual([each.path for each in found], ["/robot/B0.rtc", "/robot/A0.rtc"] + [each.path for each in pasted])
+        self.assertEqual(found[1].message, "publishes 127.0.0.1:4000; the same with /robot/A1.rtc and /robot/A2.rtc")
+
+
+class Rates(unittest.TestCase):
+    """What is measured while this host is too busy to let us run says less of others."""
+
+    def found(self, count, missed):
+        node = tree.Node(path.parse("/robot/A0.rtc"), "component")
+        node._endpoint = ("robot", 4000)
+        port = ports.Port(node, "A0.out", "DataOutPort", {}, [], [], None, None)
+        watched = rates.Watched(snapshot.Snapshot(node), 100.0, port)
+        watched.count = count
+        return rates._finding(watched, 1.0, missed).level
+
+    def test_a_starved_machine(self):
+        self.assertEqual([self.found(50, 0.0), self.found(50, 0.5), self.found(20, 0.5)], ["warn", "ok", "warn"])
+
+    def test_clocks_that_differ_by_minutes(self):
+        watched = mock.Mock(stamp=(1000.0, 700.0), where="/robot/A0.rtc")
+        self.assertIn("5 minutes behind", rates._clock(watched)[0].message)
+        watched.stamp = (1000.0, 950.0)
+        self.assertEqual(rates._clock(watched), [])
 
 
 if __name__ == "__main__":

@@ -51,11 +51,24 @@ class Published(unittest.TestCase):
 
     def test_who_is_outside(self):
         with mock.patch.object(networks.orb, "addresses", lambda ref: [(ref, 4000)]):
-            self.assertEqual([networks.outside(["", "127.0.0.1", "10.77.0.9"]), networks.outside(["", "localhost"])], ["10.77.0.9", ""])
+            self.assertEqual([networks.outside(["", "127.0.0.1", "10.77.0.9"]), networks.outside(["", "localhost", "172.17.0.1"])],
+                             ["10.77.0.9", ""])
 
     def test_another_network(self):
-        self.assertEqual(self.misled("172.17.0.1", ["10.77.0.1"])[0], "warn")
+        self.assertEqual(self.misled("172.17.0.1", ["10.77.0.1"], "10.77.0.9")[0], "warn")
+        self.assertIsNone(self.misled("172.17.0.1", ["10.77.0.1"]))  # all of the system is on this host
         self.assertEqual(self.misled("172.17.0.1", ["10.77.0.2"])[0], "fail")
+
+    def test_an_address_of_one_link(self):
+        level, message = self.misled("fe80::1", ["10.77.0.2"])
+        self.assertEqual(level, "fail")
+        self.assertIn("means nothing without an interface", message)
+        self.assertIsNone(self.misled("fe80::1%eth0", ["10.77.0.2"]))
+
+    def test_a_name_that_means_this_host(self):
+        with mock.patch.object(addresses, "resolve", lambda host: ["10.77.0.1"] if host == "desk" else [host]):
+            self.assertFalse(self.certain("desk", ["10.77.0.2"]))
+            self.assertTrue(self.certain("desk", ["10.77.0.1"]))
 
     def test_who_refuses(self):
         self.assertTrue(self.certain("127.0.0.1", ["127.0.0.1"]))
