@@ -25,7 +25,7 @@ POLL = 0.02  # seconds between two fetches from an empty queue
 ANSWERED = 0.05  # seconds from the answer to a fetch until the component has left the connector
 QUIET = 0.1  # seconds to wait for a last value; after them a connector is no longer new
 PERIODS = 4  # of the component, in which it finds out that we have left, and removes the connector itself
-LONGEST = 0.5  # seconds to wait for that, at most
+LONGEST = 0.2  # seconds to wait for that, at most: a command ends within 0.3 s of its signal
 LOOKS = 0.005, 0.05  # seconds between two looks whether it has done so, at first and in the end
 SWITCH = 0.0005  # seconds between switches of Python's threads; with the default, 0.005, 290 MB/s arrived, not 430
 
@@ -153,7 +153,7 @@ class Reader(Connection):
 
     def _is_forgotten(self, connector):
         """Wait until the component has found out that we have left, and has removed the connector. A silent one will."""
-        period = (self.last - self.first) / (self.count - 1) if self.count > 1 else QUIET
+        period = (self.last - self.first) / (self.count - 1) if self.count > 1 else 0
         end, pause = self.stopped + min(LONGEST, QUIET + PERIODS * period), LOOKS[0]
         try:
             while self.is_there(connector):

@@ -176,6 +176,16 @@ def cases():
     return [Case(number, *(each + (SIGNALS[number % 3],))) for number, each in enumerate(found)]
 
 
+def striking():
+    """Cases of rtinject, which would go on moving the component: a signal in each of the first 400 ms, in the short form in some."""
+    line = "--anyway -n -1 -r 100 -c 1 B:in"
+    step = 1 if running.THOROUGH else 16
+    found = [Case(1000 + moment, "rtinject", line, 1.0, SIGNALS[moment // step % 3]) for moment in range(0, 400, step)]
+    for case, moment in zip(found, range(0, 400, step)):
+        case.moment = moment / 1000
+    return found
+
+
 class Screen:
     """A command on a terminal that outlives it."""
 
@@ -228,6 +238,13 @@ class Signals(unittest.TestCase):
                     self.assertEqual(screen.said.count(b"\x1b[?25l") > 0, b"\x1b[?25h" in screen.said, screen.said)
                     self.assertNotRegex(screen.said, rb"rtshell_lite/\w+\.py")
                 os.close(screen.master)
+
+    def test_none_is_lost(self):
+        """Not in any of the first 400 ms: neither while Python starts nor while modules are imported."""
+        for case in running.together(Case.run, striking(), LANES):
+            with self.subTest(str(case)):
+                self.assertEqual(case.status, 128 + case.which, case.said.decode("utf-8", "replace"))
+                self.assertEqual(list(case.problems()), [], case.said.decode("utf-8", "replace"))
 
     def test_every_command_goes_at_once_and_leaves_nothing(self):
         done = running.together(Case.run, cases(), LANES)
