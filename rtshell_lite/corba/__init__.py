@@ -4,12 +4,10 @@ lanes      deadlines, and many calls at once, without an ORB: a silent process c
            block a thread; pool starts functions one by one
 orb        the door: references (their address, identity, endpoint), calls with a deadline, exceptions as errors, properties
 omni       omniORB behind it; answers looks at what peers send before omniORB makes objects of it, stubs makes its classes
-iiop/      our own ORB behind it, in Python: client, which orb.py sees; loop, calls, connections; server; what they send
+iiop/      our own ORB behind it, in Python: client, which orb.py sees; loop, calls, connections; server
 failures   what the exceptions of peers mean, for both
+liveness   what a refused connection proves
 servants   objects of ours that components call
-ior        references as octets
-idl        interfaces and types of OpenRTM's IDL, from generated tables
-descriptors   types as tuples, and functions that read their parts by name; cdr and fixed_size read and write values by them
 
 An ORB behind this seam has to offer: references from and to text (IOR, corbaloc), narrowing without a call, equivalence;
 calls by the name of an operation with a deadline to the millisecond, for each reference; TIMEOUT, OBJECT_NOT_EXIST, TRANSIENT,

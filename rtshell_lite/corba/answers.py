@@ -11,7 +11,8 @@ import functools
 import threading
 
 from rtshell_lite import errors
-from rtshell_lite.corba import ior, stubs
+from rtshell_lite.corba import stubs
+from rtshell_lite.giop import ior
 from rtshell_lite.text import from_wire, printable
 
 DEEPEST = 64  # values inside values

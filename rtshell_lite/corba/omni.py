@@ -4,7 +4,8 @@ import sys
 import threading
 
 from rtshell_lite import errors
-from rtshell_lite.corba import answers, failures, idl, ior, lanes, stubs
+from rtshell_lite.corba import answers, failures, lanes, stubs
+from rtshell_lite.giop import idl, ior
 from rtshell_lite.text import from_wire, printable, to_wire
 
 PROBING = 4  # a host has a quarter of the timeout to refuse a connection
@@ -200,15 +201,15 @@ def _check_version(where, endpoint):
     """Raise Unreachable if a process that has closed the connection to omniORB answers in GIOP 1.0 or 1.1 only."""
     import socket
 
-    from rtshell_lite.corba.iiop import giop
+    from rtshell_lite.giop import messages
     for minor in (2, 1, 0):
         try:
             with socket.create_connection(endpoint, lanes.session.timeout / PROBING) as probe:
-                probe.sendall(giop.request(1, (1, minor), giop.KEY, b"\1\0\0\0?", "_non_existent", ()))
-                head = probe.recv(giop.HEADER)
+                probe.sendall(messages.request(1, (1, minor), messages.KEY, b"\1\0\0\0?", "_non_existent", ()))
+                head = probe.recv(messages.HEADER)
         except (OSError, ValueError):
             return
-        if head[:6] != b"GIOP\1" + bytes([minor]) or head[7:8] != bytes([giop.REPLY]):
+        if head[:6] != b"GIOP\1" + bytes([minor]) or head[7:8] != bytes([messages.REPLY]):
             continue
         if minor < 2:
             raise errors.Unreachable(where, f"speaks GIOP 1.{minor} only, which omniORB does not try; set RTSHELL_ORB=builtin")

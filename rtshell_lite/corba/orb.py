@@ -5,7 +5,8 @@ RTSHELL_ORB chooses the ORB behind it: omniorb (omni.py) or builtin (iiop/). Uns
 import os
 
 from rtshell_lite import errors
-from rtshell_lite.corba import idl, ior, lanes, stubs, tasks
+from rtshell_lite.corba import lanes, stubs, tasks
+from rtshell_lite.giop import idl, ior
 from rtshell_lite.path import PROTOCOLS, SCHEMES, split_address
 from rtshell_lite.text import printable, to_wire
 

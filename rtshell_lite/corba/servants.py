@@ -1,13 +1,14 @@
 """Our objects that components call, such as receivers of data. None of them is bound in a name server.
 
-A servant is any object with a method for each operation of its `interface`, named as in corba/idl.py.
+A servant is any object with a method for each operation of its `interface`, named as in giop/idl.py.
 """
 import os
 import socket
 import struct
 import time
 
-from rtshell_lite.corba import ior, orb
+from rtshell_lite.corba import orb
+from rtshell_lite.giop import ior
 
 
 class InPortCdr:

@@ -7,7 +7,7 @@ import sys
 import types
 
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, idl
+from rtshell_lite.giop import descriptors, idl
 
 STANDARD = ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "InterfaceDataTypes_idl", "CameraCommonInterface_idl")
 

@@ -10,10 +10,10 @@ import math
 import struct
 
 from rtshell_lite import errors
-from rtshell_lite.corba.descriptors import (ALIAS, ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, INDIRECT, OCTET, RANGES,
-                                            SEQUENCE, STRING, STRUCT, UNION, WCHAR, WSTRING, bound, cases, cases_by_label,
-                                            default_case, discriminator, dotted, element, factory, items, kind, length,
-                                            members, target, type_id, words)
+from rtshell_lite.giop.descriptors import (ALIAS, ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, INDIRECT, OCTET, RANGES,
+                                           SEQUENCE, STRING, STRUCT, UNION, WCHAR, WSTRING, bound, cases, cases_by_label,
+                                           default_case, discriminator, dotted, element, factory, items, kind, length,
+                                           members, target, type_id, words)
 from rtshell_lite.text import printable
 
 Call = collections.namedtuple("Call", "name positional keywords")  # RTC.Time(1, nsec=2); positional a list, keywords a dict

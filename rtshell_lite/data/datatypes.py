@@ -7,7 +7,8 @@ import struct
 import sys
 
 from rtshell_lite import errors
-from rtshell_lite.corba import cdr, descriptors, idl, orb, stubs
+from rtshell_lite.corba import orb, stubs
+from rtshell_lite.giop import cdr, descriptors, idl
 from rtshell_lite.data import type_json, values
 from rtshell_lite.text import printable
 

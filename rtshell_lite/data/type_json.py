@@ -8,9 +8,9 @@
 """
 
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors
-from rtshell_lite.corba.descriptors import (ALIAS, ARRAY, ENUM, FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING,
-                                            kind)
+from rtshell_lite.giop import descriptors
+from rtshell_lite.giop.descriptors import (ALIAS, ARRAY, ENUM, FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING,
+                                           kind)
 
 LARGEST = 1 << 20  # bytes of the JSON
 _KINDS = {words: kind for kind, words in descriptors.NAMES.items()}

@@ -3,7 +3,7 @@ import struct
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors
+from rtshell_lite.giop import descriptors
 from rtshell_lite.data import build_value, datatypes, values
 from rtshell_lite.text import printable, safe
 

@@ -16,7 +16,7 @@ OBSERVER = "IDL:OpenRTM/ComponentObserver:1.0"
 FSM_OBSERVER = "IDL:omg.org/RTC/ComponentObserver:1.0"
 LOGGER = "IDL:OpenRTM/Logger:1.0"
 INTERFACES = {OBSERVER: "OpenRTM.ComponentObserver", FSM_OBSERVER: "RTC.ComponentObserver",
-              LOGGER: "OpenRTM.Logger"}  # named as in corba/idl.py
+              LOGGER: "OpenRTM.Logger"}  # named as in giop/idl.py
 BEAT = 1.0  # seconds between the heartbeats that we ask for
 
 # What has happened, and when (seconds since 1970) it was reported. `kind` is one of KINDS; `subject` is a context handle, a port,

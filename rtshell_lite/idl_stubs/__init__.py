@@ -7,5 +7,5 @@ observer    OpenRTM, RTC               observers and loggers that a component ca
 fsm         RTC                        state machine components
 data        RTC, Img                   what travels over data ports
 
-corba/idl.py reads the tables. A user's IDL files may include ours.
+giop/idl.py reads the tables. A user's IDL files may include ours.
 """

@@ -11,8 +11,8 @@ import types
 import omniORB
 import CosNaming  # noqa: F401: its types are wanted
 from omniORB import CORBA
-from rtshell_lite.corba import descriptors
-from rtshell_lite.corba.descriptors import ALIAS, ARRAY, ENUM, EXCEPTION, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING
+from rtshell_lite.giop import descriptors
+from rtshell_lite.giop.descriptors import ALIAS, ARRAY, ENUM, EXCEPTION, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING
 
 FOREIGN = ("IDL:omg.org/CORBA", "IDL:omg.org/PortableServer", "IDL:omg.org/Messaging", "IDL:omg.org/IOP", "IDL:omg.org/TimeBase",
            "IDL:omniORB")  # omniORBpy's own

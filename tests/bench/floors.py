@@ -14,7 +14,8 @@ def start(port):
     global CosNaming, idl, stubs
     from omniORB import CORBA
     import CosNaming
-    from rtshell_lite.corba import idl, stubs
+    from rtshell_lite.corba import stubs
+    from rtshell_lite.giop import idl
     stubs.register()
     orb = CORBA.ORB_init(["floor", "-ORBclientCallTimeOutPeriod", "3000", "-ORBverifyObjectExistsAndType", "0"], CORBA.ORB_ID)
     root = orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%s/NameService" % port)._unchecked_narrow(CosNaming.NamingContext)

@@ -4,8 +4,8 @@ import re
 import giop_client
 import giop_peers
 import relay
-from rtshell_lite.corba import descriptors, idl
-from rtshell_lite.corba.iiop import giop, marshal, operations
+from rtshell_lite.giop import descriptors, idl
+from rtshell_lite.giop import marshal, messages, operations
 
 ROOT = "IDL:omg.org/CosNaming/NamingContext:1.0"
 PROFILE = re.compile(rb"(\x01\x01)[\0-\x02](\0\x0a\0\0\x00127\.0\.0\.1\0)")  # how an IIOP profile begins: its version
@@ -25,7 +25,7 @@ class Dialect(relay.Relay):
 
     def refused(self, message):
         """MessageError to what is later than our version."""
-        return giop_client.whole(giop.ERROR, b"", self.minor) if self.strict and message[5] > self.minor else None
+        return giop_client.whole(messages.ERROR, b"", self.minor) if self.strict and message[5] > self.minor else None
 
     def asked(self, message):
         return _in_version(2, message)
@@ -34,13 +34,13 @@ class Dialect(relay.Relay):
         reply = _in_version(self.minor, reply)
         if self.order == ">":
             reply = self._translated(request, reply)
-        cuts = range(giop.HEADER + self.piece, len(reply), self.piece) if self.piece and reply[5] else ()
+        cuts = range(messages.HEADER + self.piece, len(reply), self.piece) if self.piece and reply[5] else ()
         return b"".join(giop_client.fragments(reply, *cuts))
 
     def _translated(self, request, reply):
         """The reply in our byte order."""
         try:
-            number, status, _, at = giop.reply(reply)
+            number, status, _, at = messages.reply(reply)
             body = bytearray()  # which begins at a multiple of 8, as it does in the reply
             for descriptor in self._types(request, status, reply, at):
                 value, at = self.reader.reader(descriptor)(reply, at)
@@ -53,9 +53,9 @@ class Dialect(relay.Relay):
 
     def _types(self, request, status, reply, at):
         """The descriptors of what a reply holds."""
-        if status == giop.SYSTEM_EXCEPTION:
+        if status == messages.SYSTEM_EXCEPTION:
             return marshal.TEXT, descriptors.ULONG, descriptors.ULONG
-        if status == giop.USER_EXCEPTION:
+        if status == messages.USER_EXCEPTION:
             type_id, _ = self.reader.reader(marshal.TEXT)(reply, at)
             return marshal.TEXT, idl.descriptor(type_id)
         interface = self.types.get(request.key, ROOT) or ROOT

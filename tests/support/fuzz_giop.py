@@ -6,7 +6,8 @@ import struct
 import fuzz_replies
 import giop_client
 from fuzz import Crash, Refused, Target, spoilt
-from rtshell_lite.corba.iiop import calls, giop, operations, requests, server
+from rtshell_lite.corba.iiop import calls, server
+from rtshell_lite.giop import messages, operations, requests
 
 WORDS = fuzz_replies.WORDS + [bytes([1, minor, flags, kind]) for minor in (0, 1, 2) for flags in (0, 1, 3) for kind in range(8)]
 KEYS = {b"p" * 24: giop_client.Port, b"o" * 24: giop_client.Observer}
@@ -84,8 +85,8 @@ class Requests(Target):
     def _examine(found):
         """What we send is GIOP."""
         while found:
-            size = giop.HEADER + giop.size(found)
-            if len(found) < size or found[7] not in (giop.REPLY, requests.LOCATED, giop.CLOSE, giop.ERROR):
+            size = messages.HEADER + messages.size(found)
+            if len(found) < size or found[7] not in (messages.REPLY, requests.LOCATED, messages.CLOSE, messages.ERROR):
                 raise Crash("not an answer: %r" % found)
             found = found[size:]
 
@@ -105,16 +106,16 @@ class Answers(Target):
 
     def make(self, rng):
         name, message = rng.choice(self.recorded)
-        head = giop.HEADER + rng.choice((0, 12, 12, 12))
+        head = messages.HEADER + rng.choice((0, 12, 12, 12))
         return name.encode() + b"\n" + message[:head] + spoilt(rng, message[head:], self.words, self.seeds)
 
     def check(self, data):
         name, _, message = data.partition(b"\n")
         try:
-            _, status, little, at = giop.reply(message)
-            if status == giop.NO_EXCEPTION:
+            _, status, little, at = messages.reply(message)
+            if status == messages.NO_EXCEPTION:
                 calls._values(self.operations[name.decode()].results[little], message, at)
-            elif status == giop.SYSTEM_EXCEPTION:
+            elif status == messages.SYSTEM_EXCEPTION:
                 calls._system_exception(message, at, little)
         except calls._GARBLED as e:
             raise Refused(str(e))

@@ -10,7 +10,7 @@ import random_values
 import simpkl_files
 from fuzz import DATA, TESTS, Crash, Refused, Target, same, spoilt
 from rtshell_lite import errors, path, text
-from rtshell_lite.corba import descriptors
+from rtshell_lite.giop import descriptors
 from rtshell_lite.data import datatypes, literals, type_json, values
 from rtshell_lite.data.idl import parser, tokens
 from rtshell_lite.datalog import blocks, export, logfile, meaning, records, writer

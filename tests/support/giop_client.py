@@ -4,12 +4,13 @@ import struct
 import threading
 import unittest
 
-from rtshell_lite.corba import descriptors, idl, ior
-from rtshell_lite.corba.iiop import giop, requests, server
+from rtshell_lite.giop import descriptors, idl, ior
+from rtshell_lite.corba.iiop import server
+from rtshell_lite.giop import messages, requests
 
 LIMIT = 60.0  # seconds that anything may take on a busy machine
 PORT_OK = descriptors.items(idl.descriptor("IDL:OpenRTM/PortStatus:1.0"))[0]
-CLOSE, ERROR = requests.word(giop.CLOSE, 2), requests.word(giop.ERROR, 2)
+CLOSE, ERROR = requests.word(messages.CLOSE, 2), requests.word(messages.ERROR, 2)
 
 
 class Port:
@@ -85,7 +86,7 @@ def fragments(message, *cuts):
     order, minor = ("<" if message[6] & 1 else ">"), message[5]
     parts = [message[a:b] for a, b in zip((12,) + cuts, cuts + (len(message),))]
     ahead = message[12:16] if minor == 2 else b""
-    return [whole(message[7] if i == 0 else giop.FRAGMENT, (b"" if i == 0 else ahead) + part, minor, order, i < len(parts) - 1)
+    return [whole(message[7] if i == 0 else messages.FRAGMENT, (b"" if i == 0 else ahead) + part, minor, order, i < len(parts) - 1)
             for i, part in enumerate(parts)]
 
 
@@ -101,12 +102,12 @@ class Client:
 
     def answer(self):
         """The next message, or b"" at the end."""
-        while len(self.data) < 12 or len(self.data) < 12 + giop.size(self.data):
+        while len(self.data) < 12 or len(self.data) < 12 + messages.size(self.data):
             piece = self.socket.recv(65536)
             if not piece:
                 return b""
             self.data += piece
-        size = 12 + giop.size(self.data)
+        size = 12 + messages.size(self.data)
         found, self.data = self.data[:size], self.data[size:]
         return found
 
@@ -132,10 +133,10 @@ class Client:
 
 def result(message):
     """What a reply says: the octets of its results, or the name of the system exception and whether it was completed."""
-    number, status, little, at = giop.reply(message)
-    if status == giop.NO_EXCEPTION:
+    number, status, little, at = messages.reply(message)
+    if status == messages.NO_EXCEPTION:
         return message[at:]
-    assert status == giop.SYSTEM_EXCEPTION, message
+    assert status == messages.SYSTEM_EXCEPTION, message
     size, = struct.unpack_from("<I", message, at)
     name = message[at + 4:at + 3 + size].decode()
     completed = struct.unpack_from("<I", message, len(message) - 4)[0]

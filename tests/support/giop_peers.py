@@ -6,7 +6,8 @@ import threading
 import unittest
 
 from rtshell_lite.corba import lanes, orb
-from rtshell_lite.corba.iiop import client, giop, loop
+from rtshell_lite.corba.iiop import client, loop
+from rtshell_lite.giop import messages
 
 CLOSE = b"GIOP\1\2\1\5" + bytes(4)
 
@@ -77,9 +78,9 @@ class Script:
             while True:
                 piece = connection.recv(65536)
                 data += piece
-                while len(data) >= 12 and len(data) >= 12 + giop.size(data):
-                    size = 12 + giop.size(data)
-                    pending.append((giop.number(data), b"_is_a" if b"_is_a" in data[:size] else b"_non_existent"))
+                while len(data) >= 12 and len(data) >= 12 + messages.size(data):
+                    size = 12 + messages.size(data)
+                    pending.append((messages.number(data), b"_is_a" if b"_is_a" in data[:size] else b"_non_existent"))
                     data = data[size:]
                 self.most = max(self.most, len(pending))
                 reply = self.play(pending)

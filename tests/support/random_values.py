@@ -2,9 +2,9 @@
 import math
 import struct
 
-from rtshell_lite.corba import descriptors
-from rtshell_lite.corba.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, OCTET, RANGES, SEQUENCE, STRING, STRUCT,
-                                            UNION, WCHAR, WSTRING, kind, target)
+from rtshell_lite.giop import descriptors
+from rtshell_lite.giop.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, OCTET, RANGES, SEQUENCE, STRING, STRUCT,
+                                           UNION, WCHAR, WSTRING, kind, target)
 
 LETTERS = "ab'\"\\{}\n\x1b é日本\u202e"
 

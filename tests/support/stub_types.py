@@ -7,7 +7,7 @@ import json
 import sys
 
 import omniORB
-from rtshell_lite.corba import descriptors
+from rtshell_lite.giop import descriptors
 from rtshell_lite.data import type_json
 
 KINDS = (descriptors.STRUCT, descriptors.UNION, descriptors.ENUM, descriptors.ALIAS)

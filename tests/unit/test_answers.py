@@ -11,7 +11,8 @@ import unittest
 
 from mock_components import faulty, giop, malice
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, idl, ior, stubs
+from rtshell_lite.corba import stubs
+from rtshell_lite.giop import descriptors, idl, ior
 
 try:
     import omniORB

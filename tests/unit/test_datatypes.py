@@ -10,7 +10,8 @@ import processes
 import random_values
 import worlds
 from rtshell_lite import errors, path
-from rtshell_lite.corba import descriptors, fixed_size, idl, omni, orb
+from rtshell_lite.corba import omni, orb
+from rtshell_lite.giop import descriptors, fixed_size, idl
 from rtshell_lite.data import datatypes, values
 from rtshell_lite.data.idl import tokens
 from rtshell_lite.robot import ports

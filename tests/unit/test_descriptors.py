@@ -2,8 +2,8 @@
 import unittest
 
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors
-from rtshell_lite.corba.descriptors import CHAR, ENUM, INDIRECT, SEQUENCE, STRUCT
+from rtshell_lite.giop import descriptors
+from rtshell_lite.giop.descriptors import CHAR, ENUM, INDIRECT, SEQUENCE, STRUCT
 from rtshell_lite.data import type_json
 
 LONG = next(kind for kind, words in descriptors.NAMES.items() if words == "long")

@@ -14,7 +14,7 @@ import unittest
 
 import rtshell_lite
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors
+from rtshell_lite.giop import descriptors
 from rtshell_lite.data import type_json
 from rtshell_lite.data.idl import parser, tokens
 

@@ -9,8 +9,10 @@ import unittest
 import worlds
 from giop_peers import CLOSE, Peer, answer
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, fixed_size, idl, lanes, orb
-from rtshell_lite.corba.iiop import calls, client, connections, giop, marshal, operations, references
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.giop import descriptors, fixed_size, idl
+from rtshell_lite.corba.iiop import calls, client, connections
+from rtshell_lite.giop import marshal, messages, operations, references
 
 try:
     import omniORB
@@ -23,18 +25,18 @@ class Messages(unittest.TestCase):
     """GIOP as octets."""
 
     def test_request(self):
-        found = bytes(giop.request(7, (1, 2), giop.KEY, b"\3\0\0\0key", "op", []))
+        found = bytes(messages.request(7, (1, 2), messages.KEY, b"\3\0\0\0key", "op", []))
         self.assertEqual(found, b"GIOP\1\2\1\0" + struct.pack("<I", len(found) - 12) + struct.pack("<I", 7) + b"\3\0\0\0" + bytes(4)
                          + b"\3\0\0\0key\0" + b"\3\0\0\0op\0\0" + struct.pack("<IIIBxxxII", 1, 1, 12, 1, 0x00010001, 0x00010109))
 
     def test_arguments_begin_at_a_multiple_of_8(self):
         written = []
-        giop.request(1, (1, 2), giop.KEY, b"k" * 5, "op", [(lambda out, value: written.append(len(out) % 8), None)])
+        messages.request(1, (1, 2), messages.KEY, b"k" * 5, "op", [(lambda out, value: written.append(len(out) % 8), None)])
         self.assertEqual(written, [0])
 
     def test_versions(self):
         for minor, principal in ((0, 4), (1, 4)):
-            found = bytes(giop.request(9, (1, minor), giop.KEY, b"\4\0\0\0key!", "op", []))
+            found = bytes(messages.request(9, (1, minor), messages.KEY, b"\4\0\0\0key!", "op", []))
             self.assertEqual(found[4:6], bytes([1, minor]))
             self.assertEqual(struct.unpack_from("<II", found, 12), (0, 9))
             self.assertEqual(found[-principal:], bytes(principal))
@@ -42,18 +44,18 @@ class Messages(unittest.TestCase):
     def test_replies(self):
         for order, flag in (("<", 1), (">", 0)):
             head = b"GIOP\1\2" + bytes([flag, 1]) + struct.pack(order + "I", 16)
-            self.assertEqual(giop.reply(head + struct.pack(order + "IIII", 5, 0, 0, 0)), (5, 0, flag, 24))
+            self.assertEqual(messages.reply(head + struct.pack(order + "IIII", 5, 0, 0, 0)), (5, 0, flag, 24))
             old = b"GIOP\1\0" + bytes([flag, 1]) + struct.pack(order + "I", 28)
             contexts = struct.pack(order + "III", 1, 77, 3) + b"abc\0"
-            self.assertEqual(giop.reply(old + contexts + struct.pack(order + "II", 5, 2)), (5, 2, flag, 36))
+            self.assertEqual(messages.reply(old + contexts + struct.pack(order + "II", 5, 2)), (5, 2, flag, 36))
 
     def test_garbage(self):
         for data in (b"HTTP/1.1 200", b"GIOP\2\0\1\1\0\0\0\0", b"GIOP\1\3\1\1\0\0\0\0", b"GIOP\1\2\1\x09\0\0\0\0",
                      b"GIOP\1\2\1\1\xff\xff\xff\x7f"):
-            with self.assertRaises(giop.Garbled, msg=data):
-                giop.size(data)
-        with self.assertRaises((giop.Garbled, struct.error)):
-            giop.reply(b"GIOP\1\2\1\1" + bytes(12) + struct.pack("<III", 1, 1, 0xfffffff0))
+            with self.assertRaises(messages.Garbled, msg=data):
+                messages.size(data)
+        with self.assertRaises((messages.Garbled, struct.error)):
+            messages.reply(b"GIOP\1\2\1\1" + bytes(12) + struct.pack("<III", 1, 1, 0xfffffff0))
 
 
 class References(unittest.TestCase):
@@ -182,7 +184,7 @@ class Calls(unittest.TestCase):
         self.addCleanup(target.close)
         body = bytearray(24)
         marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(body, client.from_url("w", f"corbaloc::127.0.0.1:{target.port}/x"))
-        self.assertIs(self.ask(answer(1, bytes(body[24:]), giop.FORWARD)), True)
+        self.assertIs(self.ask(answer(1, bytes(body[24:]), messages.FORWARD)), True)
         self.assertEqual(target.asked, 1)
 
     def test_deadlines(self):
@@ -194,14 +196,14 @@ class Calls(unittest.TestCase):
 
     def test_addressing_modes(self):
         """A peer may want the profile, or the whole reference, instead of the key."""
-        for mode in (giop.PROFILE, giop.REFERENCE):
-            peer = Peer(answer(1, struct.pack("<h", mode), giop.NEEDS_ADDRESSING_MODE), answer(2, b"\1"))
+        for mode in (messages.PROFILE, messages.REFERENCE):
+            peer = Peer(answer(1, struct.pack("<h", mode), messages.NEEDS_ADDRESSING_MODE), answer(2, b"\1"))
             self.addCleanup(peer.close)
             ref = client.from_url("w", f"corbaloc::127.0.0.1:{peer.port}/x")
             self.assertIs(client.invoke(orb.Call("w", ref, "_non_existent")), True)
             self.assertEqual(peer.last[20:24], struct.pack("<HH", mode, 0))
             profile = ref.profiles[0][1]
-            where = 24 if mode == giop.PROFILE else 24 + 4 + 8 + 4  # after the index, the empty type, the count
+            where = 24 if mode == messages.PROFILE else 24 + 4 + 8 + 4  # after the index, the empty type, the count
             self.assertEqual(peer.last[where:where + 8 + len(profile)], struct.pack("<II", 0, len(profile)) + profile)
 
     def test_other_addresses_of_a_reference(self):

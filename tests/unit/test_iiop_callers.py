@@ -10,7 +10,8 @@ from unittest import mock
 
 from giop_client import CLOSE, ERROR, LIMIT, Served, block, fragments, request, result, whole
 from rtshell_lite.corba import lanes
-from rtshell_lite.corba.iiop import giop, requests, server
+from rtshell_lite.corba.iiop import server
+from rtshell_lite.giop import messages, requests
 
 
 class Hostile(Served):
@@ -25,12 +26,12 @@ class Hostile(Served):
 
     def test_what_is_no_request(self):
         put = request(self.key, "put", block(b""))
-        for data in (b"GET / HTTP/1.1\r\n\r\n", b"GIOP\1\3" + put[6:], b"GIOP\2" + put[5:], whole(giop.REPLY, bytes(12)),
-                     whole(requests.LOCATED, bytes(8)), whole(giop.FRAGMENT, bytes(8)), whole(9, b""), whole(0, b""),
+        for data in (b"GET / HTTP/1.1\r\n\r\n", b"GIOP\1\3" + put[6:], b"GIOP\2" + put[5:], whole(messages.REPLY, bytes(12)),
+                     whole(requests.LOCATED, bytes(8)), whole(messages.FRAGMENT, bytes(8)), whole(9, b""), whole(0, b""),
                      whole(0, b"\xff" * 8 + bytes(4) + b"\xff" * 40),
                      whole(3, b"\0"), whole(0, b"\xff" * 40, 0), put[:40] + b"\xff" * 40, whole(0, put[12:40] + b"\xff" * 8),
-                     whole(giop.FRAGMENT, b"", more=True), whole(0, b"", more=True), whole(0, b"12", 0, more=True),
-                     struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, giop.LARGEST + 1), b"GIOP\1\2\1\0\xff\xff\xff\xff"):
+                     whole(messages.FRAGMENT, b"", more=True), whole(0, b"", more=True), whole(0, b"12", 0, more=True),
+                     struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, messages.LARGEST + 1), b"GIOP\1\2\1\0\xff\xff\xff\xff"):
             self.assertRefused(data)
 
     def test_service_contexts_without_number(self):
@@ -58,10 +59,10 @@ class Hostile(Served):
         self.assertEqual(self.observer.heard, [])
 
     def test_the_other_side_ends(self):
-        for kind in (giop.CLOSE, giop.ERROR):
+        for kind in (messages.CLOSE, messages.ERROR):
             here = self.client()
             here.send(whole(kind, b""))
-            self.assertEqual(here.last_words()[7:8], bytes([giop.CLOSE]))
+            self.assertEqual(here.last_words()[7:8], bytes([messages.CLOSE]))
 
     def test_half_messages_block_nobody(self):
         put = request(self.key, "put", block(b"x" * 100))
@@ -76,14 +77,14 @@ class Hostile(Served):
     def test_nothing_is_allocated_for_what_is_announced(self):
         callers = [self.client() for _ in range(30)]
         for each in callers:
-            each.send(struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, giop.LARGEST), b"x" * 100)
+            each.send(struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, messages.LARGEST), b"x" * 100)
         self.still_served()
         self.assertLess(max(caller.held() for caller in list(server._server.callers)), 64 * server.ROOM)
 
     def test_endless_fragments(self):
         first, rest = fragments(request(self.key, "put", block(b"x" * 2000000)), 1000000)
-        more = whole(giop.FRAGMENT, rest[12:], more=True)
-        self.assertRefused(first, *[more] * (giop.LARGEST // 1000000 + 5))
+        more = whole(messages.FRAGMENT, rest[12:], more=True)
+        self.assertRefused(first, *[more] * (messages.LARGEST // 1000000 + 5))
         self.assertRefused(*[fragments(request(self.key, "put", number=i, body=bytes(40)), 50)[0] for i in range(20)])
         self.assertRefused(fragments(request(self.key, "put", bytes(40), minor=0), 50)[0])
 
@@ -92,7 +93,7 @@ class Hostile(Served):
         with mock.patch.object(server, "MOST_OCTETS", 8 << 20):
             callers = [self.client() for _ in range(12)]
             for each in callers:
-                each.send(struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, giop.LARGEST), bytes(1 << 20))
+                each.send(struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, messages.LARGEST), bytes(1 << 20))
             end = time.monotonic() + LIMIT
             self.still_served()
             data = os.urandom(3 << 20)
@@ -115,15 +116,15 @@ class Hostile(Served):
         put = request(self.key, "put", block(bytes(4 << 20)))
         remembered = self.remembered()
         with mock.patch.object(server, "MOST_OCTETS", 8 << 20):
-            for messages in ([put], fragments(put, 1 << 20, 2 << 20)):
+            for sent in ([put], fragments(put, 1 << 20, 2 << 20)):
                 for _ in range(12):
-                    self.assertEqual(result(self.client().ask(*messages)), bytes(4))
+                    self.assertEqual(result(self.client().ask(*sent)), bytes(4))
                     self.port.taken.clear()
         self.assertLess(remembered(), 16 << 20)
 
     def test_messages_of_who_was_closed(self):
         """They are not kept, either."""
-        half = struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, giop.LARGEST) + bytes(4 << 20)
+        half = struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, messages.LARGEST) + bytes(4 << 20)
         remembered = self.remembered()
         with mock.patch.object(server, "MOST_OCTETS", 8 << 20):
             for _ in range(24):
@@ -173,7 +174,7 @@ class Hostile(Served):
             for _ in range(60):
                 self.assertEqual(result(self.client().ask(request(self.key, "_non_existent"))), b"\0")  # the server is not behind
                 self.assertEqual(result(kept.ask(request(self.key, "_non_existent"))), b"\0")  # it is used: it stays
-            self.assertIn(first.last_words()[7:8], (bytes([giop.CLOSE]), b""))
+            self.assertIn(first.last_words()[7:8], (bytes([messages.CLOSE]), b""))
 
     def test_idle_and_unfinished_connections_end(self):
         idle, half = self.client(), self.client()
@@ -186,7 +187,7 @@ class Hostile(Served):
             while time.monotonic() < now + 0.2:
                 self.assertEqual(result(busy.ask(request(self.key, "_non_existent"))), b"\0")
             self.still_served()
-            self.assertEqual(half.last_words()[7:8], bytes([giop.CLOSE]))
+            self.assertEqual(half.last_words()[7:8], bytes([messages.CLOSE]))
             with mock.patch.object(server, "IDLE", 0.5):
                 self.assertEqual(idle.last_words(), CLOSE)
         self.still_served()

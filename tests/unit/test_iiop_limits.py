@@ -11,8 +11,10 @@ from unittest import mock
 
 from giop_peers import Calls, Peer, Script, answer
 from rtshell_lite import errors
-from rtshell_lite.corba import cdr, descriptors, hosts, lanes, orb
-from rtshell_lite.corba.iiop import client, connections, giop, marshal, operations
+from rtshell_lite.corba import hosts, lanes, orb
+from rtshell_lite.giop import cdr, descriptors
+from rtshell_lite.corba.iiop import client, connections
+from rtshell_lite.giop import marshal, messages, operations
 
 
 class Slowly(Script):
@@ -31,9 +33,9 @@ class Slowly(Script):
                 except socket.timeout:
                     if pending:
                         connection.sendall(self.play(pending.pop(0)))
-                while len(data) >= giop.HEADER and len(data) >= giop.HEADER + giop.size(data):
-                    pending.append(giop.number(data))
-                    data = data[giop.HEADER + giop.size(data):]
+                while len(data) >= messages.HEADER and len(data) >= messages.HEADER + messages.size(data):
+                    pending.append(messages.number(data))
+                    data = data[messages.HEADER + messages.size(data):]
 
 
 class Time(Calls):
@@ -57,7 +59,7 @@ class Time(Calls):
         lanes.session.timeout = 0.5
         body = bytearray(24)
         marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(body, self.script_of(lambda number: answer(number)).ref)
-        names = Slowly(lambda number: answer(number, bytes(body[24:]), giop.FORWARD))
+        names = Slowly(lambda number: answer(number, bytes(body[24:]), messages.FORWARD))
         self.addCleanup(names.close)
         begun = time.monotonic()
         self.assertEqual(self.run_tasks(*[self.asking(client.narrow(names.ref, "CosNaming.NamingContext"))] * 12), [False] * 12)
@@ -71,7 +73,7 @@ class Time(Calls):
             if not pending:
                 return None
             time.sleep(0.4)
-            found = b"".join(answer(number, bytes(body[24:]), giop.FORWARD) for number, _ in pending)
+            found = b"".join(answer(number, bytes(body[24:]), messages.FORWARD) for number, _ in pending)
             pending.clear()
             return found
         peer = self.script(play)

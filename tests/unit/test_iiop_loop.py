@@ -11,7 +11,8 @@ import unittest
 from giop_peers import CLOSE, Calls, Peer, answer
 from rtshell_lite import errors
 from rtshell_lite.corba import hosts, orb
-from rtshell_lite.corba.iiop import calls, client, connections, giop
+from rtshell_lite.corba.iiop import calls, client, connections
+from rtshell_lite.giop import messages
 
 
 class Loop(Calls):
@@ -89,16 +90,16 @@ class Loop(Calls):
 
     def test_an_answer_that_is_too_long(self):
         """No more of it is taken than shows that; those before and after it on the same connection arrive."""
-        replies = [answer(1), answer(2, bytes(7 * giop.LARGE + 5)), answer(3, b"\1")]
+        replies = [answer(1), answer(2, bytes(7 * messages.LARGE + 5)), answer(3, b"\1")]
         tracemalloc.start()
         self.addCleanup(tracemalloc.stop)
         found = self.outcomes(replies, *[("RTC.RTObject", "_non_existent")] * 3)
         self.assertEqual(found, [False, "garbled answer (more than 4194304 octets)", True])
         joined = sum(map(len, replies))  # by the peer, which is in this process
-        self.assertLess(tracemalloc.get_traced_memory()[1], joined + 4 * giop.LARGE)
+        self.assertLess(tracemalloc.get_traced_memory()[1], joined + 4 * messages.LARGE)
 
     def test_a_long_answer_of_data_beside_one_that_is_too_long(self):
-        data = bytes(range(256)) * (giop.LARGE // 128)
+        data = bytes(range(256)) * (messages.LARGE // 128)
         replies = [answer(2, struct.pack("<II", 0, len(data)) + data), answer(1, data), answer(3)]
         found = self.outcomes(replies, ("RTC.RTObject", "_non_existent"), ("OpenRTM.OutPortCdr", "get"), ("RTC.RTObject", "_non_existent"))
         self.assertEqual(found[0], "garbled answer (more than 4194304 octets)")
@@ -125,7 +126,7 @@ class Loop(Calls):
         self.addCleanup(tracemalloc.stop)
         found = self.outcomes(replies, *[("RTC.RTObject", "_non_existent")] * 2)
         self.assertEqual(found, ["garbled answer (more than 4194304 octets)", False])
-        self.assertLess(tracemalloc.get_traced_memory()[1], sum(map(len, replies)) + 4 * giop.LARGE)
+        self.assertLess(tracemalloc.get_traced_memory()[1], sum(map(len, replies)) + 4 * messages.LARGE)
 
     def test_what_comes_before_the_end_of_a_connection(self):
         """Answers count, and what ends it shows at once, whoever else is under way: a last word, garbage, half a fragment."""
@@ -212,7 +213,7 @@ class Loop(Calls):
         replies = []
         while not replies:
             replies = connection.replies(True)
-        self.assertEqual([giop.number(reply) for reply in replies], [2])
+        self.assertEqual([messages.number(reply) for reply in replies], [2])
         connection.close()
 
     def test_what_cannot_be_sent_costs_itself(self):

@@ -14,7 +14,8 @@ except ImportError:
 from giop_client import ERROR, LIMIT, PORT_OK, Served, block, fragments, request, result, text, whole
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, orb
-from rtshell_lite.corba.iiop import client, giop, references, requests, server
+from rtshell_lite.corba.iiop import client, server
+from rtshell_lite.giop import messages, references, requests
 
 
 class Answers(Served):
@@ -30,7 +31,7 @@ class Answers(Served):
         here = self.client()
         messages = [request(self.key, "put", block(b"%d" % i), number=i) for i in range(2000)]
         threading.Thread(target=here.send, args=messages, daemon=True).start()
-        self.assertEqual([giop.reply(here.answer())[0] for _ in messages], list(range(2000)))
+        self.assertEqual([messages.reply(here.answer())[0] for _ in messages], list(range(2000)))
         self.assertEqual(self.port.taken, [b"%d" % i for i in range(2000)])
         self.assertIs(type(self.port.taken[0]), bytes)
 
@@ -92,10 +93,10 @@ class Answers(Served):
                 message = bytearray(request(self.key, operation, kind=kind))
                 message[20 if operation else 16] = way
                 found = self.client().ask(bytes(message))
-                self.assertEqual(found[7], giop.REPLY if operation else requests.LOCATED)
-                self.assertEqual(struct.unpack_from("<II", found, 12), (1, giop.NEEDS_ADDRESSING_MODE))
+                self.assertEqual(found[7], messages.REPLY if operation else requests.LOCATED)
+                self.assertEqual(struct.unpack_from("<II", found, 12), (1, messages.NEEDS_ADDRESSING_MODE))
                 self.assertEqual(found[-2:], b"\0\0")
-                self.assertEqual(giop.size(found), len(found) - 12)
+                self.assertEqual(messages.size(found), len(found) - 12)
 
 
 class Fragments(Served):

@@ -6,8 +6,10 @@ import unittest
 
 from giop_peers import Calls, answer
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, lanes, orb, tasks
-from rtshell_lite.corba.iiop import client, giop, marshal
+from rtshell_lite.corba import lanes, orb, tasks
+from rtshell_lite.giop import descriptors
+from rtshell_lite.corba.iiop import client
+from rtshell_lite.giop import marshal, messages
 
 
 class Silence(Calls):
@@ -19,7 +21,7 @@ class Silence(Calls):
         silent = self.script(lambda pending: None)
         body = bytearray(24)
         marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(body, silent.ref)
-        forwarding = self.script_of(lambda number: answer(number, bytes(body[24:]), giop.FORWARD))
+        forwarding = self.script_of(lambda number: answer(number, bytes(body[24:]), messages.FORWARD))
         start = time.monotonic()
         for found in (self.run_tasks(*[self.asking(forwarding.ref)] * 3), self.run_tasks(self.asking(forwarding.ref))):
             for value in found:

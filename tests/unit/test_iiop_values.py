@@ -6,9 +6,10 @@ import tracemalloc
 import unittest
 
 import random_values
-from rtshell_lite.corba import cdr, descriptors, idl, ior
-from rtshell_lite.corba.fixed_size import Fault
-from rtshell_lite.corba.iiop import allowance, client, marshal, operations, typecodes
+from rtshell_lite.giop import cdr, descriptors, idl, ior
+from rtshell_lite.giop.fixed_size import Fault
+from rtshell_lite.corba.iiop import client
+from rtshell_lite.giop import allowance, marshal, operations, typecodes
 
 try:
     import omniORB
@@ -22,7 +23,7 @@ COMPONENT = "IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0"
 
 
 class Tables(unittest.TestCase):
-    """idl_stubs/tables.py, as corba/idl.py reads it."""
+    """idl_stubs/tables.py, as giop/idl.py reads it."""
 
     def test_all_types(self):
         for type_id in idl.TYPES:

@@ -3,7 +3,7 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import errors, path
-from rtshell_lite.corba import ior
+from rtshell_lite.giop import ior
 from rtshell_lite.robot import naming, node, tree
 
 

@@ -12,7 +12,8 @@ try:
 except ImportError:
     omniORB = None
 
-from rtshell_lite.corba import descriptors, idl, stubs
+from rtshell_lite.corba import stubs
+from rtshell_lite.giop import descriptors, idl
 from rtshell_lite.data import type_json
 from rtshell_lite.data.idl import parser, tokens
 

@@ -4,8 +4,10 @@ from _socket import gaierror
 from struct import error as StructError
 
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, failures, idl, ior, lanes
-from rtshell_lite.corba.iiop import allowance, connections, giop, marshal, operations
+from rtshell_lite.corba import failures, lanes
+from rtshell_lite.giop import descriptors, idl, ior
+from rtshell_lite.corba.iiop import connections
+from rtshell_lite.giop import allowance, marshal, messages, operations
 from rtshell_lite.text import printable
 
 FORWARDS = 8  # at most, from one object to another
@@ -29,7 +31,7 @@ class Request:
         self.call, self.resume, self.ref = call, resume, call.ref
         self.operation = operations.operation(call.ref.interface, call.operation)
         self.seconds = max(call.seconds or 0, lanes.session.timeout)
-        self.sent, self.again, self._forwards, self._spent, self._mode = None, 0, 0, 0.0, giop.KEY
+        self.sent, self.again, self._forwards, self._spent, self._mode = None, 0, 0, 0.0, messages.KEY
 
     @property
     def endpoint(self):
@@ -44,7 +46,7 @@ class Request:
     @property
     def most(self):
         """Octets that its reply may have."""
-        return giop.HEADER + giop.LARGEST if self.operation.carries_data else giop.LARGE
+        return messages.HEADER + messages.LARGEST if self.operation.carries_data else messages.LARGE
 
     def others(self):
         """Further endpoints of the object."""
@@ -59,7 +61,7 @@ class Request:
         version, mode, target = self.ref.target(self._mode, via)
         arguments = list(zip(self.operation.arguments, self.call.args))
         try:
-            return giop.request(number, version if version < latest else latest, mode, target, self.call.operation, arguments)
+            return messages.request(number, version if version < latest else latest, mode, target, self.call.operation, arguments)
         except marshal.Unsendable as e:
             raise errors.Refused(str(self.call.where), f"cannot be asked: {e}", name="BAD_PARAM")
         except (ValueError, StructError) as e:
@@ -72,15 +74,15 @@ class Request:
         try:
             if len(data) > self.most:
                 raise ValueError(f"more than {self.most} octets")
-            if status == giop.NO_EXCEPTION:
+            if status == messages.NO_EXCEPTION:
                 value = _values(self.operation.results[little], data, at)
-            elif status == giop.SYSTEM_EXCEPTION:
+            elif status == messages.SYSTEM_EXCEPTION:
                 name, label = _system_exception(data, at, little)
                 if name == "COMM_FAILURE" and self.asks and not self.again:  # the peer has lost a connection of its own
                     self.again = 1
                     return True
                 error = failures.system(str(self.call.where), name, label)
-            elif status == giop.USER_EXCEPTION:
+            elif status == messages.USER_EXCEPTION:
                 error = self._user_exception(data, at, little)
             else:
                 self._forward(status, data, at, little)
@@ -96,12 +98,12 @@ class Request:
         self._forwards += 1
         if self._forwards > FORWARDS or self._spent > self.seconds:
             raise ValueError("forwarded again and again")
-        if status == giop.NEEDS_ADDRESSING_MODE:
+        if status == messages.NEEDS_ADDRESSING_MODE:
             self._mode, _ = operations.reader(descriptors.SHORT, little)(data, at)
-            if self._mode not in (giop.KEY, giop.PROFILE, giop.REFERENCE):
+            if self._mode not in (messages.KEY, messages.PROFILE, messages.REFERENCE):
                 raise ValueError(f"addressing mode {self._mode}")
             return
-        if status not in (giop.FORWARD, giop.FORWARD_PERM):
+        if status not in (messages.FORWARD, messages.FORWARD_PERM):
             raise ValueError(f"a reply of status {status}")
         interface = self.call.ref.interface
         self.ref, _ = operations.reader(idl.descriptor(interface) if interface else _OBJECT, little)(data, at)

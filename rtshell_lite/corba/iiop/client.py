@@ -3,8 +3,8 @@ import re
 import sys
 
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors, idl, ior
-from rtshell_lite.corba.iiop import references
+from rtshell_lite.giop import descriptors, idl, ior
+from rtshell_lite.giop import references
 from rtshell_lite.corba.iiop.loop import in_turn as loop, invoke  # noqa: F401: orb.py calls them
 from rtshell_lite.path import split_address
 from rtshell_lite.text import from_wire, to_wire

@@ -10,7 +10,7 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import hosts, lanes
-from rtshell_lite.corba.iiop import giop
+from rtshell_lite.giop import messages
 
 PIECE = 16384  # octets received at a time: buffers of more are slow to allocate
 AT_A_TIME = 64  # pieces of one connection; then others have their turn, too
@@ -88,9 +88,9 @@ class Connection:
         self._version, self._via = (1, _spoken.get(endpoint, 2)), endpoint  # the latest GIOP to speak; where it is connected
         self._socket, self._ways, self._error = None, self._all_ways(others), None
         self._out, self._not_begun = bytearray(), {}  # what is to be sent; requests until there is a connection, by number
-        self._pieces, self._have, self._need = [], 0, giop.HEADER
+        self._pieces, self._have, self._need = [], 0, messages.HEADER
         self._unwanted = 0  # octets to come, the rest of a message that is too long
-        self._fragments = giop.Fragments()
+        self._fragments = messages.Fragments()
 
     @property
     def is_quiet(self):
@@ -194,12 +194,15 @@ class Connection:
         del self._out[:sent]
 
     def is_stray(self, number):
-        """Whether nobody waits, or has waited, for a reply with this number: some peers repeat replies. Raises giop.Garbled at too many."""
+        """Whether nobody waits, or has waited, for a reply with this number: some peers repeat replies.
+
+        Raises Garbled at too many.
+        """
         if number in self.requests or number in self._given_up:
             return False
         self._strays += 1
         if self._strays > MOST_STRAYS:
-            raise giop.Garbled("replies to other requests")
+            raise messages.Garbled("replies to other requests")
         return True
 
     def answered(self, number):
@@ -231,7 +234,7 @@ class Connection:
         If so, that is spoken with it from now on. Some say which; omniORB that is limited to GIOP 1.1 just closes.
         """
         _, minor = self._version
-        if isinstance(end, giop.Misunderstood):
+        if isinstance(end, messages.Misunderstood):
             older = end.minor
         elif isinstance(end, Closed) and not end.untouched and not self._pieces and self.endpoint not in lanes.last_answers():
             older = minor - 1
@@ -277,9 +280,9 @@ class Connection:
         self._have += len(piece)
         while self._have >= self._need:
             data = self._pieces[0] if len(self._pieces) == 1 else b"".join(self._pieces)
-            whole = giop.HEADER + giop.size(data)
+            whole = messages.HEADER + messages.size(data)
             size = whole
-            if whole > giop.LARGE:
+            if whole > messages.LARGE:
                 size = min(whole, 1 + self._most())
             if self._have < size:
                 self._pieces, self._need = [data], size
@@ -287,7 +290,7 @@ class Connection:
             rest, self._unwanted = data[size:], whole - size
             if self._unwanted:
                 rest = self._wanted(rest)
-            self._pieces, self._have, self._need = [rest] if rest else [], len(rest), giop.HEADER
+            self._pieces, self._have, self._need = [rest] if rest else [], len(rest), messages.HEADER
             self._message(data[:size] if size < len(data) else data, found)
 
     def _wanted(self, octets):
@@ -299,23 +302,23 @@ class Connection:
     def _most(self, number=None):
         """Octets that the reply to a request may have; None is any request. Raises Garbled where there was none."""
         if number is None:
-            return max((request.most for request in self.requests.values()), default=giop.LARGE)
+            return max((request.most for request in self.requests.values()), default=messages.LARGE)
         if number in self.requests:
             return self.requests[number].most
         if number not in self._given_up:
-            raise giop.Garbled("a reply to another request")
-        return giop.LARGE
+            raise messages.Garbled("a reply to another request")
+        return messages.LARGE
 
     def _message(self, data, found):
         kind = data[7]
-        if kind == giop.REPLY and not data[6] & giop.MORE:  # most are whole
+        if kind == messages.REPLY and not data[6] & messages.MORE:  # most are whole
             return found.append(data)
-        if kind == giop.CLOSE:
+        if kind == messages.CLOSE:
             raise Closed(untouched=True)
-        if kind == giop.ERROR:
-            raise giop.Misunderstood(data[5])
-        if kind not in (giop.REPLY, giop.FRAGMENT):
-            raise giop.Garbled(f"a message of kind {kind}")
+        if kind == messages.ERROR:
+            raise messages.Misunderstood(data[5])
+        if kind not in (messages.REPLY, messages.FRAGMENT):
+            raise messages.Garbled(f"a message of kind {kind}")
         whole = self._fragments.joined(data, self._most)
         if whole is not None:
             found.append(whole)

@@ -9,7 +9,8 @@ from struct import error as StructError
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, tasks
-from rtshell_lite.corba.iiop import calls, connections, giop
+from rtshell_lite.corba.iiop import calls, connections
+from rtshell_lite.giop import messages
 
 LOOK = 0.005  # seconds between looks at whether the address of a host has been found
 AWAY = 3  # ticks between two looks for what has waited too long; after more of them we, not others, were away: stopped, say
@@ -317,8 +318,8 @@ class _Loop:
             self._lost(peer, e)
 
     def _reply(self, peer, data):
-        """Take a whole reply. Raises giop.Garbled, struct.error."""
-        number, status, little, at = giop.reply(data)
+        """Take a whole reply. Raises Garbled, struct.error."""
+        number, status, little, at = messages.reply(data)
         if peer.connection.is_stray(number):
             return
         request = peer.connection.answered(number)

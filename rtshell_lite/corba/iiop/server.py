@@ -14,15 +14,16 @@ import threading
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import idl, lanes
-from rtshell_lite.corba.iiop import allowance, giop, operations, references, requests
+from rtshell_lite.corba import lanes
+from rtshell_lite.giop import idl
+from rtshell_lite.giop import allowance, messages, operations, references, requests
 
 MOST = 500  # connections
 MOST_OF_ADDRESS = 200  # of them that have called no servant yet
 MOST_NEW = 200  # connections that are accepted in a second; others wait
 MOST_ASKED = 500  # questions that need no servant, such as _non_existent, of a connection that has called none
 MOST_PARTS = 8  # messages of a connection whose fragments are still coming
-MOST_OCTETS = 2 * giop.LARGEST  # of all messages that are still coming
+MOST_OCTETS = 2 * messages.LARGEST  # of all messages that are still coming
 LONGEST_KEPT = 2048  # octets before its arguments up to which a request is kept, to compare the next one with; real ones have 150
 ROOM = 4096  # octets that a connection can receive before it has sent any
 UNFINISHED, IDLE = 60.0, 180.0  # seconds until a connection is closed within a message, or between two; omniORB's is the same
@@ -73,7 +74,7 @@ class Caller:
         self.socket, self.host, self.minor, self.last = connection, host, 0, None
         self.has_called, self.asked = False, 0  # a servant; how often it has asked what needs none
         self.data, self.begin, self.end = bytearray(), 0, 0  # data[begin:end] has come; data never shrinks while it is in use
-        self.fragments = giop.Fragments()
+        self.fragments = messages.Fragments()
         self.out = bytearray()
         self.since = time.monotonic()  # when the last message was complete
 
@@ -92,7 +93,7 @@ class Caller:
             self.data[:self.end] = self.data[self.begin:self.begin + self.end]
             self.begin = 0
         if self.end == len(self.data):
-            wanted = giop.HEADER + giop.size(self.data) if self.end else 0
+            wanted = messages.HEADER + messages.size(self.data) if self.end else 0
             grown = bytearray(max(ROOM, min(wanted, 2 * self.end)))
             grown[:self.end] = self.data
             self.data = grown
@@ -103,9 +104,9 @@ class Caller:
 
     def message(self):
         """The next message that is complete, to be used at once, or None. Raises Garbled."""
-        while self.end - self.begin >= giop.HEADER:
+        while self.end - self.begin >= messages.HEADER:
             data = memoryview(self.data)[self.begin:self.end]
-            size = giop.HEADER + giop.size(data)
+            size = messages.HEADER + messages.size(data)
             if len(data) < size:
                 return None
             self.begin += size
@@ -119,8 +120,8 @@ class Caller:
     def most(self, _):
         """Octets that a message in fragments may have. Raises Garbled where too many have begun."""
         if len(self.fragments.begun) > MOST_PARTS:
-            raise giop.Garbled("too many messages at once")
-        return giop.LARGEST
+            raise messages.Garbled("too many messages at once")
+        return messages.LARGEST
 
     def request(self, data):
         """The Request in a message; most differ from the last one only in their ids and arguments. Raises as Request does."""
@@ -220,8 +221,8 @@ class Server:
                     self.close(caller)
         except BlockingIOError:
             return
-        except (giop.Garbled, struct.error, IndexError):
-            return self.close(caller, giop.ERROR)
+        except (messages.Garbled, struct.error, IndexError):
+            return self.close(caller, messages.ERROR)
         except (OSError, EOFError, MemoryError):
             return self.close(caller)
         if caller in self.callers and may_send != bool(caller.out):
@@ -258,7 +259,7 @@ class Server:
             if now - caller.since > (UNFINISHED if caller.is_unfinished() else IDLE):
                 self.close(caller)
 
-    def close(self, caller, last=giop.CLOSE):
+    def close(self, caller, last=messages.CLOSE):
         """Close a connection with a last word: that what has not been answered has not been begun, or was not understood."""
         if caller in self.callers:
             self.callers.discard(caller)
@@ -276,12 +277,12 @@ class Server:
         """The answer to a message, octets, or None. Raises Garbled, struct.error, IndexError, EOFError at the last message."""
         kind = data[7]
         if kind == requests.CANCEL:
-            caller.fragments.forget(giop.number(data))
+            caller.fragments.forget(messages.number(data))
             return None
-        if kind in (giop.CLOSE, giop.ERROR):
+        if kind in (messages.CLOSE, messages.ERROR):
             raise EOFError
         if kind not in (requests.REQUEST, requests.LOCATE):
-            raise giop.Garbled("not for a server")
+            raise messages.Garbled("not for a server")
         request = caller.request(data)
         if request.key is None:
             answer = requests.needs_key(request)
@@ -303,7 +304,7 @@ class Server:
             readers, writers, octets = operations.served(interface, request.operation)
         except KeyError:
             return requests.failed(request, "BAD_OPERATION")
-        if not octets and len(request.data) > giop.LARGE:
+        if not octets and len(request.data) > messages.LARGE:
             return requests.failed(request, "IMP_LIMIT")
         allowance.begin()
         data, arguments, at = request.data if octets else bytes(request.data), [], request.at

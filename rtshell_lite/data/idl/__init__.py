@@ -4,5 +4,5 @@ Interfaces, valuetypes, exceptions, components and homes are skipped; types with
 includes, conditions, macros without parameters, and the pragmas prefix, ID, version. Nothing is evaluated.
 
 tokens.py reads tokens and preprocesses them; parser.py reads definitions, types.py types, constants.py expressions; scopes.py
-has the names. The result are descriptors (corba/descriptors.py).
+has the names. The result are descriptors (giop/descriptors.py).
 """

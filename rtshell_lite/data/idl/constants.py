@@ -1,8 +1,8 @@
 """Constant expressions of IDL (CORBA 3.0, 3.10.2): numbers, texts and items of enums."""
 import operator
 
-from rtshell_lite.corba import descriptors
-from rtshell_lite.corba.descriptors import BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, RANGES, STRING, WCHAR, WSTRING, kind
+from rtshell_lite.giop import descriptors
+from rtshell_lite.giop.descriptors import BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, RANGES, STRING, WCHAR, WSTRING, kind
 from rtshell_lite.data.idl import tokens
 from rtshell_lite.text import literal
 

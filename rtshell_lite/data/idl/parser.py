@@ -2,8 +2,8 @@
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors
-from rtshell_lite.corba.descriptors import ALIAS
+from rtshell_lite.giop import descriptors
+from rtshell_lite.giop.descriptors import ALIAS
 from rtshell_lite.data.idl import constants, tokens, types
 from rtshell_lite.data.idl.scopes import DEEPEST, KEYWORDS, Entry, Scope
 from rtshell_lite.text import printable

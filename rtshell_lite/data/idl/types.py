@@ -1,7 +1,7 @@
 """Types of an IDL file as descriptors: the words for basic ones, sequences, structs, unions and enums."""
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors
-from rtshell_lite.corba.descriptors import FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, WSTRING
+from rtshell_lite.giop import descriptors
+from rtshell_lite.giop.descriptors import FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, WSTRING
 from rtshell_lite.data.idl import constants
 from rtshell_lite.data.idl.scopes import DEEPEST, Entry, Scope
 from rtshell_lite.text import printable

@@ -1,8 +1,8 @@
 """The interfaces and types of OpenRTM's IDL, from the tables that are generated from it (see idl_stubs/generate.py)."""
 import functools
 
-from rtshell_lite.corba import descriptors
-from rtshell_lite.corba.descriptors import ALIAS, ARRAY, ENUM, OBJECT, SEQUENCE, STRING, UNION, WSTRING
+from rtshell_lite.giop import descriptors
+from rtshell_lite.giop.descriptors import ALIAS, ARRAY, ENUM, OBJECT, SEQUENCE, STRING, UNION, WSTRING
 from rtshell_lite.idl_stubs.tables import INTERFACES, MINORS, TYPES  # noqa: F401: iiop/client.py reads MINORS here
 
 

@@ -1,7 +1,7 @@
 """How much one answer may hold: an element of a sequence may take 500 times the memory of its octets, and a type even more."""
 from _thread import _local as Local
 
-from rtshell_lite.corba.fixed_size import Fault
+from rtshell_lite.giop.fixed_size import Fault
 
 MOST = 100000  # parts: elements of sequences, types in TypeCodes and what they consist of
 CLASS = 20  # parts that a struct or a union in a TypeCode counts for: it takes a class

@@ -1,8 +1,8 @@
 """References to objects: what they say, from text and to text; no call."""
 import struct
 
-from rtshell_lite.corba import ior
-from rtshell_lite.corba.iiop import giop
+from rtshell_lite.giop import ior
+from rtshell_lite.giop import messages
 
 _LENGTH, _PAIR = struct.Struct("<I"), struct.Struct("<II")
 
@@ -42,7 +42,7 @@ class Reference:
                 first = first or found
         return first
 
-    def target(self, mode=giop.KEY, via=None):
+    def target(self, mode=messages.KEY, via=None):
         """(GIOP version, mode, octets that name the object in that mode, for who is asked at the endpoint `via`).
 
         Raises OSError where it has no IIOP profile.
@@ -54,9 +54,9 @@ class Reference:
         number, key = 0, address.key
         if tag != ior.IIOP or via is not None and via != address[1:3]:  # few have more than one profile
             number, profile, key = self._at(via)
-        if mode == giop.KEY:
+        if mode == messages.KEY:
             octets = _LENGTH.pack(len(key)) + key
-        elif mode == giop.PROFILE:
+        elif mode == messages.PROFILE:
             octets = _PAIR.pack(ior.IIOP, len(profile)) + profile
         else:
             octets = _LENGTH.pack(number) + ior.octets(self.type_id + b"\0", self.profiles)

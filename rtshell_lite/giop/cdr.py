@@ -6,11 +6,11 @@ to their number. Strings are UTF-8; invalid bytes become surrogate escapes.
 """
 import struct
 
-from rtshell_lite.corba.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT,
-                                            STRING, STRUCT, ULONG, ULONGLONG, UNION, USHORT, WCHAR, WSTRING, bound,
-                                            cases_by_label, default_case, discriminator, element, factory, kind, length,
-                                            members, target)
-from rtshell_lite.corba.fixed_size import CODES, SIZES, Fault, Forms, fixed, least
+from rtshell_lite.giop.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT,
+                                           STRING, STRUCT, ULONG, ULONGLONG, UNION, USHORT, WCHAR, WSTRING, bound,
+                                           cases_by_label, default_case, discriminator, element, factory, kind, length,
+                                           members, target)
+from rtshell_lite.giop.fixed_size import CODES, SIZES, Fault, Forms, fixed, least
 
 NUMBERS = (SHORT, LONG, USHORT, ULONG, FLOAT, DOUBLE, BOOLEAN, LONGLONG, ULONGLONG)
 

@@ -13,7 +13,7 @@ import operator
 import struct
 import sys
 
-from rtshell_lite.corba import descriptors
+from rtshell_lite.giop import descriptors
 
 IIOP = 0  # the tag of a profile, TAG_INTERNET_IOP
 ALTERNATE = 3  # the tag of a component of a profile, TAG_ALTERNATE_IIOP_ADDRESS (CORBA 3.0, 13.6.6.8)

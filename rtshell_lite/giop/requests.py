@@ -1,9 +1,9 @@
 """GIOP as a server reads and writes it (CORBA 3.0, 15.4): requests taken apart, answers as octets; no socket."""
 import struct
 
-from rtshell_lite.corba.iiop import giop, marshal, operations
+from rtshell_lite.giop import marshal, messages, operations
 
-REQUEST, CANCEL, LOCATE, LOCATED = 0, 2, 3, 4  # kinds of messages; giop.py has the others
+REQUEST, CANCEL, LOCATE, LOCATED = 0, 2, 3, 4  # kinds of messages; messages.py has the others
 NO, MAYBE = 1, 2  # whether what raised an exception was completed
 _ANSWER, _LOCATED = struct.Struct("<4s4BIIII"), struct.Struct("<4s4BIII")
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "H")) for order in "><"]
@@ -15,11 +15,11 @@ class Request:
     """
 
     def __init__(self, data):
-        self.data, self.at, self.minor, self.little = data, None, data[5], data[6] & giop.LITTLE
+        self.data, self.at, self.minor, self.little = data, None, data[5], data[6] & messages.LITTLE
         self.one, short = _ORDERS[self.little]
-        self.asks, self.operation, self.is_answered, at = data[7] == REQUEST, "", True, giop.HEADER
+        self.asks, self.operation, self.is_answered, at = data[7] == REQUEST, "", True, messages.HEADER
         if self.asks and self.minor < 2:
-            at = giop.after_contexts(data, at, self.one)
+            at = messages.after_contexts(data, at, self.one)
         self.id, = self.one.unpack_from(data, at)
         at += 4
         if self.asks:
@@ -42,13 +42,13 @@ class Request:
         if self.at is None or self.minor < 2 or data[4:8] != self.form or data[16:self.at] != self.head:
             return False
         self.data = data
-        self.id, = self.one.unpack_from(data, giop.HEADER)
+        self.id, = self.one.unpack_from(data, messages.HEADER)
         return True
 
     def _arguments(self, at):
         if self.minor < 2:
             return self._octets(at)[1]  # the principal
-        at = giop.after_contexts(self.data, at, self.one)
+        at = messages.after_contexts(self.data, at, self.one)
         return at + -at % 8
 
     def _octets(self, at):
@@ -56,42 +56,42 @@ class Request:
         size, = self.one.unpack_from(self.data, at)
         at += 4 + size
         if at > len(self.data):
-            raise giop.Garbled("octets without an end")
+            raise messages.Garbled("octets without an end")
         return bytes(self.data[at - size:at]), at
 
 
 # ---- answers, in little endian --------------------------------------------------------------------------------
 
-def answer(request, status=giop.NO_EXCEPTION):
+def answer(request, status=messages.NO_EXCEPTION):
     """A Reply as a bytearray, up to its results; `sized` ends it."""
     words = (request.id, status, 0) if request.minor == 2 else (0, request.id, status)  # 0: no service contexts
-    return bytearray(_ANSWER.pack(b"GIOP", 1, request.minor, giop.LITTLE, giop.REPLY, 0, *words))
+    return bytearray(_ANSWER.pack(b"GIOP", 1, request.minor, messages.LITTLE, messages.REPLY, 0, *words))
 
 
 def sized(out):
     """A message that is complete: its size is put into its header."""
-    struct.pack_into("<I", out, 8, len(out) - giop.HEADER)
+    struct.pack_into("<I", out, 8, len(out) - messages.HEADER)
     return out
 
 
 def failed(request, name, completed=NO):
     """A Reply that raises a system exception."""
-    out = answer(request, giop.SYSTEM_EXCEPTION)
+    out = answer(request, messages.SYSTEM_EXCEPTION)
     operations.writer(marshal.TEXT)(out, f"IDL:omg.org/CORBA/{name}:1.0")
     return sized(out + b"\0" * (-len(out) % 4) + struct.pack("<II", 0, completed))
 
 
 def needs_key(request):
     """The answer to who names an object by a profile or a reference."""
-    out = answer(request, giop.NEEDS_ADDRESSING_MODE) if request.asks else located(request, giop.NEEDS_ADDRESSING_MODE)
-    return sized(out + struct.pack("<H", giop.KEY))
+    out = answer(request, messages.NEEDS_ADDRESSING_MODE) if request.asks else located(request, messages.NEEDS_ADDRESSING_MODE)
+    return sized(out + struct.pack("<H", messages.KEY))
 
 
 def located(request, status):
     """A LocateReply; status 0: no such object, 1: it is here."""
-    return bytearray(_LOCATED.pack(b"GIOP", 1, request.minor, giop.LITTLE, LOCATED, 8, request.id, status))
+    return bytearray(_LOCATED.pack(b"GIOP", 1, request.minor, messages.LITTLE, LOCATED, 8, request.id, status))
 
 
 def word(kind, minor):
-    """A message that is a header alone: giop.CLOSE, giop.ERROR."""
-    return b"GIOP" + bytes([1, minor, giop.LITTLE, kind]) + bytes(4)
+    """A message that is a header alone: messages.CLOSE, messages.ERROR."""
+    return b"GIOP" + bytes([1, minor, messages.LITTLE, kind]) + bytes(4)

@@ -1,9 +1,9 @@
 """Operations of the interfaces of the IDL: how their arguments and results are written and read."""
 import functools
 
-from rtshell_lite.corba import descriptors, idl
-from rtshell_lite.corba.descriptors import BOOLEAN, OCTET, SEQUENCE, STRING, plain
-from rtshell_lite.corba.iiop import marshal
+from rtshell_lite.giop import descriptors, idl
+from rtshell_lite.giop.descriptors import BOOLEAN, OCTET, SEQUENCE, STRING, plain
+from rtshell_lite.giop import marshal
 
 _MAKERS = [marshal.Maker(">"), marshal.Maker("<")]
 _COMMON = {"_non_existent": ((), (BOOLEAN,), ()), "_is_a": ((STRING,), (BOOLEAN,), ())}  # every object has these

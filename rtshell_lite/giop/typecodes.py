@@ -5,10 +5,10 @@ What is read first has no classes for its values; descriptors.adopted checks it,
 import struct
 
 from rtshell_lite import errors
-from rtshell_lite.corba import descriptors
-from rtshell_lite.corba.descriptors import ALIAS, ARRAY, ENUM, EXCEPTION, FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING
-from rtshell_lite.corba.fixed_size import Fault
-from rtshell_lite.corba.iiop import allowance
+from rtshell_lite.giop import descriptors
+from rtshell_lite.giop.descriptors import ALIAS, ARRAY, ENUM, EXCEPTION, FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING
+from rtshell_lite.giop.fixed_size import Fault
+from rtshell_lite.giop import allowance
 
 INDIRECTION = 0xffffffff
 PLAIN = tuple(range(OBJECT)) + (23, 24, 25, 26)  # those of which the kind says all: null to Principal, long long to wchar

@@ -1,9 +1,9 @@
 """Types whose values have a fixed size: they are read and written by one call of the module struct."""
 import struct
 
-from rtshell_lite.corba.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT,
-                                            STRING, STRUCT, ULONG, ULONGLONG, USHORT, WSTRING, element, factory, items, kind,
-                                            length, members, plain, target)
+from rtshell_lite.giop.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT,
+                                           STRING, STRUCT, ULONG, ULONGLONG, USHORT, WSTRING, element, factory, items, kind,
+                                           length, members, plain, target)
 
 CODES = {SHORT: "h", LONG: "i", USHORT: "H", ULONG: "I", FLOAT: "f", DOUBLE: "d", BOOLEAN: "?", CHAR: "c", OCTET: "B",
          LONGLONG: "q", ULONGLONG: "Q", ENUM: "I"}  # of the module struct

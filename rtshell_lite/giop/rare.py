@@ -2,8 +2,8 @@
 import math
 import struct
 
-from rtshell_lite.corba.descriptors import FIXED, LONGDOUBLE, kind
-from rtshell_lite.corba.fixed_size import Fault
+from rtshell_lite.giop.descriptors import FIXED, LONGDOUBLE, kind
+from rtshell_lite.giop.fixed_size import Fault
 
 MOST_DIGITS = 31  # of a fixed
 

@@ -2,11 +2,11 @@
 import struct
 from _thread import RLock
 
-from rtshell_lite.corba import cdr, descriptors, ior
-from rtshell_lite.corba.descriptors import ANY, CHAR, EXCEPTION, FIXED, LONGDOUBLE, OBJECT, OCTET, PRINCIPAL, STRING, TYPECODE
-from rtshell_lite.corba.fixed_size import Fault
-from rtshell_lite.corba.iiop import allowance
-from rtshell_lite.corba.iiop.references import Reference
+from rtshell_lite.giop import cdr, descriptors, ior
+from rtshell_lite.giop.descriptors import ANY, CHAR, EXCEPTION, FIXED, LONGDOUBLE, OBJECT, OCTET, PRINCIPAL, STRING, TYPECODE
+from rtshell_lite.giop.fixed_size import Fault
+from rtshell_lite.giop import allowance
+from rtshell_lite.giop.references import Reference
 
 TEXT = (STRING, 0)
 _NAME_VALUE = "IDL:org.omg/SDOPackage/NameValue:1.0"
@@ -187,7 +187,7 @@ class Maker(cdr.Maker):
             if unpack(data, at)[0] == STRING and unpack(data, at + 4)[0] == 0:  # almost all are
                 value, at = text(data, at + 8)
                 return Any(TEXT, value), at
-            from rtshell_lite.corba.iiop import typecodes
+            from rtshell_lite.giop import typecodes
             descriptor, at = typecodes.read(data, at, order)
             if descriptor in (0, 1):  # null, void
                 return Any(descriptor, None), at
@@ -201,10 +201,10 @@ class Maker(cdr.Maker):
         order = self.order
 
         def read(data, at):
-            from rtshell_lite.corba.iiop import typecodes
+            from rtshell_lite.giop import typecodes
             return typecodes.read(data, at, order)
         return read
 
     def read_rare(self, descriptor):
-        from rtshell_lite.corba import rare
+        from rtshell_lite.giop import rare
         return rare.reader(descriptor, self.order)
