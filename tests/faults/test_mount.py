@@ -40,7 +40,8 @@ AT_ONCE = 2  # hostile peers that are read at a time
 # of what cannot be read
 UNHEARD = errno.EHOSTUNREACH, errno.EIO, errno.ENOENT, errno.ETIMEDOUT, errno.ECONNREFUSED, errno.ENXIO, errno.EPERM
 LONGEST = 200  # seconds of all of them
-TALK_LIMIT = {"many-connectors": 10.0, "many-ports": LONGEST}  # seconds for a file of those that answer all that is asked
+# Seconds for a file of those that answer all that is asked.
+TALK_LIMIT = {"many-connectors": 10.0, "many-members": 10.0, "many-organizations": 10.0, "many-contexts": 10.0, "many-ports": LONGEST}
 GROWTH = 1024  # kB in the second half of the rounds
 
 
