@@ -35,7 +35,7 @@ PATIENCE = 8  # seconds, the timeout of what hangs; what does not wait for it mu
 THREADS = 40  # of a server that a thousand readers wait for
 RESIDENT = 30 * 1024  # kB
 # kB, when all hostile peers have been read; omniORB takes what the builtin ORB refuses
-HOSTILE = (64 if os.environ.get("RTSHELL_ORB") == "builtin" else 192) * 1024
+HOSTILE = (64 if os.environ.get("RTSHELL_ORB") == "builtin" else 256) * 1024
 AT_ONCE = 2  # hostile peers that are read at a time
 # of what cannot be read
 UNHEARD = errno.EHOSTUNREACH, errno.EIO, errno.ENOENT, errno.ETIMEDOUT, errno.ECONNREFUSED, errno.ENXIO, errno.EPERM
