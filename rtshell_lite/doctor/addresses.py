@@ -89,9 +89,25 @@ def loses_large(endpoint):
         return False
 
 
+@functools.lru_cache(maxsize=None)
+def speaks_otherwise(endpoint):
+    """Whether what listens at (host, port), which does not answer, speaks another protocol: servers of HTTP wait for the end of a line.
+
+    Asked once for each endpoint.
+    """
+    try:
+        with _asked(endpoint, SMALL) as (connection, _):
+            connection.sendall(b"\r\n\r\n")
+            said = connection.recv(4)
+    except (OSError, ValueError):
+        return False
+    return bool(said) and not b"GIOP".startswith(said)
+
+
 def forget():
     """Forget which hosts received what, for the next examination."""
     arrives.cache_clear()
+    speaks_otherwise.cache_clear()
     loses_large.cache_clear()
 
 

@@ -1,7 +1,7 @@
 """Each name in a name server and its reference: where it leads, whether it can be reached, whether its object lives."""
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, liveness, orb
-from rtshell_lite.doctor import here, limits, networks, remedies
+from rtshell_lite.doctor import addresses, here, limits, networks, remedies
 from rtshell_lite.doctor.finding import fail, ok, published, reason, warn
 from rtshell_lite.text import printable, shell_word
 
@@ -77,7 +77,8 @@ def _silent(visit, node, offered, shown):
         return fail("reference", where, message, remedies.network(offered[0]))
     if rule and reason(node.error) == errors.NO_USABLE_ADDRESS:
         return fail("reference", where, f"at {shown}: TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
-    if reason(node.error).startswith("garbled"):
+    is_silent = isinstance(node.error, errors.Silent)
+    if reason(node.error).startswith("garbled") or is_silent and addresses.speaks_otherwise(offered[0]):
         message = f"what listens at {shown} does not speak CORBA ({reason(node.error)})"
         return fail("reference", where, message, remedies.words("who listens instead", port=offered[0][1]))
     if remedies.is_of_network(node.error, offered[0]):

@@ -182,6 +182,8 @@ def _is_there(where, ref):
     except errors.Silent as e:
         if remedies.is_of_network(e, endpoint):
             raise _Stop(where, "cannot tell from here: TCP connects, but what is sent is not received", remedies.network(endpoint))
+        if addresses.speaks_otherwise(endpoint):
+            raise _Stop(where, "what listens there does not speak CORBA", remedies.words("who listens", port=port))
         raise _Stop(where, f"hung: accepts TCP, but {reason(e)}", _restart(e, where, port))
     except errors.Unreachable as e:
         if rule and reason(e) == errors.NO_USABLE_ADDRESS:

@@ -44,7 +44,7 @@ class Connections(unittest.TestCase):
         ends = {ref: places.End(ref, port._replace(ref=ref, connectors=[]), None) for ref in ("near", "far")}
         asked = []
         with mock.patch.multiple(connections.orb, identity=str, same=str.__eq__), mock.patch.object(
-                connections.places, "ask", lambda refs: asked.extend(refs) or [port, errors.Silent("far", "no answer")]):
+                connections.places, "ask", lambda refs, joining: asked.extend(refs) or [port, errors.Silent("far", "no answer")]):
             self.assertEqual(len(connections._troubles(link, ends)), 1)
             self.assertEqual(connections._again(link, ends), link)
         self.assertEqual((asked, ends["far"].port), (["near", "far"], None))
@@ -56,7 +56,7 @@ class Connections(unittest.TestCase):
         port = ports.Port(node, "In0.out", "Port", {}, [], [before], "near", None)
         ends = {"near": places.End("near", port, None), "far1": places.End("far1", None, errors.Silent("far1", "no answer"))}
         with mock.patch.multiple(connections.orb, identity=str, same=str.__eq__), mock.patch.object(
-                connections.places, "ask", lambda refs: [port._replace(connectors=[after]) for _ in refs]):
+                connections.places, "ask", lambda refs, joining: [port._replace(connectors=[after]) for _ in refs]):
             self.assertIsNone(connections._again(connections.Link(snapshot.Snapshot(node), port, before), ends))
 
     def test_what_one_end_does_not_have(self):

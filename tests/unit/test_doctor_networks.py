@@ -89,7 +89,8 @@ class Published(unittest.TestCase):
         with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)]), \
                 mock.patch.object(lanes, "_answered", {other: time.monotonic() for other in answered}), \
                 mock.patch.object(lanes, "name_servers", {("10.77.0.3", 2809)}), \
-                mock.patch.object(addresses, "arrives", lambda where: True):
+                mock.patch.object(addresses, "arrives", lambda where: True), \
+                mock.patch.object(addresses, "speaks_otherwise", lambda where: False):
             found = references._silent(visit, node, [(published, 4000)], published + ":4000")
         return found.message, "rtdel" in found.remedy
 
@@ -146,6 +147,27 @@ class Arrival(unittest.TestCase):
             listening.listen(1)
             self.assertTrue(addresses.arrives(listening.getsockname()))
         addresses.arrives.cache_clear()
+
+    def test_another_protocol(self):
+        """A server that waits for the end of a line is no hung process; one that hangs says nothing to that, either."""
+        for line, found in ((b"HTTP/1.0 400 Bad request\r\n", True), (b"GIOP\1\2\1\4", False), (b"", False)):
+            with socket.socket() as listening, mock.patch.object(lanes.session, "timeout", 0.6):
+                listening.bind(("127.0.0.1", 0))
+                listening.listen(1)
+                serving = threading.Thread(target=self.answer_a_line, args=(listening, line))
+                serving.start()
+                self.assertIs(addresses.speaks_otherwise(listening.getsockname()), found, line)
+                serving.join()
+        addresses.forget()
+
+    def answer_a_line(self, listening, line):
+        with listening.accept()[0] as connection:
+            data = b""
+            while not data.endswith(b"\r\n\r\n"):
+                data += connection.recv(100)
+            connection.sendall(line)
+            if not line:
+                connection.recv(1)  # until the other end has given up
 
     def test_what_is_lost(self):
         with mock.patch.object(addresses, "_unacknowledged", lambda connection: 1), mock.patch.object(lanes.session, "timeout", 0.1), \
