@@ -25,7 +25,7 @@ class Channels:
         """The datatypes.Type of a channel, None when it is not known. Raises BadIdl and the like for the user's files."""
         if number not in self._known:
             self._known[number] = type = self._type(self.log.channels[number])
-            self._stamped[number] = type and _stamped(type.descriptor)
+            self._stamped[number] = type and place_of_timestamp(type.descriptor)
         return self._known[number]
 
     def _type(self, channel):
@@ -82,7 +82,7 @@ class Channels:
         return type.encode(value, little)
 
 
-def _stamped(descriptor):
+def place_of_timestamp(descriptor):
     """Whether values of a type have a timestamp: FIRST, INSIDE or None."""
     if descriptors.kind(descriptor) != descriptors.STRUCT:
         return None

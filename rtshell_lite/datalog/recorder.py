@@ -16,6 +16,7 @@ from rtshell_lite.text import printable
 
 VALUES = 200000  # that may wait to be written
 TICK = 0.1  # seconds between two looks whether recording is over
+TIMESTAMP = 8  # octets
 SYNC = 5.0  # seconds between two fsyncs: what a power failure costs
 
 
@@ -56,12 +57,15 @@ class Recorder:
     """Writes the Messages that arrive in its `box`, whose keys are numbers of channels.
 
     The Flag `done` is set when `most` messages are written or writing fails. `count` and `octets` say how many were written,
+    `repeated` how many of these came twice in a row, with the same timestamp: OpenRTM-aist 2.1 repeats a `put` whose answer was lost;
     `failure` (OSError or None) why writing failed.
     """
 
-    def __init__(self, most=None):
-        self.box, self._most = inbox.Inbox(VALUES), most
-        self.count = self.octets = 0
+    def __init__(self, most=None, types=()):
+        """`types`: the datatypes.Type of each channel or None, a list that may grow until `start`."""
+        self.box, self._most, self._types = inbox.Inbox(VALUES), most, types
+        self.count = self.octets = self.repeated = 0
+        self._last = {}  # by channel: the data of the last value
         self.failure = self._thread = None
         self.done, self._stopped = interrupts.Flag(), threading.Event()
 
@@ -102,6 +106,14 @@ class Recorder:
         self.box.dropped[channel] += 1
         return False
 
+    def _is_repeated(self, channel, data):
+        """Whether a value is the last one of its channel again. Those without a timestamp may be alike."""
+        last, self._last[channel] = self._last.get(channel), data
+        if data != last or not any(data[:TIMESTAMP]):
+            return False
+        type = self._types[channel] if channel < len(self._types) else None
+        return type is not None and meaning.place_of_timestamp(type.descriptor) == meaning.FIRST
+
     def _write(self, writer):
         due, last = time.monotonic() + SYNC, False
         while not (last or self.done.is_set()):
@@ -111,6 +123,7 @@ class Recorder:
                 batch = batch[:self._most - self.count]
             writer.write([(channel, message.received, message.little, message.data) for channel, message in batch])
             self.count += len(batch)
+            self.repeated += sum(self._is_repeated(channel, message.data) for channel, message in batch)
             self.octets += sum(len(message.data) for _, message in batch)
             if self.count == self._most:
                 self.done.set()
@@ -170,7 +183,8 @@ def record(wanted, types, properties, pull, limits, file):
 
     `wanted` are port_words.Targets, `types` datatypes.Types, `properties` those of the connections; `pull`: values are fetched.
     """
-    tally, channels, work = cli.Tally(), Channels(types), Recorder(limits.entries)
+    tally, channels = cli.Tally(), Channels(types)
+    work = Recorder(limits.entries, channels.types)
     readers = list(_readers(wanted, properties, pull, channels, work.box, tally))
     for note in channels.notes:
         cli.note(note)
@@ -222,4 +236,6 @@ def _finish(work, watcher, tally):
     if dropped:
         cli.complain(f"{dropped} of {dropped + work.count} messages dropped")
         tally.fail(errors.Partial())
+    if work.repeated:
+        cli.note(f"{work.repeated} of {work.count} messages came twice: the component repeats a value whose answer it has not got")
     cli.detail(f"{work.count} messages, {work.octets} octets recorded")

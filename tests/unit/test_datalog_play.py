@@ -224,6 +224,18 @@ class Recording(Case):
         work.close()
         self.assertEqual([entry.channel for entry in self.read()[1]], [1, 1, 1])
 
+    def test_the_same_value_twice(self):
+        """OpenRTM-aist 2.1 repeats a value whose answer was lost; values without a timestamp may be alike."""
+        stamped = datatypes.Types().named("IDL:RTC/TimedLong:1.0")
+        plain = datatypes.Types().named("IDL:RTC/Time:1.0")
+        work = recorder.Recorder(None, [stamped, plain])
+        for channel in range(2):
+            for second in (0, 0, 1, 1, 1, 2):
+                work.box.put(channel, message_of(struct.pack("<III", second, 0, 7)))
+        work.start(writer.Writer(self.name, CHANNELS, START))
+        work.close()
+        self.assertEqual((work.count, work.repeated), (12, 2))
+
     def test_a_bug_is_no_success(self):
         """Whatever ends the thread that writes, the recording ends with an error."""
         class Broken(writer.Writer):
