@@ -69,6 +69,7 @@ def _served(directory, ttl, read_only, leave):
             leave()
         sys.stderr = Sentences(mount)
     cli.unwind_when_ended()
+    kernel.share_heap()
     kernel.hold(directory)
     fd = kernel.mount(directory, read_only)
     device = kernel.mounted().get(directory)

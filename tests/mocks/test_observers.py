@@ -99,6 +99,7 @@ class Observers(Case):
         context.set_rate(5)
         other = self.world.context("Mock0")
         other.add_component(component)
+        eventually(lambda: other.get_component_state(component) != RTC.CREATED_STATE, "in the context, from its next cycle on")
         other.remove_component(component)
         self.assertEqual(observer.next(5), [("EC_STATUS", hint) for hint in (
             "ATTACHED:1000", "DETACHED:1000", "RATE_CHANGED:0", "SHUTDOWN:0", "STARTUP:0")])

@@ -29,9 +29,9 @@ class Answers(Served):
 
     def test_one_connection_many_calls(self):
         here = self.client()
-        messages = [request(self.key, "put", block(b"%d" % i), number=i) for i in range(2000)]
-        threading.Thread(target=here.send, args=messages, daemon=True).start()
-        self.assertEqual([messages.reply(here.answer())[0] for _ in messages], list(range(2000)))
+        sent = [request(self.key, "put", block(b"%d" % i), number=i) for i in range(2000)]
+        threading.Thread(target=here.send, args=sent, daemon=True).start()
+        self.assertEqual([messages.reply(here.answer())[0] for _ in sent], list(range(2000)))
         self.assertEqual(self.port.taken, [b"%d" % i for i in range(2000)])
         self.assertIs(type(self.port.taken[0]), bytes)
 

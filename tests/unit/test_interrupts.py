@@ -119,7 +119,7 @@ class Waiting(Striking):
 class Loops(unittest.TestCase):
     @unittest.skipIf(sys.version_info < (3, 11), "needs tables of what is caught")
     def test_no_jump_back_is_outside_of_the_try_around_the_loop(self):
-        for function in lanes._in_lanes, node._iterated, run_plan.Run.carry_out:
+        for function in lanes._in_lanes, node._batches, run_plan.Run.carry_out:
             code, before = dis.Bytecode(function), None
             for instruction in code:
                 if instruction.opname == "JUMP_BACKWARD":
