@@ -219,7 +219,7 @@ class Asking(Case):
     @classmethod
     def setUpClass(cls):
         cls.robot = Robot(FRESH)
-        cls.robot.prepare(SYSTEM + " && rtec Source0.rtc rate 400 && rtact Source0.rtc")  # slower than a busy machine reads
+        cls.robot.prepare(SYSTEM + " && rtact Source0.rtc")
 
     @classmethod
     def tearDownClass(cls):
