@@ -41,6 +41,8 @@ class Composites:
         self.composite = self.world.component("composite0")
         self.organization, = self.composite.get_owned_organizations()
         self.context = self.world.context("composite0")
+        members = [self.world.component(name) for name in MEMBERS]  # which the context of 2.x knows from its next cycle on
+        eventually(lambda: all(self.context.get_component_state(one) != RTC.CREATED_STATE for one in members), "members")
 
     def reached(self, state, *names):
         components = [self.world.component(name) for name in names]

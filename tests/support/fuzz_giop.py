@@ -59,7 +59,7 @@ class Requests(Target):
         with here:
             there.setblocking(False)
             here.setblocking(False)
-            caller = server.Caller(there)
+            caller = server.Caller(there, "")
             self.server.callers.add(caller)
             self.server.selector.register(there, server.selectors.EVENT_READ, caller)
             here.sendall(data)

@@ -64,10 +64,10 @@ class Connections(unittest.TestCase):
     def test_what_does_not_match_is_known_before_it_is_connected(self):
         differ = errors.Refused("/localhost/a.rtc:out to /localhost/b.rtc:in", "data types differ")
         with mock.patch.object(ports, "check", side_effect=differ):
-            self.assertIs(connect_steps.Connect._obstacle(mock.Mock(), ["a:out", "b:in"], []), differ)
+            self.assertIs(connect_steps.Connect._obstacle(mock.Mock(), ["a:out", "b:in"]), differ)
 
     def test_one_that_was_removed_is_made_again_between_the_ends_that_live(self):
-        step = connect_steps.Disconnect(mock.Mock(connector_id="id"), [(mock.Mock(), "out"), (mock.Mock(), "in")])
+        step = connect_steps.Disconnect(model.DataPortConnector(connector_id="id"), [(mock.Mock(), "out"), (mock.Mock(), "in")], {"id"})
         removed = ports.Connector("id", "name", [], [("dataport.dataflow_type", "push"), ("dataport.corba_cdr.inport_ior", "IOR:00")])
         with mock.patch.object(connect_steps.connectors, "connect") as connect:
             step.having = lambda at: [(at[0], removed)] if at == ["a:out", "b:in"] else []
@@ -108,7 +108,11 @@ class States(unittest.TestCase):
 
     def test_of_a_member_the_context_of_the_composite_counts(self):
         self.assertEqual(self.actual({0: "Inactive", 1000: "Active"}, False), [])
-        self.assertEqual(self.actual({0: "Inactive", 1000: "Active"}, True), ["Inactive"])
+
+    def test_one_that_is_active_in_the_context_of_another_is_active(self):
+        """It is not to be Active in its own, too."""
+        self.assertEqual(self.actual({0: "Inactive", 1000: "Active"}, True), [])
+        self.assertEqual(self.actual({0: "Inactive", 1000: "Inactive"}, True), ["Inactive"])
 
 
 if __name__ == "__main__":
