@@ -96,6 +96,7 @@ def capture(tops=(), all_components=False, with_states=False, with_managers=Fals
             profile.data_port_connectors.append(connector)
         else:
             profile.service_port_connectors.append(connector)
+    notes = list(dict.fromkeys(notes))  # each once: a hostile composite names one member a thousand times
     return System(profile, found, unused, failures, notes)
 
 

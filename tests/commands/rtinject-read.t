@@ -51,7 +51,7 @@ A context may claim more than it keeps, as real ones do on a busy computer; what
 
 Who is not going to read is sent nothing, without --anyway:
 
-  $ rtec Slow0.rtc rate 20; rtec ConsoleOut0.rtc rate 20; rtdeact --wait Slow0.rtc; ctl reset; rtinject -c 8 Slow0.rtc:in
+  $ rtec Slow0.rtc rate 20; rtec ConsoleOut0.rtc rate 20; rtdeact --wait=30 Slow0.rtc; ctl reset; rtinject -c 8 Slow0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: it is Inactive and would read the values at some later connection; rtact /localhost:$PORT/test.host_cxt/Slow0.rtc first, or --anyway
   [1]
   $ ctl error Mock0; rtinject -c 8 Mock0.rtc:in
