@@ -97,6 +97,7 @@ def speaks_otherwise(endpoint):
     """
     try:
         with _asked(endpoint, SMALL) as (connection, _):
+            connection.settimeout(min(LEAST, lanes.session.timeout))  # of a process that hangs: the others need the time
             connection.sendall(b"\r\n\r\n")
             said = connection.recv(4)
     except (OSError, ValueError):
