@@ -49,7 +49,7 @@ def _ports(peer, count=1):
 
 
 def _connectors(peer, count=300, ends=2):
-    """A PortProfile with so many connectors, each with other ports of this very peer, which answer with as many."""
+    """A PortProfile with `count` connectors, each with other ports of this very peer, which answer with as many."""
     connectors = []
     for number in range(count):
         far = [Raw(reference(peer.port, PORT, b"port%d_%d" % (number, end))) for end in range(ends)]

@@ -39,7 +39,9 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
         self.configuration.preset(options.arguments)
         self.configuration_ref = process.serve(self.configuration, instance_name)
         self.ports = [self._port(port) for port in spec.ports(flavour)]
-        consumers = ((observers.OBSERVER,) if flavour.observer else ()) if options.consumers is None else options.consumers
+        consumers = options.consumers
+        if consumers is None:
+            consumers = (observers.OBSERVER,) if flavour.observer else ()
         self.observers = observers.Observers(self, consumers)
         self.key = flavour.component_key and flavour.component_key.format(spec.category, instance_name)
         if self.key and process.serve_key(self, self.key, instance_name) is None:

@@ -63,7 +63,7 @@ class Component:
         return component.state(self._node())
 
     def activate(self, wait=None, context=None):
-        """Activate it, as rtact does; `wait`: until it is Active, for at most so many seconds; `context`: as -e of rtact."""
+        """Activate it, as rtact does; `wait`: how many seconds to wait at most until it is Active; `context`: as -e of rtact."""
         self._change("ACTIVATE", wait, context)
 
     def deactivate(self, wait=None, context=None):

@@ -14,7 +14,7 @@ from rtshell_lite.corba import lanes
 from rtshell_lite.corba.liveness import is_own, is_this_host  # noqa: F401: checks of addresses
 from rtshell_lite.robot.aliases import resolve
 
-SMALL, LARGE = 4, 2000  # octets: the latter are more than an Ethernet packet holds
+SMALL, LARGE = 4, 2000  # octets: LARGE is more than an Ethernet packet holds
 LEAST, PAUSE = 0.2, 0.005  # seconds
 
 

@@ -307,7 +307,7 @@ def _reason(code, before, now, transition):
 
 @tasks.task
 async def stay(node, ref, transition, seconds):
-    """Check that a component is still Active a period of its execution context `ref` later, within so many seconds.
+    """Check that a component is still Active a period of its execution context `ref` later, within `seconds`.
 
     Where onActivated fails, a component is Active for one period before it is in Error (all of OpenRTM-aist). Other states
     last. Raises Refused, and Unreachable where a period takes longer.
