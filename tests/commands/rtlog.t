@@ -219,5 +219,5 @@ invocation: -f OUT -t 0.5 A:out
 invocation: -p -f LOG A:in
 invocation: -p --anyway -f LOG A:in
 lasting: -f OUT A:out
-prepared: rtec Source0.rtc rate 400; rtact Source0.rtc ConsoleOut0.rtc
+prepared: rtec Source0.rtc rate 200; rtact Source0.rtc ConsoleOut0.rtc
 example: rtlog --json -f run.rtlog | grep force <- rtlog -f run.rtlog -t 1 Source0.rtc:number.force
