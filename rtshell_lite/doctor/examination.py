@@ -59,7 +59,7 @@ def _name_servers():
 
 
 def _robot(tops, seconds, stated):
-    from rtshell_lite.doctor import components, composites, connections, managers, references, servers
+    from rtshell_lite.doctor import buffers, components, composites, connections, managers, references, servers
     visits = servers.visits(tops)
     yield [finding for visit in visits for finding in visit.findings] + _same_server(visits)
     yield [finding for visit in visits for finding in references.findings(visit)]
@@ -70,7 +70,7 @@ def _robot(tops, seconds, stated):
     rates = _rates(examined, seconds) if seconds else {}
     yield components.findings(examined, rates, hung, stated, components.logs(examined, nodes))
     yield members
-    yield links
+    yield links + buffers.findings(examined)
     yield managed
 
 

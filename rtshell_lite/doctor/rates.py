@@ -6,7 +6,7 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes
 from rtshell_lite.data import connection, datatypes, reading
-from rtshell_lite.doctor import remedies
+from rtshell_lite.doctor import buffers, remedies
 from rtshell_lite.doctor.finding import ok, reason, warn
 from rtshell_lite.robot import component, ports
 from rtshell_lite.text import printable, shell_word
@@ -78,7 +78,8 @@ def _watchable(snapshot):
     out_ports = [port for port in snapshot.ports if port.type == "DataOutPort"]
     if not out_ports:
         return None, "it has no out port"
-    return Watched(snapshot, active[0].rate, _smallest(out_ports)), ""
+    refused = [port for port in out_ports if buffers.refusal(port)]  # what is written there is of interest
+    return Watched(snapshot, active[0].rate, _smallest(refused or out_ports)), ""
 
 
 def _smallest(out_ports):
@@ -140,6 +141,7 @@ def _finding(watched, spent, missed):
     if watched.count < 2:
         return ok("rate", where, "rate not measured: nothing is written to " + name)
     kept = watched.count / spent
+    watched.snapshot.written = (watched.port, kept)
     if watched.count + 1 >= ENOUGH * watched.rate * (spent - missed):  # one more may have been on its way
         return ok("rate", where, f"keeps {kept:.1f} of {watched.rate:g} Hz (writes to {name})")
     return warn("rate", where, f"keeps {kept:.1f} of {watched.rate:g} Hz, or does not write to {name} in each cycle",

@@ -29,6 +29,7 @@ class Snapshot:
     ports          its ports.Ports; `refusing` (number from 1, errors.Error, endpoint) of those that failed, see EACH;
                    `dropped` those Ports that have just dropped a connection whose far end is dead; `of_tools` (Port, Connector)
                    of the connectors that are a tool's, where these were set apart
+    written        (Port, values that it writes a second) of the out port that was measured, or None
     owned          component.Contexts of its own; `participating` those of others that execute it, too. Those of another process
                    that does not answer have only their reference
     states         its states in `contexts`
@@ -40,7 +41,7 @@ class Snapshot:
 
     asking, answered, error = "", False, None
     ports = refusing = dropped = of_tools = owned = participating = states = organisations = composites = ()
-    configuration = profile = None
+    configuration = profile = written = None
 
     def __init__(self, node, others=(), rest=0):
         self.node, self.others, self.rest, self._left_alone = node, others, rest, {}

@@ -110,3 +110,23 @@ Connections that are well, of all kinds:
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/service.host_cxt/MyServiceConsumer0.rtc /localhost:$PORT/service.host_cxt/MyServiceProvider0.rtc
   ok    /localhost:$PORT/service.host_cxt/MyServiceConsumer0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/service.host_cxt/MyServiceProvider0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
+
+In ports that refuse values, as their full buffers do not overwrite: known where nothing reads them, probable where --measure
+finds that more is written than the component executes:
+
+  $ mock senders 100 --context flow.host_cxt/%n.rtc; mock these ConsoleOut:Slow0 --rate 10 --context flow.host_cxt/%n.rtc
+  $ full() { rtcon -p dataport.subscription_type=flush -p $1 ../flow.host_cxt/Source0.rtc:number ../flow.host_cxt/Slow0.rtc:in; }
+  $ full dataport.buffer.write.full_policy=overwrite; rtdoctor -q --measure ../flow.host_cxt | grep buffer
+  [1]
+  $ rtdis ../flow.host_cxt/Source0.rtc; full dataport.buffer.write.full_policy=do_nothing; rtdoctor -q ../flow.host_cxt | grep buffer
+  warn  /localhost:$PORT/flow.host_cxt/Slow0.rtc:in: nothing reads the values of /localhost:$PORT/flow.host_cxt/Source0.rtc:number: its buffer refuses what it has no room for, once it is full (do_nothing); try: if it is to move, activate it: rtact /localhost:$PORT/flow.host_cxt/Slow0.rtc
+  $ rtact --wait ../flow.host_cxt/Slow0.rtc; rtdoctor -q ../flow.host_cxt | grep buffer
+  [1]
+  $ rtdoctor -q --measure ../flow.host_cxt | grep buffer
+  warn  /localhost:$PORT/flow.host_cxt/Slow0.rtc:in: the values of /localhost:$PORT/flow.host_cxt/Source0.rtc:number probably find its buffer full (* Hz are written, it executes at 10 Hz), which refuses what it has no room for (do_nothing); try: raise the rate of its context (rtec /localhost:$PORT/flow.host_cxt/Slow0.rtc rate HZ), or, if old values may go, connect it with -p dataport.buffer.write.full_policy=overwrite (glob)
+  $ rtdis ../flow.host_cxt/Source0.rtc; full dataport.inport.buffer.write.full_policy=block; rtdoctor -q --measure ../flow.host_cxt | grep buffer
+  warn  /localhost:$PORT/flow.host_cxt/Slow0.rtc:in: the values of /localhost:$PORT/flow.host_cxt/Source0.rtc:number probably find its buffer full (100 Hz are written, it executes at 10 Hz), which makes its writers wait (block); try: raise the rate of its context (rtec /localhost:$PORT/flow.host_cxt/Slow0.rtc rate HZ), or, if old values may go, connect it with -p dataport.buffer.write.full_policy=overwrite (glob)
+  $ rtdoctor --json --measure ../flow.host_cxt | grep -c '"check": "buffer"'
+  1
+  $ rtec ../flow.host_cxt/Slow0.rtc rate 200; rtdoctor -q --measure ../flow.host_cxt | grep buffer
+  [1]
