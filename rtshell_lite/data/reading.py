@@ -11,6 +11,7 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes, liveness, orb, servants
+from rtshell_lite.data import clocks
 from rtshell_lite.data.connection import GRACE, SILENT, Connection
 from rtshell_lite.robot import component, ports
 
@@ -103,6 +104,20 @@ class Reader(Connection):
         if not self.closing.is_set():
             self.deliver(Message(received, data, self.little))
         return True
+
+    def compare_clocks(self):
+        """Remark, once, where the first time in its values is minutes away from this host's clock."""
+        deliver = self.deliver
+
+        def compare(message):
+            stamp = clocks.seconds(message)
+            if stamp:
+                self.deliver = deliver
+                self.remark = clocks.difference(message.received / 1e9, stamp) or self.remark
+            deliver(message)
+
+        if clocks.is_stamped(self.port):
+            self.deliver = compare
 
     def _count(self, data):
         self.last = time.monotonic()

@@ -21,9 +21,7 @@ class Watcher:
         """To be called a few times a second. Raises BrokenPipeError when nobody reads the output."""
         for connection in self.connections:
             where, failure, before = connection.where, connection.failure, self.reported.get(connection)
-            if connection.remark:
-                cli.note(f"{where}: {connection.remark}")
-                connection.remark = None
+            self._remark(connection)
             if failure is not None and str(failure) != str(before):
                 cli.complain(failure)
             elif failure is None and before is not None:
@@ -32,6 +30,11 @@ class Watcher:
         if any(events & (select.POLLERR | select.POLLHUP) for _, events in self.output.poll(0)):
             cli.ignore_hangup()
             raise BrokenPipeError(errno.EPIPE, "nobody reads the output")
+
+    def _remark(self, connection):
+        if connection.remark:
+            cli.note(f"{connection.where}: {connection.remark}")
+            connection.remark = None
 
     def skip(self):
         """Do not report present failures: they have been."""
@@ -43,6 +46,7 @@ class Watcher:
         Those in `of_no_use` work, but nothing of what came from them could be used: they do not count as done.
         """
         for connection in self.connections:
+            self._remark(connection)
             tally.reported.update({str(self.reported.get(connection)), str(connection.told)})
             if connection.failure or connection not in of_no_use:
                 tally.add(connection.failure)

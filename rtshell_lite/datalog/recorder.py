@@ -209,6 +209,7 @@ def _readers(wanted, properties, pull, channels, box, tally):
                 raise target
             reader = reading.Reader(target.port, None, "pull" if pull else None, properties, "rtlog")
             reader.deliver = box.taker(channels.add(target.port, target.name or f"input{number}"))
+            reader.compare_clocks()
             yield reader
         except errors.Error as e:
             tally.add(e)

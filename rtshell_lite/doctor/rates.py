@@ -1,11 +1,10 @@
 """The rates that execution contexts keep, against those that they claim: measured at an out port."""
 import collections
-import struct
 import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import lanes
-from rtshell_lite.data import connection, datatypes, reading
+from rtshell_lite.data import clocks, connection, datatypes, reading
 from rtshell_lite.doctor import buffers, remedies
 from rtshell_lite.doctor.finding import ok, reason, warn
 from rtshell_lite.robot import component, ports
@@ -13,8 +12,6 @@ from rtshell_lite.text import printable, shell_word
 
 TOGETHER = 4  # components of a process measured at a time: fetching their values is work for it
 ENOUGH = 0.9  # of the rate claimed
-MINUTE, DAY = 60.0, 86400.0  # seconds
-APART = 2  # minutes by which clocks differ
 PIECE = 0.01  # seconds slept at a time, to see how late this process is woken
 
 
@@ -25,13 +22,12 @@ class Watched:
         self.snapshot, self.where, self.rate, self.port = snapshot, snapshot.where, rate, port  # Hz claimed, port watched
         self.reader = self.failure = None  # reading.Reader; the errors.Error why it could not be measured
         self.count, self.stamp = 0, None  # values seen; (when one came, in s, the timestamp in it) where they have any
-        self.stamped = (datatypes.members(port.properties.get("dataport.data_type", "")) or [None])[0] == ("tm", "Time")
+        self.stamped = clocks.is_stamped(port)
 
     def deliver(self, message):
-        """Take note of the timestamp of a reading.Message; 0 is none."""
-        if self.stamped and len(message.data) >= 8:
-            seconds, = struct.unpack_from("<L" if message.little else ">L", message.data)
-            self.stamp = (message.received / 1e9, seconds) if seconds else None
+        """Take note of the timestamp of a reading.Message."""
+        seconds = clocks.seconds(message) if self.stamped else 0
+        self.stamp = (message.received / 1e9, seconds) if seconds else None
 
 
 def measured(snapshots, seconds):
@@ -126,13 +122,9 @@ def _slept(seconds):
 
 
 def _clock(watched):
-    """A Finding if the values of a Watched carry other times than this host's: whatever compares times takes them for old."""
-    away = watched.stamp and (watched.stamp[1] - watched.stamp[0]) / MINUTE
-    if not away or abs(away) < APART:
-        return []
-    shown = f"{abs(away):.0f} minutes" if abs(away) < DAY / MINUTE else f"{abs(away) * MINUTE / DAY:.1f} days"
-    message = f"the times in its values are {shown} {'behind' if away < 0 else 'ahead of'} this host's clock"
-    return [warn("clock", watched.where, message, remedies.words("clock"))]
+    """A Finding if the values of a Watched carry other times than this host's."""
+    message = clocks.difference(*watched.stamp) if watched.stamp else ""
+    return [warn("clock", watched.where, message, remedies.words("clock"))] if message else []
 
 
 def _finding(watched, spent, missed):

@@ -31,6 +31,14 @@ A number of entries, over all ports; nothing is left behind in the components, a
   a.rtlog
   $ ctl connectors Source0:number
 
+Clocks that differ by minutes are reported, once a port:
+
+  $ MOCK_CLOCK=-864000 mock senders 100 12 --context behind.host_cxt/%n.rtc
+  $ rtlog -f clock.rtlog -i -e 5 ../behind.host_cxt/Source0.rtc:number
+  rtlog: Recording 5 entries.
+  rtlog: /localhost:$PORT/behind.host_cxt/Source0.rtc:number: the times in its values are 10.0 days behind this host's clock
+  $ rtlog -q -f clock.rtlog -i -e 5 ../behind.host_cxt/Source0.rtc:number; rm clock.rtlog
+
 For some time, from several ports; without a NAME they are input0, input1 …, and ports of one NAME share a channel:
 
   $ within 0.4-9 rtlog -t 0.4 -f b.rtlog Source0.rtc:number Source0.rtc:block

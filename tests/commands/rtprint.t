@@ -104,6 +104,10 @@ Figures, each second and at the end. The sender is a Python process beside other
   $ rtprint -n 30 --stats --json Source0.rtc:number | python3 -c 'import json, sys
   > for line in sys.stdin: found = json.loads(line); print(sorted(found), found["total"], found["values"], found["bytes"])'
   ['absent', 'age_max', 'age_mean', 'bytes', 'bytes_per_second', 'disordered', 'dropped', 'gap_max', 'gap_mean', 'gap_min', 'jitter', 'missing', 'path', 'rate', 'repeated', 'seconds', 'total', 'values'] True 30 360
+  $ MOCK_CLOCK=300 mock senders 100 12 --context ahead.host_cxt/%n.rtc
+  $ rtprint -n 5 --stats ../ahead.host_cxt/Source0.rtc:number > out
+  rtprint: /localhost:$PORT/ahead.host_cxt/Source0.rtc:number: the times in its values are 5 minutes ahead of this host's clock
+  $ rtprint -q -n 5 --stats ../ahead.host_cxt/Source0.rtc:number > out; rtprint -n 5 ../ahead.host_cxt/Source0.rtc:number > out
   $ tty 30 rtprint -t 1.3 --stats Source0.rtc:number | sed 's/[0-9.]* [vHg].*/…/'
   \x1b[2K… (esc)
   \x1b[1A\x1b[2Kall in all: … (esc)

@@ -1,0 +1,28 @@
+"""The times in values against this host's clock: whatever compares times is misled where the two differ."""
+import struct
+
+from rtshell_lite.data import datatypes
+
+MINUTE, DAY = 60.0, 86400.0  # seconds
+APART = 2  # minutes by which clocks differ; less may be the way of a value
+
+
+def is_stamped(port):
+    """Whether the values of a ports.Port begin with a time, as far as its type is known here."""
+    return (datatypes.members(port.properties.get("dataport.data_type", "")) or [None])[0] == ("tm", "Time")
+
+
+def seconds(message):
+    """The seconds in the time that a reading.Message begins with; 0 is none, as many components set none."""
+    if len(message.data) < 8:
+        return 0
+    return struct.unpack_from("<L" if message.little else ">L", message.data)[0]
+
+
+def difference(received, stamp):
+    """What to say of a value that came at `received` with a time of `stamp` (both in s since 1970), '' if nothing."""
+    away = (stamp - received) / MINUTE
+    if abs(away) < APART:
+        return ""
+    shown = f"{abs(away):.0f} minutes" if abs(away) < DAY / MINUTE else f"{abs(away) * MINUTE / DAY:.1f} days"
+    return f"the times in its values are {shown} {'behind' if away < 0 else 'ahead of'} this host's clock"
