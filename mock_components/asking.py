@@ -11,6 +11,7 @@ waiting COMPONENT:PORT     how many values lie in the buffer of an InPort that n
 buffer COMPONENT:PORT      the length of that buffer, and what it does when it is full
 times COMPONENT:PORT       how many different times the values had that were read from an InPort
 sent COMPONENT:PORT        how many values an OutPort has written
+references PORT            the object references with which it takes part in its connections
 near_misses                how many connectors were removed while a publisher was using them
 write COMPONENT:PORT NUMBER  let an OutPort send a value made of that number
 answer COMPONENT:PORT STATUS  an InPort refuses values: BUFFER_FULL, PORT_ERROR …; PORT_OK: takes them again

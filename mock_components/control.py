@@ -62,6 +62,11 @@ class Commands:
     def connectors(self, port):
         return [f"{p.connector_id} {p.name}" for p in list(self.stage.port(port).profiles.values())]
 
+    def references(self, port):
+        port = self.stage.port(port)
+        served = [carrier.reference for carrier in list(port.transports.values()) if carrier.servant]
+        return [port.process.orb.object_to_string(reference) for reference in served]
+
     def forget(self, port):
         port = self.stage.port(port)
         for profile in list(port.profiles.values()):

@@ -20,7 +20,7 @@ def seconds(message):
 
 
 def difference(received, stamp):
-    """What to say of a value that came at `received` with a time of `stamp` (both in s since 1970), '' if nothing."""
+    """How far the time of a value, `stamp`, is from its arrival, in words; '' if not far. In s since 1970."""
     away = (stamp - received) / MINUTE
     if abs(away) < APART:
         return ""

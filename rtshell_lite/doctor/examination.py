@@ -59,7 +59,8 @@ def _name_servers():
 
 
 def _robot(tops, seconds, stated):
-    from rtshell_lite.doctor import buffers, components, composites, connections, managers, references, servers
+    from rtshell_lite.doctor import buffers, components, composites, connections, managers
+    from rtshell_lite.doctor import references, servers
     visits = servers.visits(tops)
     yield [finding for visit in visits for finding in visit.findings] + _same_server(visits)
     yield [finding for visit in visits for finding in references.findings(visit)]

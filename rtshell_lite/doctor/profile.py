@@ -1,6 +1,6 @@
 """Where the running system differs from an RtsProfile, as rtcheck and rtresurrect judge it."""
 from rtshell_lite import errors, path
-from rtshell_lite.doctor import remedies
+from rtshell_lite.doctor import living, remedies
 from rtshell_lite.doctor.finding import counted, fail, ok, reason, warn
 from rtshell_lite.robot import contexts, snapshot
 from rtshell_lite.system import capture, compare
@@ -15,6 +15,12 @@ def findings(profile, file, state):
     found = [fail("profile", e.where, reason(e),
                   remedies.words("look at component", path=shell_word(e.where))) for e in result.failures]
     differences = [difference for difference in result.differences if difference.check != compare.OTHER_ID]
+    absent = {difference.path: difference for difference in reversed(differences) if _is_missing(difference)}
+    differences = [difference for difference in differences  # each once: ends of connections are missing, too
+                   if not _is_missing(difference) or absent[difference.path] is difference]
+    missing = [each for each in profile.components if capture.shown_path(each) in absent]
+    known = living.found(profile, missing) if missing else {}
+    found += living.findings(profile, missing, known)
     idle = [difference for difference in differences if _is_idle(difference)]
     if len(idle) > 1:
         paths = ", ".join(difference.path for difference in idle)
@@ -23,6 +29,10 @@ def findings(profile, file, state):
         differences = [difference for difference in differences if difference not in idle]
     for difference in differences:
         report = fail if difference.required else warn
+        if difference.path in known and _is_missing(difference):
+            message = f"{safe(difference.brief)}, but it lives: {safe(known[difference.path])}"
+            found.append(report("profile", difference.path, message, remedies.words("bind again")))
+            continue
         found.append(report("profile", difference.path, safe(difference.brief), _remedy(difference, file)))
     found += _rates(profile)
     content = f"{counted(len(profile.components), 'component')}, {counted(len(profile.connectors), 'connection')}"
@@ -32,6 +42,10 @@ def findings(profile, file, state):
 def _is_idle(difference):
     """Whether a required component is only not activated: to start the whole system does that for all."""
     return difference.required and difference.check == "state" and (difference.actual, difference.expected) == ("Inactive", "Active")
+
+
+def _is_missing(difference):
+    return difference.message.partition(": ")[0].endswith("component missing")
 
 
 def _rates(profile):
@@ -62,6 +76,6 @@ def _remedy(difference, file):
         if name is None:
             return remedies.words("look at state", path=shell_word(difference.path))
         return remedies.command(name, option=[], path=difference.path)
-    if difference.message.partition(": ")[0].endswith("component missing"):
+    if _is_missing(difference):
         return remedies.words("start component", file=file)
     return remedies.command("restore", file=remedies.Line(file))

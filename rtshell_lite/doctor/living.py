@@ -1,0 +1,95 @@
+"""Components of a profile that live though no name leads to them: their name server was started again, empty.
+
+They are asked at the addresses that the file has: object references of data ports, which RTSystemEditor saves
+with connections, managers by address, and the usual port of managers on the hosts after which naming contexts
+are named.
+"""
+from rtshell_lite import errors
+from rtshell_lite.corba import lanes, orb
+from rtshell_lite.doctor import remedies
+from rtshell_lite.doctor.finding import counted, listed, warn
+from rtshell_lite.robot import manager
+from rtshell_lite.system import capture
+
+# Properties with a reference, and which of the ends has it
+SIDES = {"dataport.corba_cdr.outport_ior": 0, "dataport.corba_cdr.inport_ior": -1}
+MOST = 100  # addresses that are asked
+
+
+def found(profile, missing):
+    """{path as text: where it answers, in words} of those `missing` Components of a profile that live."""
+    known = _at_references(profile, missing)
+    known.update(_at_managers([each for each in missing if capture.shown_path(each) not in known]))
+    return known
+
+
+def findings(profile, missing, known):
+    """A Finding on each name server without any of its Components in the file, of which `known` ones live."""
+    for server, components in sorted(_by_server(profile.components).items()):
+        living = [path for path in map(capture.shown_path, components) if path in known]
+        if living and all(each in missing for each in components):
+            verb = "lives" if len(living) == 1 else "live"
+            message = f"has none of its {counted(len(components), 'component')} in the file, though " \
+                      f"{listed(living)} {verb}: it was started again, perhaps, and they were not"
+            yield warn("name server", server, message, remedies.words("bind again"))
+
+
+def _by_server(components):
+    servers = {}
+    for each in components:
+        try:
+            where = capture.path_of(each)
+        except errors.BadPath:
+            continue
+        servers.setdefault(str(where._replace(names=())), []).append(each)
+    return servers
+
+
+def _at_references(profile, missing):
+    """`found`, by references to data ports."""
+    locate, refs = capture.locator(profile), {}
+    for connector in profile.connectors:
+        for each in connector.properties:
+            end = SIDES.get(each.name)
+            component = locate(connector.ends[end]) if end is not None and connector.ends else None
+            if component not in missing:
+                continue
+            try:
+                ref = orb.from_text(connector.name, each.value or "")
+            except errors.Unreachable:
+                continue
+            refs.setdefault(capture.shown_path(component), ref)
+    asked = list(refs.items())[:MOST]
+    answers = orb.each([ref for _, ref in asked], lambda ref: orb.is_alive("", ref))
+    return {path: "its port answers at %s:%d" % orb.endpoint(ref)
+            for (path, ref), answer in zip(asked, answers) if answer is True}
+
+
+def _at_managers(missing):
+    """`found`, by the managers that list a component of this name."""
+    wanted = {}  # paths by the address of a manager and the name of an instance
+    for each in missing:
+        for word in _managers(each):
+            wanted.setdefault(word, {})[each.instance_name] = capture.shown_path(each)
+    words = sorted(wanted)[:MOST]
+    answers = lanes.each(words, _listed_by, lambda word: (word, word))
+    return {wanted[word][name]: f"the manager {word} has it" for word, answer in zip(words, answers)
+            if not isinstance(answer, errors.Error) for name, _ in answer if name in wanted[word]}
+
+
+def _listed_by(word):
+    return manager.components(manager.find(word))
+
+
+def _managers(component):
+    """Addresses at which the manager of a Component may be."""
+    own = component.property(capture.MANAGER) or ""
+    if own.startswith("corbaloc:"):
+        yield own
+    try:
+        where = capture.path_of(component)
+    except errors.BadPath:
+        return
+    for name in where.names:
+        if name.kind == "host_cxt" and name.id:
+            yield "corbaloc::%s:%d/manager" % (name.id, manager.DEFAULT_PORT)
