@@ -129,8 +129,6 @@ With a profile, all that rtcheck finds:
   $ sed 's/Motor0/Motor1/g; s/isRequired="true"/isRequired="false"/' robot.rtsys > optional.xml
   $ doctor -q --profile optional.xml | grep Motor1
   warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Optional component missing; try: start it, or have its manager make it: rtresurrect --create optional.xml
-  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Destination component missing; try: start it, or have its manager make it: rtresurrect --create optional.xml
-  warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Source component missing; try: start it, or have its manager make it: rtresurrect --create optional.xml
   $ rtec Motor0.rtc rate 20; doctor -q --profile robot.rtsys | grep Hz; rtec Motor0.rtc rate 10
   fail  /localhost:$PORT/test.host_cxt/Motor0.rtc: its execution context has a rate of 20 Hz, in the file it is 10 Hz; try: rtec /localhost:$PORT/test.host_cxt/Motor0.rtc rate 10
   $ doctor -q -s Inactive --profile robot.rtsys | grep -c 'incorrect state'

@@ -62,6 +62,7 @@ class _Peer(lanes.Peer):
         self.running, self.watched = 0, (None, 0)  # jobs; what the poll looks for
         self.waiting = collections.deque()  # calls.Requests that are not on their way
         self.connection = None
+        self.moved_on = 0.0  # when the request that had waited for longest was answered
 
     def may_send(self):
         """Whether the first that waits may be sent now.
@@ -83,10 +84,11 @@ class _Peer(lanes.Peer):
     def overdue(self, now):
         """Give up the requests that have waited too long, and return them.
 
-        A name server gets many at once, so each of its answers restarts the clock of all.
+        A name server gets many at once, so each of its answers restarts the clock of all. Another process may do one
+        request after the other: the clock of the next one starts when the one before is answered.
         """
         late = [number for number, request in self.connection.requests.items()
-                if now - (max(request.sent, self.heard) if _is_naming(request) else request.sent) > request.seconds]
+                if now - max(request.sent, self.heard if _is_naming(request) else self.moved_on) > request.seconds]
         return [self.connection.give_up(number) for number in late]
 
     def unanswered(self):
@@ -322,6 +324,8 @@ class _Loop:
         number, status, little, at = messages.reply(data)
         if peer.connection.is_stray(number):
             return
+        if number == next(iter(peer.connection.requests), None):
+            peer.moved_on = time.monotonic()
         request = peer.connection.answered(number)
         if not peer.connection.requests:
             self._asked.discard(peer)
