@@ -9,6 +9,7 @@ from rtshell_lite.robot import component, manager, ports, tree
 from rtshell_lite.robot.snapshot import EACH, FULL, Snapshot, ask_all
 from rtshell_lite.text import printable, shell_word
 
+PATIENT = 3.0  # seconds: what answers later hangs; with a shorter timeout it may be slow
 MOST = 3  # names of one component that are reported one by one
 
 
@@ -104,6 +105,11 @@ def _stopped_answering(snapshot, hung):
             return fail("component", snapshot.where, message, remedies.words("hung first", paths=" and ".join(paths)))
         elif remedies.may_be_lost(e, snapshot.node.endpoint):
             message = f"answers small questions, but not when asked for {snapshot.asking}: large packets are lost on the way, perhaps"
+        elif lanes.session.timeout < PATIENT:
+            message = f"{reason(e)} when asked for {snapshot.asking}"
+            patience = remedies.words("more time", path=shell_word(snapshot.where))
+            cure = remedies.of_silence(e, snapshot.node.endpoint, snapshot.where, patience)
+            return fail("component", snapshot.where, message, cure)
         return fail("component", snapshot.where, message, remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
     return fail("component", snapshot.where, f"does not report {snapshot.asking} ({reason(e)})",
                 remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
