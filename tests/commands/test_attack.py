@@ -19,6 +19,8 @@ except ImportError:
 
 ONCE = "it is about the kernel's connections"
 CROWD, VALUES = 600, 6
+THREADS = 6
+QUESTION = giop_client.request(b"x", "_non_existent")
 
 
 def listening_port(pid):
@@ -39,25 +41,16 @@ class Attack(unittest.TestCase):
         self.around = running.Surroundings()
         self.addCleanup(self.around.close)
         self.server = self.around.name_server()
-        self.world = self.around.world(self.server, "two")
-        self.port = self.server + "/test.host_cxt/ConsoleIn0.rtc:out"
-        self.printing = running.start(["rtprint", "-n", str(VALUES), "-t", "30", self.port], self.around.top, {"RTSHELL_ORB": "builtin"},
-                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        worlds.eventually(lambda: self.around.ctl(self.world, "connectors", "ConsoleIn0:out"), "connected")
-        self.at = listening_port(self.printing.pid)
 
-    def values_come(self):
-        """Send the values; what rtprint printed, and its errors."""
-        for value in range(1, VALUES):
-            self.around.ctl(self.world, "write", "ConsoleIn0:out", str(value))
-            time.sleep(0.2)
-        out, err = self.printing.communicate(timeout=worlds.LIMIT)
-        self.assertEqual([line.split()[-1] for line in out.decode().splitlines()], [str(value) for value in range(VALUES)], err)
-        return err.decode()
+    def start(self, *words):
+        """Start a command, whose ORB is to be attacked."""
+        self.command = running.start(list(words), self.around.top, {"RTSHELL_ORB": "builtin"},
+                                     stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        worlds.eventually(lambda: listening_port(self.command.pid), "listening")
+        self.at = listening_port(self.command.pid)
 
-    def attack(self, talk):
-        """Have many connections talk, until the end of the test, once a value has been delivered."""
-        self.around.ctl(self.world, "write", "ConsoleIn0:out", "0")
+    def attack(self, talk, crowd):
+        """Have so many connections talk, until the end of the test. None of them reads an answer."""
         ended = threading.Event()
         self.addCleanup(ended.set)
 
@@ -65,7 +58,7 @@ class Attack(unittest.TestCase):
             clients = []
             while not ended.is_set():
                 try:
-                    if len(clients) < CROWD // 6:
+                    if len(clients) < crowd // THREADS:
                         clients.append(socket.create_connection(("127.0.0.1", self.at), 1))
                     for client in clients:
                         talk(client)
@@ -75,15 +68,58 @@ class Attack(unittest.TestCase):
                     del clients[:1]
             for client in clients:
                 client.close()
-        for _ in range(6):
+        for _ in range(THREADS):
             threading.Thread(target=keep_on, daemon=True).start()
         time.sleep(1)
 
+    # ---- rtprint ----
+
+    def printing(self):
+        """Have rtprint wait for VALUES, the first of which comes before any attack."""
+        self.world = self.around.world(self.server, "two")
+        self.start("rtprint", "-n", str(VALUES), "-t", "30", self.server + "/test.host_cxt/ConsoleIn0.rtc:out")
+        worlds.eventually(lambda: self.around.ctl(self.world, "connectors", "ConsoleIn0:out"), "connected")
+        self.around.ctl(self.world, "write", "ConsoleIn0:out", "0")
+
+    def values_come(self):
+        """Send the other values; what rtprint printed, and its errors."""
+        for value in range(1, VALUES):
+            self.around.ctl(self.world, "write", "ConsoleIn0:out", str(value))
+            time.sleep(0.2)
+        out, err = self.command.communicate(timeout=worlds.LIMIT)
+        self.assertEqual([line.split()[-1] for line in out.decode().splitlines()], [str(value) for value in range(VALUES)], err)
+        return err.decode()
+
     def test_many_that_ask(self):
-        ask = giop_client.request(b"x", "_non_existent")
-        self.attack(lambda client: client.sendall(ask))
+        self.printing()
+        self.attack(lambda client: client.sendall(QUESTION), CROWD)
         self.assertIn("were turned away", self.values_come())
-        self.assertEqual(self.printing.returncode, 5)
+        self.assertEqual(self.command.returncode, 5)
+
+    def test_some_that_ask_and_never_read(self):
+        """Their answers have nowhere to go: that is their loss."""
+        def ask(client):
+            client.setblocking(False)
+            try:
+                client.send(QUESTION * 100)
+            except BlockingIOError:
+                time.sleep(0.001)
+        self.printing()
+        self.attack(ask, 50)
+        self.values_come()
+        self.assertIn(self.command.returncode, (0, 5))
+
+    # ---- rtwatch ----
+
+    def test_heartbeats_among_many_that_ask(self):
+        """They come once a second; after 3 seconds without one rtwatch would report NO_HEARTBEAT."""
+        self.around.world(self.server, "observed")
+        self.start("rtwatch", "-t", "8", "-f", "HEARTBEAT", "-f", "LIFE_EVENT", self.server + "/test.host_cxt/ConsoleIn0.rtc")
+        self.assertIn(b"HEARTBEAT", self.command.stdout.readline())
+        self.attack(lambda client: client.sendall(QUESTION), CROWD)
+        out, err = self.command.communicate(timeout=worlds.LIMIT)
+        self.assertNotIn(b"NO_HEARTBEAT", out)
+        self.assertGreaterEqual(out.count(b" HEARTBEAT"), 4, err)
 
 
 if __name__ == "__main__":
