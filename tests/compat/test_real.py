@@ -324,6 +324,39 @@ class Real(unittest.TestCase):
             return "%d bursts of 300 values, all read" % read["bursts"]
         self.each_robot(burst)
 
+    def test_9_connections_of_one_port(self):
+        """A port that another transport connects alone, as in ROS: made, kept, missed, restored and removed."""
+        def connect(robot):
+            if robot.implementation.name != "Python":
+                return "no transport that connects one port"
+            file = robot.label + "-alone.rtsys"
+            ends = [robot.path("SeqOut") + ":Short", robot.path("SeqIn") + ":Short"]
+            for number in range(ROUNDS):
+                for end in ends:
+                    done(["rtcon", "-n", "alone", "-p", "dataport.interface_type=ssm", end])
+                done(["rtcryo", "-q", "-o", file, robot.home])
+                self.lacks(file, 0, ends)
+                for end in ends:
+                    done(["rtdis", end])
+                self.unharmed(robot, "connections of one port, round %d" % number, robot.fallen)
+                self.lacks(file, 2, ends)
+                done(["rtresurrect", "-q", file])
+                self.lacks(file, 0, ends)
+                done(["rtprint", "-q", "-n", "1", "-t", "5", ends[0]])
+                for end in ends:
+                    done(["rtdis", end])
+                self.unharmed(robot, "connections of one port, round %d" % number, robot.fallen)
+            return "%d rounds of rtcon, rtcryo, rtcheck, rtdis, rtresurrect with one port" % ROUNDS
+        self.each_robot(connect)
+
+    def lacks(self, file, count, ends):
+        """That rtcheck finds so many of the connections of these ports missing."""
+        status, said = ended(start(["rtcheck", "-s", "Active", file]))
+        found = [end for end in ends if "No connection of %s by ssm" % end in said]
+        if status not in (0, 1) or len(found) != count:
+            raise AssertionError("rtcheck: status %s, %d connections missing, not %d\n%s" % (
+                status, len(found), count, said))
+
 
 if __name__ == "__main__":
     unittest.main()

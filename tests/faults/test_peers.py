@@ -168,7 +168,7 @@ class Peers(unittest.TestCase):
                     self.assertLessEqual(case.ran.seconds, case.limit(), case.ran)
 
     def test_long_lists(self):
-        """What one component can list, such as 5,000 contexts, is not asked one by one: it takes the usual time."""
+        """What one component can list, such as 5,000 contexts, is not asked one by one."""
         global start_up
         start_up = control(None)
         lines = ["rtwatch -t 1 A", "rtcat -l A", "rtls -l A", "rtec A", "rtact A", "rtdoctor A"]

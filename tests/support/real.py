@@ -26,6 +26,7 @@ PARTS = {
     "MyServiceProvider": ("MyServiceProvider", "SimpleService/MyServiceProvider.py", "MyServiceProvider"),
     "MyServiceConsumer": ("MyServiceConsumer", "SimpleService/MyServiceConsumer.py", "MyServiceConsumer"),
 }
+HERE = os.path.dirname(os.path.abspath(__file__))
 CONFIGURATION = """\
 corba.nameservers: 127.0.0.1:%(port)d
 corba.endpoints: 127.0.0.1:
@@ -34,13 +35,14 @@ logger.enable: YES
 logger.file_name: stdout
 logger.log_level: ERROR
 exec_cxt.periodic.rate: %(rate)g
+%(more)s
 """
 
 
 class Cplusplus:
     """The examples of a directory with programs."""
 
-    name = "C++"
+    name, more = "C++", ""
 
     def __init__(self, directory):
         found = glob.glob(os.path.join(glob.escape(directory), "**", "*Comp"), recursive=True)
@@ -59,6 +61,8 @@ class Python:
     """The examples of a directory with the package OpenRTM_aist."""
 
     name = "Python"
+    # A transport that connects one port alone, see one_port.py
+    more = "manager.modules.load_path: %s\nmanager.modules.preload: one_port.py" % HERE
 
     def __init__(self, package):
         self.examples = os.path.join(package, "examples")
@@ -110,7 +114,8 @@ class Robot:
         where = os.path.join(self.directory.name, part)
         os.mkdir(where)
         with open(os.path.join(where, "rtc.conf"), "w") as file:
-            file.write(CONFIGURATION % {"port": name_server, "context": self.label + ".host_cxt", "rate": self.rate})
+            file.write(CONFIGURATION % {"port": name_server, "context": self.label + ".host_cxt",
+                                        "rate": self.rate, "more": self.implementation.more})
         with open(os.path.join(where, "out"), "wb") as out:
             return subprocess.Popen(self.implementation.command(part) + ["-f", "rtc.conf"], cwd=where, stdin=subprocess.PIPE,
                                     stdout=out, stderr=out, env=dict(os.environ, **self.implementation.environment))

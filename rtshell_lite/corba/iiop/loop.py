@@ -84,11 +84,14 @@ class _Peer(lanes.Peer):
     def overdue(self, now):
         """Give up the requests that have waited too long, and return them.
 
-        A name server gets many at once, so each of its answers restarts the clock of all. Another process may do one
-        request after the other: the clock of the next one starts when the one before is answered.
+        A name server gets many at once, so each of its answers restarts the clock of all. Another process may do
+        one request after the other: the clock of the next one starts when the one before is answered.
         """
-        late = [number for number, request in self.connection.requests.items()
-                if now - max(request.sent, self.heard if _is_naming(request) else self.moved_on) > request.seconds]
+        late = []
+        for number, request in self.connection.requests.items():
+            begun = self.heard if _is_naming(request) else self.moved_on
+            if now - max(request.sent, begun) > request.seconds:
+                late.append(number)
         return [self.connection.give_up(number) for number in late]
 
     def unanswered(self):
