@@ -60,7 +60,8 @@ FAULTS = {
         "delete zombie": ["name ConsoleOut0"], "activate": ["state ConsoleIn0"]}),
     "other settings": fault("robot", settings={"ORBendPoint": "giop:tcp:203.0.113.9:", "OMNIORB_CONFIG": "/nowhere"}, mends={
         "unset": [], "activate": ["state .*"]}),
-    "a rule": fault(settings={"ORBclientTransportRule": "198.51.100.1 none"}, mends={"unset": []}),
+    "a rule": fault(settings={"ORBclientTransportRule": "198.51.100.1 none", "RTSHELL_ORB": "omniorb"},
+                    mends={"unset": []}),
     "not as in the profile": fault(
         "robot", before=["rtact --wait {0}/test.host_cxt/Sensor0.rtc {0}/test.host_cxt/Clusterer0.rtc", "rtcryo -o robot.rtsys {}",
                          "rtdis {}/test.host_cxt/Sensor0.rtc:out", "rtconf {}/test.host_cxt/Motor0.rtc set motor_id 7",
@@ -71,6 +72,18 @@ FAULTS = {
     "another rate than in the profile": fault(
         "linked", before=["rtcryo -o rates.rtsys {}", "rtec {}/test.host_cxt/ConsoleIn0.rtc rate 20"],
         doctor=["{}", "--profile", "rates.rtsys", "--state", "Inactive"], mends={"set rate": ["rate ConsoleIn0"]}),
+    "another rate of a second context": fault(
+        "contexts", before=["rtcryo --all -o two.rtsys {}", "rtec -e 1 {}/test.host_cxt/Multi0.rtc rate 20"],
+        doctor=["{}", "--profile", "two.rtsys", "--state", "Inactive"], mends={"set rate": ["rate Multi0"]}),
+    "in Error in the context of another": fault("contexts", asks=["error Driver0 1"], mends={"reset": ["state Multi0"]}),
+    "in Error, Inactive in the profile": fault(
+        "linked", asks=["error ConsoleIn0"], before=["rtcryo -o linked.rtsys {}"],
+        doctor=["{}", "--profile", "linked.rtsys", "--state", "Inactive"], mends={"reset": ["state ConsoleIn0"]}),
+    "one not started": fault(
+        "linked", before=["rtcryo -o linked.rtsys {}", "rtact --wait {}/test.host_cxt/ConsoleOut0.rtc"],
+        doctor=["{}", "--profile", "linked.rtsys"], mends={"activate": ["state ConsoleIn0"]}),
+    "a tiny timeout": fault(doctor=["--timeout", "0.4", "{}"], settings={"RTSHELL_TIMEOUT": "0.4"}, mends={"unset": []}),
+    "a wrong working directory": fault(settings={"RTCSH_CWD": "nowhere"}, mends={"unset": []}),
     "a stale mount": fault(before=[
         "mkdir stale; rtmount -f stale & until [ -e stale/README ]; do sleep 0.1; done; kill -9 $!"], mends={"unmount": []}),
     "not started": fault(
