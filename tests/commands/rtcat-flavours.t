@@ -135,30 +135,9 @@ Connections:
 
   $ each rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   cpp11:
-  $ each rtcat -ll ConsoleIn0.rtc:out
+  $ connections() { rtcat -ll "$1" | sed -n '/Connected/,$p'; }
+  $ each connections ConsoleIn0.rtc:out
   cpp11:
-  -DataOutPort: out
-    dataport.data_type          IDL:RTC/TimedLong:1.0
-    dataport.data_value         <IDL:RTC/TimedLong:1.0>
-    dataport.dataflow_type      push,pull
-    dataport.interface_type     corba_cdr
-    dataport.subscription_type  flush,new,periodic
-    port.port_type              DataOutPort
-   -Connected to  /localhost:$PORT/V.host_cxt/ConsoleOut0.rtc:in
-      Name                            outin
-      ID                              ID
-      dataport.data_type              IDL:RTC/TimedLong:1.0
-      dataport.dataflow_type          push
-      dataport.interface_type         corba_cdr
-      dataport.subscription_type      new
-      dataport.serializer.cdr.endian  little,big
-  cpp12:
-  -DataOutPort: out
-    dataport.data_type          IDL:RTC/TimedLong:1.0
-    dataport.dataflow_type      push,pull
-    dataport.interface_type     corba_cdr,direct,shared_memory
-    dataport.subscription_type  flush,new,periodic
-    port.port_type              DataOutPort
    -Connected to  /localhost:$PORT/V.host_cxt/ConsoleOut0.rtc:in
       Name                            outin
       ID                              ID
@@ -168,19 +147,6 @@ Connections:
       dataport.subscription_type      new
       dataport.serializer.cdr.endian  little,big
   cpp2:
-  -DataOutPort: out
-    data_type                                IDL:RTC/TimedLong:1.0
-    dataport.data_type                       IDL:RTC/TimedLong:1.0
-    dataport.dataflow_type                   push,pull
-    dataport.interface_option.corba_cdr\x20\x20\x20\x20\x20\x20 (esc)
-    dataport.interface_option.data_service\x20\x20\x20 (esc)
-    dataport.interface_option.direct\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
-    dataport.interface_option.shared_memory\x20\x20 (esc)
-    dataport.interface_type                  corba_cdr,data_service,direct,shared_memory
-    dataport.io_mode                         block,flush,new,nonblock,periodic
-    dataport.marshaling_types                cdr
-    dataport.subscription_type               block,flush,new,nonblock,periodic
-    port.port_type                           DataOutPort
    -Connected to  /localhost:$PORT/V.host_cxt/ConsoleOut0.rtc:in
       Name                            outin
       ID                              ID
@@ -192,20 +158,6 @@ Connections:
       dataport.outport\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
       dataport.inport\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
   py2:
-  -DataOutPort: out
-    data_type                                IDL:RTC/TimedLong:1.0
-    dataport.data_type                       IDL:RTC/TimedLong:1.0
-    dataport.dataflow_type                   push,pull,duplex
-    dataport.interface_option.corba_cdr\x20\x20\x20\x20\x20\x20 (esc)
-    dataport.interface_option.csp_channel\x20\x20\x20\x20 (esc)
-    dataport.interface_option.data_service\x20\x20\x20 (esc)
-    dataport.interface_option.direct\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
-    dataport.interface_option.shared_memory\x20\x20 (esc)
-    dataport.interface_type                  corba_cdr,csp_channel,data_service,direct,shared_memory
-    dataport.io_mode                         block,flush,new,nonblock,periodic
-    dataport.marshaling_types                cdr
-    dataport.subscription_type               block,flush,new,nonblock,periodic
-    port.port_type                           DataOutPort
    -Connected to  /localhost:$PORT/V.host_cxt/ConsoleOut0.rtc:in
       Name                            outin
       ID                              ID
@@ -216,29 +168,7 @@ Connections:
       dataport.serializer.cdr.endian  little,big
       dataport.outport.data_type      IDL:RTC/TimedLong:1.0
       dataport.inport.data_type       IDL:RTC/TimedLong:1.0
-  java:
-  -DataOutPort: out
-    dataport.data_type          IDL:RTC/TimedLong:1.0
-    dataport.data_value         <IDL:RTC/TimedLong:1.0>
-    dataport.dataflow_type      push,pull
-    dataport.interface_type     corba_cdr,direct,shared_memory
-    dataport.subscription_type  flush,new,periodic
-    port.port_type              DataOutPort
-   -Connected to  /localhost:$PORT/V.host_cxt/ConsoleOut0.rtc:in
-      Name                            outin
-      ID                              ID
-      dataport.data_type              IDL:RTC/TimedLong:1.0
-      dataport.dataflow_type          push
-      dataport.interface_type         corba_cdr
-      dataport.subscription_type      new
-      dataport.serializer.cdr.endian  little,big
   rtorb:
-  -DataOutPort: out
-    dataport.data_type          TimedLong
-    dataport.dataflow_type      push
-    dataport.interface_type     corba_cdr
-    dataport.subscription_type  flush
-    port.port_type              DataOutPort
    -Connected to  /localhost:$PORT/V.host_cxt/ConsoleOut0.rtc:in
       Name                            outin
       ID                              ID

@@ -160,21 +160,7 @@ A port alone:
     dataport.subscription_type               Any
     port.port_type                           DataInPort
    +Connected to  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
-  $ rtcat -ll ConsoleIn0.rtc:out
-  -DataOutPort: out
-    data_type                                IDL:RTC/TimedLong:1.0
-    dataport.data_type                       IDL:RTC/TimedLong:1.0
-    dataport.dataflow_type                   push,pull,duplex
-    dataport.interface_option.corba_cdr\x20\x20\x20\x20\x20\x20 (esc)
-    dataport.interface_option.csp_channel\x20\x20\x20\x20 (esc)
-    dataport.interface_option.data_service\x20\x20\x20 (esc)
-    dataport.interface_option.direct\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
-    dataport.interface_option.shared_memory\x20\x20 (esc)
-    dataport.interface_type                  corba_cdr,csp_channel,data_service,direct,shared_memory
-    dataport.io_mode                         block,flush,new,nonblock,periodic
-    dataport.marshaling_types                cdr
-    dataport.subscription_type               block,flush,new,nonblock,periodic
-    port.port_type                           DataOutPort
+  $ rtcat -ll ConsoleIn0.rtc:out | sed -n '/Connected/,$p'
    -Connected to  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
       Name                            out_in
       ID                              $UUID

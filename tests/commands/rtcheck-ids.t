@@ -43,14 +43,3 @@ A port that is connected alone, at the start of its component, gets a new id eac
   b chatter
   $ rtcon -i c -p dataport.interface_type=ssm ConsoleIn0.rtc:out; rtteardown topic.rtsys; ctl @topics connectors ConsoleIn0:out
   c out
-
-What is there in a system that has not been started:
-
-  $ export RTCSH_CWD=/localhost:$PORT/test.host_cxt; rtdis ConsoleIn0.rtc; rtcryo -q -o robot.rtsys --all .; rtcheck robot.rtsys
-  Component /localhost:$PORT/plain.host_cxt/ConsoleIn0.rtc is in incorrect state Inactive
-  Component /localhost:$PORT/plain.host_cxt/ConsoleOut0.rtc is in incorrect state Inactive
-  Component /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc is in incorrect state Inactive
-  Component /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc is in incorrect state Inactive
-  rtcheck: all of them are Inactive: -s Inactive compares with that
-  [1]
-  $ rtcheck -s Inactive robot.rtsys

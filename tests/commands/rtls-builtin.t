@@ -46,21 +46,10 @@ world: manager --context managed.host_cxt/%n.rtc
    +Extra properties
   +Execution Context 0
   +DataOutPort: out
-  $ rtcat -ll ConsoleIn0.rtc:out
-  -DataOutPort: out
+  $ rtcat -ll ConsoleIn0.rtc:out | grep -e data_type -e dataflow
     data_type                                IDL:RTC/TimedLong:1.0
     dataport.data_type                       IDL:RTC/TimedLong:1.0
     dataport.dataflow_type                   push,pull,duplex
-    dataport.interface_option.corba_cdr\x20\x20\x20\x20\x20\x20 (esc)
-    dataport.interface_option.csp_channel\x20\x20\x20\x20 (esc)
-    dataport.interface_option.data_service\x20\x20\x20 (esc)
-    dataport.interface_option.direct\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
-    dataport.interface_option.shared_memory\x20\x20 (esc)
-    dataport.interface_type                  corba_cdr,csp_channel,data_service,direct,shared_memory
-    dataport.io_mode                         block,flush,new,nonblock,periodic
-    dataport.marshaling_types                cdr
-    dataport.subscription_type               block,flush,new,nonblock,periodic
-    port.port_type                           DataOutPort
   $ rtcat nobody.rtc
   rtcat: /localhost:$PORT/test.host_cxt/nobody.rtc: no such path
   [3]
@@ -68,20 +57,7 @@ world: manager --context managed.host_cxt/%n.rtc
   Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
   $ rtact Broken0.rtc; rtreset Broken0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Broken0.rtc: cannot activate: it is in Error; reset it first
-  $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcat -l ConsoleOut0.rtc:in
-  -DataInPort: in
-    data_type                                IDL:RTC/TimedLong:1.0
-    dataport.data_type                       IDL:RTC/TimedLong:1.0
-    dataport.dataflow_type                   push,pull,duplex
-    dataport.interface_option.corba_cdr\x20\x20\x20\x20\x20\x20 (esc)
-    dataport.interface_option.csp_channel\x20\x20\x20\x20 (esc)
-    dataport.interface_option.data_service\x20\x20\x20 (esc)
-    dataport.interface_option.direct\x20\x20\x20\x20\x20\x20\x20\x20\x20 (esc)
-    dataport.interface_option.shared_memory\x20\x20 (esc)
-    dataport.interface_type                  corba_cdr,csp_channel,data_service,direct,shared_memory
-    dataport.marshaling_types                cdr
-    dataport.subscription_type               Any
-    port.port_type                           DataInPort
+  $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcat -l ConsoleOut0.rtc:in | grep Connected
    +Connected to  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   $ rtdis -v ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtdis: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: removed connection $UUID
