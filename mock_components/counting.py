@@ -29,27 +29,28 @@ class Ledger:
         self.local.depth = 1
 
     def begin(self, owner, operation):
-        """A call has arrived: count it, then let it hang or fail if that was asked for."""
+        """A call has arrived: count it. Returns a function that lets it hang or fail if that was asked for, else None."""
         depth = getattr(self.local, "depth", 0)
         self.local.depth = depth + 1
         if depth:
-            return
+            return None
         with self.lock:
             self.calls[owner, operation] += 1
             self.in_flight += 1
             self.highwater = max(self.highwater, self.in_flight)
             kind = self._fault(operation)
             delay = self.delays.get(operation, 0)
-        try:
+            if not (kind or delay or owner in self.holds):
+                return None
+
+        def suffer():
             time.sleep(delay)
             self._hold(owner)
             if kind == "LOST":
                 self.local.lost = True
             elif kind:
                 self._fail(kind)
-        except Exception:
-            self.end()
-            raise
+        return suffer
 
     def end(self):
         self.local.depth -= 1
@@ -121,13 +122,31 @@ def stand_in(servant, ledger, owner):
     """A servant that notes each call and passes it on, for object adapters that know nothing of the ledger."""
     def passed_on(operation):
         def call(self, *args):
-            ledger.begin(owner, operation)
+            suffer = ledger.begin(owner, operation)
             try:
+                if suffer:
+                    suffer()
                 return getattr(servant, operation)(*args)
             finally:
                 ledger.end()
         return call
+    return _like(servant, passed_on)
 
+
+def suffering(servant, suffer):
+    """A servant that passes calls on after `suffer`.
+
+    A locator that waited would keep omniORB from reading the next call on the connection; a servant that waits does not.
+    """
+    def passed_on(operation):
+        def call(self, *args):
+            suffer()
+            return getattr(servant, operation)(*args)
+        return call
+    return _like(servant, passed_on)
+
+
+def _like(servant, passed_on):
     lineage = type(servant).__mro__
     skeleton = next(kind for kind in lineage if "_omni_op_d" in vars(kind))
     operations = {name for kind in lineage for name in vars(kind).get("_omni_op_d", ())}

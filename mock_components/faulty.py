@@ -21,8 +21,10 @@ import sys
 import threading
 import time
 
+from rtshell_lite.giop import messages
+
 from . import malice
-from .giop import (COMPONENT, CONTEXT, FRAGMENT, LITTLE, MORE, REPLY, bad_operation, bindings, cdr, component_profile,
+from .giop import (COMPONENT, CONTEXT, FRAGMENT, REPLY, bad_operation, bindings, cdr, component_profile,
                    harmless_answer, read_request, reference, reply, stringified)
 
 LIFETIME = 3600
@@ -109,7 +111,7 @@ def wrong_id(peer, connection, request):
 def crumbs(peer, connection, request):
     """Sends a reply in fragments of two bytes, without end."""
     connection.sendall(begun(request.id))
-    some = struct.pack("<4s4BII2s", b"GIOP", 1, 2, LITTLE | MORE, FRAGMENT, 6, request.id, b"ab") * 1000
+    some = messages.whole(FRAGMENT, struct.pack("<I", request.id) + b"ab", more=True) * 1000
     while True:
         connection.sendall(some)
 
@@ -124,7 +126,7 @@ def strangers(peer, connection, request):
 
 def begun(number):
     """A reply to this request of which more is to come."""
-    return struct.pack("<4s4B4I", b"GIOP", 1, 2, LITTLE | MORE, REPLY, 12, number, 0, 0)
+    return messages.whole(REPLY, struct.pack("<III", number, 0, 0), more=True)
 
 
 def hostile(peer, connection, request):

@@ -2,6 +2,8 @@
 import collections
 import struct
 
+from rtshell_lite.giop import messages, requests
+
 COMPONENT = "IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0"
 CONTEXT = "IDL:omg.org/CosNaming/NamingContext:1.0"
 
@@ -85,38 +87,16 @@ def read_request(connection):
 
 def parse_request(data):
     """A Request from a whole GIOP 1.0, 1.1 or 1.2 message."""
-    version, kind, reader = data[5], data[7], Reader(data, data[6] & 1)
-    if version < 2 and kind == REQUEST:
-        for _ in range(reader.number()):
-            reader.number(), reader.octets()
-    number, expects_reply, operation = reader.number(), True, b""
-    if kind == REQUEST:
-        expects_reply = bool(reader.number("B"))
-        reader.position += 3 if version else 0
-    if version >= 2:
-        reader.number("H")
-    key = reader.octets()
-    if kind == REQUEST:
-        operation = reader.string()
-        if version >= 2:
-            for _ in range(reader.number()):
-                reader.number(), reader.octets()
-            reader.position += -reader.position % 8
-        else:
-            reader.octets()
-    return Request(version, kind, number, expects_reply, key, operation.decode("latin-1"), reader)
-
-
-def message(version, kind, payload):
-    """A whole message, little endian."""
-    return b"GIOP" + bytes([1, version, 1, kind]) + struct.pack("<I", len(payload)) + payload
+    found = requests.Request(data)
+    arguments = Reader(data, found.little, found.at or messages.HEADER)
+    return Request(found.minor, data[7], found.id, found.is_answered, found.key, found.operation, arguments)
 
 
 def reply(request, body, status=NO_EXCEPTION, wrong_id=0):
     """A reply; its header has 12 bytes in every version, so that the body begins at a multiple of 8."""
     number = request.id ^ wrong_id
     header = (number, status, 0) if request.version >= 2 else (0, number, status)
-    return message(request.version, REPLY, struct.pack("<III", *header) + body)
+    return messages.whole(REPLY, struct.pack("<III", *header) + body, request.version)
 
 
 def bad_operation(request):
@@ -158,7 +138,7 @@ def component_profile(text):
 def harmless_answer(request):
     """The answer to _is_a (yes) and _non_existent (no), or None for other operations."""
     if request.type == LOCATE_REQUEST:
-        return message(request.version, LOCATE_REPLY, struct.pack("<II", request.id, 1))
+        return messages.whole(LOCATE_REPLY, struct.pack("<II", request.id, 1), request.version)
     if request.operation == "_is_a":
         return reply(request, b"\1")
     if request.operation in ("_non_existent", "_not_existent"):

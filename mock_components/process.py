@@ -7,7 +7,7 @@ import threading
 
 from omniORB import CORBA, PortableServer, PortableServer__POA
 
-from .counting import MINORS, Ledger, stand_in
+from .counting import MINORS, Ledger, stand_in, suffering
 
 
 class Locator(PortableServer__POA.ServantLocator):
@@ -21,7 +21,16 @@ class Locator(PortableServer__POA.ServantLocator):
         entry = self.objects.get(oid)
         if entry is None or not entry[2]():
             raise CORBA.OBJECT_NOT_EXIST(MINORS["OBJECT_NOT_EXIST"], CORBA.COMPLETED_NO)
-        self.ledger.begin(entry[1], operation)
+        suffer = self.ledger.begin(entry[1], operation)
+        if suffer is None:
+            return entry[0], None
+        if not operation.startswith("_"):
+            return suffering(entry[0], suffer), None
+        try:
+            suffer()
+        except Exception:
+            self.ledger.end()
+            raise
         return entry[0], None
 
     def postinvoke(self, oid, poa, operation, cookie, servant):

@@ -10,18 +10,22 @@
 What is defined here keeps its names, arguments and meanings; more may be added. All other modules may change with any version.
 
 Paths are those of the commands; relative ones start at RTCSH_CWD. Failures are errors.Error, with `where` (the object) and
-`why`; every remote call has a deadline (`set_timeout`). Functions may be called from any thread, beside other users of omniORB
-in the process: signals, deadlines and the threads of others are left alone. A program that is a component itself starts its
-own ORB first. Rare remarks go to stderr, such as that a peer's answer was too long.
+`why`; every remote call has a deadline (`set_timeout`). Functions may be called from any thread, also in a program that is a
+component itself: its ORB, signals and threads are left alone. Rare remarks go to stderr, such as that a peer's answer was too
+long.
 """
 import collections
 import contextlib
+import functools
 import math
+import signal
 import time
+from _thread import allocate_lock
 
-from rtshell_lite import errors, path as paths
-from rtshell_lite.corba import lanes, omni
+from rtshell_lite import errors, notes, path as paths, text
+from rtshell_lite.corba.session import Session
 from rtshell_lite.errors import Error
+from rtshell_lite.net import loop
 
 __all__ = ["Component", "Error", "Port", "capture", "check", "component", "components", "connect", "connected", "disconnect",
            "dump_profile", "load_profile", "next_value", "restore", "send", "set_timeout", "values"]
@@ -31,14 +35,46 @@ POLL = 0.2  # seconds between two looks
 # A port: its path, its type (DataInPort, DataOutPort, CorbaPort, Port), a dict, and the ids of its connections.
 Port = collections.namedtuple("Port", "path type properties connections")
 
-omni.shared = True
+_session = Session()
+
+
+def _report(kind, what):
+    """The listener of notes.py; unless the program says otherwise, Python prints what is logged so on stderr."""
+    if kind != notes.DETAIL:
+        import logging
+        logging.getLogger("rtshell_lite").warning("%s", text.safe(str(what)))
+
+
+notes.listener = notes.listener or _report
+
+
+def _plain(function):
+    """A coroutine function as a plain one, which runs on a loop of its own."""
+    @functools.wraps(function)
+    def run(*args, **more):
+        return loop.run(function(*args, **more), _signals(), _session, as_guest=True)
+    return run
+
+
+def _signals():
+    """What the program's own handlers of signals raise, see loop.run: they run, but never in the middle of a call."""
+    found = {number: signal.getsignal(number) for number in range(1, signal.NSIG)}
+    return {number: functools.partial(_raised, number, handler) for number, handler in found.items() if callable(handler)}
+
+
+def _raised(number, handler):
+    try:
+        handler(number, None)
+    except BaseException as e:
+        return e
+    return None
 
 
 def set_timeout(seconds):
     """Let a peer stay silent for so many seconds (default: 3). Raises ValueError."""
     if not 0 < seconds < math.inf:
         raise ValueError(f"not a number of seconds above 0: {seconds!r}")
-    lanes.session.timeout = float(seconds)
+    _session.timeout = float(seconds)
 
 
 # ---- components -----------------------------------------------------------------------------------------------
@@ -52,76 +88,86 @@ class Component:
     def __repr__(self):
         return f"Component({self.path!r})"
 
-    def _node(self):
+    async def _node(self):
         from rtshell_lite.robot import tree
-        return tree.component(self.path)
+        return await tree.component(self.path)
 
     @property
-    def state(self):
+    @_plain
+    async def state(self):
         """Created, Inactive, Active, Error or Unknown."""
         from rtshell_lite.robot import component
-        return component.state(self._node())
+        return await component.state(await self._node())
 
-    def activate(self, wait=None, context=None):
+    @_plain
+    async def activate(self, wait=None, context=None):
         """Activate it, as rtact does; `wait`: how many seconds to wait at most until it is Active; `context`: as -e of rtact."""
-        self._change("ACTIVATE", wait, context)
+        await self._change("ACTIVATE", wait, context)
 
-    def deactivate(self, wait=None, context=None):
+    @_plain
+    async def deactivate(self, wait=None, context=None):
         """Deactivate it, as rtdeact does: in all its execution contexts, or in the one with the number `context`."""
-        self._change("DEACTIVATE", wait, context)
+        await self._change("DEACTIVATE", wait, context)
 
-    def reset(self, wait=None, context=None):
+    @_plain
+    async def reset(self, wait=None, context=None):
         """Take it from Error to Inactive."""
-        self._change("RESET", wait, context)
+        await self._change("RESET", wait, context)
 
-    def _change(self, name, wait, context):
+    async def _change(self, name, wait, context):
         from rtshell_lite.robot import transitions
-        transitions.change(self._node(), getattr(transitions, name), context, wait)
+        await transitions.change(await self._node(), getattr(transitions, name), context, wait)
 
-    def configuration(self, set_id=None):
+    @_plain
+    async def configuration(self, set_id=None):
         """The values of a configuration set (default: the active one), a dict of texts."""
-        return dict(self._configuration().set(set_id, with_hidden=True).values)
+        return dict((await self._configuration()).set(set_id, with_hidden=True).values)
 
-    def configure(self, values, set_id=None):
+    @_plain
+    async def configure(self, values, set_id=None):
         """Set values (a dict of texts) in a configuration set (default: the active one)."""
-        found = self._configuration()
-        found.store({name: str(value) for name, value in values.items()}, found.set(set_id, with_hidden=True))
+        found = await self._configuration()
+        await found.store({name: str(value) for name, value in values.items()}, found.set(set_id, with_hidden=True))
 
-    def activate_set(self, set_id):
+    @_plain
+    async def activate_set(self, set_id):
         """Make a configuration set the active one."""
-        self._configuration().activate(set_id)
+        await (await self._configuration()).activate(set_id)
 
-    def _configuration(self):
+    async def _configuration(self):
         from rtshell_lite.robot import configuration
-        return configuration.of(self._node())
+        return await configuration.of(await self._node())
 
-    def ports(self):
+    @_plain
+    async def ports(self):
         """Its Ports, a list."""
         from rtshell_lite.robot import ports
         return [Port(ports.label(port), port.type, dict(port.properties), [connector.id for connector in port.connectors])
-                for port in ports.ports(self._node())]
+                for port in await ports.ports(await self._node())]
 
 
-def component(path, wait=0.0):
+@_plain
+async def component(path, wait=0.0):
     """The Component at a path, once it is there and alive, for which it has `wait` seconds."""
     from rtshell_lite.robot import tree
     found, end = Component(path), time.monotonic() + wait
     while True:
-        node, = tree.at_each([paths.parse(found.path)], tree.component)
+        node, = await tree.at_each([paths.parse(found.path)], tree.component)
         if not isinstance(node, Error):
-            node, = tree.look([node])
+            node, = await tree.check_alive([node])
             node = node.error or node
         if not isinstance(node, Error):
             return found
         if time.monotonic() >= end or not isinstance(node, (errors.NotFound, errors.Unreachable)):
             raise node
-        time.sleep(POLL)
+        await loop.sleep(POLL)
 
 
-def components(top="/"):
+@_plain
+async def components(top="/"):
     """The Components at and below a path, a list. What does not answer is left out; if that leaves none, the first failure is raised."""
     from rtshell_lite.system import capture
-    nodes, _, failures, _ = capture.components([paths.parse(top)])
+    nodes, _, failures, _ = await capture.components([paths.parse(top)])
     if failures and not nodes:
         raise failures[0]
     return [Component(str(node.path)) for node in nodes]
@@ -129,13 +175,13 @@ def components(top="/"):
 
 # ---- connections ----------------------------------------------------------------------------------------------
 
-def _found(*words):
+async def _found(*words):
     from rtshell_lite.robot import ports
     wanted = [paths.parse(word) for word in words]
     for path in wanted:
         if path.port is None:
             raise errors.BadPath(path, "no port specified")
-    found, failures = errors.parted(ports.find(wanted))
+    found, failures = errors.split(await ports.find(wanted))
     if failures:
         raise failures[0]
     return found
@@ -145,39 +191,62 @@ def _properties(given):
     return {name if "." in name else "dataport." + name: str(value) for name, value in given.items()}
 
 
-def connect(one, other, **properties):
+@_plain
+async def connect(one, other, **properties):
     """Connect two ports and return the id of the connection. Properties without a dot belong to `dataport`: data_type="…"."""
     from rtshell_lite.robot import connectors
-    return connectors.connect(_found(one, other), given=_properties(properties)).id
+    return (await connectors.connect(await _found(one, other), given=_properties(properties))).id
 
 
-def disconnect(one, other=None):
+@_plain
+async def disconnect(one, other=None):
     """Remove the connections of two ports, or all of one; returns how many there were."""
     from rtshell_lite.robot import connectors, ports
-    found = _found(*[path for path in (one, other) if path is not None])
+    found = await _found(*[path for path in (one, other) if path is not None])
     removed = ports.joining(found) if other is not None else found[0].connectors
     for connector in removed:
-        connectors.disconnect(found[0], connector)
+        await connectors.disconnect(found[0], connector)
     return len(removed)
 
 
 @contextlib.contextmanager
 def connected(one, other, **properties):
     """Two ports connected for the time of a `with` statement, which gets the id of the connection."""
-    from rtshell_lite.robot import connectors
-    port, far = _found(one, other)
-    connector = connectors.connect([port, far], given=_properties(properties))
+    port, connector = _connect(one, other, properties)
     try:
         yield connector.id
     finally:
-        connectors.disconnect(port, connector)
+        _disconnect(port, connector)
+
+
+@_plain
+async def _connect(one, other, properties):
+    """The port `one` and its connector with the other, which does not stay if Ctrl-C strikes meanwhile."""
+    from rtshell_lite.robot import connectors
+    ends, made = await _found(one, other), []
+
+    async def connect():
+        made.append(await connectors.connect(ends, given=_properties(properties)))
+    try:
+        await loop.finish(connect())
+    except BaseException:
+        for connector in made:
+            await connectors.disconnect(ends[0], connector)
+        raise
+    return ends[0], made[0]
+
+
+@_plain
+async def _disconnect(port, connector):
+    from rtshell_lite.robot import connectors
+    await loop.finish(connectors.disconnect(port, connector))
 
 
 # ---- data -----------------------------------------------------------------------------------------------------
 
-def _type(port, idl):
+async def _type(port, idl):
     from rtshell_lite.data import datatypes
-    return datatypes.Types(idl=idl).load().of_port(port)
+    return await datatypes.Types(idl=idl).load().of_port(port)
 
 
 def values(port, timeout=None, idl=(), **properties):
@@ -186,20 +255,13 @@ def values(port, timeout=None, idl=(), **properties):
     A value has its IDL members as attributes: value.tm.sec, value.data. Raises errors.Unreachable when none comes for `timeout`
     seconds. `idl` are files with types that are not standard ones.
     """
-    from rtshell_lite.data import inbox, reading
-    found, = _found(port)
-    box, type = inbox.Inbox(), _type(found, idl)
-    with reading.Reader(found, box.taker(0), properties=_properties(properties)) as reader:
-        last = time.monotonic()
+    feed = _Feed()
+    try:
+        feed.begin(port, idl, _properties(properties))
         while True:
-            for _, message in box.get(POLL):
-                last = time.monotonic()
-                yield type.decode(message.data, message.little)
-                last = time.monotonic()
-            if reader.failure:
-                raise reader.failure
-            if timeout is not None and time.monotonic() - last > timeout:
-                raise errors.Unreachable(reader.where, f"no value within {timeout:g}s")
+            yield from feed.next(timeout)
+    finally:
+        feed.end()
 
 
 def next_value(port, timeout=5.0, idl=(), **properties):
@@ -208,54 +270,140 @@ def next_value(port, timeout=5.0, idl=(), **properties):
         return next(coming)
 
 
-def send(port, value, idl=(), anyway=False):
+class _Feed:
+    """The values of an out port. They are received on a thread of its own, so that the component need not wait for the program."""
+
+    def __init__(self):
+        self._loop = self._task = self._failure = None
+        self._is_ending = self._is_over = False
+        self._news = allocate_lock()  # released when values have come, or the end; acquired by the program
+        self._news.acquire()
+        self._wanted = loop.Bell()  # rings when the program wants values
+        self._batch = self._type = self._where = None
+
+    def begin(self, *words):
+        """Connect. Raises what that raises."""
+        loop.start_thread(self._run, *words)
+        self._wait(None)
+
+    def next(self, timeout):
+        """Yield the values that have come; waits for the first one. Raises Unreachable."""
+        self._loop.post(self._wanted.ring)
+        if not self._wait(timeout):
+            raise errors.Unreachable(self._where, f"no value within {timeout:g}s")
+        for _, message in self._batch:
+            yield self._type.decode(message.data, message.little)
+
+    def end(self):
+        """Disconnect."""
+        self._is_ending = True
+        if self._loop is None:  # its thread is only beginning, and ends at once
+            return
+        self._loop.post(self._task.cancel)
+        while not self._is_over:
+            self._news.acquire()
+
+    def _wait(self, seconds):
+        came = self._news.acquire(timeout=-1 if seconds in (None, math.inf) else max(seconds, 0))
+        if self._failure is not None:
+            raise self._failure
+        return came
+
+    # ---- on its thread ----
+
+    def _run(self, *words):
+        try:
+            loop.run(self._receive(*words), session=_session)
+        except loop.Cancelled:
+            pass
+        except BaseException as e:
+            self._failure = e
+        self._is_over = True
+        self._tell()
+
+    def _tell(self):
+        if self._news.locked():
+            self._news.release()
+
+    async def _receive(self, port, idl, properties):
+        from rtshell_lite.data import inbox, reading
+        here = loop.current()
+        here.make_bell()
+        self._task, self._loop = here.running, here
+        if self._is_ending:
+            return
+        found, = await _found(port)
+        self._type, box = await _type(found, idl), inbox.Inbox()
+        async with reading.Reader(found, box.taker(0), properties=properties) as reader:
+            self._where = reader.where
+            self._tell()
+            while await self._wanted.wait():
+                self._batch = await _values_in(box, reader)
+                self._tell()
+
+
+async def _values_in(box, reader):
+    """What has come into an Inbox, once there is anything."""
+    while True:
+        batch = await box.get(POLL)
+        if batch:
+            return batch
+        if reader.failure:
+            raise reader.failure
+
+
+@_plain
+async def send(port, value, idl=(), anyway=False):
     """Send a value to an in port and wait until the component can have read it. A member `tm` that is left out is the present.
 
     The value is one of its type, a dict of its members, or what its member `data` is to be: 42. Raises errors.Failed for a
     component that does not read now (unless `anyway`), errors.Unread when it stops doing so, BadValue.
     """
     from rtshell_lite.data import values as data_values, writing
-    found, = _found(port)
-    type, now = _type(found, idl), divmod(int(time.time() * 1e9), 10 ** 9)
+    found, = await _found(port)
+    type, now = await _type(found, idl), divmod(int(time.time() * 1e9), 10 ** 9)
     built = data_values.build(type.descriptor, value, type.name, now=now)
-    with writing.Writer(found, {}, "rtshell_lite", anyway) as writer:
-        writer.put(type.encode(built, writer.little), writer.little)
-        writing.linger([writer], None, lambda: None)
+    async with writing.Writer(found, {}, "rtshell_lite", anyway) as writer:
+        await writer.put(type.encode(built, writer.little), writer.little)
+        await writing.linger([writer], None)
     if writer.failure:
         raise writer.failure
 
 
 # ---- systems --------------------------------------------------------------------------------------------------
 
-def capture(*tops):
+@_plain
+async def capture(*tops):
     """The RtsProfile of all that runs below these paths (default: all name servers). Raises the first failure."""
     from rtshell_lite.system import capture as capturing
-    found = capturing.capture([paths.parse(top) for top in tops], all_components=True)
+    found = await capturing.capture([paths.parse(top) for top in tops], all_components=True)
     if found.failures:
         raise found.failures[0]
     return found.profile
 
 
-def restore(profile, create=False, manager=None, rollback=False):
+@_plain
+async def restore(profile, create=False, manager=None, rollback=False):
     """Bring the running system to a profile, as rtresurrect does; raises the first failure of what the profile requires.
 
     `create`: let managers create what is missing, that at the path `manager` where the profile names none.
     """
     from rtshell_lite.system import apply, restore as restoring
-    outcomes = restoring.restoring(profile, restoring.Options(create, manager, False))
-    apply.carry_out(outcomes, rollback)
+    outcomes = await restoring.restoring(profile, restoring.Options(create, manager, False))
+    await apply.carry_out(outcomes, rollback)
     for outcome in outcomes:
         if outcome.failed and outcome.step.required:
             raise outcome.error
 
 
-def check(profile, state="Active", extra=False):
+@_plain
+async def check(profile, state="Active", extra=False):
     """How the running system differs from a profile, as lines of text; [] where it does not. See rtcheck. Raises ValueError."""
     from rtshell_lite.robot import component
     from rtshell_lite.system import compare
     if state not in component.STATES:
         raise ValueError(f"not one of {', '.join(component.STATES)}: {state!r}")
-    result = compare.compare(profile, state, extra=extra)
+    result = await compare.compare(profile, state, extra=extra)
     if result.failures:
         raise result.failures[0]
     return [difference.message for difference in result.differences if difference.required]

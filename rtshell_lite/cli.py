@@ -1,15 +1,18 @@
 """What every command shares: how it starts and ends, its exit status, its lines on stderr.
 
-system/reports.py reports many steps or actions, each with its own result.
+Libraries print nothing: what they remark (notes.py) is printed here.
 """
 import _signal  # see start.py
 import errno
 import io
 import os
 import sys
+from _thread import allocate_lock
 
-from rtshell_lite import errors, interrupts, options, text
-from rtshell_lite.corba import lanes
+from rtshell_lite import errors, notes, options, text
+from rtshell_lite.corba.session import Session
+from rtshell_lite.net import loop
+from rtshell_lite.notes import Tally  # noqa: F401: commands use it as cli.Tally
 
 FLUSH_LIMIT = 1.0  # seconds for flushing the output after a signal: its reader may have stopped
 
@@ -17,18 +20,20 @@ FLUSH_LIMIT = 1.0  # seconds for flushing the output after a signal: its reader 
 MISNAMED = {"RTCSH_NAMESERVERS": "RTCTREE_NAMESERVERS", "RTSH_CWD": "RTCSH_CWD"}
 
 _quiet = _verbose = False
-_left_out = set()  # type: set  # lines already printed by left_out()
 
 
 # ---- running a command ----------------------------------------------------------------------------------------
 
 def main(arguments, run, doc, argv=None):
-    """Run one command and exit: `arguments(parser)` declares its options, `run(args)` does the work and returns the exit status."""
+    """Run one command and exit: `arguments(parser)` declares its options, `run(args)` does the work and returns the exit status.
+
+    `run` is a coroutine function where it asks peers: then Ctrl-C, SIGTERM and SIGHUP arrive at what it awaits.
+    """
     _prepare_streams()
+    notes.listener = _hear
     try:
         if _signal.getsignal(_signal.SIGINT) != _signal.SIG_IGN:
-            _signal.signal(_signal.SIGINT, interrupts.ctrl_c)
-        sys.unraisablehook = interrupts.lost  # from Python 3.8 on
+            _signal.signal(_signal.SIGINT, _signal.default_int_handler)
         _leave(command(arguments, run, doc, sys.argv[1:] if argv is None else argv))
     except KeyboardInterrupt:
         _leave_soon(130)
@@ -42,15 +47,17 @@ class Ended(BaseException):
 
 def command(arguments, run, doc, argv):
     """Run one command in this process, named by sys.argv[0], and return its exit status. Raises KeyboardInterrupt, Ended."""
-    before = _quiet, _verbose, lanes.session
-    interrupts.begin()
+    before = _quiet, _verbose
     try:
         args = options.parser(arguments, doc, os.path.basename(sys.argv[0])).parse_args(argv)
-        _settle(args.quiet, args.verbose, lanes.Session(args.timeout))
+        _settle(args.quiet, args.verbose)
         for name in MISNAMED.keys() & os.environ.keys():
             del os.environ[name]  # rtsh reports it once
             note(f"{name} is not read; the variable is {MISNAMED[name]}")
-        return run(args) or (errors.Partial.status if _left_out else 0)
+        status = run(args)
+        if hasattr(status, "send"):
+            status = loop.run(status, SIGNALS, Session(args.timeout))
+        return status or (0 if notes.is_complete() else errors.Partial.status)
     except errors.Error as e:
         return complain(e)
     except BrokenPipeError:  # the reader went away: not our error
@@ -72,25 +79,29 @@ def command(arguments, run, doc, argv):
         _settle(*before)  # the settings of rtsh, if it runs this command
 
 
+SIGNALS = {_signal.SIGINT: KeyboardInterrupt,  # type: dict
+           _signal.SIGTERM: lambda: Ended(128 + _signal.SIGTERM),
+           _signal.SIGHUP: lambda: Ended(128 + _signal.SIGHUP)}
+
+
 def unwind_when_ended():
-    """Let SIGTERM and SIGHUP run `finally` clauses, as Ctrl-C does: the command has put something into a component.
+    """Let SIGTERM and SIGHUP run the `finally` clauses of plain code, as Ctrl-C does; where peers are asked, they do so anyway.
 
     Only the first counts: a closing terminal and systemd send both.
     """
+    def end(number, frame):
+        for other in (_signal.SIGTERM, _signal.SIGHUP):
+            _signal.signal(other, _signal.SIG_IGN)
+        raise SIGNALS[number]()
     for number in (_signal.SIGTERM, _signal.SIGHUP):
         if _signal.getsignal(number) == _signal.SIG_DFL:  # nohup ignores SIGHUP
-            _signal.signal(number, lambda number, frame: interrupts.strike(Ended(128 + number), ends=True))
+            _signal.signal(number, end)
 
 
-def ignore_hangup():
-    """After the terminal is gone: its SIGHUP, which reaches the shell first, must not interrupt the clean-up."""
-    _signal.signal(_signal.SIGHUP, lambda *_: None)
-
-
-def _settle(quiet, verbose, session):
+def _settle(quiet, verbose):
     global _quiet, _verbose
-    _quiet, _verbose, lanes.session = quiet, verbose, session
-    _left_out.clear()
+    _quiet, _verbose = quiet, verbose
+    notes.begin()
 
 
 class _Closed(io.TextIOBase):
@@ -99,6 +110,9 @@ class _Closed(io.TextIOBase):
     buffer = property(lambda self: self)
 
     def write(self, s):
+        self.fileno()
+
+    def fileno(self):
         raise OSError(errno.EBADF, "cannot write the output: " + os.strerror(errno.EBADF))
 
 
@@ -130,10 +144,18 @@ def _leave(status):
 
 def _leave_soon(status):
     """Exit because of a signal, whether or not anybody reads the rest of the output."""
-    with interrupts.held():
-        box = interrupts.Mailbox()
-        lanes.start(lambda: box.put(_flushed(status)))
-        os._exit(box.get(FLUSH_LIMIT) or status)
+    for number in SIGNALS:
+        _signal.signal(number, _signal.SIG_IGN)
+    done = allocate_lock()
+    done.acquire()
+    found = []
+
+    def flush():
+        found.append(_flushed(status))
+        done.release()
+    loop.start_thread(flush)
+    done.acquire(timeout=FLUSH_LIMIT)
+    os._exit(found[0] if found else status)
 
 
 def _flushed(status):
@@ -144,6 +166,31 @@ def _flushed(status):
     except OSError as e:
         return status or complain(e)  # a failed command has reported it
     return status
+
+
+# ---- output that others must not wait for ---------------------------------------------------------------------
+
+async def write(output):
+    """Print a text while other tasks go on: its reader may be slow, or have stopped."""
+    await loop.on_thread(write_here, output)
+
+
+def write_here(output):
+    """Print a text on a thread of its own: past sys.stdout, as the lock of its buffer must not be held when the command ends."""
+    fd, rest = sys.stdout.fileno(), memoryview(output.encode("utf-8", "backslashreplace"))
+    while rest:
+        rest = rest[os.write(fd, rest):]
+
+
+async def reader_leaves():
+    """Raise BrokenPipeError as soon as nobody reads the output: for loop.background."""
+    try:
+        output = sys.stdout.fileno()
+    except OSError:  # there is none
+        return
+    await loop.ready(output, 0)
+    _signal.signal(_signal.SIGHUP, lambda *_: None)  # of a closed terminal; it would interrupt the clean-up
+    raise BrokenPipeError(errno.EPIPE, "nobody reads the output")
 
 
 # ---- talking on stderr ----------------------------------------------------------------------------------------
@@ -158,35 +205,10 @@ def complain(what):
     return status
 
 
-def left_out(line):
-    """Report, once, how much of an excessive answer was left out; the command ends with status 5 at best."""
-    if line not in _left_out:
-        _left_out.add(line)
-        complain(line)
-
-
-def first(most, items, where, what):
-    """The first `most` of a list that a peer has sent; what is left out is reported."""
-    if len(items) > most:
-        left_out(f"{where}: {len(items) - most} of {len(items)} {what} are left out")
-    return items[:most]
-
-
 def note(line):
     """Print a remark that is not a failure on stderr, unless --quiet is given."""
-    if not is_quiet():
+    if not _quiet:
         _say(line)
-
-
-def reading(name, what):
-    """Say that a command waits for what the user types, if it reads the file `name` from a terminal (`-`)."""
-    if name == "-" and sys.stdin is not None and sys.stdin.isatty():
-        note(f"reading {what} from standard input; Ctrl-D ends it")
-
-
-def is_quiet():
-    """Whether the user wants to see failures only."""
-    return _quiet
 
 
 def detail(line):
@@ -212,32 +234,22 @@ def say(line):
             pass  # nobody is left to read it
 
 
-class Tally:
-    """Results for several objects: failures are reported at once, the exit status sums them up."""
+def _hear(kind, what):
+    """The listener of notes.py."""
+    _PRINTERS[kind](what)
 
-    def __init__(self):
-        self.done, self.statuses, self.reported = 0, set(), set()
 
-    def add(self, value):
-        """Count one result: an errors.Error is reported and counted as failed, anything else as done. Returns True if done."""
-        if isinstance(value, errors.Error):
-            if str(value) not in self.reported:  # a name server that is down fails all paths alike
-                complain(value)
-            self.reported.add(str(value))
-            self.statuses.add(value.status)
-            return False
-        self.done += 1
-        return True
+def _progress(line):
+    if not _quiet:
+        say(line)
 
-    def fail(self, error):
-        """Count a failure that has been reported elsewhere."""
-        self.statuses.add(error.status)
 
-    def status(self):
-        """0 when nothing failed, the failures' own status when all failed alike, else 5."""
-        if not self.statuses:
-            return 0
-        return self.statuses.pop() if not self.done and len(self.statuses) == 1 else errors.Partial.status
+def _failed_action(error):
+    say(f"Action failed: {error}")
+
+
+_PRINTERS = {notes.NOTE: note, notes.DETAIL: detail, notes.PROGRESS: _progress, notes.FAILED_ACTION: _failed_action,
+             notes.FAILURE: complain}
 
 
 def report(args, results):

@@ -27,7 +27,7 @@ class Error(Exception):
         return str(self)[len(self.where) + 1:].lstrip() if self.where else str(self)
 
 
-def parted(values):
+def split(values):
     """(values that are not Errors, the Errors) of a mixed list."""
     return [value for value in values if not isinstance(value, Error)], [value for value in values if isinstance(value, Error)]
 
@@ -55,6 +55,10 @@ class BadType(Error):
 class MissingOmniORB(Error):
     __doc__ = ("omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or install it from the package index "
                "(jeteve-omniorb; salome-omniorb for Python 3.7) or from OpenRTM-aist's package repository")
+
+
+class OnlyOmniORB(Error):
+    """{}: only omniORB knows that, and omniORBpy is not installed (package jeteve-omniorb; salome-omniorb for Python 3.7)"""
 
 
 class IncompletePython(Error):

@@ -1,10 +1,11 @@
 """The seam to the ORB: the packages above pass and get plain values, and see an errors.Error for each failure.
 
-lanes      deadlines, and many calls at once, without an ORB: a silent process costs one timeout; tasks are functions that need not
-           block a thread; pool starts functions one by one
+session    how one command asks, and what it has learnt: a silent process costs one timeout; many calls at once
 orb        the door: references (their address, identity, endpoint), calls with a deadline, exceptions as errors, properties
-omni       omniORB behind it; answers looks at what peers send before omniORB makes objects of it, stubs makes its classes
-iiop/      our own ORB behind it, in Python: client, which orb.py sees; loop, calls, connections; server
+iiop/      our own ORB behind it, in Python: client, which orb.py sees; peers, calls, connections; server
+omniorb    the annex: omniORB behind it, by threads; answers looks at what peers send before omniORB makes objects of it,
+           stubs makes its classes
+hosts      where hosts are, by their names
 failures   what the exceptions of peers mean, for both
 liveness   what a refused connection proves
 servants   objects of ours that components call

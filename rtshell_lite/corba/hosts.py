@@ -1,10 +1,11 @@
 """Where hosts are, by their names."""
 import _socket  # which `socket` is made of: that one takes long to import
 
-from rtshell_lite import errors, interrupts
-from rtshell_lite.corba import lanes
+from rtshell_lite import errors
+from rtshell_lite.net import loop
 
 MOST = 32  # names that are looked up at a time, with a thread each
+
 _looking_up = {}  # {host: LookUp}
 
 
@@ -35,13 +36,12 @@ class LookUp:
         """This LookUp, whose thread asks now; None where too many are asking."""
         if len(_looking_up) >= MOST:
             return None
-        with interrupts.held():
-            _looking_up[self._host] = self
-            try:
-                lanes.start(self._ask_others)
-            except errors.Shortage as e:
-                self.found = OSError(0, str(e))
-                _looking_up.pop(self._host, None)
+        _looking_up[self._host] = self
+        try:
+            loop.start_thread(self._ask_others)
+        except errors.Shortage as e:
+            self.found = OSError(0, str(e))
+            _looking_up.pop(self._host, None)
         return self
 
     def _ask_others(self):

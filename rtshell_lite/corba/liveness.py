@@ -7,40 +7,41 @@ that host answers at another port above 1023. A name server does not count: fire
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import hosts, lanes
+from rtshell_lite.corba import hosts, session
 
 PRIVILEGED = 1023  # the highest port that only root may listen at
 AT_THE_SAME_TIME = 3  # times the timeout
 
 
-def is_gone(endpoint):
+async def is_gone(endpoint):
     """Whether the process at `endpoint`, (host, port), which has refused a connection, is known to be gone."""
-    return is_this_host(endpoint[0]) or bool(_witnesses(endpoint))
+    return await is_this_host(endpoint[0]) or bool(_witnesses(endpoint))
 
 
-def shows_death(e, endpoint):
+async def shows_death(e, endpoint):
     """Whether an errors.Error of a call to an object at `endpoint` shows that the object is gone."""
-    return isinstance(e, errors.Gone) or isinstance(e, errors.ConnectionRefused) and is_gone(endpoint)
+    return isinstance(e, errors.Gone) or isinstance(e, errors.ConnectionRefused) and await is_gone(endpoint)
 
 
-def refusal(where, endpoint):
+async def refusal(where, endpoint):
     """The errors.ConnectionRefused for an object at `endpoint` that says what is known."""
-    return (errors.ProcessGone if is_gone(endpoint) else errors.MaybeGone)(str(where))
+    return (errors.ProcessGone if await is_gone(endpoint) else errors.MaybeGone)(str(where))
 
 
 def _witnesses(endpoint):
     """The endpoints of other processes of its host that have answered."""
     host, port = endpoint
-    since = time.monotonic() - AT_THE_SAME_TIME * lanes.session.timeout
-    return [other for other, when in list(lanes.last_answers().items()) if other[0] == host and other[1] not in (port, None)
-            and other[1] > PRIVILEGED and other not in lanes.name_servers and when >= since]
+    now = session.current()
+    since = time.monotonic() - AT_THE_SAME_TIME * now.timeout
+    return [other for other, when in now.answered.items() if other[0] == host and other[1] not in (port, None)
+            and other[1] > PRIVILEGED and other not in now.name_servers and when >= since]
 
 
-def is_this_host(host):
+async def is_this_host(host):
     """Whether a host, a name or an IP address, is this one."""
     if host == "localhost":
         return True
-    found = lanes.aside(("places of", host), host, lambda: hosts.places(host))
+    found = await session.on_thread(host, lambda: hosts.places(host))
     return any(is_own(place[0]) for *_, place in found)
 
 

@@ -1,43 +1,51 @@
 """The one door to an ORB: references, calls with a deadline, failures as errors, lists of properties.
 
-RTSHELL_ORB chooses the ORB behind it: omniorb (omni.py) or builtin (iiop/). Unset: omniORB where it can be imported.
+RTSHELL_ORB chooses the ORB behind it: builtin (iiop/) or omniorb (omniorb.py). Unset: our own, but for what only omniORB can do.
 """
 import os
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, stubs, tasks
+from rtshell_lite.corba import session
 from rtshell_lite.giop import idl, ior
+from rtshell_lite.net import loop
 from rtshell_lite.path import PROTOCOLS, SCHEMES, split_address
 from rtshell_lite.text import printable, to_wire
 
-_orb = None  # the module of the ORB, omni or iiop.client
+_orb = None  # the module of the ORB, omniorb or iiop.client
 
 
-def start():
-    """Start the ORB of this process, if it has not been.
+def start(transport=""):
+    """Start the ORB of this process, if it has not been; `transport`: one that has to be known, other than IIOP.
 
-    Raises Usage (bad RTCTREE_ORB_ARGS, RTSHELL_ORB), MissingOmniORB where the user has chosen that.
+    Raises Usage (bad RTCTREE_ORB_ARGS, RTSHELL_ORB), MissingOmniORB where the user has chosen that, OnlyOmniORB where only
+    omniORB can do what is asked, and is not installed.
     """
     global _orb
-    _orb = _orb or _chosen()
+    if _orb is None or transport and not loop.current().peers:
+        _orb = _chosen(transport)
     _orb.start()
-    lanes.loop = _orb.loop
 
 
-def _chosen():
+def _chosen(transport=""):
     name = os.environ.get("RTSHELL_ORB", "")
     if name not in ("", "omniorb", "builtin"):
         raise errors.Usage(f"RTSHELL_ORB: {printable(name)}: neither omniorb nor builtin")
-    try:
-        if name != "builtin":
-            stubs.import_omniorb()
-            from rtshell_lite.corba import omni
-            return omni
-    except errors.MissingOmniORB:
-        if name:
-            raise
     from rtshell_lite.corba.iiop import client
-    return client
+    needs_it = "" if name else _setting_unknown_to(client) or transport
+    if name != "omniorb" and not needs_it:
+        return client
+    from rtshell_lite.corba import omniorb
+    if needs_it and not omniorb.is_installed():
+        raise errors.OnlyOmniORB(needs_it)
+    return omniorb
+
+
+def _setting_unknown_to(client):
+    """The first setting in RTCTREE_ORB_ARGS that our own ORB does not heed; '' if there is none."""
+    words = [word for word in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if word]
+    options = words[::2]
+    unknown = [word for word in options if not (word.startswith("-ORB") and word[len("-ORB"):] in client.HEEDED)]
+    return "RTCTREE_ORB_ARGS: " + printable(unknown[0]) if unknown else ""
 
 
 def version():
@@ -48,6 +56,11 @@ def version():
 def heeds(option):
     """Whether the ORB, if there is one, heeds a setting of omniORB, by its name without ORB: clientTransportRule."""
     return not _orb or _orb.HEEDED is None or option in _orb.HEEDED
+
+
+def answers_at_once():
+    """Whether a servant's answer is sent before anything else happens; with omniORB a thread sends it a moment later."""
+    return (_orb or _chosen()).ANSWERS_AT_ONCE
 
 
 # ---- references -----------------------------------------------------------------------------------------------
@@ -63,7 +76,7 @@ def corbaloc(where, address, key, default_port):
         host, port = split_address(rest if protocol == "iiop" else address)
         # without 1.2@ omniORB speaks GIOP 1.0, which loses code sets and big replies
         url = "corbaloc:iiop:1.2@%s:%d/%s" % (host, port if ":" in address else default_port, key)
-    start()
+    start("" if url.startswith("corbaloc:iiop:") else where)
     return _orb.from_url(where, url)
 
 
@@ -110,7 +123,7 @@ def addresses(ref):
 
 
 def endpoint(ref):
-    """(host, port) of the process that answers for `ref`, which has its own lanes."""
+    """(host, port) of the process that answers for `ref`."""
     return address(ref)[1:3]
 
 
@@ -134,63 +147,57 @@ def at(ref, host, port):
 # ---- calls ----------------------------------------------------------------------------------------------------
 
 class Call:
-    """A call of `operation` of `ref`, to be awaited in a task; `where`, a Path or text, names the object in errors.
-
-    `seconds` is a longer deadline for an operation that may take its time. Raises Silent, Gone, Unreachable or Refused; made with
-    a nil reference, Garbled: a peer has sent that in place of an object.
-    """
+    """A call of `operation` of `ref`; `where`, a Path or text, names the object in errors, `seconds` may be a longer deadline."""
 
     __slots__ = ("where", "ref", "operation", "args", "seconds")
 
-    def __init__(self, where, ref, operation, *args, seconds=None):
-        if ref is None:
-            raise errors.Garbled(str(where), f"nothing in place of the object that has {operation}")
+    def __init__(self, where, ref, operation, args, seconds):
         self.where, self.ref, self.operation, self.args, self.seconds = where, ref, operation, args, seconds
 
-    def __await__(self):
-        return (yield self)
 
-    def wait(self):
-        """The result of the operation, waited for on this thread."""
-        return lanes.ask(endpoint(self.ref), self.where, self._result)
+async def call(where, ref, operation, *args, seconds=None):
+    """The result of `operation` of `ref`; `where`, a Path or text, names the object in errors.
 
-    def _result(self):
-        """The result of the operation, called on this thread, a lane of the process that answers."""
-        with lanes.session.slots:
-            lanes.alive(self.seconds and max(self.seconds, lanes.session.timeout))
-            try:
-                result = _orb.invoke(self)
-            except errors.Refused:
-                lanes.answered()
-                raise
-        lanes.answered()
-        return result
+    `seconds` is a longer deadline for an operation that may take its time. Raises Silent, Gone, Unreachable or Refused; made with
+    a nil reference, Garbled: a peer has sent that in place of an object.
+
+    In a task that asks one process, see session.each, the silence of another is raised as Unreachable: it says nothing about the first.
+    """
+    if ref is None:
+        raise errors.Garbled(str(where), f"nothing in place of the object that has {operation}")
+    here, place, now = endpoint(ref), loop.current().running.place, session.current()
+    if now.is_over():
+        raise errors.Silent(str(where), session.NO_TIME)
+    is_elsewhere = place is not None and here != place
+    silence = None if here == place else now.silence(here)
+    if silence:
+        raise (errors.Unreachable if is_elsewhere else errors.Silent)(str(where), silence)
+    try:
+        if now.slots is None:
+            return await _orb.invoke(Call(where, ref, operation, args, seconds))
+        async with now.slots:
+            return await _orb.invoke(Call(where, ref, operation, args, seconds))
+    except errors.Silent as e:
+        if is_elsewhere:
+            raise errors.Unreachable(*e.args)
+        raise
 
 
-def call(where, ref, operation, *args, seconds=None):
-    """The result of a Call."""
-    return Call(where, ref, operation, *args, seconds=seconds).wait()
-
-
-call.task = Call
-
-
-def each(refs, function, where=None):
-    """Call function(ref) for each reference, in parallel: the values in order, an errors.Error for what failed.
+async def each(refs, function, where=None):
+    """What function(ref) returns for each reference, awaited in parallel: in order, an errors.Error for what failed.
 
     Errors name `where`, or else HOST:PORT of the reference.
     """
-    return lanes.each(refs, function, lambda ref: (endpoint(ref), where or at_address(ref)))
+    return await session.each(refs, function, lambda ref: (endpoint(ref), where or at_address(ref)))
 
 
-@tasks.task
 async def is_alive(where, ref):
     """True if the object of `ref` exists. Raises Gone if it does not or nobody listens there, Silent, Unreachable."""
     try:
-        gone = await Call(where, ref, "_non_existent")
+        gone = await call(where, ref, "_non_existent")
     except errors.ConnectionRefused:
         from rtshell_lite.corba import liveness  # few need it
-        raise liveness.refusal(where, endpoint(ref))
+        raise await liveness.refusal(where, endpoint(ref))
     if gone:
         raise errors.Gone(str(where))
     return True

@@ -7,8 +7,9 @@ import socket
 import struct
 import time
 
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.giop import ior
+from rtshell_lite.text import printable
 
 
 class InPortCdr:
@@ -48,14 +49,14 @@ class Served:
     def __init__(self, servant):
         self.reference, self.withdraw = orb.serve(servant)
 
-    def ior(self, peer):
+    async def ior(self, peer):
         """The stringified reference for the process at `peer`, (host, port), with the address of this host that it can reach:
-        an ORB does not know which of them that is. Looks up the peer's name.
+        an ORB does not know which of them that is. Looks up the peer's name. Raises Silent if that takes too long.
         """
         type_id, host, port, key = ior.address(self.reference)
         if host and _address_given():
             return self.reference
-        own = own_address(*peer)
+        own = await session.on_thread(printable(peer[0]), lambda: own_address(*peer))
         if own is None and host:
             return self.reference
         return make_ior(type_id, own or socket.gethostname(), port, key)

@@ -115,7 +115,7 @@ class Types:
             raise errors.NoSuch(printable(name) or "''", "data type", REMEDY)
         return found
 
-    def of_port(self, port):
+    async def of_port(self, port):
         """The Type of a data Port: by its name, else as the component itself describes it.
 
         C++ 1.1 and Java publish a value of the type as the property dataport.data_value.
@@ -124,7 +124,7 @@ class Types:
         name = port.properties.get("dataport.data_type", "")
         found = self._find(name)
         if found is None and "dataport.data_value" in port.properties:
-            found = _offered(port)
+            found = await _offered(port)
         if found is None:
             from rtshell_lite.robot import ports
             raise errors.NoSuch(ports.label(port), "data type known", "%s; %s" % (
@@ -199,10 +199,10 @@ def _of_module(module):
             for key, value in found.items() if descriptors.kind(value) not in (descriptors.OBJECT, descriptors.EXCEPTION)}
 
 
-def _offered(port):
+async def _offered(port):
     """The Type of the value in a port's profile, or None; one more call."""
     from rtshell_lite.robot import ports
-    profile = orb.call(ports.label(port), port.ref, "get_port_profile")
+    profile = await orb.call(ports.label(port), port.ref, "get_port_profile")
     descriptor = orb.descriptor_in(profile.properties, "dataport.data_value")
     return Type(descriptors.adopted(descriptor, orb.descriptor)) if isinstance(descriptor, tuple) else None
 

@@ -1,13 +1,11 @@
 """A queue of values that have arrived: adding one never blocks; what does not fit is dropped and counted."""
 import collections
-import threading
-import time
 
-from rtshell_lite import interrupts
+from rtshell_lite.net import loop
 
 MOST = 100000  # values
 MOST_BYTES = 64 << 20  # robots have little memory
-GATHER = 0.005  # seconds in which more values may come: waking the reader for each one halves the throughput
+GATHER = 0.005  # seconds in which more values may come: handing over each one costs more than the value
 
 
 class Inbox:
@@ -18,31 +16,29 @@ class Inbox:
         self.waiting, self.bytes = [], 0
         self.in_hand = 0  # bytes that get() has given out last: they take memory, too
         self.dropped = collections.Counter()
-        self.lock, self.arrived = threading.Lock(), interrupts.Bell()
+        self.arrived = loop.Bell()
 
     def put(self, key, message):
-        """Add a value, from any thread; returns at once. One value always fits, however big."""
+        """Add a value. One always fits, however big."""
         size = len(message.data)
-        with self.lock:
-            if self.waiting and (len(self.waiting) >= self.most or self.in_hand + self.bytes + size > self.most_bytes):
-                self.dropped[key] += 1
-                return
-            self.waiting.append((key, message))
-            self.bytes += size
-            if len(self.waiting) == 1:
-                self.arrived.ring()
+        if self.waiting and (len(self.waiting) >= self.most or self.in_hand + self.bytes + size > self.most_bytes):
+            self.dropped[key] += 1
+            return
+        self.waiting.append((key, message))
+        self.bytes += size
+        if len(self.waiting) == 1:
+            self.arrived.ring()
 
     def taker(self, key):
         """The function that takes the values of `key`."""
         return lambda message: self.put(key, message)
 
-    def get(self, seconds):
+    async def get(self, seconds):
         """All values so far, as a list in their order; waits up to `seconds` for the first one, then GATHER for more."""
         if seconds:
             if not self.waiting:
-                self.arrived.wait(seconds)
-            time.sleep(min(seconds, GATHER))
-        with self.lock:
-            taken, self.waiting = self.waiting, []
-            self.in_hand, self.bytes = self.bytes, 0
+                await self.arrived.wait(seconds)
+            await loop.sleep(min(seconds, GATHER))
+        taken, self.waiting, self.arrived = self.waiting, [], loop.Bell()
+        self.in_hand, self.bytes = self.bytes, 0
         return taken

@@ -4,17 +4,17 @@ from rtshell_lite.robot import component, ports
 from rtshell_lite.text import printable
 
 
-def measured(node, seconds):
+async def measured(node, seconds):
     """(Hz, how it was measured) of a component's execution; (None, why) where it cannot be measured.
 
     The cycles of a context are not visible; but a component that writes to an out port in each cycle shows them. The values
     are fetched through a pull connector, which is removed again.
     """
-    if component.state(node) != "Active":
+    if await component.state(node) != "Active":
         return None, "the component is not Active"
-    for port in ports.ports(node):
+    for port in await ports.ports(node):
         if port.type == "DataOutPort":
-            count, spent = reading.count_writes(port, seconds)
+            count, spent = await reading.count_writes(port, seconds)
             if count > 1:
                 return count / spent, "writes to " + printable(ports.short_name(port.name, node.path.names[-1].id))
     return None, "no out port is written to"

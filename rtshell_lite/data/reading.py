@@ -1,18 +1,18 @@
 """Data from out ports of components, pushed to us or fetched by us.
 
-    with reading.Reader(port, deliver) as reader: …       calls deliver(Message) for each value, on a thread of the ORB
+    async with reading.Reader(port, deliver) as reader: …       calls deliver(Message) for each value
 
 writing.py sends to in ports.
 """
 import collections
 import sys
-import threading
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, liveness, orb, servants
+from rtshell_lite.corba import liveness, orb, servants, session
 from rtshell_lite.data import clocks
-from rtshell_lite.data.connection import GRACE, SILENT, Connection
+from rtshell_lite.data.connection import BUSY, SILENT, Connection
+from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports
 
 # One value: its arrival, in nanoseconds since 1970; its CDR bytes without a header; their byte order.
@@ -22,17 +22,19 @@ QUEUE = 4096  # values that the port may queue while writes are counted
 BUFFER, BUFFER_BYTES = 256, 16 << 20  # values, and their bytes, that the port may queue for a slow reader
 EACH = 200  # bytes that a value takes besides its own
 FEWEST = 4  # values that it may queue however large they are
+GRACE = 0.2  # seconds beyond the timeout that a fetch is waited for
 POLL = 0.02  # seconds between two fetches from an empty queue
 ANSWERED = 0.05  # seconds from the answer to a fetch until the component has left the connector
+ANSWERING = 0.001  # seconds in which a thread sends the answer to a value
 QUIET = 0.1  # seconds to wait for a last value; after them a connector is no longer new
 PERIODS = 4  # of the component, in which it finds out that we have left, and removes the connector itself
 LONGEST = 0.2  # seconds to wait for that, at most: a command ends within 0.3 s of its signal
 LOOKS = 0.005, 0.05  # seconds between two looks whether it has done so, at first and in the end
-SWITCH = 0.0005  # seconds between switches of Python's threads; with the default, 0.005, 290 MB/s arrived, not 430
+SWITCH = 0.0005  # seconds between switches of Python's threads: the thread that prints or writes values must not hold up our answers
 
 
 class Reader(Connection):
-    """A connector from a DataOutPort that calls deliver(Message) for each value, on a thread of its own.
+    """A connector from a DataOutPort that calls deliver(Message), which returns at once, for each value.
 
     dataflow: "push" (the component calls us), "pull" (we fetch, for components that cannot reach us), None for push where the
     port offers it. `properties` is a dict of the connector's properties, which override ours; `name` is the connector's name.
@@ -49,60 +51,61 @@ class Reader(Connection):
         super().__init__(port, name, properties)
         self.deliver = deliver
         offer = ports.offer_without(port, "dataport.dataflow_type", "push")
-        self.dataflow = self.given.get("dataport.dataflow_type", "").lower() or dataflow or ("pull" if offer else "push")
+        self.dataflow = self.user.get("dataport.dataflow_type", "").lower() or dataflow or ("pull" if offer else "push")
         self.room, self.heaviest = BUFFER, 0  # values that the port may queue; bytes of the largest one so far
-        self.idle, self.answered = threading.Event(), 0.0  # no fetch is under way; when the last one ended
-        self.idle.set()
-        self.ended, self.came = threading.Event(), threading.Event()  # no more values are wanted; one came all the same
+        self.answered = 0.0  # when the last fetch ended
         self.count = self.seen = 0  # values so far, and at the last look
         self.first = self.last = 0.0  # when the first and the last of them came
         self.served = None
-        self.early, self.early_bytes = [], 0  # values that came before the byte order was known
+        self.renew()
 
-    def wishes(self):
+    def renew(self):
+        self.early, self.early_bytes = [], 0  # values that came before the byte order was known
+        self.stopped = None  # when it began to leave: no more values are wanted
+        self.ended, self.idle = loop.Bell(), loop.Bell()  # ring then, and when no fetch is under way any more
+        self.idle.ring()
+        self.count_then, self.came = 0, loop.Bell()  # values when it began to leave; rings when another one comes
+
+    async def defaults(self):
         common = {"dataport.buffer.length": str(self.room)}
         if self.dataflow == "pull":
             return dict(common, **{"dataport.subscription_type": "new", "dataport.buffer.read.empty_policy": "do_nothing"})
         sys.setswitchinterval(SWITCH)
         self.served = servants.Served(servants.RECEIVERS[self.interface](self._take))
-        is_near = liveness.is_this_host(self.endpoint[0])
+        is_near = await liveness.is_this_host(self.endpoint[0])
         if is_near and not ports.offer_without(self.port, "dataport.subscription_type", "flush"):
             subscription = "flush"
         else:
             subscription = ports.connection_properties([self.port], {})["dataport.subscription_type"] or "new"
         return dict(common, **{
             "dataport.subscription_type": subscription, "dataport.publisher.push_policy": "all",
-            f"dataport.{self.interface}.inport_ior": self.served.ior(self.endpoint)})
+            f"dataport.{self.interface}.inport_ior": await self.served.ior(self.endpoint)})
 
-    def _open(self):
+    async def open(self):
         try:
-            super()._open()
+            await super().open()
         except errors.Error:
-            self.release()
+            self._withdraw()
             raise
-        with self.lock:
-            for received, data in self.early:
-                self.deliver(Message(received, data, self.little))
-            self.early, self.early_bytes = None, 0
+        for received, data in self.early:
+            self.deliver(Message(received, data, self.little))
+        self.early, self.early_bytes = None, 0
         if self.dataflow == "pull":
-            get = fetcher(self)
-            self.idle.clear()
-            lanes.start(self._poll, get, self.ended)
+            fetch = fetcher(self)
+            self.idle = loop.Bell()
+            self.tasks.start(self._poll(fetch), self.endpoint)
 
     def _take(self, received, data):
         """Take a value; False if there is no room for it."""
-        if self.early is not None:
-            with self.lock:
-                if self.early is not None:
-                    if self.early_bytes > BUFFER_BYTES:
-                        return False
-                    self.early.append((received, data))
-                    self.early_bytes += len(data) + EACH
-                    self._count(data)
-                    return True
+        if self.early is None:
+            if not self.is_closing:
+                self.deliver(Message(received, data, self.little))
+        elif self.early_bytes > BUFFER_BYTES:
+            return False
+        else:
+            self.early.append((received, data))
+            self.early_bytes += len(data) + EACH
         self._count(data)
-        if not self.closing.is_set():
-            self.deliver(Message(received, data, self.little))
         return True
 
     def compare_clocks(self):
@@ -124,57 +127,56 @@ class Reader(Connection):
         self.first = self.first or self.last
         self.count += 1
         self.heaviest = max(self.heaviest, len(data))
-        if self.ended.is_set():
-            self.came.set()
+        if self.stopped is not None:
+            self.came.ring()
 
-    def _poll(self, get, ended):
-        lanes.become_lane(self.endpoint)
+    async def _poll(self, fetch):
         try:
-            while not ended.is_set():
-                self._fetch(get, ended)
+            while self.stopped is None:
+                await self._take_next(fetch)
         except errors.Error as e:
-            self.failure = None if ended.is_set() else e
+            self.failure = e if self.stopped is None else None
         finally:
-            self.idle.set()
+            self.idle.ring()
 
-    def _fetch(self, get, ended):
+    async def _take_next(self, fetch):
         """Fetch a value, or wait POLL seconds when there is none. Raises errors.Error when there will be no more."""
         try:
-            data = get()
+            data = await fetch()
         except errors.Silent as e:
             self.failure = e
             return
         self.failure, self.answered = None, time.monotonic()
         if data is None:
-            ended.wait(POLL)
+            await self.ended.wait(POLL)
         else:
             self._take(int(time.time() * 1e9), data)
 
     def stop(self):
-        if not self.ended.is_set():
-            self.stopped = time.monotonic()
-            self.ended.set()
+        if self.stopped is None:
+            self.stopped, self.count_then = time.monotonic(), self.count
+            self.ended.ring()
         if self._is_flush():
-            self.release()
+            self._withdraw()
 
     def _is_flush(self):
         """Whether the component calls us in its own cycle."""
         return self.dataflow == "push" and self.agreed.get("dataport.subscription_type", "").lower() == "flush"
 
-    def leave(self, connector):
+    async def leave(self, connector):
         self.stop()
-        if not self._is_flush() or not self._is_forgotten(connector):
-            super().leave(connector)
+        if not self._is_flush() or not await self._is_forgotten(connector):
+            await super().leave(connector)
 
-    def _is_forgotten(self, connector):
+    async def _is_forgotten(self, connector):
         """Wait until the component has found out that we have left, and has removed the connector. A silent one will."""
         period = (self.last - self.first) / (self.count - 1) if self.count > 1 else 0
         end, pause = self.stopped + min(LONGEST, QUIET + PERIODS * period), LOOKS[0]
         try:
-            while self.is_there(connector):
+            while await self.is_there(connector):
                 if time.monotonic() > end:
                     return False
-                time.sleep(pause)
+                await loop.sleep(pause)
                 pause = min(2 * pause, LOOKS[1])
             self.left = None
         except errors.Refused:
@@ -184,7 +186,7 @@ class Reader(Connection):
             self.failure = self.failure or e
         return True
 
-    def is_at_rest(self):
+    async def is_at_rest(self):
         """Wait until the component is not using the connector; False if it goes on using it.
 
         Removing a connector ends a C++ component that is serving a fetch through it: so wait for the last answer. It may also end
@@ -192,42 +194,45 @@ class Reader(Connection):
         the answer to a value is on its way, when the publisher has nothing to do until the next one. Ports are closed a few at a
         time: all share the wait since stop(), and a value that came before this call is too old.
         """
-        if self.dataflow == "push":
-            if not self._is_flush():
-                limit = self.stopped + (2 * QUIET if self.came.is_set() else QUIET)
-                self.came.clear()
-                self.came.wait(max(0, limit - time.monotonic()))
+        if self._is_flush():
             return True
-        if not self.idle.wait(0 if isinstance(self.failure, errors.Silent) else lanes.session.timeout + GRACE):
+        if self.dataflow == "push":
+            quiet = QUIET if self.count == self.count_then else 2 * QUIET
+            self.came = loop.Bell()
+            has_come = await self.came.wait(self.stopped + quiet - time.monotonic())
+            if has_come and not orb.answers_at_once():
+                await loop.sleep(ANSWERING)
+            return True
+        if isinstance(self.failure, errors.Silent) or not await self.idle.wait(session.current().timeout + GRACE):
             return False
-        time.sleep(max(0, self.answered + ANSWERED - time.monotonic()))
+        await loop.sleep(self.answered + ANSWERED - time.monotonic())
         return not isinstance(self.failure, errors.Silent)
 
-    def due(self):
+    def why_left(self):
+        has_unanswered_fetch = self.dataflow == "pull" and isinstance(self.failure, errors.Silent)
+        return BUSY if has_unanswered_fetch else SILENT
+
+    def is_due(self):
         seen, self.seen = self.seen, self.count
         if seen != self.count:
             self.failure = None  # it was silent, but values have come
         return self.dataflow != "pull" and seen == self.count or self._is_too_heavy()
 
-    def look(self):
-        if self._is_too_heavy():
-            self._reopen()
-        super().look()
+    async def look(self):
+        if self.connector and self._is_too_heavy():
+            await loop.finish(self._reopen())
+        await super().look()
 
     def _is_too_heavy(self):
         """Whether a full queue of the largest values would take too much of the component's memory."""
-        too_heavy = self.heaviest * self.room > BUFFER_BYTES and "dataport.buffer.length" not in self.given
-        return too_heavy and not self._is_flush() and self.failure is None
+        is_too_heavy = self.heaviest * self.room > BUFFER_BYTES and "dataport.buffer.length" not in self.user
+        return is_too_heavy and not self._is_flush() and self.failure is None
 
-    def _reopen(self):
+    async def _reopen(self):
         """Replace the connector by one with a shorter buffer, now that the size of values is known."""
-        self.step_aside()
+        await self.close()
         self.room = max(FEWEST, BUFFER_BYTES // self.heaviest)
-        self.come_back()
-
-    def renew(self):
-        self.early, self.early_bytes = [], 0
-        self.ended, self.came = threading.Event(), threading.Event()
+        await self.come_back()
 
     def lost(self):
         if self.dataflow == "push" and not self.count:
@@ -235,19 +240,22 @@ class Reader(Connection):
                     "or its values exceed its ORB's giopMaxMsgSize")
         return super().lost()
 
-    def release(self):
-        with self.lock:  # opening and closing may call this at the same time
-            served, self.served = self.served, None
-        if served:
-            served.withdraw()
+    async def release(self):
+        self._withdraw()
 
-    def always_little(self):
+    def _withdraw(self):
+        """Take no more calls."""
+        if self.served is not None:
+            self.served.withdraw()
+            self.served = None
+
+    async def is_always_little(self):
         """C++ from 1.2 on, and RtORB, push little-endian whatever was agreed upon."""
         if self.dataflow == "pull":
             return False
-        properties = dict(component.profile(self.port.node).properties)
-        old = properties.get("openrtm.version", "").startswith(("1.0", "1.1"))
-        return properties.get("language", "").startswith("C") and not old
+        properties = dict((await component.profile(self.port.node)).properties)
+        is_old = properties.get("openrtm.version", "").startswith(("1.0", "1.1"))
+        return properties.get("language", "").startswith("C") and not is_old
 
 
 def fetcher(reader):
@@ -255,9 +263,9 @@ def fetcher(reader):
     source = reader.remote({"corba_cdr": "OpenRTM.OutPortCdr", "data_service": "RTC.DataPullService"})
     operation = "get" if reader.interface == "corba_cdr" else "pull"
 
-    def get():
+    async def fetch():
         try:
-            status, data = orb.call(reader.where, source, operation)
+            status, data = await orb.call(reader.where, source, operation)
         except errors.Gone:
             raise errors.Unreachable(reader.where, reader.lost())
         except errors.Refused as e:
@@ -267,15 +275,15 @@ def fetcher(reader):
         if str(status) in ("UNKNOWN_ERROR", "PORT_ERROR"):
             raise errors.Unreachable(reader.where, reader.lost())
         return data if str(status) == "PORT_OK" else None
-    return get
+    return fetch
 
 
-def count_writes(port, seconds):
+async def count_writes(port, seconds):
     """(number of values that a component writes to a DataOutPort, in how many seconds), measured for about `seconds`."""
-    with Reader(port, lambda message: None, "pull", properties={"dataport.buffer.length": str(QUEUE)}) as reader:
-        time.sleep(2 * POLL)  # fetch older values first
+    async with Reader(port, lambda message: None, "pull", properties={"dataport.buffer.length": str(QUEUE)}) as reader:
+        await loop.sleep(2 * POLL)  # fetch older values first
         before, start = reader.count, time.monotonic()
-        time.sleep(seconds)
+        await loop.sleep(seconds)
         if reader.failure:
             raise reader.failure
         return reader.count - before, time.monotonic() - start

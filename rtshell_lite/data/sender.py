@@ -2,14 +2,12 @@
 import math
 import select
 import sys
-import threading
 import time
 
-from rtshell_lite import errors, interrupts
-from rtshell_lite.corba import lanes
+from rtshell_lite import errors
 from rtshell_lite.data import values, writing
+from rtshell_lite.net import loop
 
-TICK = 0.2  # seconds between two calls of look()
 HURRY = 2  # times the rate, at most, while catching up: no bursts
 
 
@@ -19,60 +17,56 @@ class Constant:
     def __init__(self, text):
         self.text = text
 
-    def next(self, seconds):
+    async def next(self, seconds):
         """(text of a value, None)"""
         return self.text, None
 
-    def close(self):
-        """Do nothing."""
-
 
 class Lines:
-    """The values on stdin. A thread reads a line when one is asked for, so that others can wait with a time limit."""
+    """The values on stdin. Lines after the last one that was asked for are left there: in rtsh they may be commands."""
 
     def __init__(self):
         if sys.stdin is None:
             raise errors.Usage("no -c VALUE, and stdin is closed")
-        self.number, self.waiting, self.closed = 0, False, threading.Event()
-        self.asked, self.read = interrupts.Mailbox(), interrupts.Mailbox()
-        lanes.start(self._read)
+        self._file = sys.stdin.buffer
+        self._number, self._begun = 0, b""  # of the line that was read last; the beginning of the next one
+        self._at_hand = 0  # octets that can be read without waiting
 
-    def next(self, seconds):
+    async def next(self, seconds):
         """(text of the next value, its line); None when none has come within `seconds`. Raises EOFError, OSError."""
-        if not self.waiting:
-            self.waiting = True
-            self.asked.put(True)
-        result = self.read.get(seconds)
-        if result is None:
-            return None
-        self.waiting = False
-        if isinstance(result, Exception):
-            raise result
-        return result
-
-    def _read(self):
-        while self.asked.get(float("inf")):
-            try:
-                self.read.put(self._line())
-            except (EOFError, OSError) as e:
-                self.read.put(e)
-
-    def close(self):
-        """Stop reading: what is typed from now on is for the prompt of rtsh."""
-        self.closed.set()
-
-    def _line(self):
-        for line in iter(self._raw_line, b""):
-            self.number += 1
+        end = time.monotonic() + seconds
+        while True:
+            line = await self._next_line(end)
+            if line is None:
+                return None
+            self._number += 1
             text = line.decode("utf-8", "surrogateescape").strip()
             if text and not text.startswith("#"):
-                return text, "line %d" % self.number
-        raise EOFError()
+                return text, "line %d" % self._number
 
-    def _raw_line(self):
-        while sys.stdin.isatty() and not select.select([sys.stdin], [], [], TICK)[0] and not self.closed.is_set():
-            pass
-        return b"" if self.closed.is_set() else sys.stdin.buffer.readline()
+    async def _next_line(self, end):
+        while not self._begun.endswith(b"\n"):
+            if not self._at_hand and not await self._is_ready(end - time.monotonic()):
+                return None
+            ahead = self._file.peek()  # type: ignore  # it is a BufferedReader
+            if not ahead:
+                break
+            part = self._file.read(ahead.find(b"\n") + 1 or len(ahead))
+            self._begun += part
+            self._at_hand = len(ahead) - len(part)
+        line, self._begun = self._begun, b""
+        if not line:
+            raise EOFError
+        return line
+
+    async def _is_ready(self, seconds):
+        """Wait until there is something to read, or the end."""
+        here, bell = loop.current(), loop.Bell()
+        here.watch(self._file.fileno(), select.POLLIN, bell.ring)
+        try:
+            return await bell.wait(seconds)
+        finally:
+            here.unwatch(self._file.fileno())
 
 
 class Injection:
@@ -97,27 +91,30 @@ class Injection:
             self._ready[text] = expressions
         return expressions
 
-    def run(self, source, number, rate, seconds, look):
+    async def run(self, source, number, rate, seconds):
         """Send what `source` gives, `number` values (-1: all), `rate` Hz, for `seconds`; yields each put's error.
 
-        look() is called every TICK. Ends early when no port is left.
+        Ends early when no port is left.
         """
-        end, due = time.monotonic() + seconds, time.monotonic()
-        looked = due
+        due = time.monotonic()
+        end = due + seconds
         while self.sent != number and self.live():
-            found = self._next(source, end, look)
+            try:
+                found = await source.next(end - time.monotonic())
+            except EOFError:
+                return
             if found is None:
                 return
             expressions = self.checked(*found)
             if due >= end:
                 return
-            self._wait(max(due, self.ended + 1 / rate / HURRY), look)
+            left = max(due, self.ended + 1 / rate / HURRY) - time.monotonic()
+            if left > 0:
+                await loop.sleep(left)
             until = math.inf if rate == math.inf else due + writing.LATE
-            yield from self._send(expressions, min(until, end), look)
+            for failure in await self._send(expressions, min(until, end)):
+                yield failure
             now = time.monotonic()
-            if now - looked >= TICK:
-                looked = now
-                look()
             due = now if rate == math.inf else due + 1 / rate
             due = max(due, now - writing.LATE)
 
@@ -127,35 +124,14 @@ class Injection:
         return healthy or [(writer, i) for i, writer in enumerate(self.writers)
                            if writer.connector and isinstance(writer.failure, errors.Silent)]
 
-    def _next(self, source, end, look):
-        while time.monotonic() < end:
-            try:
-                value = source.next(max(0, min(TICK, end - time.monotonic())))
-            except EOFError:
-                return None
-            if value:
-                return value
-            look()
-        return None
-
-    def _wait(self, due, look):
-        while True:
-            left = due - time.monotonic()
-            if left <= 0:
-                return
-            time.sleep(min(TICK, left))
-            if left > TICK:
-                look()
-
-    def _send(self, expressions, until, look):
+    async def _send(self, expressions, until):
         """Send a value to all ports, with the same time, as writing.offer does; returns the errors."""
-        now = time.time()
+        now, live = time.time(), self.live()
         self.ended = time.monotonic()
         self.begun = self.begun or self.ended
         self.sent += 1
-        live = self.live()
-        failures = writing.offer([(writer, expressions[i].type.encode(expressions[i].value(now), writer.little))
-                                  for writer, i in live], until, look)
+        octets = [(writer, expressions[i].type.encode(expressions[i].value(now), writer.little)) for writer, i in live]
+        failures = await writing.offer(octets, until)
         failed = dict(failures)
         for writer, _ in live:
             if isinstance(failed.get(writer), errors.Unreachable):

@@ -1,52 +1,61 @@
-"""What commands report while they are connected: failures of connections. They end when nobody reads their output."""
-import errno
-import select
-import sys
+"""What commands report while they are connected: failures of connections."""
+from rtshell_lite import notes
+from rtshell_lite.net import loop
 
-from rtshell_lite import cli
+TICK = 0.2  # seconds between two looks
+PATIENCE = 1.0  # seconds to wait for a terminal that takes no report
 
 
 class Watcher:
-    """Reports on stderr when a connection fails, and when a silent one answers again."""
+    """Reports when a connection fails, and when a silent one answers again."""
 
     def __init__(self, connections):
         self.connections, self.reported = connections, {}  # failures, by connection
-        self.output = select.poll()
-        try:
-            self.output.register(sys.stdout.fileno(), 0)
-        except OSError:
-            pass  # there is none
 
-    def look(self):
-        """To be called a few times a second. Raises BrokenPipeError when nobody reads the output."""
-        for connection in self.connections:
-            where, failure, before = connection.where, connection.failure, self.reported.get(connection)
-            self._remark(connection)
-            if failure is not None and str(failure) != str(before):
-                cli.complain(failure)
-            elif failure is None and before is not None:
-                cli.note(f"{where}: answers again")
-            self.reported[connection] = failure
-        if any(events & (select.POLLERR | select.POLLHUP) for _, events in self.output.poll(0)):
-            cli.ignore_hangup()
-            raise BrokenPipeError(errno.EPIPE, "nobody reads the output")
+    async def watch(self):
+        """Look again and again."""
+        while True:
+            await self.look()
+            await loop.sleep(TICK)
 
-    def _remark(self, connection):
+    async def look(self):
+        """Report what is new."""
+        news = [report for connection in self.connections for report in self._news(connection)]
+        if news:  # on a thread, as a terminal may take nothing while components need our answers
+            await loop.finish(loop.race(loop.on_thread(_report, news), loop.sleep(PATIENCE)))
+
+    def _news(self, connection):
+        """What is to be reported: (function, its argument)."""
+        where, failure, before = connection.where, connection.failure, self.reported.get(connection)
+        self.reported[connection] = failure
+        yield from self._remarks(connection)
+        if failure is not None and str(failure) != str(before):
+            yield notes.fail, failure
+        elif failure is None and before is not None:
+            yield notes.note, f"{where}: answers again"
+
+    @staticmethod
+    def _remarks(connection):
         if connection.remark:
-            cli.note(f"{connection.where}: {connection.remark}")
+            yield notes.note, f"{connection.where}: {connection.remark}"
             connection.remark = None
 
     def skip(self):
         """Do not report present failures: they have been."""
         self.reported.update({connection: connection.failure for connection in self.connections if connection.failure is not None})
 
-    def count(self, tally, of_no_use=()):
+    def count(self, tally, useless=()):
         """Add each connection's failure or success to a Tally; what has been reported is not reported again.
 
-        Those in `of_no_use` work, but nothing of what came from them could be used: they do not count as done.
+        Those that are `useless` work, but nothing of what came from them could be used: they do not count as done.
         """
         for connection in self.connections:
-            self._remark(connection)
-            tally.reported.update({str(self.reported.get(connection)), str(connection.told)})
-            if connection.failure or connection not in of_no_use:
+            _report(self._remarks(connection))
+            tally.reported.update({str(self.reported.get(connection)), str(connection.reported)})
+            if connection.failure or connection not in useless:
                 tally.add(connection.failure)
+
+
+def _report(news):
+    for function, what in news:
+        function(what)

@@ -1,8 +1,8 @@
 """Data to in ports of components.
 
-    with connection.Opened([Writer(port), …]) as opened:
-        writer.put(data, writer.little)
-        linger(opened.live(), seconds, look)
+    async with connection.Connections([Writer(port), …]) as opened:
+        await writer.put(data, writer.little)
+        await linger(opened.live(), seconds)
 
 A value that a port accepts waits in its buffer. The component reads it in a later cycle, while it is Active and the port has a
 connector; what is unread when the last connector goes is read at the next connection, whoever makes it. The port has one
@@ -11,12 +11,12 @@ buffer for all its connectors, and keeps the length and policy that the last one
 """
 import collections
 import math
-import threading
 import time
 
-from rtshell_lite import cli, errors, interrupts
-from rtshell_lite.corba import lanes, orb
-from rtshell_lite.data.connection import GRACE, Connection
+from rtshell_lite import errors, notes
+from rtshell_lite.corba import orb, session
+from rtshell_lite.data.connection import Connection
+from rtshell_lite.net import loop
 from rtshell_lite.robot import component, connectors, ports
 from rtshell_lite.text import shell_word
 
@@ -30,7 +30,7 @@ READING = 0.02  # seconds that a component may take to read a value
 REST = 0.2  # seconds that an interrupted command waits, at most, until the last value has been read
 LONGEST = 60.0  # seconds to linger at most, unless the user says otherwise
 ANNOUNCED = 2.0  # seconds: a longer wait is announced, with its reason
-TICK = 0.1  # seconds between two calls of look() while lingering
+TICK = 0.1  # seconds between two looks whether it is worth lingering
 LATE = 1.0  # seconds for which a value that a full buffer has refused is offered again, unless it is to wait for the reader
 STUCK = 5.0  # seconds, and cycles, without any value taken after which a component does not read its port
 PAUSES = 0.001, 0.05  # seconds between two offers of a value, at least and at most
@@ -51,24 +51,24 @@ class Audience:
         self.node, self.where = node, where
         self.rate = None
 
-    def look(self):
+    async def look(self):
         """None when the component reads the port; else (why it does not, the commands that change it). Raises errors.Error."""
-        cycles = self._cycles()
+        cycles = await self._cycles()
         reading = [cycle for cycle in cycles if cycle.state == "Active" and cycle.running]
         if not reading:
             return _why_not(self.node, cycles)
-        rates = [self._rate(cycle.ref) for cycle in reading]
+        rates = [await self._rate(cycle.ref) for cycle in reading]
         self.rate = max((rate for rate in rates if rate), default=None)
         return None
 
-    def _cycles(self):
-        owned, participating = component.context_refs(self.node)
+    async def _cycles(self):
+        owned, participating = await component.context_refs(self.node)
         refs = owned + participating
-        running = [component.elsewhere(self.node, ref, orb.Call(self.node.path, ref, "is_running"), False) for ref in refs]
-        return [Cycle(*fields) for fields in zip(range(len(refs)), refs, component.states(self.node, refs), running)]
+        running = [await component.or_default(self.node, ref, orb.call(self.node.path, ref, "is_running"), False) for ref in refs]
+        return [Cycle(*fields) for fields in zip(range(len(refs)), refs, await component.states(self.node, refs), running)]
 
-    def _rate(self, ref):
-        rate = component.elsewhere(self.node, ref, orb.Call(self.node.path, ref, "get_rate"), 0)
+    async def _rate(self, ref):
+        rate = await component.or_default(self.node, ref, orb.call(self.node.path, ref, "get_rate"), 0)
         return rate if 0 < rate < math.inf else None
 
 
@@ -174,14 +174,13 @@ class Writer(Connection):
         self.alone = not port.connectors
         self.is_short = bool(several and self.alone and self.audience and not self._chosen())
         self.backlog = self._new_backlog(None)
-        self.idle, self.unanswered = threading.Event(), False  # no put is under way; the last one got no answer
-        self.idle.set()
+        self.unanswered = False  # whether the component may still be taking the last value
         self.last = 0.0  # when the last value was taken
 
     def _chosen(self):
         """The user's properties of the buffer: length, write.full_policy and the like."""
         return {key.partition("buffer.")[2]: value for part in ("dataport.buffer.", "dataport.inport.buffer.")
-                for key, value in self.given.items() if key.startswith(part)}
+                for key, value in self.user.items() if key.startswith(part)}
 
     def _new_backlog(self, rate):
         if self.is_short:
@@ -191,44 +190,42 @@ class Writer(Connection):
         refuses = self.alone and chosen.get("write.full_policy") == "do_nothing"
         return Backlog(rate, int(length) if length.isdigit() and int(length) else LENGTH, refuses)
 
-    def wishes(self):
-        wishes = {"dataport.subscription_type": "flush"}
+    async def defaults(self):
+        defaults = {"dataport.subscription_type": "flush"}
         if self.is_short:
-            wishes.update({"dataport.buffer.length": str(ROOM), "dataport.buffer.write.full_policy": "do_nothing"})
-        return wishes
+            defaults.update({"dataport.buffer.length": str(ROOM), "dataport.buffer.write.full_policy": "do_nothing"})
+        return defaults
 
-    def _open(self):
+    async def open(self):
         if self.audience:
-            why = self.audience.look()
+            why = await self.audience.look()
             if why:
                 raise errors.Failed(self.where, "%s and would read the values at some later connection; %s first" % why + self.hint)
             self.backlog = self._new_backlog(self.audience.rate)
-        super()._open()
+        await super().open()
         self.was_connected, self.last = True, time.monotonic()
         self.sink = self.remote({"corba_cdr": "OpenRTM.InPortCdr", "data_service": "RTC.DataPushService"})
         self.operation = "put" if self.interface == "corba_cdr" else "push"
 
-    def put(self, data, little=True):
+    async def put(self, data, little=True):
         """Send CDR bytes. Raises Refused (buffer full, bad data, wrong byte order), Unreachable, Silent."""
         if little != self.little:
             raise errors.Refused(self.where, f"wants {'little' if self.little else 'big'}-endian data")
-        with interrupts.held():  # else `is_at_rest` would not know whether the component has taken the value
-            self.idle.clear()
-            try:
-                self._put(data)
-                self.unanswered = False
-            except errors.Error as e:
-                self.unanswered = isinstance(e, errors.Silent)
-                raise
-            finally:
-                self.idle.set()
+        if self.unanswered:  # by a component that may hang: nobody waits for it after Ctrl-C
+            await self._put(data)
+        else:
+            await loop.finish(self._put(data))
 
-    def _put(self, data):
-        begun = time.monotonic()
+    async def _put(self, data):
+        begun, self.unanswered = time.monotonic(), True
         try:
-            status = str(orb.call(self.where, self.sink, self.operation, data))
-        except errors.Gone:
-            raise errors.Unreachable(self.where, self.lost())
+            status = str(await orb.call(self.where, self.sink, self.operation, data))
+        except errors.Error as e:
+            self.unanswered = isinstance(e, errors.Silent)
+            if isinstance(e, errors.Gone):
+                raise errors.Unreachable(self.where, self.lost())
+            raise
+        self.unanswered = False
         now = time.monotonic()
         if status == "PORT_OK":
             self.taken, self.last = self.taken + 1, now
@@ -273,29 +270,27 @@ class Writer(Connection):
         why = f": they came faster than it reads them ({_hertz(self.backlog.rate)})" if self.backlog.measured() else ""
         return errors.Unread(self.where, f"it refused {self.refused} of {self.refused + self.taken} values{why}")
 
-    def is_at_rest(self):
+    async def is_at_rest(self):
         """Wait until the component is not using the connector; False if it goes on using it.
 
         Removing a connector ends a C++ component that is taking a value from us, and may end one that is reading one (2 of 31
         interrupted rtinjects, at 50 values a second; InPort::read uses the connector without its lock).
         """
-        if not self.idle.wait(0 if self.unanswered else lanes.session.timeout + GRACE):
-            return False
-        if self.taken:
+        if self.taken and not self.unanswered:
             now, rate = time.monotonic(), self.backlog.rate or USUAL
             self.backlog.drain(now)
             waiting = self.backlog.waiting if self.backlog.rate else 0
-            time.sleep(max(0.0, min(max(self.last + 1.5 / rate - now, waiting / rate) + READING, REST)))
+            await loop.sleep(min(max(self.last + 1.5 / rate - now, waiting / rate) + READING, REST))
         return not self.unanswered
 
-    def due(self):
+    def is_due(self):
         return isinstance(self.failure, errors.Silent) or self.audience is not None
 
-    def look(self):
+    async def look(self):
         if isinstance(self.failure, errors.Silent):
-            super().look()
+            await super().look()
         try:
-            why = self.audience and self.connector and self.audience.look()
+            why = self.audience and self.connector and await self.audience.look()
         except (errors.Gone, errors.ConnectionRefused) as e:
             raise self.component_ended(e)
         if why:
@@ -322,13 +317,14 @@ class Writer(Connection):
             return f"it has read about {read} of {self.taken} values; the rest is dropped"
         return f"it has probably read about {read} of {self.taken} values; the rest is in its buffer, or overwritten"
 
-    def judge(self):
+    async def judge(self):
         """Look, in the end, whether all values have been read. Raises errors.Unread, and what look() raises."""
         if not self.taken:
             return
-        self.look()
-        self.alone = self.alone and all(
-            connector.id == self.connector.id for connector in ports.port(self.port.node, self.port.ref).connectors)
+        await self.look()
+        if self.alone:
+            connected = (await ports.port(self.port.node, self.port.ref)).connectors
+            self.alone = all(connector.id == self.connector.id for connector in connected)
         unread = self.unread()
         if unread:
             raise unread
@@ -337,7 +333,7 @@ class Writer(Connection):
             self.remark = f"it has probably read {what}: others are connected, and share its buffer"
         self.lingered = True
 
-    def release(self):
+    async def release(self):
         """Give the port its usual buffer back, empty: unread values would be read at some later connection.
 
         If somebody else has connected meanwhile, only change the policy back: the values may be theirs.
@@ -346,29 +342,28 @@ class Writer(Connection):
         if self.left or not self.was_connected or not self.is_short and not unread:
             return
         if self.failure is None and not self.lingered and self.unread():  # interrupted while lingering
-            cli.complain(self.unread())
+            notes.fail(self.unread())
         self.is_short = self.was_connected = False
-        usual = dict(self.asked(), **{"dataport.buffer.write.full_policy": "overwrite"})
+        usual = dict(await self.requested(), **{"dataport.buffer.write.full_policy": "overwrite"})
         try:
-            if not ports.port(self.port.node, self.port.ref).connectors:
+            if not (await ports.port(self.port.node, self.port.ref)).connectors:
                 usual["dataport.buffer.length"] = str(LENGTH)
-            self._remove(connectors.connect_alone(self.port, self.name, usual))
+            await self.remove(await connectors.connect_alone(self.port, self.name, usual))
         except (errors.Gone, errors.ConnectionRefused):
             pass  # the port is gone, and its buffer with it
         except (errors.Unreachable, errors.Refused) as e:
             self.failure = self.failure or e
 
 
-def offer(values, until, look):
+async def offer(values, until):
     """Send each of `values`, (Writer, CDR bytes), all at the same time: the failures to report, [(Writer, errors.Error)].
 
     What a short buffer has no room for is offered again until `until` (by time.monotonic(), math.inf: as long as the component
-    reads), at half the component's period; look() is called every TICK meanwhile.
+    reads), at half the component's period.
     """
-    failures, looked = [], time.monotonic()
+    failures = []
     while values:
-        answers = lanes.gather([lanes.Job(writer.endpoint, writer.where, lambda writer=writer, data=data: writer.put(data, writer.little))
-                                for writer, data in values])
+        answers = await session.each(values, _put, lambda value: (value[0].endpoint, value[0].where))
         waiting = []
         for (writer, data), answer in zip(values, answers):
             if writer.waits_for_room(answer, until):
@@ -380,46 +375,40 @@ def offer(values, until, look):
         values = waiting
         if values:
             fastest = max(writer.backlog.rate or USUAL for writer, _ in values)
-            time.sleep(min(max(0.5 / fastest, PAUSES[0]), PAUSES[1]))
-        if values and time.monotonic() - looked > TICK:
-            looked = time.monotonic()
-            look()
+            await loop.sleep(min(max(0.5 / fastest, PAUSES[0]), PAUSES[1]))
     return failures
 
 
-def linger(writers, seconds, look):
+async def _put(value):
+    writer, data = value
+    await writer.put(data, writer.little)
+
+
+async def linger(writers, seconds):
     """Wait until the components can have read what these Writers sent, or for `seconds` (None: as long as it takes).
 
-    The failure of those that cannot have read all, have refused some, or have stopped reading, becomes errors.Unread. look() is
-    called every TICK.
+    The failure of those that cannot have read all, have refused some, or have stopped reading, becomes errors.Unread.
     """
-    needed = [_needed(writer, seconds) for writer in writers]
+    begun, needed = time.monotonic(), [_needed(writer, seconds) for writer in writers]
     if max(needed, default=0) > ANNOUNCED:
         slowest = writers[needed.index(max(needed))]
-        cli.note(f"{slowest.where}: waiting {max(needed):.1f} s until it has read the values (--linger limits it)")
-    _wait(time.monotonic(), writers, needed, look)
-    results = lanes.each(writers, lambda writer: writer.judge())
-    for writer, result in zip(writers, results):
-        refused = writer.refusals()
-        if isinstance(result, errors.Error):
-            writer.failure = writer.failure or result
-        if refused and writer.is_short and writer.failure is None:
-            writer.failure = refused
-        elif refused:
-            cli.complain(refused)
-    look()
-
-
-def _wait(begun, writers, needed, look):
-    """Wait until each Writer that has not failed meanwhile has had the seconds that it needs, from `begun` on."""
-    while True:
+        notes.note(f"{slowest.where}: waiting {max(needed):.1f} s until it has read the values (--linger limits it)")
+    while True:  # for those that have not failed meanwhile
         left = begun - time.monotonic() + max(
             (seconds for writer, seconds in zip(writers, needed)
              if writer.failure is None or isinstance(writer.failure, errors.Silent)), default=0)
         if left <= 0:
-            return
-        look()
-        time.sleep(min(TICK, left))
+            break
+        await loop.sleep(min(TICK, left))
+    results = await session.each(writers, Writer.judge, lambda writer: (writer.endpoint, writer.where))
+    for writer, result in zip(writers, results):
+        if isinstance(result, errors.Error):
+            writer.failure = writer.failure or result
+        refused = writer.refusals()
+        if refused and writer.is_short and writer.failure is None:
+            writer.failure = refused
+        elif refused:
+            notes.fail(refused)
 
 
 def _needed(writer, seconds):

@@ -20,5 +20,5 @@ is written at the regular end, and used only if the file agrees with it; else th
 index, or a torn end, and adds another header. A typecode is what datatypes.Type.to_bytes returns: no IDL is needed to read it.
 
 Modules: blocks.py has the frame that writer.py writes and reader.py reads; recorder.py feeds a writer or textlog.py; simpkl.py
-reads rtshell's logs with pickles.py; meaning.py says what entries mean, play.py sends them.
+reads rtshell's logs with pickles.py; decode.py says what entries mean, play.py sends them.
 """

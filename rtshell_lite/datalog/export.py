@@ -4,42 +4,43 @@ import io
 import sys
 
 from rtshell_lite import text
-from rtshell_lite.datalog import meaning
+from rtshell_lite.datalog import decode
 from rtshell_lite.text import printable
 
 LONG = 8  # elements of a sequence that are shown on a terminal
 
 
-def lines(channels, entries):
-    """The entries of a log as lines for people."""
+def people(channels):
+    """A function that makes a line for people of an entry of a log."""
     limit = LONG if sys.stdout.isatty() else None
-    return (meaning.line(channels, entry, limit) for entry in entries)
+    return lambda entry: decode.line(channels, entry, limit)
 
 
-def json_lines(channels, entries):
-    """The same entries as JSON, one object a line."""
-    return (text.json_line(meaning.record(channels, entry)) for entry in entries)
+def json(channels):
+    """A function that makes a line of JSON of an entry."""
+    return lambda entry: text.json_line(decode.record(channels, entry))
 
 
-def csv_lines(channels, before, entries):
-    """The same entries as rows of a table; `before` iterates over the same entries, to find all columns first."""
+def table(channels, before):
+    """(first line of a table, a function that makes a row of an entry); `before`: all entries, to find the columns."""
     columns = {}
     for entry in before:
         for name, _ in _cells(channels, entry):
             columns.setdefault(name, len(columns))
     channels.unreadable = 0
     line = io.StringIO()
-    table = csv.DictWriter(line, list(columns) or ["number", "received", "port"], lineterminator="")
-    table.writeheader()
-    yield _taken(line)
-    for entry in entries:
-        table.writerow(dict(_cells(channels, entry)))
-        yield _taken(line)
+    rows = csv.DictWriter(line, list(columns) or ["number", "received", "port"], lineterminator="")
+    rows.writeheader()
+
+    def row(entry):
+        rows.writerow(dict(_cells(channels, entry)))
+        return _taken(line)
+    return _taken(line), row
 
 
 def _cells(channels, entry):
     """(column, scalar) of an entry; text is made printable, for tables are shown on terminals."""
-    for column, scalar in meaning.cells(channels, entry):
+    for column, scalar in decode.cells(channels, entry):
         yield printable(column), printable(scalar) if isinstance(scalar, str) else scalar
 
 

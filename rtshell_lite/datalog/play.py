@@ -3,14 +3,13 @@ import itertools
 import math
 import time
 
-from rtshell_lite import cli, errors
-from rtshell_lite.data import connection, port_words, writing
+from rtshell_lite import errors, notes
+from rtshell_lite.data import connection, port_arguments, writing
 from rtshell_lite.data.watcher import Watcher
-from rtshell_lite.datalog import meaning
+from rtshell_lite.datalog import decode
+from rtshell_lite.net import loop
 from rtshell_lite.robot import ports
 from rtshell_lite.text import printable
-
-LONGEST = 86400  # seconds for one time.sleep, which has a limit; a log may ask for any
 
 
 class Range:
@@ -46,7 +45,7 @@ class Range:
         if self.by_index:
             forms = "from entry %d to entry %d", "from entry %d", "%d entries"
         else:
-            limits = [limit and meaning.date(int(limit * 1e9)) for limit in limits]
+            limits = [limit and decode.date(int(limit * 1e9)) for limit in limits]
             forms = "from %s until %s", "from %s", "until %s"
         given = tuple(limit for limit in limits if limit is not None)
         if given:
@@ -80,7 +79,7 @@ def channel(log, port, name, place):
     return number
 
 
-def due(entries, rate, cycle=None, seconds=math.inf):
+async def due(entries, rate, cycle=None, seconds=math.inf):
     """The entries, each when it is due: `rate` times as fast as they were recorded, the first at once.
 
     With `cycle` (seconds) entries are due at multiples of it; after `seconds` there are no more. If the clock was set back while
@@ -94,68 +93,71 @@ def due(entries, rate, cycle=None, seconds=math.inf):
         moment = elapsed / 1e9 / rate
         if cycle:
             moment = math.ceil(moment / cycle) * cycle
-        if not _waited(begun, moment, seconds):
+        if not await _waited(begun, moment, seconds):
             return
         yield entry
 
 
-def portions(entries, count, cycle, seconds=math.inf):
+async def portions(entries, count, cycle, seconds=math.inf):
     """The entries, `count` of them every `cycle` seconds, for `seconds`."""
     begun = time.monotonic()
     for number, entry in enumerate(entries):
-        if number % count == 0 and not _waited(begun, number // count * cycle, seconds):
+        if number % count == 0 and not await _waited(begun, number // count * cycle, seconds):
             return
         yield entry
 
 
-def _waited(begun, moment, seconds):
+async def _waited(begun, moment, seconds):
     """Wait until `moment` seconds after `begun`; False when the limit of `seconds` comes first."""
-    end = begun + min(moment, seconds)
-    while time.monotonic() < end:
-        time.sleep(max(0, min(end - time.monotonic(), LONGEST)))
+    left = begun + min(moment, seconds) - time.monotonic()
+    if left > 0:
+        await loop.sleep(left)
     return moment <= seconds
 
 
 class Playing:
     """A log that is played to ports. Ports that fail are reported and counted in `tally`."""
 
-    def __init__(self, wanted, properties, channels, anyway):
-        """`wanted` are port_words.Targets, `properties` those of the connections, `channels` the log's meaning.Channels.
+    def __init__(self, channels, anyway):
+        """`channels` are the log's decode.Channels; `anyway`: even to components that will not read the values."""
+        self.channels, self.anyway, self.tally = channels, anyway, notes.Tally()
+        self.sinks = []  # (number of a channel, the writing.Writer of a port that it is played to)
 
-        `anyway`: even to components that will not read the values.
-        """
-        self.channels, self.tally = channels, cli.Tally()
-        self.sinks = list(self._sinks(wanted, properties, anyway))
-
-    def _sinks(self, wanted, properties, anyway):
-        log = self.channels.log
-        for place, target in enumerate(port_words.find(wanted)):
+    async def find_sinks(self, wanted, properties):
+        """Find the ports; `wanted` are port_arguments.Targets, `properties` those of the connections."""
+        for place, target in enumerate(await port_arguments.find(wanted)):
             try:
                 if isinstance(target, errors.Error):
                     raise target
-                number = channel(log, target.port, target.name, place)
-                coming = log.counts.get(log.channels[number].name, 0)
-                yield number, writing.Writer(target.port, properties, "rtlog", anyway, several=coming != 1)
+                self._add(place, target, properties)
             except errors.Error as e:
                 self.tally.add(e)
 
-    def play(self, entries, absolute, linger):
+    def _add(self, place, target, properties):
+        log = self.channels.log
+        number = channel(log, target.port, target.name, place)
+        coming = log.counts.get(log.channels[number].name, 0)
+        self.sinks.append((number, writing.Writer(target.port, properties, "rtlog", self.anyway, several=coming != 1)))
+
+    async def play(self, entries, absolute, linger):
         """Send the entries as they come; with `absolute` their timestamps stay, else they are moved to now.
 
         Then wait until they can have been read, for `linger` seconds at most (None: as long as it takes). Returns False when all
         ports had failed before the end.
         """
-        watcher = Watcher([writer for _, writer in self.sinks])
-        with connection.Opened(watcher.connections) as opened:
-            complete = self._send(entries, absolute, opened, watcher)
-            writing.linger(opened.live(), linger, watcher.look)
-        watcher.count(self.tally)
-        return complete
+        watch = Watcher([writer for _, writer in self.sinks])
+        async with connection.Connections(watch.connections) as opened:
+            async with loop.background(watch.watch()):
+                is_complete = await self._send(entries, absolute, opened)
+                await writing.linger(opened.live(), linger)
+            await watch.look()
+        watch.count(self.tally)
+        return is_complete
 
-    def _send(self, entries, absolute, opened, watcher):
+    async def _send(self, entries, absolute, opened):
         """Send each entry to the ports of its channel that have not failed."""
         spare, ended = writing.LATE, time.monotonic()  # seconds by which it may still fall behind; when it began to wait
-        for entry in entries:
+        async for entry in entries:
             live = opened.live()
             if not live:
                 return False
@@ -163,12 +165,12 @@ class Playing:
             begun = time.monotonic()
             spare = min(writing.LATE, spare + begun - ended)
             writers = [writer for channel, writer in self.sinks if channel == entry.channel and writer in able]
-            self._offer(entry, writers, absolute, begun + spare, watcher.look)
+            await self._offer(entry, writers, absolute, begun + spare)
             ended = time.monotonic()
             spare -= ended - begun
         return True
 
-    def _offer(self, entry, writers, absolute, until, look):
+    async def _offer(self, entry, writers, absolute, until):
         """Send an entry to these Writers."""
         moment = None if absolute else int(time.time() * 1e9)
         values = []
@@ -177,11 +179,10 @@ class Playing:
                 values.append((writer, self.channels.data(entry, writer.little, moment)))
             except errors.Failed as e:
                 self.tally.add(e)
-        failed = dict(writing.offer(values, until, look))
+        failed = dict(await writing.offer(values, until))
         for writer, _ in values:
             failure = failed.get(writer)
             if isinstance(failure, errors.Refused):
                 self.tally.add(failure)
             elif failure or isinstance(writer.failure, errors.Silent):
                 writer.failure = failure
-                look()

@@ -2,102 +2,109 @@
 import contextlib
 import errno
 import fcntl
-import functools
 import ipaddress
 import os
+import select
 import socket
 import struct
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes
+from rtshell_lite.corba import session
 from rtshell_lite.corba.liveness import is_own, is_this_host  # noqa: F401: checks of addresses
+from rtshell_lite.net import loop
 from rtshell_lite.robot.aliases import resolve
 
 SMALL, LARGE = 4, 2000  # octets: LARGE is more than an Ethernet packet holds
 LEAST, PAUSE = 0.2, 0.005  # seconds
 
 
-def connect(addresses, port):
+async def connect(addresses, port):
     """Open a TCP connection to the first of the IP addresses that accepts one, and close it: that address.
 
     Raises Unreachable, Silent.
     """
-    where = f"{addresses[0]}:{port}"
+    where, now = f"{addresses[0]}:{port}", session.current()
 
     def attempt():
-        end, failure = time.monotonic() + lanes.session.timeout, None
+        end, failure = time.monotonic() + now.timeout, None
         for address in addresses:
             try:
                 socket.create_connection((address, port), max(0.001, end - time.monotonic())).close()
                 return address
             except OSError as e:
-                lanes.note_shortage(e, address)
+                now.note_shortage(e, address)
                 failure = failure or e
-        raise _error(where, failure)
-    return lanes.aside(("TCP", tuple(addresses), port), where, attempt)
+        raise _error(where, failure, now.timeout)
+    return await session.on_thread(where, attempt)
 
 
-def _error(where, e):
+def _error(where, e, timeout):
     if e.errno == errno.ECONNREFUSED:
         return errors.ConnectionRefused(where)
     if isinstance(e, socket.timeout):
-        return errors.Silent(where, lanes.no_answer(lanes.session.timeout))
+        return errors.Silent(where, session.no_answer(timeout))
     return errors.Unreachable(where, os.strerror(e.errno) if e.errno else str(e))
 
 
-def probe(endpoint):
+async def probe(endpoint):
     """None when TCP reaches (host, port) from here, else the errors.Error."""
     host, port = endpoint
     try:
-        connect(resolve(host), port)
+        await connect(await resolve(host), port)
     except errors.Error as e:
         return e
     return None
 
 
-@functools.lru_cache(maxsize=None)
-def arrives(endpoint):
+async def arrives(endpoint):
     """Whether the host of (host, port) receives what is sent: its process may hang, but the network works.
 
-    A question larger than a packet is sent, and the kernel says whether all of it was acknowledged. Asked once for each endpoint;
-    `forget` forgets the answers.
+    A question larger than a packet is sent, and the kernel says whether all of it was acknowledged.
     """
+    return await _once(_arrives, endpoint)
+
+
+def _arrives(endpoint, patience):
     try:
-        with _asked(endpoint, LARGE) as (connection, end):
+        with _asked(endpoint, LARGE, patience) as (connection, end):
             while _unacknowledged(connection):
                 if time.monotonic() > end:
                     return False
-                time.sleep(PAUSE)
+                select.select([], [], [], PAUSE)
     except (OSError, ValueError):
         return False
     return True
 
 
-@functools.lru_cache(maxsize=None)
-def loses_large(endpoint):
+async def loses_large(endpoint):
     """Whether answers of (host, port), a process that was asked for something large in vain, may be lost on the way.
 
-    Its host is another one, and a small question is answered. Asked once for each endpoint.
+    Its host is another one, and a small question is answered.
     """
     try:
-        if is_this_host(endpoint[0]):
-            return False
-        with _asked(endpoint, SMALL) as (connection, _):
-            return bool(connection.recv(1))
-    except (errors.Error, OSError, ValueError):
+        return not await is_this_host(endpoint[0]) and await _once(_answers_small, endpoint)
+    except errors.Error:
         return False
 
 
-@functools.lru_cache(maxsize=None)
-def speaks_otherwise(endpoint):
-    """Whether what listens at (host, port), which does not answer, speaks another protocol: servers of HTTP wait for the end of a line.
-
-    Asked once for each endpoint.
-    """
+def _answers_small(endpoint, patience):
     try:
-        with _asked(endpoint, SMALL) as (connection, _):
-            connection.settimeout(min(LEAST, lanes.session.timeout))  # of a process that hangs: the others need the time
+        with _asked(endpoint, SMALL, patience) as (connection, _):
+            return bool(connection.recv(1))
+    except (OSError, ValueError):
+        return False
+
+
+async def speaks_otherwise(endpoint):
+    """Whether what listens at (host, port), which does not answer, speaks another protocol: servers of HTTP wait for the end of a line."""
+    return await _once(_speaks_otherwise, endpoint)
+
+
+def _speaks_otherwise(endpoint, patience):
+    try:
+        with _asked(endpoint, SMALL, patience) as (connection, _):
+            connection.settimeout(min(LEAST, patience))  # of a process that hangs: the others need the time
             connection.sendall(b"\r\n\r\n")
             said = connection.recv(4)
     except (OSError, ValueError):
@@ -105,21 +112,29 @@ def speaks_otherwise(endpoint):
     return bool(said) and not b"GIOP".startswith(said)
 
 
+_known = {}  # type: dict  # {(function, endpoint): its answer}
+
+
+async def _once(function, endpoint):
+    """What function(endpoint, seconds that it may wait) returns, on a thread; asked once for each endpoint, until `forget`."""
+    if (function, endpoint) not in _known:
+        now = session.current()
+        patience = LEAST if now.is_over() else max(LEAST, now.timeout / 2)
+        _known[function, endpoint] = await loop.on_thread(function, endpoint, patience)
+    return _known[function, endpoint]
+
+
 def forget():
-    """Forget which hosts received what, for the next examination."""
-    arrives.cache_clear()
-    speaks_otherwise.cache_clear()
-    loses_large.cache_clear()
+    """Forget what was found of endpoints, for the next examination."""
+    _known.clear()
 
 
 @contextlib.contextmanager
-def _asked(endpoint, size):
+def _asked(endpoint, size, patience):
     """(connection, when to give up): a GIOP question about an object with a key of that size, which nobody has, has been sent."""
     key = b"\0" * size
     question = b"GIOP\1\0\1\3" + struct.pack("<III", len(key) + 8, 1, len(key)) + key
-    patience = LEAST if lanes.is_over() else max(LEAST, lanes.session.timeout / 2)
     end = time.monotonic() + patience
-    lanes.alive()  # this is no silence of the peer
     with socket.create_connection(endpoint, patience) as connection:
         connection.sendall(question)
         yield connection, end

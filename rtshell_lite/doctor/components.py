@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import limits, remedies, started, waiting
 from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, warn
 from rtshell_lite.robot import component, manager, ports, tree
@@ -13,7 +13,7 @@ PATIENT = 3.0  # seconds: what answers later hangs; with a shorter timeout it ma
 MOST = 3  # names of one component that are reported one by one
 
 
-def logs(snapshots, nodes):
+async def logs(snapshots, nodes):
     """{path: log file, as its manager has it in logger.file_name} of the components in Error.
 
     Their managers are among the Nodes, or are slaves of those.
@@ -22,18 +22,18 @@ def logs(snapshots, nodes):
     bound = [node for node in nodes if node.kind == "manager"]
     if not broken or not bound:
         return {}
-    slaves = [slave for answer in tree.on_nodes(bound, tree.slaves) if not isinstance(answer, errors.Error) for slave in answer]
+    slaves = [slave for answer in await tree.on_nodes(bound, tree.slaves) if not isinstance(answer, errors.Error) for slave in answer]
     ends = {snapshot.node.endpoint for snapshot in broken}
     asked = [node for node in bound + slaves if node.kind == "manager" and node.endpoint in ends]
     files = {}
-    for node, settings in zip(asked, tree.on_nodes(asked, manager.configuration)):
+    for node, settings in zip(asked, await tree.on_nodes(asked, manager.configuration)):
         settings = {} if isinstance(settings, errors.Error) else dict(settings)
         if settings.get("logger.enable", "YES").upper() == "YES" and settings.get("logger.file_name"):
             files[node.endpoint] = printable(settings["logger.file_name"])
     return {snapshot.where: files[snapshot.node.endpoint] for snapshot in broken if snapshot.node.endpoint in files}
 
 
-def examined(nodes):
+async def examined(nodes):
     """The Snapshot of each component among the Nodes, each object once, however often it is bound, sorted by path.
 
     If a component fell silent or refused, the rest is missing.
@@ -43,7 +43,7 @@ def examined(nodes):
         if node.kind == "component":
             by_object.setdefault(orb.identity(node.ref), []).append(node)
     snapshots = [Snapshot(first, others) for first, *others in by_object.values()]
-    ask_all(snapshots, ports=EACH, owned=FULL, participating=FULL, states=FULL, profile=FULL)
+    await ask_all(snapshots, ports=EACH, owned=FULL, participating=FULL, states=FULL, profile=FULL)
     for snapshot in snapshots:
         snapshot.of_tools = [(port, connector) for port in snapshot.ports for connector in port.connectors if ports.is_of_tool(connector)]
         snapshot.ports = ports.in_system(snapshot.ports)
@@ -52,7 +52,7 @@ def examined(nodes):
 
 # ---- findings -------------------------------------------------------------------------------------------------
 
-def findings(snapshots, rates, hung, stated=False, logs=None):
+async def findings(snapshots, rates, hung, stated=False, logs=None):
     """Findings on all components, sorted by path.
 
     rates   what was measured, see rates.measured
@@ -62,34 +62,34 @@ def findings(snapshots, rates, hung, stated=False, logs=None):
     """
     found = []
     for snapshot in snapshots:
-        troubles = _troubles(snapshot, hung, (logs or {}).get(snapshot.where, "")) + rates.get(snapshot.where, [])
+        troubles = await _troubles(snapshot, hung, (logs or {}).get(snapshot.where, "")) + rates.get(snapshot.where, [])
         found += troubles
         if not any(finding.level == "fail" for finding in troubles) and snapshot.error is None:
-            found.append(ok("component", snapshot.where, _summary(snapshot)))
+            found.append(ok("component", snapshot.where, await _summary(snapshot)))
     found.sort(key=lambda finding: finding.path)
     failed = {finding.path for finding in found if finding.level == "fail"}
     return found if stated else found + started.findings(snapshots, failed)
 
 
-def _troubles(snapshot, hung, log):
+async def _troubles(snapshot, hung, log):
     found = _names(snapshot) + _ports(snapshot)
     if snapshot.error is not None:
-        return found + [_stopped_answering(snapshot, hung)]
+        return found + [await _stopped_answering(snapshot, hung)]
     return found + _contexts(snapshot, log)
 
 
-def _summary(snapshot):
+async def _summary(snapshot):
     """Active, claims 1000 Hz, 2 ports, 1 connection, at 127.0.0.1:4000."""
     state = component.merged(snapshot.states)
     rate = next((f"claims {context.rate:g} Hz" for context in snapshot.contexts if _is_periodic(context)), "not periodic")
     number = len({connector.id for port in snapshot.ports for connector in port.connectors})
     return ", ".join([state, rate, counted(len(snapshot.ports), "port"), counted(number, "connection"),
-                      "at " + published(snapshot.node.ref)])
+                      "at " + await published(snapshot.node.ref)])
 
 
-def _stopped_answering(snapshot, hung):
+async def _stopped_answering(snapshot, hung):
     e = snapshot.error
-    if e.why == lanes.NO_TIME:
+    if e.why == session.NO_TIME:
         return limits.late("component", snapshot.where)
     if isinstance(e, errors.Silent) and not snapshot.asking:
         message = "not looked at: others of its process hang"
@@ -99,20 +99,20 @@ def _stopped_answering(snapshot, hung):
         return fail("reference", snapshot.where, message, remedies.words("name of another", path=shell_word(snapshot.where)))
     if isinstance(e, errors.Silent):
         message = "hangs when asked for " + snapshot.asking
-        paths, known = waiting.culprits(snapshot, hung) if "port" in snapshot.asking else ([], False)
+        paths, known = await waiting.culprits(snapshot, hung) if "port" in snapshot.asking else ([], False)
         if paths:  # a port asks the far ends of its connections before it answers
             message += f", {'' if known else 'maybe '}waiting for a far end that does not answer"
             return fail("component", snapshot.where, message, remedies.words("hung first", paths=" and ".join(paths)))
-        elif remedies.may_be_lost(e, snapshot.node.endpoint):
+        elif await remedies.may_be_lost(e, snapshot.node.endpoint):
             message = f"answers small questions, but not when asked for {snapshot.asking}: large packets are lost on the way, perhaps"
-        elif lanes.session.timeout < PATIENT:
+        elif session.current().timeout < PATIENT:
             message = f"{reason(e)} when asked for {snapshot.asking}"
             patience = remedies.words("more time", path=shell_word(snapshot.where))
-            cure = remedies.of_silence(e, snapshot.node.endpoint, snapshot.where, patience)
+            cure = await remedies.of_silence(e, snapshot.node.endpoint, snapshot.where, patience)
             return fail("component", snapshot.where, message, cure)
-        return fail("component", snapshot.where, message, remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
+        return fail("component", snapshot.where, message, await remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
     return fail("component", snapshot.where, f"does not report {snapshot.asking} ({reason(e)})",
-                remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
+                await remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
 
 
 def _restart(snapshot):

@@ -1,28 +1,28 @@
 """Composites with dead members: such a composite ends, or stops, as soon as somebody uses it."""
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, liveness, orb
+from rtshell_lite.corba import liveness, orb, session
 from rtshell_lite.doctor import limits, remedies
 from rtshell_lite.doctor.finding import fail, published, reason, warn
 from rtshell_lite.robot import composites, tree
 from rtshell_lite.text import printable
 
 
-def findings(snapshots):
+async def findings(snapshots):
     """Findings on members that do not answer, of those snapshot.Snapshots that are of composites, sorted by path."""
     candidates = [snapshot for snapshot in snapshots if snapshot.error is None and _may_be_composite(snapshot)]
-    answers = tree.on_nodes([snapshot.node for snapshot in candidates], composites.owned)
+    answers = await tree.on_nodes([snapshot.node for snapshot in candidates], composites.owned)
     found = []
     for snapshot, answer in zip(candidates, answers):
         where = snapshot.where
         if isinstance(answer, errors.Error):
-            if answer.why == lanes.NO_TIME:
+            if answer.why == session.NO_TIME:
                 found.append(limits.late("composite", where))
                 continue
             message = f"does not report its members ({reason(answer)})"
-            found.append(warn("composite", where, message, remedies.of_silence(answer, snapshot.node.endpoint, where)))
+            found.append(warn("composite", where, message, await remedies.of_silence(answer, snapshot.node.endpoint, where)))
             continue
         for organisation in answer:
-            found += [_lost(snapshot, name, ref) for name, ref in organisation.members if isinstance(name, errors.Error)]
+            found += [await _lost(snapshot, name, ref) for name, ref in organisation.members if isinstance(name, errors.Error)]
     return sorted(found, key=lambda finding: finding.path)
 
 
@@ -32,14 +32,14 @@ def _may_be_composite(snapshot):
                                           for context in snapshot.contexts)
 
 
-def _lost(snapshot, error, ref):
-    shown = printable(published(ref))
-    if error.why == lanes.NO_TIME:
+async def _lost(snapshot, error, ref):
+    shown = printable(await published(ref))
+    if error.why == session.NO_TIME:
         return limits.late("composite", snapshot.where)
-    if liveness.shows_death(error, orb.endpoint(ref)):
+    if await liveness.shows_death(error, orb.endpoint(ref)):
         return fail("composite", snapshot.where, "one of its members is dead: nothing answers at " + shown,
                     remedies.words("restart composite", port=snapshot.node.endpoint[1]))
-    if remedies.is_of_network(error, orb.endpoint(ref)):
+    if await remedies.is_of_network(error, orb.endpoint(ref)):
         message = f"cannot tell from here whether its member at {shown} lives ({reason(error)})"
         return warn("composite", snapshot.where, message, remedies.network(orb.endpoint(ref)))
     return fail("composite", snapshot.where, f"its member at {shown} hangs ({reason(error)})",

@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, liveness, orb
+from rtshell_lite.corba import liveness, orb, session
 from rtshell_lite.doctor import limits, networks, remedies, services
 from rtshell_lite.doctor.finding import fail, listed, reason, warn
 from rtshell_lite.robot import component, connectors, places, ports
@@ -15,23 +15,23 @@ Link = collections.namedtuple("Link", "snapshot port connector")
 SETTLED = [key for key, _ in ports.DEFAULTS]  # what ports agree on when they are connected
 
 
-def findings(snapshots):
+async def findings(snapshots):
     """Findings on all connections of the components, sorted by path. Ends elsewhere are asked, one call each.
 
     A connection with trouble is looked at twice: it may just be changing.
     """
-    links, ends = _links(snapshots), _ends(snapshots)
+    links, ends = _links(snapshots), await _ends(snapshots)
     found = []
     for link in links:
-        troubles = _troubles(link, ends)
+        troubles = await _troubles(link, ends)
         if troubles:
-            again = _again(link, ends)
-            troubles = _troubles(again, ends) if again else []
+            again = await _again(link, ends)
+            troubles = await _troubles(again, ends) if again else []
         found += troubles
-    return sorted(found + _forgotten(snapshots) + _unserved(snapshots), key=lambda finding: finding.path)
+    return sorted(found + await _forgotten(snapshots) + _unserved(snapshots), key=lambda finding: finding.path)
 
 
-def _forgotten(snapshots):
+async def _forgotten(snapshots):
     """Findings on connectors of tools that were killed: what they served, as their properties have it, is certainly gone.
 
     Of a tool that serves nothing, as one that sends, nobody can know whether it still runs.
@@ -39,9 +39,9 @@ def _forgotten(snapshots):
     held = [(snapshot, port, connector, ref) for snapshot in snapshots for port, connector in snapshot.of_tools
             for ref in _served(snapshot, port, connector)]
     found = []
-    for (snapshot, port, connector, ref), answer in zip(held, orb.each([ref for *_, ref in held], lambda ref: orb.is_alive("", ref))):
-        is_dead = isinstance(answer, errors.Error) and liveness.shows_death(answer, orb.endpoint(ref))
-        if is_dead and networks.is_certain(ref, networks.homes_of(snapshot.node.ref)):
+    for (snapshot, port, connector, ref), answer in zip(held, await orb.each([ref for *_, ref in held], lambda ref: orb.is_alive("", ref))):
+        is_dead = isinstance(answer, errors.Error) and await liveness.shows_death(answer, orb.endpoint(ref))
+        if is_dead and await networks.is_certain(ref, await networks.homes_of(snapshot.node.ref)):
             found.append(warn("connection", ports.label(port), f"connection {_called(connector)} was left by a tool that is gone",
                               remedies.command("disconnect", id=connector.id, port=ports.label(port))))
     return found
@@ -99,11 +99,11 @@ def _refs(connector):
     return collections.OrderedDict((orb.identity(ref), ref) for ref in connector.ports if ref is not None)
 
 
-def _ends(snapshots):
+async def _ends(snapshots):
     """{identity of a port: places.End} of all ports of the components, and of those connected with them."""
     own = [port for snapshot in snapshots for port in snapshot.ports]
     silent = {snapshot.node.endpoint: snapshot.error for snapshot in snapshots if isinstance(snapshot.error, errors.Silent)}
-    ends = places.far_ends(own, silent)
+    ends = await places.far_ends(own, silent)
     for port in own:
         ends.setdefault(orb.identity(port.ref), places.End(port.ref, port, None))
     return ends
@@ -117,12 +117,12 @@ def _name(end):
     return address if end.port is None else f"{printable(end.port.name)} at {address}, bound nowhere,"
 
 
-def _again(link, ends):
+async def _again(link, ends):
     """The same Link after its ports were asked again, None when it is gone or has other ends now; updates `ends`."""
     refs, own = _refs(link.connector), link.port
     asked = [identity for identity in refs if ends[identity].port is not None]
     joining = dict.fromkeys(asked, {link.connector.id})
-    for identity, answer in zip(asked, places.ask([refs[identity] for identity in asked], joining)):
+    for identity, answer in zip(asked, await places.ask([refs[identity] for identity in asked], joining)):
         before = ends[identity]
         if isinstance(answer, errors.Error):
             ends[identity] = before._replace(port=None, error=answer)
@@ -137,7 +137,7 @@ def _again(link, ends):
 
 # ---- what can be wrong ----------------------------------------------------------------------------------------
 
-def _troubles(link, ends):
+async def _troubles(link, ends):
     """Findings on one Link."""
     where, connector = ports.label(link.port), link.connector
     undo = remedies.command("disconnect", id=connector.id, port=where)
@@ -147,7 +147,7 @@ def _troubles(link, ends):
     found = []
     for end in others:
         if end.port is None:
-            found.append(_lost(link, where, end, undo))
+            found.append(await _lost(link, where, end, undo))
         elif connector.id not in [connector.id for connector in end.port.connectors]:
             message = f"connection {_called(connector)} is one-sided: {_name(end)} does not know it"
             found.append(fail("connection", where, message, _redo(link, others)))
@@ -172,21 +172,21 @@ def _redo(link, others):
     return remedies.reconnect(connector.id, where, connectors.command(labels, connector.name, "", given))
 
 
-def _lost(link, where, end, undo):
+async def _lost(link, where, end, undo):
     """The far end of a connection does not answer."""
-    if end.error.why == lanes.NO_TIME:
+    if end.error.why == session.NO_TIME:
         return limits.late("connection", where)
-    name, endpoint, homes = _name(end), orb.endpoint(end.ref), networks.homes_of(link.snapshot.node.ref)
-    misled = networks.misled("connection", where, end.ref, homes)
+    name, endpoint, homes = _name(end), orb.endpoint(end.ref), await networks.homes_of(link.snapshot.node.ref)
+    misled = await networks.misled("connection", where, end.ref, homes)
     if misled and misled.level == "fail":
         return misled._replace(message="the far end of a connection " + misled.message)
-    if liveness.shows_death(end.error, endpoint) and networks.is_certain(end.ref, homes):
+    if await liveness.shows_death(end.error, endpoint) and await networks.is_certain(end.ref, homes):
         return fail("connection", where, f"the far end of a connection is dead (at {name})", undo)
-    if remedies.is_of_network(end.error, endpoint):
+    if await remedies.is_of_network(end.error, endpoint):
         message = f"cannot tell from here whether the far end of a connection, at {name}, lives ({reason(end.error)})"
         return fail("connection", where, message, remedies.network(endpoint))
     message = f"the far end of a connection, at {name}, cannot be asked ({reason(end.error)})"
-    return fail("connection", where, message, remedies.of_silence(
+    return fail("connection", where, message, await remedies.of_silence(
         end.error, endpoint, where, remedies.words("restart its process", port=endpoint[1])))
 
 

@@ -6,7 +6,7 @@ Findings and passes on to the next what still works. Everything of one step is a
 import time
 
 from rtshell_lite import errors, path
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import addresses, here, limits, remedies
 from rtshell_lite.doctor.finding import warn
 from rtshell_lite.robot import tree
@@ -14,82 +14,83 @@ from rtshell_lite.robot import tree
 STEPS = 3  # times the timeout: what takes longer is reported as not looked at; a step waits for silence only once
 
 
-def examine(tops=(), compare=None, seconds=0):
+async def examine(tops=(), compare=None, seconds=0):
     """Yield lists of Findings, step by step. Without Paths `tops`, or with the root, all name servers are examined.
 
     compare  (RtsProfile, its file as it is given to commands, the state of the components): what the system should be like
     seconds  how long to measure rates, by connecting to an out port of each active component; 0: do not
     """
-    lanes.session.end = time.monotonic() + STEPS * lanes.session.timeout
+    session.current().end = time.monotonic() + STEPS * session.current().timeout
     starved = limits.starved()
     try:
-        for findings in _steps(tops, compare, seconds):
+        async for findings in _steps(tops, compare, seconds):
             before, starved = starved, limits.starved()
-            if lanes.session.end is not None:  # what was late here is no silence of others
-                lanes.session.end += starved - before
-            if lanes.session.shortage:
-                raise lanes.session.shortage
+            if session.current().end is not None:  # what was late here is no silence of others
+                session.current().end += starved - before
+            if session.current().shortage:
+                raise session.current().shortage
             yield limits.left_out(findings)
     except errors.Shortage as e:
         yield [limits.lack(e)]
     except MemoryError:
         yield [limits.lack(errors.Shortage("memory", "no more can be had"))]
     finally:
-        lanes.session.shortage = None
+        session.current().shortage = None
         addresses.forget()
-        lanes.session.end = None  # other commands may follow in this process
+        session.current().end = None  # other commands may follow in this process
 
 
-def _steps(tops, compare, seconds):
-    found = here.findings()
+async def _steps(tops, compare, seconds):
+    found = await here.findings()
     yield found
     if any(finding.check in ("ORB", "limit") and finding.level == "fail" for finding in found):
         return
     everything = not tops or path.ROOT in tops
-    yield from _robot(_name_servers() if everything else tops, seconds, bool(compare))
+    async for findings in _robot(await _name_servers() if everything else tops, seconds, bool(compare)):
+        yield findings
     if compare:
         from rtshell_lite.doctor import profile
-        lanes.session.end = max(lanes.session.end, time.monotonic() + lanes.session.timeout)
-        yield profile.findings(*compare)
+        session.current().end = max(session.current().end, time.monotonic() + session.current().timeout)
+        yield await profile.findings(*compare)
 
 
-def _name_servers():
+async def _name_servers():
     """The Paths of the name servers with valid addresses; the others have been reported."""
-    return [path.parse("/" + address) for address in tree.servers() if not here.fault(address)]
+    return [path.parse("/" + address) for address in tree.servers() if not await here.fault(address)]
 
 
-def _robot(tops, seconds, stated):
+async def _robot(tops, seconds, stated):
     from rtshell_lite.doctor import buffers, components, composites, connections, managers
     from rtshell_lite.doctor import references, servers
-    visits = servers.visits(tops)
-    yield [finding for visit in visits for finding in visit.findings] + _same_server(visits)
-    yield [finding for visit in visits for finding in references.findings(visit)]
+    visits = await servers.visits(tops)
+    yield [finding for visit in visits for finding in visit.findings] + await _same_server(visits)
+    yield [finding for visit in visits for finding in await references.findings(visit)]
     nodes = [node for visit in visits for node in visit.nodes]
-    examined = components.examined(nodes)
-    links, managed, members = connections.findings(examined), managers.findings(nodes), composites.findings(examined)
+    examined = await components.examined(nodes)
+    links, managed, members = await connections.findings(examined), await managers.findings(nodes), await composites.findings(examined)
     hung = sorted((node for node in nodes if node.kind == "silent"), key=lambda node: str(node.path))
-    rates = _rates(examined, seconds) if seconds else {}
-    yield components.findings(examined, rates, hung, stated, components.logs(examined, nodes))
+    rates = await _rates(examined, seconds) if seconds else {}
+    yield await components.findings(examined, rates, hung, stated, await components.logs(examined, nodes))
     yield members
     yield links + buffers.findings(examined)
     yield managed
 
 
-def _rates(examined, seconds):
+async def _rates(examined, seconds):
     from rtshell_lite.doctor import rates
-    end, lanes.session.end = lanes.session.end, None  # what is connected must be disconnected, however late it is
+    end, session.current().end = session.current().end, None  # what is connected must be disconnected, however late it is
     try:
-        return rates.measured(examined, seconds)
+        return await rates.measured(examined, seconds)
     finally:
-        lanes.session.end = end
+        session.current().end = end
 
 
-def _same_server(visits):
+async def _same_server(visits):
     """Two addresses of one name server: everything in it would be listed twice."""
     found, seen = [], {}
     for visit in visits:
         for address in visit.addresses:
-            first = seen.setdefault((address, orb.endpoint(tree.resolve(visit.path).ref)[1]), visit)
+            first = seen.setdefault((address, orb.endpoint((await tree.resolve(visit.path)).ref)[1]), visit)
             if first is not visit:
                 found.append(warn("name server", str(visit.path), "the same name server as " + str(first.path),
                                   remedies.words("one address")))

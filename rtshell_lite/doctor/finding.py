@@ -32,9 +32,9 @@ def fail(check, path, message, remedy):
     return Finding("fail", check, path, message, remedy.text)
 
 
-def published(ref):
+async def published(ref):
     """The addresses that a reference publishes, decoded from its IOR: `192.0.2.1:4000, robot1:4000 (192.0.2.1)`."""
-    return ", ".join(f"{printable(host)}:{port}" + meaning(host) for host, port in orb.addresses(ref)) or "no TCP address"
+    return ", ".join([f"{printable(host)}:{port}" + await meaning(host) for host, port in orb.addresses(ref)]) or "no TCP address"
 
 
 def sorted_by_level(findings):
@@ -69,12 +69,12 @@ def listed(paths):
     return " and ".join([", ".join(shown[:-1]), shown[-1]] if shown[1:] else shown)
 
 
-def meaning(host):
+async def meaning(host):
     """What the name of a host means here: ` (192.0.2.1)`, ` (127.0.1.1, this host)`; empty for IP addresses and localhost."""
     if host == "localhost" or addresses.is_numeric(host):
         return ""
     try:
-        known = addresses.resolve(host)
+        known = await addresses.resolve(host)
     except errors.Error:
         return ""
     here = ", this host" if any(addresses.is_own(address) for address in known) else ""

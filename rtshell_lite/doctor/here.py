@@ -6,7 +6,7 @@ import socket
 import sys
 
 from rtshell_lite import errors, path
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import addresses, limits, remedies
 from rtshell_lite.doctor.finding import HERE, fail, ok, reason, warn
 from rtshell_lite.mount import kernel
@@ -23,13 +23,13 @@ LEAST_PATIENCE = 500  # ms: a component that waits for its next cycle takes that
 Rule = collections.namedtuple("Rule", "text remedy")  # a setting in words, and the Remedy for it
 
 
-def findings():
+async def findings():
     """Findings on Python and omniORB, their settings, the names of this host, our environment, and mounted trees."""
     found, lacking = _programs(), limits.findings()
     if lacking:
         return found + lacking
     found += _settings(started=found[-1].level != "fail")
-    return found + _host_name() + _localhost() + _name_servers() + _patience() + _working_directory() + _mounts()
+    return found + await _host_name() + await _localhost() + await _name_servers() + _patience() + _working_directory() + await _mounts()
 
 
 # ---- programs -------------------------------------------------------------------------------------------------
@@ -148,13 +148,13 @@ def transport_rule():
 
 # ---- names of this host ---------------------------------------------------------------------------------------
 
-def _host_name():
+async def _host_name():
     """The name of this host must mean an address that others can use: components may publish what it means."""
     name = socket.gethostname()
     shown = f"this host's name, {printable(name)}, "
     cure = remedies.words("name of host")
     try:
-        known = addresses.resolve(name)
+        known = await addresses.resolve(name)
     except errors.Error as e:
         return [warn("host name", HERE, shown + f"is not known here ({reason(e)})", cure)]
     means = ", ".join(known)
@@ -165,10 +165,10 @@ def _host_name():
     return [ok("host name", HERE, shown + "means " + means)]
 
 
-def _localhost():
+async def _localhost():
     cure = remedies.words("localhost")
     try:
-        known = addresses.resolve("localhost")
+        known = await addresses.resolve("localhost")
     except errors.Error as e:
         return [fail("host name", HERE, f"localhost is not known here ({reason(e)})", cure)]
     if not all(addresses.is_loopback(address) for address in known):
@@ -181,23 +181,24 @@ def _localhost():
 def _patience():
     """RTSHELL_TIMEOUT: less than a cycle of many components, and a network's repetition of a lost packet, seems to be silence."""
     value = os.environ.get("RTSHELL_TIMEOUT", "")
-    if not value or 1000 * lanes.session.timeout >= LEAST_PATIENCE:
+    if not value or 1000 * session.current().timeout >= LEAST_PATIENCE:
         return []
-    message = f"RTSHELL_TIMEOUT is {printable(value)}: what answers after {lanes.session.timeout:g} s is taken for silent"
+    message = f"RTSHELL_TIMEOUT is {printable(value)}: what answers after {session.current().timeout:g} s is taken for silent"
     return [warn("RTSHELL_TIMEOUT", HERE, message, remedies.command("unset", variable="RTSHELL_TIMEOUT"))]
 
 
-def _name_servers():
+async def _name_servers():
     """RTCTREE_NAMESERVERS: HOST[:PORT], separated by semicolons."""
     value = os.environ.get("RTCTREE_NAMESERVERS", "")
     if not value.strip("; "):
         return [ok("RTCTREE_NAMESERVERS", HERE, "RTCTREE_NAMESERVERS is not set: localhost is the name server")]
-    return [fail("RTCTREE_NAMESERVERS", HERE, f"RTCTREE_NAMESERVERS: {printable(address)}: {fault(address)}",
-                 remedies.words("correct addresses")) for address in tree.servers() if fault(address)] or [
+    faults = [(address, await fault(address)) for address in tree.servers()]
+    return [fail("RTCTREE_NAMESERVERS", HERE, f"RTCTREE_NAMESERVERS: {printable(address)}: {why}", remedies.words("correct addresses"))
+            for address, why in faults if why] or [
         ok("RTCTREE_NAMESERVERS", HERE, f"RTCTREE_NAMESERVERS: {printable('; '.join(tree.servers()))}")]
 
 
-def fault(address):
+async def fault(address):
     """What is wrong with the address of a name server, '' if nothing."""
     if re.search(r"[,\s]", address):
         return "several are separated by semicolons"
@@ -206,7 +207,7 @@ def fault(address):
     try:
         parsed = path.parse("/" + address)
         if _is_started():
-            tree.resolve(parsed._replace(names=()))  # contacts nobody
+            await tree.resolve(parsed._replace(names=()))  # contacts nobody
     except errors.Error:
         return "not HOST[:PORT]"
     return "only HOST[:PORT], nothing after it" if parsed.names or parsed.server is None else ""
@@ -230,13 +231,13 @@ def _working_directory():
 
 # ---- rtmount --------------------------------------------------------------------------------------------------
 
-def _is_stale(place):
-    return lanes.aside(("mount", place), printable(place), lambda: kernel.is_stale(place))
+async def _is_stale(place):
+    return await session.on_thread(printable(place), lambda: kernel.is_stale(place))
 
 
-def _mounts():
+async def _mounts():
     """Mounted RTC Trees whose rtmount has been killed; one that is stopped answers nobody."""
     places = kernel.mounted()
-    answers = lanes.each(places, _is_stale, lambda place: (("mount", place), printable(place)))
+    answers = await session.each(places, _is_stale, lambda place: (("mount", place), printable(place)))
     return [warn("mount", HERE, f"{printable(place)} is a mount of an rtmount that has been killed", remedies.command(
         "unmount", directory=place)) for place, stale in zip(places, answers) if stale is True]

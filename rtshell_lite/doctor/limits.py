@@ -1,14 +1,15 @@
 """What this process may use: without enough descriptors, threads or ports here, peers seem to be at fault."""
 import os
-import threading
+from _thread import allocate_lock
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes
+from rtshell_lite.corba import session
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import HERE, MANY, counted, fail, listed
+from rtshell_lite.net import loop
 from rtshell_lite.text import shell_word
 
-LATE = "slow: " + lanes.NO_TIME
+LATE = "slow: " + session.NO_TIME
 FILES, THREADS = 64, 8  # what an examination of a small system needs at a time
 
 # How to see or raise what is scarce.
@@ -75,12 +76,19 @@ def _files():
 
 
 def _threads():
-    go_on = threading.Event()
+    gate = allocate_lock()
+    gate.acquire()
     try:
         for _ in range(THREADS):
-            lanes.start(go_on.wait)
+            loop.start_thread(_pass, gate)
     except errors.Shortage as e:
         return e.args[1]
     finally:
-        go_on.set()
+        gate.release()
     return ""
+
+
+def _pass(gate):
+    """Wait until a gate is open, and leave it open."""
+    with gate:
+        pass

@@ -5,7 +5,7 @@ with connections, managers by address, and the usual port of managers on the hos
 are named.
 """
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import counted, listed, warn
 from rtshell_lite.robot import manager
@@ -16,10 +16,10 @@ SIDES = {"dataport.corba_cdr.outport_ior": 0, "dataport.corba_cdr.inport_ior": -
 MOST = 100  # addresses that are asked
 
 
-def found(profile, missing):
+async def found(profile, missing):
     """{path as text: where it answers, in words} of those `missing` Components of a profile that live."""
-    known = _at_references(profile, missing)
-    known.update(_at_managers([each for each in missing if capture.shown_path(each) not in known]))
+    known = await _at_references(profile, missing)
+    known.update(await _at_managers([each for each in missing if capture.shown_path(each) not in known]))
     return known
 
 
@@ -45,7 +45,7 @@ def _by_server(components):
     return servers
 
 
-def _at_references(profile, missing):
+async def _at_references(profile, missing):
     """`found`, by references to data ports."""
     locate, refs = capture.locator(profile), {}
     for connector in profile.connectors:
@@ -60,25 +60,25 @@ def _at_references(profile, missing):
                 continue
             refs.setdefault(capture.shown_path(component), ref)
     asked = list(refs.items())[:MOST]
-    answers = orb.each([ref for _, ref in asked], lambda ref: orb.is_alive("", ref))
+    answers = await orb.each([ref for _, ref in asked], lambda ref: orb.is_alive("", ref))
     return {path: "its port answers at %s:%d" % orb.endpoint(ref)
             for (path, ref), answer in zip(asked, answers) if answer is True}
 
 
-def _at_managers(missing):
+async def _at_managers(missing):
     """`found`, by the managers that list a component of this name."""
     wanted = {}  # paths by the address of a manager and the name of an instance
     for each in missing:
         for word in _managers(each):
             wanted.setdefault(word, {})[each.instance_name] = capture.shown_path(each)
     words = sorted(wanted)[:MOST]
-    answers = lanes.each(words, _listed_by, lambda word: (word, word))
+    answers = await session.each(words, _listed_by, lambda word: (word, word))
     return {wanted[word][name]: f"the manager {word} has it" for word, answer in zip(words, answers)
             if not isinstance(answer, errors.Error) for name, _ in answer if name in wanted[word]}
 
 
-def _listed_by(word):
-    return manager.components(manager.find(word))
+async def _listed_by(word):
+    return await manager.components(await manager.find(word))
 
 
 def _managers(component):

@@ -1,56 +1,56 @@
 """Each manager: whether it answers, and whether what it lists lives."""
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, tasks
+from rtshell_lite.corba import session
 from rtshell_lite.doctor import limits, networks, remedies
 from rtshell_lite.doctor.finding import counted, fail, ok, published, reason
 from rtshell_lite.robot import component, tree
 from rtshell_lite.text import shell_word
 
 
-def findings(nodes):
+async def findings(nodes):
     """Findings on the managers among the Nodes, sorted by path."""
     managers = sorted((node for node in nodes if node.kind == "manager"), key=lambda node: str(node.path))
     found = []
-    for node, answer in zip(managers, tree.on_nodes(managers, _ask)):
-        found += _troubles(node, answer)
+    for node, answer in zip(managers, await tree.on_nodes(managers, _ask)):
+        found += await _troubles(node, answer)
     return found
 
 
-def _ask(node):
+async def _ask(node):
     """(slaves, components, whether it was asked twice): a master whose slave has died fails once."""
     failed_once = []
-    slaves = component.once_more(lambda: tasks.plain(tree.slaves, node), failed_once)
-    managed = component.once_more(lambda: tasks.plain(tree.managed, node), failed_once)
+    slaves = await component.once_more(lambda: tree.slaves(node), failed_once)
+    managed = await component.once_more(lambda: tree.managed(node), failed_once)
     return slaves, managed, bool(failed_once)
 
 
-def _is_of_network(node, homes):
-    return remedies.is_of_network(node.error, node.endpoint) or not networks.is_certain(node.ref, homes)
+async def _is_of_network(node, homes):
+    return await remedies.is_of_network(node.error, node.endpoint) or not await networks.is_certain(node.ref, homes)
 
 
-def _troubles(node, answer):
+async def _troubles(node, answer):
     where, word = str(node.path), shell_word(str(node.path))
-    if isinstance(answer, errors.Error) and answer.why == lanes.NO_TIME:
+    if isinstance(answer, errors.Error) and answer.why == session.NO_TIME:
         return [limits.late("manager", where)]
     if isinstance(answer, errors.Error):
         both = isinstance(answer, errors.Silent)
         restart = remedies.words("restart manager or slave" if both else "restart", port=node.endpoint[1])
         return [fail("manager", where, f"does not report what it has ({reason(answer)})",
-                     remedies.of_silence(answer, node.endpoint, where, restart))]
+                     await remedies.of_silence(answer, node.endpoint, where, restart))]
     slaves, components, twice = answer
     found = []
     if twice:
         found = [fail("manager", where, "one of its slaves has died, and its components with it",
                       remedies.words("restart slave"))]
-    homes = networks.homes_of(node.ref)
+    homes = await networks.homes_of(node.ref)
     for child in slaves + components:
         what = "lists a slave that " if child in slaves else "lists a component that "
-        misled = networks.misled("manager", where, child.ref, homes)
+        misled = await networks.misled("manager", where, child.ref, homes)
         if misled:
             found.append(misled._replace(message=what + misled.message))
         if misled and misled.level == "fail":
             continue
-        if child.kind in ("zombie", "silent") and _is_of_network(child, homes):
+        if child.kind in ("zombie", "silent") and await _is_of_network(child, homes):
             message = what + f"cannot be reached from here ({reason(child.error)})"
             found.append(fail("manager", where, message, remedies.network(child.endpoint)))
         elif child.kind == "zombie":
@@ -58,5 +58,5 @@ def _troubles(node, answer):
         elif child.kind == "silent":
             found.append(fail("manager", where, what + f"does not answer ({reason(child.error)})",
                               remedies.words("hung below", path=word)))
-    has = f"{counted(len(components), 'component')}, {counted(len(slaves), 'slave')}"
-    return found or [ok("manager", where, f"manager of {has}, at {published(node.ref)}")]
+    has, shown = f"{counted(len(components), 'component')}, {counted(len(slaves), 'slave')}", await published(node.ref)
+    return found or [ok("manager", where, f"manager of {has}, at {shown}")]

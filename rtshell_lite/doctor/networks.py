@@ -14,7 +14,7 @@ from rtshell_lite.text import printable
 SIOCGIFADDR, SIOCGIFNETMASK = 0x8915, 0x891b  # of Linux
 
 
-def misled(check, where, ref, homes, elsewhere=""):
+async def misled(check, where, ref, homes, elsewhere=""):
     """The Finding on an object that publishes addresses at which others do not find it, or None.
 
     One that is a warning must not hide what is worse: only after a failure is nothing else to be known from here.
@@ -25,7 +25,7 @@ def misled(check, where, ref, homes, elsewhere=""):
     offered, here = orb.addresses(ref), any(addresses.is_own(home) for home in homes)
     if not offered or not homes:
         return None
-    shown = published(ref)
+    shown = await published(ref)
     if all(addresses.is_incomplete(host) for host, _ in offered):
         message = f"publishes {shown}, of one link only (IPv6), which means nothing without an interface"
         return fail(check, where, message, _another_address(homes[0]))
@@ -38,8 +38,8 @@ def misled(check, where, ref, homes, elsewhere=""):
         return fail(check, where, f"publishes {shown}, which means this host, not its own", _another_address(homes[0]))
     if all(addresses.is_loopback(home) for home in homes):
         return None  # it is known on this host; whether others know it cannot be seen
-    numeric = _numeric(offered)
-    if not is_apart(ref, homes):
+    numeric = await _numeric(offered)
+    if not await is_apart(ref, homes):
         return None
     if here:  # an address of another interface is one of this host
         if not elsewhere or not all(addresses.is_own(address) for address in numeric):
@@ -52,47 +52,50 @@ def misled(check, where, ref, homes, elsewhere=""):
     return None
 
 
-def is_certain(ref, homes):
+async def is_certain(ref, homes):
     """True if the addresses of `ref` mean the same host here as to what published them.
 
     Those of private networks may not, nor may a name that means this host here.
     """
-    if names_here(ref, homes):
+    if await names_here(ref, homes):
         return False
-    for address in _numeric(orb.addresses(ref)):
+    for address in await _numeric(orb.addresses(ref)):
         number = ipaddress.ip_address(address.partition("%")[0])
         if number.is_private and not any(together(home, address) or addresses.is_own(home) for home in homes):
             return False
     return True
 
 
-def names_here(ref, homes):
+async def names_here(ref, homes):
     """The host names in `ref` that mean this host here, while none of `homes` is of this host; its process may run on another."""
     if any(addresses.is_own(home) for home in homes):
         return []
     names = [host for host, _ in orb.addresses(ref) if host and host != "localhost" and not addresses.is_numeric(host)]
-    return [name for name in names if any(addresses.is_own(address) for address in _numeric([(name, 0)]))]
+    return [name for name in names if any(addresses.is_own(address) for address in await _numeric([(name, 0)]))]
 
 
-def is_apart(ref, homes):
+async def is_apart(ref, homes):
     """True if all addresses that `ref` publishes are known to be of other networks than `homes`."""
-    own = _numeric(orb.addresses(ref))
+    own = await _numeric(orb.addresses(ref))
     return bool(own) and all(together(home, address) is False for address in own for home in homes)
 
 
-def homes_of(ref):
+async def homes_of(ref):
     """The IP addresses that a reference publishes."""
-    return _numeric(orb.addresses(ref))
+    return await _numeric(orb.addresses(ref))
 
 
-def outside(refs):
+async def outside(refs):
     """The first address that references publish which is not of this host; '' if there is none."""
     offered = collections.OrderedDict((host, None) for ref in refs for host, _ in orb.addresses(ref) if host)
-    return next((host for host in offered if not _is_here(host)), "")
+    for host in offered:
+        if not await _is_here(host):
+            return host
+    return ""
 
 
-def _is_here(host):
-    numeric = () if _is_loopback(host) else _numeric([(host, 0)])
+async def _is_here(host):
+    numeric = () if _is_loopback(host) else await _numeric([(host, 0)])
     return _is_loopback(host) or any(addresses.is_own(address) for address in numeric)
 
 
@@ -124,12 +127,12 @@ def _networks():
     return networks
 
 
-def _numeric(offered):
+async def _numeric(offered):
     """The IP addresses of (host, port)s that can be looked up."""
     numeric = []
     for host in sorted({host for host, _ in offered if host}):
         try:
-            numeric += addresses.resolve(host)
+            numeric += await addresses.resolve(host)
         except errors.Error:
             pass
     return numeric

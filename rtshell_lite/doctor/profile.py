@@ -9,9 +9,9 @@ from rtshell_lite.text import safe, shell_word
 TRANSITIONS = {("Inactive", "Active"): "activate", ("Active", "Inactive"): "deactivate", ("Error", "Inactive"): "reset"}
 
 
-def findings(profile, file, state):
+async def findings(profile, file, state):
     """Findings on the differences from an RtsProfile, which is `file` on a command line; those on optional things are warnings."""
-    result = compare.compare(profile, state)
+    result = await compare.compare(profile, state)
     found = [fail("profile", e.where, reason(e),
                   remedies.words("look at component", path=shell_word(e.where))) for e in result.failures]
     differences = [difference for difference in result.differences if difference.check != compare.OTHER_ID]
@@ -19,7 +19,7 @@ def findings(profile, file, state):
     differences = [difference for difference in differences  # each once: ends of connections are missing, too
                    if not _is_missing(difference) or absent[difference.path] is difference]
     missing = [each for each in profile.components if capture.shown_path(each) in absent]
-    known = living.found(profile, missing) if missing else {}
+    known = await living.found(profile, missing) if missing else {}
     found += living.findings(profile, missing, known)
     idle = [difference for difference in differences if _is_idle(difference)]
     if len(idle) > 1:
@@ -34,7 +34,7 @@ def findings(profile, file, state):
             found.append(report("profile", difference.path, message, remedies.words("bind again")))
             continue
         found.append(report("profile", difference.path, safe(difference.brief), _remedy(difference, file)))
-    found += _rates(profile)
+    found += await _rates(profile)
     content = f"{counted(len(profile.components), 'component')}, {counted(len(profile.connectors), 'connection')}"
     return found or [ok("profile", str(path.ROOT), "as the profile says: " + content)]
 
@@ -48,10 +48,13 @@ def _is_missing(difference):
     return difference.message.partition(": ")[0].endswith("component missing")
 
 
-def _rates(profile):
+async def _owned_contexts(node):
+    return (await snapshot.of(node, owned=snapshot.FULL)).owned
+
+
+async def _rates(profile):
     """Findings on execution contexts whose rates differ from those in the file, which the components have."""
-    found = []
-    answers = capture.look(profile, lambda node: snapshot.of(node, owned=snapshot.FULL).owned)
+    found, answers = [], await capture.look(profile, _owned_contexts)
     for component, owned in zip(profile.components, answers):
         if isinstance(owned, errors.Error):
             continue  # reported before

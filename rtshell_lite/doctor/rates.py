@@ -3,10 +3,11 @@ import collections
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes
+from rtshell_lite.corba import session
 from rtshell_lite.data import clocks, connection, datatypes, reading
 from rtshell_lite.doctor import buffers, remedies
 from rtshell_lite.doctor.finding import ok, reason, warn
+from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports
 from rtshell_lite.text import printable, shell_word
 
@@ -30,7 +31,7 @@ class Watched:
         self.stamp = (message.received / 1e9, seconds) if seconds else None
 
 
-def measured(snapshots, seconds):
+async def measured(snapshots, seconds):
     """Measure each component that can be, for `seconds`, several at a time: {path: [Finding]}.
 
     No new batch begins when the timeout is over.
@@ -45,11 +46,11 @@ def measured(snapshots, seconds):
     begun = time.monotonic()
     while waiting:
         batch, waiting = _batch(waiting)
-        if found and time.monotonic() - begun > lanes.session.timeout:
-            found.update((watched.where, [_unmeasured(watched.where, errors.Silent(watched.where, lanes.NO_TIME))])
+        if found and time.monotonic() - begun > session.current().timeout:
+            found.update((watched.where, [_unmeasured(watched.where, errors.Silent(watched.where, session.NO_TIME))])
                          for watched in batch)
             continue
-        found.update((watched.where, [finding] + _clock(watched)) for watched, finding in zip(batch, _watch(batch, seconds)))
+        found.update((watched.where, [finding] + _clock(watched)) for watched, finding in zip(batch, await _watch(batch, seconds)))
     return found
 
 
@@ -84,14 +85,14 @@ def _smallest(out_ports):
 
 
 def _unmeasured(where, e):
-    if isinstance(e, errors.Silent) and e.why != lanes.NO_TIME:
+    if isinstance(e, errors.Silent) and e.why != session.NO_TIME:
         return warn("rate", where, "rate not measured: " + reason(e), remedies.words("measure again", path=shell_word(where)))
     return ok("rate", where, "rate not measured: " + reason(e))
 
 
 # ---- one batch ------------------------------------------------------------------------------------------------
 
-def _watch(batch, seconds):
+async def _watch(batch, seconds):
     """A Finding for each Watched of a batch."""
     for watched in batch:
         try:
@@ -99,23 +100,23 @@ def _watch(batch, seconds):
                 "dataport.buffer.length": str(reading.QUEUE)})
         except errors.Error as e:
             watched.failure = e
-    with connection.Opened([watched.reader for watched in batch if watched.reader]) as opened:
-        time.sleep(2 * reading.POLL)  # older values may be there
+    async with connection.Connections([watched.reader for watched in batch if watched.reader]) as opened:
+        await loop.sleep(2 * reading.POLL)  # older values may be there
         before = {reader: reader.count for reader in opened.connections}
-        spent, missed = _slept(seconds)
+        spent, missed = await _slept(seconds)
         for watched in batch:
             if watched.reader:
                 watched.count, watched.failure = watched.reader.count - before[watched.reader], watched.reader.failure
     return [_unmeasured(watched.where, watched.failure) if watched.failure else _finding(watched, spent, missed) for watched in batch]
 
 
-def _slept(seconds):
+async def _slept(seconds):
     """Sleep so long: the time that it took, and how much of that this process was not let run: its host has more to do than it can."""
     begun, missed = time.monotonic(), 0.0
     now = begun
     while now < begun + seconds:
         piece = min(PIECE, begun + seconds - now)
-        time.sleep(piece)
+        await loop.sleep(piece)
         before, now = now, time.monotonic()
         missed += now - before - piece
     return now - begun, missed

@@ -1,25 +1,25 @@
 """Each name in a name server and its reference: where it leads, whether it can be reached, whether its object lives."""
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, liveness, orb
+from rtshell_lite.corba import liveness, orb, session
 from rtshell_lite.doctor import addresses, here, limits, networks, remedies
 from rtshell_lite.doctor.finding import fail, ok, published, reason, warn
 from rtshell_lite.text import printable, shell_word
 
 
-def findings(visit):
+async def findings(visit):
     """Findings on all that is bound in the name server of a servers.Visit, sorted by path."""
     found = []
     for node in visit.nodes:
         if node.kind not in ("root", "server", "directory"):
-            found += _unreachable(visit, node) or _not_what_it_says(node)
+            found += await _unreachable(visit, node) or await _not_what_it_says(node)
         elif node.alias is not None or node.foreign:
             found.append(alias(node))
-    return sorted(found + _stale_contexts(visit), key=lambda finding: finding.path)
+    return sorted(found + await _stale_contexts(visit), key=lambda finding: finding.path)
 
 
 # ---- where it leads -------------------------------------------------------------------------------------------
 
-def _unreachable(visit, node):
+async def _unreachable(visit, node):
     """Why an object cannot be used from here, step by step: its address, TCP, its process, itself."""
     where = str(node.path)
     if isinstance(node.error, errors.Garbled):
@@ -31,25 +31,25 @@ def _unreachable(visit, node):
     offered = orb.addresses(node.ref)
     if not offered:
         return []  # of another transport
-    shown = published(node.ref)
-    misled = networks.misled("reference", where, node.ref, visit.addresses, visit.outside)
+    shown = await published(node.ref)
+    misled = await networks.misled("reference", where, node.ref, visit.addresses, visit.outside)
     if misled and misled.level == "fail":
         return [misled]
     also = [misled] if misled else []
     if node.kind == "zombie":
-        return [_dead(visit, node, shown)] + also
+        return [await _dead(visit, node, shown)] + also
     if node.kind == "silent" or node.kind == "unknown" and _out_of_reach(visit, offered):
-        return [_silent(visit, node, offered, shown)] + also
+        return [await _silent(visit, node, offered, shown)] + also
     return also or _half_reachable(visit, where, offered)
 
 
-def _dead(visit, node, shown):
+async def _dead(visit, node, shown):
     where = str(node.path)
-    names = networks.names_here(node.ref, visit.addresses)
+    names = await networks.names_here(node.ref, visit.addresses)
     if names:
         message = f"cannot tell from here whether it lives: {shown} may mean another host where it runs, and this one refuses"
         return fail("reference", where, message, remedies.words("name of this host", host=printable(names[0])))
-    if not networks.is_certain(node.ref, visit.addresses):
+    if not await networks.is_certain(node.ref, visit.addresses):
         message = f"cannot tell from here whether it lives: {shown} is of another network than its name server, and the host that " \
                   "has that address here refuses"
         return fail("reference", where, message, remedies.network(node.endpoint))
@@ -60,28 +60,28 @@ def _dead(visit, node, shown):
     return fail("reference", where, message, remedies.command("delete zombie", path=where))
 
 
-def _silent(visit, node, offered, shown):
+async def _silent(visit, node, offered, shown):
     """An object that does not answer: because of its host, the network, its process, or itself."""
     where, rule = str(node.path), here.transport_rule()
-    if node.error is not None and node.error.why == lanes.NO_TIME:
+    if node.error is not None and node.error.why == session.NO_TIME:
         return limits.late("reference", where)
     if _out_of_reach(visit, offered):
         failure = visit.probes[offered[0]]
-        if isinstance(failure, errors.ConnectionRefused) and networks.is_certain(node.ref, visit.addresses):
-            return _refused(where, offered[0], shown)
-        if failure.why == errors.NO_USABLE_ADDRESS or not networks.homes_of(node.ref):
+        if isinstance(failure, errors.ConnectionRefused) and await networks.is_certain(node.ref, visit.addresses):
+            return await _refused(where, offered[0], shown)
+        if failure.why == errors.NO_USABLE_ADDRESS or not await networks.homes_of(node.ref):
             message = f"cannot tell from here whether it lives: publishes {shown}, a host name that is not known here"
             return fail("reference", where, message, remedies.words("name in reference", host=printable(offered[0][0])))
-        apart = ", of another network than its name server" if networks.is_apart(node.ref, visit.addresses) else ""
+        apart = ", of another network than its name server" if await networks.is_apart(node.ref, visit.addresses) else ""
         message = f"cannot tell from here whether it lives: publishes {shown}{apart}, out of reach ({reason(failure)})"
         return fail("reference", where, message, remedies.network(offered[0]))
     if rule and reason(node.error) == errors.NO_USABLE_ADDRESS:
         return fail("reference", where, f"at {shown}: TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
     is_silent = isinstance(node.error, errors.Silent)
-    if reason(node.error).startswith("garbled") or is_silent and addresses.speaks_otherwise(offered[0]):
+    if reason(node.error).startswith("garbled") or is_silent and await addresses.speaks_otherwise(offered[0]):
         message = f"what listens at {shown} does not speak CORBA ({reason(node.error)})"
         return fail("reference", where, message, remedies.words("who listens instead", port=offered[0][1]))
-    if remedies.is_of_network(node.error, offered[0]):
+    if await remedies.is_of_network(node.error, offered[0]):
         what = "TCP connects, but what is sent is not received" if isinstance(node.error, errors.Silent) else reason(node.error)
         return fail("reference", where, f"cannot tell from here whether it lives: at {shown}, {what}",
                     remedies.network(offered[0]))
@@ -92,9 +92,9 @@ def _silent(visit, node, offered, shown):
                 remedies.words("restart", port=offered[0][1]))
 
 
-def _refused(where, endpoint, shown):
+async def _refused(where, endpoint, shown):
     """Nobody listens, or a firewall refuses: see corba/liveness.py."""
-    if liveness.is_gone(endpoint):
+    if await liveness.is_gone(endpoint):
         return fail("reference", where, "dead: nothing listens at " + shown, remedies.command("delete zombie", path=where))
     message = f"cannot tell from here whether it lives: {shown} refuses the connection, as a firewall would"
     return fail("reference", where, message, remedies.words("firewall", port=endpoint[1]))
@@ -113,12 +113,13 @@ def _half_reachable(visit, where, offered):
 
 # ---- what it is -----------------------------------------------------------------------------------------------
 
-def _not_what_it_says(node):
+async def _not_what_it_says(node):
     """A name of kind rtc or mgr for an object of another kind: somebody else's; and objects of unknown kinds."""
     kind, expected = node.path.names[-1].kind, {"rtc": "component", "mgr": "manager"}
     what = printable(orb.address(node.ref).type_id) or node.what
     if kind not in expected and node.kind == "unknown":
-        return [ok("reference", str(node.path), f"another CORBA object, {what}, at {published(node.ref)}")]
+        shown = await published(node.ref)
+        return [ok("reference", str(node.path), f"another CORBA object, {what}, at {shown}")]
     if kind not in expected or node.kind == expected[kind] or node.kind in ("zombie", "silent"):
         return []
     message = f"somebody else's: not a {expected[kind]} but {what}"
@@ -136,19 +137,20 @@ def alias(node):
               f"rtdoctor {shell_word(place)}")
 
 
-def _stale_contexts(visit):
+async def _stale_contexts(visit):
     """Naming contexts that hold nothing, or only dead names; of those inside each other the outermost.
 
     One that has several names, or holds one with another name, is in use.
     """
     found, stale, content = [], set(), _content(visit.nodes)
+    forsaken = {node for node in visit.nodes if node.kind == "directory" and await _is_forsaken(node, visit.shared)}
     for node in visit.nodes:
         names = node.path.names
         is_inside = any(names[:i] in stale for i in range(len(names)))
-        if node.kind != "directory" or is_inside or not _is_forsaken(node, visit.shared):
+        if is_inside or node not in forsaken:
             continue
         below = content.get(names, [])
-        if all(inner.kind == "zombie" or inner.kind == "directory" and _is_forsaken(inner, visit.shared) for inner in below):
+        if all(inner.kind == "zombie" or inner in forsaken for inner in below):
             stale.add(names)
             what = "only dead names are in it" if any(inner.kind == "zombie" for inner in below) else "empty"
             found.append(warn("context", str(node.path), "stale: " + what, _emptied(node, below)))
@@ -163,9 +165,9 @@ def _emptied(node, below):
         below + [node], key=lambda inner: -len(inner.path.names))])
 
 
-def _is_forsaken(node, shared):
+async def _is_forsaken(node, shared):
     """True for a naming context that could be listed and has one name only; `shared` is an aliases.Known of those with more."""
-    return node.error is None and not node.foreign and shared.path(node) is None
+    return node.error is None and not node.foreign and await shared.path(node) is None
 
 
 def _content(nodes):

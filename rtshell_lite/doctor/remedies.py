@@ -8,7 +8,7 @@ import collections
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes
+from rtshell_lite.corba import session
 from rtshell_lite.doctor import addresses
 from rtshell_lite.text import printable, shell_word
 
@@ -146,27 +146,27 @@ def network(endpoint):
     return words("network", host=printable(endpoint[0]), port=endpoint[1])
 
 
-def of_silence(e, endpoint, path, restart=None):
+async def of_silence(e, endpoint, path, restart=None):
     """The Remedy for an errors.Error of a process at `endpoint` that has not answered a question with a large answer, or badly.
 
     Only if a call is known to have reached it is it to be restarted; `restart` is the Remedy then.
     """
-    if e.why == lanes.NO_TIME:
+    if e.why == session.NO_TIME:
         return words("more time", path=shell_word(path))
-    if is_of_network(e, endpoint):
+    if await is_of_network(e, endpoint):
         return network(endpoint)
-    if may_be_lost(e, endpoint):
+    if await may_be_lost(e, endpoint):
         return words("large packets", host=printable(endpoint[0]), port=endpoint[1])
     return restart or words("restart", port=endpoint[1])
 
 
-def may_be_lost(e, endpoint):
+async def may_be_lost(e, endpoint):
     """True if the errors.Error of a process may mean that its answer was too large for the network on the way."""
-    return isinstance(e, errors.Silent) and e.why != lanes.NO_TIME and addresses.loses_large(endpoint)
+    return isinstance(e, errors.Silent) and e.why != session.NO_TIME and await addresses.loses_large(endpoint)
 
 
-def is_of_network(e, endpoint):
+async def is_of_network(e, endpoint):
     """True if the network between here and the process at `endpoint` may have caused an errors.Error."""
     if isinstance(e, (errors.Refused, errors.Gone, errors.ConnectionRefused)):
         return False
-    return not isinstance(e, errors.Silent) or e.why != lanes.NO_TIME and not addresses.arrives(endpoint)
+    return not isinstance(e, errors.Silent) or e.why != session.NO_TIME and not await addresses.arrives(endpoint)

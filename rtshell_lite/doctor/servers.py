@@ -3,7 +3,7 @@ import collections
 import time
 
 from rtshell_lite import errors, path
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import addresses, here, networks, references, remedies
 from rtshell_lite.doctor.finding import counted, fail, listed, ok, reason, warn
 from rtshell_lite.robot import aliases, manager, tree
@@ -19,23 +19,23 @@ _NAMING_CONTEXT = "IDL:omg.org/CosNaming/NamingContext:1.0"
 Visit = collections.namedtuple("Visit", "path addresses findings nodes probes shared outside")
 
 
-def visits(tops):
+async def visits(tops):
     """A Visit for each name server that the Paths `tops` lead to, all at once, with what is at and below them."""
     by_server = collections.OrderedDict()
     for top in sorted(tops, key=str):
         by_server.setdefault(top.server, []).append(top)
     places = [path.Path(server, (), None, False) for server in by_server]
-    used = _ports(places)
-    answers = tree.at_each(places, lambda place: _visit(place, by_server[place.server], used))
+    used = await _ports(places)
+    answers = await tree.at_each(places, lambda place: _visit(place, by_server[place.server], used))
     return [_too_late(place, visit) if isinstance(visit, errors.Error) else visit for place, visit in zip(places, answers)]
 
 
-def _ports(places):
+async def _ports(places):
     """The TCP ports of the name servers at some Paths."""
     found = set()
     for place in places:
         try:
-            found.add(tree.resolve(place).endpoint[1])
+            found.add((await tree.resolve(place)).endpoint[1])
         except errors.Error:  # which a visit reports
             continue
     return found - {None}
@@ -48,37 +48,36 @@ def _too_late(place, e, findings=()):
     return Visit(place, [], list(findings) + [late], [], {}, aliases.Known(), "")
 
 
-def _visit(place, tops, used):
+async def _visit(place, tops, used):
     """The Visit to one name server; `used` are the ports of all."""
     visit = Visit(place, [], [], [], {}, aliases.Known(), "")
-    if not _reach(visit, tree.resolve(place), used):
+    if not await _reach(visit, await tree.resolve(place), used):
         return visit
     for top in tops:
         known = {node.path for node in visit.nodes}
-        visit.nodes.extend(node for node in _below(visit, top) if node.path not in known)
-    _share(visit, tops)
-    looked, probes = lanes.gather([
-        lanes.Job(("look", place), str(place), lambda: tree.look(visit.nodes)),
-        lanes.Job(("probe", place), str(place), lambda: _probes(visit.nodes))])
+        visit.nodes.extend(node for node in await _below(visit, top) if node.path not in known)
+    await _share(visit, tops)
+    looked, probes = await session.each(
+        [tree.check_alive, _probes], lambda ask: ask(visit.nodes), lambda ask: ((ask.__name__, place), str(place)))
     for failure in (looked, probes):
         if isinstance(failure, errors.Error):
             return _too_late(place, failure, visit.findings)
     visit.nodes[:] = looked
     if not any(node.kind not in ("root", "server", "directory") for node in looked) and any(not top.names for top in tops):
-        visit.findings.extend(_unbound(visit))
+        visit.findings.extend(await _unbound(visit))
     visit.probes.update(probes)
-    return visit._replace(outside=networks.outside(node.ref for node in looked if node.kind in ("component", "manager")))
+    return visit._replace(outside=await networks.outside([node.ref for node in looked if node.kind in ("component", "manager")]))
 
 
 # ---- the name server itself -----------------------------------------------------------------------------------
 
-def _unbound(visit):
+async def _unbound(visit):
     """Findings on components that live though the name server has nothing: it was started again, and they were not."""
-    host = orb.endpoint(tree.resolve(visit.path).ref)[0]
+    host = orb.endpoint((await tree.resolve(visit.path)).ref)[0]
     where = str(visit.path)
     word = "corbaloc::%s:%d/manager" % (f"[{host}]" if ":" in host else host, manager.DEFAULT_PORT)
     try:
-        living = manager.components(manager.find(word))
+        living = await manager.components(await manager.find(word))
     except errors.Error:
         return []
     if not living:
@@ -88,13 +87,13 @@ def _unbound(visit):
     return [warn("name server", where, message, remedies.words("bind again"))]
 
 
-def _reach(visit, server, used):
+async def _reach(visit, server, used):
     """Reach a name server step by step; False when a step fails. Adds its findings."""
     where, times = str(server.path), []
     try:
-        _transport(visit, server.endpoint, times, used)
-        _timed(times, "CORBA", lambda: _is_there(where, server.ref))
-        _timed(times, "naming", lambda: _is_context(where, server.ref))
+        await _transport(visit, server.endpoint, times, used)
+        await _timed(times, "CORBA", _is_there(where, server.ref))
+        await _timed(times, "naming", _is_context(where, server.ref))
     except _Stop as stop:
         visit.findings.append(stop.finding)
         return False
@@ -125,14 +124,14 @@ class _Stop(Exception):
         self.finding = fail("name server", where, message, remedy)
 
 
-def _timed(times, name, step):
+async def _timed(times, name, step):
     begun = time.monotonic()
-    value = step()
+    value = await step
     times.append((name, time.monotonic() - begun))
     return value
 
 
-def _transport(visit, endpoint, times, used):
+async def _transport(visit, endpoint, times, used):
     """Name and TCP; addresses of other protocols than IIOP (http://…, ssliop:…) are left to the ORB."""
     host, port = endpoint
     address = visit.path.server
@@ -140,15 +139,15 @@ def _transport(visit, endpoint, times, used):
         return
     where, shown = str(visit.path), printable(host)
     try:
-        visit.addresses.extend(_timed(times, "name", lambda: addresses.resolve(host)))
+        visit.addresses.extend(await _timed(times, "name", addresses.resolve(host)))
     except errors.Error as e:
         raise _Stop(where, f"host name {shown} not known here ({reason(e)})",
                     remedies.words("host name"))
     try:
-        address = _timed(times, "TCP", lambda: addresses.connect(visit.addresses, port))
+        address = await _timed(times, "TCP", addresses.connect(visit.addresses, port))
         visit.addresses.sort(key=address.__ne__)  # the one that was used first
     except errors.ConnectionRefused:
-        other = _other_port(visit, port, used)
+        other = await _other_port(visit, port, used)
         if other:
             raise _Stop(where, f"connection refused: nothing listens on port {port}, but something does on port {other} of that host",
                         remedies.words("other port", server=shell_word("/%s:%d" % (host, other)), port=port))
@@ -161,28 +160,28 @@ def _transport(visit, endpoint, times, used):
                     remedies.network(endpoint))
 
 
-def _other_port(visit, port, used):
+async def _other_port(visit, port, used):
     """Another port of name servers, of those given, at which this host accepts connections; None if there is none."""
     for other in sorted(used - {port}):
         try:
-            addresses.connect(visit.addresses, other)
+            await addresses.connect(visit.addresses, other)
         except errors.Error:
             continue
         return other
     return None
 
 
-def _is_there(where, ref):
+async def _is_there(where, ref):
     endpoint = orb.endpoint(ref)
     port, rule = endpoint[1], here.transport_rule()
     try:
-        gone = orb.call(where, ref, "_non_existent")
+        gone = await orb.call(where, ref, "_non_existent")
     except errors.Gone:
         gone = True
     except errors.Silent as e:
-        if remedies.is_of_network(e, endpoint):
+        if await remedies.is_of_network(e, endpoint):
             raise _Stop(where, "cannot tell from here: TCP connects, but what is sent is not received", remedies.network(endpoint))
-        if addresses.speaks_otherwise(endpoint):
+        if await addresses.speaks_otherwise(endpoint):
             raise _Stop(where, "what listens there does not speak CORBA", remedies.words("who listens", port=port))
         raise _Stop(where, f"hung: accepts TCP, but {reason(e)}", _restart(e, where, port))
     except errors.Unreachable as e:
@@ -200,14 +199,14 @@ def _is_there(where, ref):
 
 
 def _restart(e, where, port):
-    if e.why == lanes.NO_TIME:
+    if e.why == session.NO_TIME:
         return remedies.words("more time", path=shell_word(where))
     return remedies.words("restart", port=port)
 
 
-def _is_context(where, ref):
+async def _is_context(where, ref):
     try:
-        is_context = orb.call(where, ref, "_is_a", _NAMING_CONTEXT)
+        is_context = await orb.call(where, ref, "_is_a", _NAMING_CONTEXT)
     except errors.Error as e:
         raise _Stop(where, f"is there, but does not report what it is ({reason(e)})",
                     _restart(e, where, orb.endpoint(ref)[1]))
@@ -217,54 +216,54 @@ def _is_context(where, ref):
 
 # ---- what is bound in it --------------------------------------------------------------------------------------
 
-def _below(visit, top):
+async def _below(visit, top):
     """The Nodes at and below a Path; what cannot be listed becomes a finding."""
     try:
-        away = _leads_away(top)
+        away = await _leads_away(top)
         if away is not None:
             visit.findings.append(references.alias(away))
             return []
-        nodes = list(aliases.within(tree.walk(tree.resolve(top), managers=False)))
+        nodes = await aliases.within(await tree.walk(await tree.resolve(top), managers=False))
     except errors.Error as e:
         visit.findings.append(fail("path", str(top), reason(e), remedies.words("no such path", path=shell_word(str(top.parent())))))
         return []
     for node in nodes:
         if node.kind in ("server", "directory") and node.error is not None:
             visit.findings.append(fail("context", str(node.path), f"its names cannot be listed ({reason(node.error)})",
-                                       _list_again(node)))
+                                       await _list_again(node)))
     return nodes
 
 
-def _list_again(node):
-    return remedies.of_silence(node.error, node.endpoint, str(node.path), remedies.words("restart name server"))
+async def _list_again(node):
+    return await remedies.of_silence(node.error, node.endpoint, str(node.path), remedies.words("restart name server"))
 
 
-def _share(visit, tops):
+async def _share(visit, tops):
     """Note the naming contexts with several names, which may be outside the part of the name server that is examined."""
     nodes = visit.nodes
     if any(top.names for top in tops) and any(node.kind == "directory" for node in nodes):
-        nodes = tree.walk(tree.resolve(visit.path), managers=False)
+        nodes = await tree.walk(await tree.resolve(visit.path), managers=False)
     for node in nodes:
         if node.alias is not None:
             visit.shared.enter(node)
 
 
-def _leads_away(top):
+async def _leads_away(top):
     """The first naming context on the way of a Path that belongs to another name server, or None."""
-    above = tree.resolve(path.Path(top.server, (), None, False))
+    above = await tree.resolve(path.Path(top.server, (), None, False))
     for size in range(1, len(top.names) + 1):
-        node = tree.resolve(top._replace(names=top.names[:size]))
+        node = await tree.resolve(top._replace(names=top.names[:size]))
         if node.kind != "directory":
             return None
-        if aliases.is_foreign(above, node):
+        if await aliases.is_foreign(above, node):
             return node
         above = node
     return None
 
 
-def _probes(nodes):
+async def _probes(nodes):
     """{(host, port): None, or the errors.Error} of a TCP connection to each address that references publish."""
     wanted = sorted({endpoint for node in nodes if node.ref is not None and node.kind not in ("server", "directory")
                      for endpoint in orb.addresses(node.ref) if endpoint[0] and endpoint[1]})
-    answers = lanes.each(wanted, addresses.probe, lambda address: (("probe",) + address, "%s:%d" % address))
+    answers = await session.each(wanted, addresses.probe, lambda address: (("probe",) + address, "%s:%d" % address))
     return dict(zip(wanted, answers))

@@ -15,7 +15,7 @@ TABLES = ("/proc/net/tcp", "/proc/net/tcp6")
 READINGS = 3  # the kernel gives a table in pieces, and a row can slip through while sockets come and go
 
 
-def culprits(snapshot, hung):
+async def culprits(snapshot, hung):
     """(paths of those Nodes `hung` that the component of a Snapshot waits for, whether that is certain).
 
     It waits for one that its process calls. If its connections are hidden, it may be any; of several Nodes of one process the
@@ -25,16 +25,16 @@ def culprits(snapshot, hung):
     for node in hung:
         if node.endpoint != snapshot.node.endpoint:
             others.setdefault(node.endpoint, str(node.path))
-    numeric = {endpoint: _numeric(endpoint) for endpoint in others}  # the rest may take until there is no time to ask
-    own = _sockets(snapshot.node.endpoint) if others else set()
+    numeric = {endpoint: await _numeric(endpoint) for endpoint in others}  # the rest may take until there is no time to ask
+    own = await _sockets(snapshot.node.endpoint) if others else set()
     called = _called_by(own)
     return sorted(path for endpoint, path in others.items() if not own or numeric[endpoint] & called), bool(own)
 
 
-def _numeric(endpoint):
+async def _numeric(endpoint):
     """{(IP address, port)} of an endpoint, whose host may be a name."""
     try:
-        return {(ipaddress.ip_address(address.partition("%")[0]), endpoint[1]) for address in addresses.resolve(endpoint[0])}
+        return {(ipaddress.ip_address(address.partition("%")[0]), endpoint[1]) for address in await addresses.resolve(endpoint[0])}
     except errors.Error:
         return set()
 
@@ -44,9 +44,9 @@ def _called_by(own):
     return {_end(remote) for _, remote, inode in _rows(ESTABLISHED) if inode in own}
 
 
-def _sockets(endpoint):
+async def _sockets(endpoint):
     """Inodes of all sockets of the process that listens at an endpoint of this host; none if that is hidden from us."""
-    if not any(addresses.is_own(str(address)) for address, _ in _numeric(endpoint)):
+    if not any(addresses.is_own(str(address)) for address, _ in await _numeric(endpoint)):
         return set()
     listening = {inode for local, _, inode in _rows(LISTENING) if _end(local)[1] == endpoint[1]}
     for process in glob.glob("/proc/[0-9]*"):

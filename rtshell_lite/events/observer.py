@@ -4,7 +4,6 @@ Sources: OpenRTM-aist's ComponentObserver.idl, Logger.idl, and that of FSM4RTC; 
 """
 import collections
 import os
-import threading
 import time
 
 from rtshell_lite import errors
@@ -52,9 +51,9 @@ def record_line(record, name):
 
 # ---- subscriptions of a component ------------------------------------------------------------------------------
 
-def properties(node):
+async def properties(node):
     """The properties of a component, a dict."""
-    return dict(snapshot.of(node, ports=snapshot.BRIEF, profile=snapshot.FULL).profile.properties)
+    return dict((await snapshot.of(node, ports=snapshot.BRIEF, profile=snapshot.FULL)).profile.properties)
 
 
 def taken(properties):
@@ -73,53 +72,46 @@ def _new_id():
 
 
 class Subscription:
-    """A service of ours that a component calls, from `attach` until `detach`; both may be called on any lane."""
+    """A service of ours that a component calls, from `attach` until `detach`."""
 
     remark = ""  # what the user has to know about it
 
     def __init__(self, node, interface, properties, heard):
-        """`heard` is called with an Event or a Record, on a thread of the ORB."""
+        """`heard` is called with an Event or a Record."""
         self.node, self.where, self.interface, self.properties = node, str(node.path), interface, properties
         self.id = _new_id()
-        self._served = None
-        self._servant = _Listener(interface, heard)
-        self._lock = threading.Lock()  # it must not be detached before it is attached
-        self._detached = False
+        self.reference = None  # by which the component calls us; None while it cannot have it
+        self._served = servants.Served(_Listener(interface, heard))
         self._configuration = None
 
-    def attach(self):
+    async def attach(self):
         """Give it to the component, again with the same id if that may have lost it. Raises Refused, Unreachable."""
-        with self._lock:
-            if self._detached:
-                return
-            if self._configuration is None:
-                self._configuration = self.node.call("get_configuration")
-            if not orb.call(self.where, self._configuration, "add_service_profile", self._profile()):
-                raise errors.Refused(self.where, f"does not take {self.interface}")
+        if self._configuration is None:
+            self._configuration = await self.node.call("get_configuration")
+        text = await self._served.ior(self.node.endpoint)
+        self.reference = orb.narrow(orb.from_text(self.where, text), "SDOPackage.SDOService")
+        profile = orb.struct("SDOPackage.ServiceProfile")(
+            self.id, self.interface, orb.nvlist(self.properties), self.reference)
+        if not await orb.call(self.where, self._configuration, "add_service_profile", profile):
+            raise errors.Refused(self.where, f"does not take {self.interface}")
 
-    def _profile(self):
-        if self._served is None:
-            self._served = servants.Served(self._servant)
-        ref = orb.narrow(orb.from_text(self.where, self._served.ior(self.node.endpoint)), "SDOPackage.SDOService")
-        return orb.struct("SDOPackage.ServiceProfile")(self.id, self.interface, orb.nvlist(self.properties), ref)
-
-    def detach(self):
+    async def detach(self):
         """Make the component forget it, even if `attach` failed. Raises Unreachable."""
-        self._detached = True
-        with self._lock:
-            if self._configuration is not None:
-                orb.call(self.where, self._configuration, "remove_service_profile", self.id)
+        if self.reference is not None:
+            await orb.call(self.where, self._configuration, "remove_service_profile", self.id)
+        self.forget()
 
     def forget(self):
-        """The component is gone: nothing is to be detached."""
-        self._detached, self._configuration = True, None
+        """The component does not have it any more, or is gone: nothing is to be detached."""
+        self.reference = None
+        if self._served is not None:
+            self._served.withdraw()
+            self._served = None
 
     @property
     def address(self):
-        """Where the component calls us, HOST:PORT; '' before `attach`."""
-        if self._served is None:
-            return ""
-        return "%s:%d" % orb.endpoint(orb.from_text(self.where, self._served.ior(self.node.endpoint)))
+        """Where the component calls us, HOST:PORT; only while it is attached."""
+        return orb.at_address(self.reference)
 
 
 def observer(node, interface, kinds, heard):

@@ -18,73 +18,82 @@ SEEN = {"RTC_STATUS", "EC_EVENT", "CONFIG_EVENT"}  # the kinds of events that po
 class _Seen:
     """What was last seen of an execution context."""
 
-    def __init__(self, node, ref):
-        self.identity, self.handle = orb.identity(ref), str(node.call("get_context_handle", ref))
+    def __init__(self, identity, handle):
+        self.identity, self.handle = identity, handle
         self.state = self.rate = self.running = None
 
 
+async def begin(node, kinds):
+    """A Poll of a component, with a first look. Raises what remote calls raise."""
+    poll = Poll(node, kinds)
+    await poll.look()
+    return poll
+
+
 class Poll:
-    """What was last seen of a component; created on a lane, with a first look. Raises what remote calls raise."""
+    """What was last seen of a component."""
 
     def __init__(self, node, kinds):
         self.node, self.where, self.kinds = node, str(node.path), set(kinds)
         self.snapshot, self.seen = snapshot.Snapshot(node), []  # of its contexts, and a _Seen of each
         self.set, self.configuration = None, None
         self._thorough = None  # when everything was last looked at
-        self.look()
 
-    def look(self):
-        """The Events since the last look: one call a context, and once a second a few more."""
+    async def look(self):
+        """The Events since the last look, none at the first. One call a context, and a few more once a second."""
         first, now = self._thorough is None, time.monotonic()
         news = []
         if first or now - self._thorough >= THOROUGH:
             self._thorough = now
-            orb.is_alive(self.where, self.node.ref)
+            await orb.is_alive(self.where, self.node.ref)
             if self.kinds & {"RTC_STATUS", "EC_EVENT"}:
-                news += self._contexts()
+                news += await self._contexts()
             if "CONFIG_EVENT" in self.kinds:
-                news += self._configuration()
+                news += await self._configuration()
         if "RTC_STATUS" in self.kinds:
-            news += self._states()
+            news += await self._states()
         return [] if first else [Event(time.time(), *item) for item in news if item[0] in self.kinds]
 
-    def _contexts(self):
+    async def _contexts(self):
         detail = snapshot.RUNNING if "EC_EVENT" in self.kinds else snapshot.REFERENCES
-        self.snapshot.ask(owned=detail, participating=detail)
-        before = {seen.identity: seen for seen in self.seen}
-        now = [(orb.identity(context.ref), context) for context in self.snapshot.contexts]
-        self.seen = [before.get(identity) or _Seen(self.node, context.ref) for identity, context in now]
-        for identity in set(before) - {identity for identity, _ in now}:
-            yield "EC_EVENT", before[identity].handle, "EC_DETACHED"
-        for seen in self.seen:
-            if seen.identity not in before:
-                yield "EC_EVENT", seen.handle, "EC_ATTACHED"
-        for seen, (_, context) in zip(self.seen, now):
-            yield from _run_events(seen, context)
+        await self.snapshot.ask(owned=detail, participating=detail)
+        before, news, now = {seen.identity: seen for seen in self.seen}, [], []
+        for context in self.snapshot.contexts:
+            identity = orb.identity(context.ref)
+            seen = before.get(identity)
+            if seen is None:
+                seen = _Seen(identity, str(await self.node.call("get_context_handle", context.ref)))
+                news.append(("EC_EVENT", seen.handle, "EC_ATTACHED"))
+            news += _run_events(seen, context)
+            now.append(seen)
+        self.seen = now
+        left = set(before) - {seen.identity for seen in now}
+        return [("EC_EVENT", before[identity].handle, "EC_DETACHED") for identity in left] + news
 
-    def _states(self):
-        self.snapshot.ask(states=snapshot.FULL)
+    async def _states(self):
+        await self.snapshot.ask(states=snapshot.FULL)
+        news = []
         for seen, state in zip(self.seen, self.snapshot.states):
             if seen.state not in (None, state) and state != "Created":  # a context that it has just left answers that
-                yield "RTC_STATUS", seen.handle, state.upper()
+                news.append(("RTC_STATUS", seen.handle, state.upper()))
             seen.state = state
+        return news
 
-    def _configuration(self):
+    async def _configuration(self):
         if self.configuration is None:
-            self.configuration = self.node.call("get_configuration")
+            self.configuration = await self.node.call("get_configuration")
         try:
-            active = orb.call(self.where, self.configuration, "get_active_configuration_set")
+            active = await orb.call(self.where, self.configuration, "get_active_configuration_set")
         except errors.Refused:  # NotAvailable: somebody is about to activate one
-            return
+            return []
         was, self.set = self.set, (from_wire(active.id), orb.properties(active.configuration_data))
         if was is None:
-            return
-        if was[0] != self.set[0]:
-            yield "CONFIG_EVENT", self.set[0], "CFG_ACTIVATE_SET"
-        else:
-            for name, value in self.set[1]:
-                if (name, value) not in was[1]:
-                    yield "CONFIG_EVENT", f"{self.set[0]}.{name}", "CFG_UPDATE_PARAM"
+            return []
+        name, values = self.set
+        if was[0] != name:
+            return [("CONFIG_EVENT", name, "CFG_ACTIVATE_SET")]
+        changed = [parameter for parameter, value in values if (parameter, value) not in was[1]]
+        return [("CONFIG_EVENT", f"{name}.{parameter}", "CFG_UPDATE_PARAM") for parameter in changed]
 
 
 def _run_events(seen, context):

@@ -1,21 +1,20 @@
 """Watching components: what they report, whether they live, when they come back."""
 import collections
-import threading
 import time
 
-from rtshell_lite import cli, errors, interrupts
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite import errors, notes
+from rtshell_lite.corba import orb, session
 from rtshell_lite.events import observer, polling
 from rtshell_lite.events.observer import BEAT, Event
+from rtshell_lite.net import loop
 from rtshell_lite.robot import component, tree
 
 LATE = 1.5 * BEAT  # after so many seconds without a heartbeat a component is asked whether it lives
 LOST = 3 * BEAT  # after these a missing heartbeat is reported
 LOOK = 1.0  # seconds between questions whether a component lives, or is back
 RATE = 1 / component.POLL  # Hz
-TICK = 0.1
 MOST, MOST_CHARACTERS = 100000, 16 << 20  # items that may wait to be printed, and characters in them
-STARTING = 1.0  # seconds for threads to start in after Ctrl-C
+BATCH = 1000  # items that are printed at a time
 HURRY = 0.1  # seconds to wait for answers after Ctrl-C: C++ 2.1 removes an observer at once, but answers after a heartbeat, 1 s
 
 LIFE = "LIFE_EVENT"  # the kind of our own Events: DIED EXITED BACK NO_HEARTBEAT NO_ANSWER ANSWERS
@@ -28,23 +27,23 @@ class Events:
     def __init__(self, kinds):
         self.kinds = set(kinds)
 
-    def subscription(self, node, heard):
+    async def subscription(self, node, heard):
         """The observer to attach to a component, of the first kind that it takes, or None."""
         kinds = [observer.OBSERVER, observer.FSM_OBSERVER]
         if self.kinds - {LIFE, "HEARTBEAT"} == {"FSM_EVENT"}:  # else OpenRTM's own, which more components were built for
             kinds.reverse()
-        offered = observer.taken(observer.properties(node))
+        offered = observer.taken(await observer.properties(node))
         for interface in kinds:
             if interface in offered:
                 return observer.observer(node, interface, self.kinds - {LIFE}, heard)
         return None
 
-    def poll(self, node):
+    async def poll(self, node):
         """Begin to poll a component. Raises Refused if that shows none of the wanted events."""
         if not self.kinds & (polling.SEEN | {LIFE}):
             wanted = ", ".join(sorted(self.kinds))
             raise errors.Refused(str(node.path), f"offers no observer, and polling does not show {wanted}")
-        return polling.Poll(node, self.kinds)
+        return await polling.begin(node, self.kinds)
 
 
 class Records:
@@ -55,9 +54,9 @@ class Records:
     def __init__(self, level, names):
         self.level, self.names = level, names
 
-    def subscription(self, node, heard):
+    async def subscription(self, node, heard):
         """The logger to attach to a component. Raises Refused for one that takes none."""
-        properties = observer.properties(node)
+        properties = await observer.properties(node)
         if observer.LOGGER not in observer.taken(properties):
             raise errors.Refused(str(node.path), "takes no loggers")
         subscription = observer.logger(node, self.level, self.names, heard)
@@ -80,47 +79,52 @@ class Watched:
         self.doubtful = False  # its last answer was lost
         self.given_up = False
 
-    def begin(self, node):
-        """Start to watch, on a lane. Raises Refused, Unreachable; the watch detaches it when it ends."""
+    async def begin(self, node):
+        """Start to watch. Raises Refused, Unreachable; the watch detaches it when it ends."""
         self.heard, self.ending, self.attached_again, self.reported_silence, self.poll = None, False, False, None, None
-        self.subscription = self.watch.what.subscription(node, self.hear)
-        if self.subscription is not None and self.watch.remember(self.subscription):
-            self.subscription.attach()
+        self.subscription = await self.watch.what.subscription(node, self.hear)
+        if self.subscription is not None:
+            self.watch.subscriptions.append(self.subscription)
+            await self.subscription.attach()
             if self.subscription.remark:
                 self.watch.note(self, self.subscription.remark)
-        if self.subscription is None:
-            self.poll = self.watch.what.poll(node)
+        else:
+            self.poll = await self.watch.what.poll(node)
             self.watch.note(self, f"offers no observer; it is polled ({RATE:g} Hz), which shows no connections")
         self.since = self.looked = time.monotonic()
         self.node = node
 
     def hear(self, item):
-        """Take what it reports, on a thread of the ORB."""
+        """Take what it reports."""
         self.heard = time.monotonic()
         if isinstance(item, Event) and item.event == "FINALIZE":
             self.ending = True
         self.watch.put(self, item)
 
-    # ---- a look at it, five times a second, on the thread of its process ----
+    async def follow(self):
+        """Look at it five times a second, until it refuses to be watched."""
+        while not self.given_up:
+            await loop.sleep(component.POLL)
+            await self.look()
 
-    def look(self):
+    async def look(self):
         """Look for what it does not report itself."""
         now = time.monotonic()
         try:
             if self.node is None:
                 if now - self.looked >= LOOK:
                     self.looked = now
-                    self._return()
+                    await self._return()
                 return
             if self.poll is not None:
-                for item in self.poll.look():
+                for item in await self.poll.look():
                     self.watch.put(self, item)
             elif self._in_doubt(now):
                 self.looked = now
-                orb.is_alive(self.where, self.node.ref)
-            self._answers(now)
+                await orb.is_alive(self.where, self.node.ref)
+            await self._answers(now)
         except (errors.Gone, errors.ConnectionRefused) as e:
-            self._gone(e)
+            await self._gone(e)
         except errors.Unreachable as e:
             if isinstance(e, errors.Silent) or self.doubtful:  # a process that ends drops its connections first
                 self._silent("NO_ANSWER", e.why)
@@ -139,7 +143,7 @@ class Watched:
         """Whether it has called us recently, or recently got an observer."""
         return self.reported_silence is None and time.monotonic() - max(self.heard or 0, self.since) < LATE
 
-    def _answers(self, now):
+    async def _answers(self, now):
         """Note that it lives, and see whether it calls us, too."""
         self.doubtful = False
         if self.reported_silence == "NO_ANSWER" or self.reported_silence and now - (self.heard or 0) < LATE:
@@ -148,18 +152,18 @@ class Watched:
         beats = self.subscription is not None and self.subscription.interface != observer.LOGGER
         if beats and now - max(self.heard or 0, self.since) >= LOST:
             self._silent("NO_HEARTBEAT", f"no heartbeat for {LOST:g} s")
-            self._unheard()
+            await self._unheard()
 
-    def _unheard(self):
+    async def _unheard(self):
         """Attach the observer again, as a live component may have lost it after a failed call; poll where that does not help."""
         if self.heard is not None and not self.attached_again:
             self.attached_again, self.since = True, time.monotonic()
-            self.subscription.attach()
+            await self.subscription.attach()
             return
-        self.poll = polling.Poll(self.node, self.watch.what.kinds)
+        self.poll = await polling.begin(self.node, self.watch.what.kinds)
         subscription, self.subscription, self.reported_silence = self.subscription, None, None
         self.watch.note(self, f"cannot call us at {subscription.address}; it is polled from now on")
-        subscription.detach()  # its calls to an address that it cannot reach would only hold it up
+        await subscription.detach()  # its calls to an address that it cannot reach would only hold it up
 
     def _silent(self, word, why):
         if self.reported_silence != word:
@@ -167,26 +171,28 @@ class Watched:
             self._report(word)
             self.watch.note(self, why)
 
-    def _gone(self, error):
+    async def _gone(self, error):
         exited = self.ending or isinstance(error, errors.Gone)
         if not exited:
             try:
-                tree.resolve(self.path)
+                await tree.resolve(self.path)
             except errors.NotFound:
                 exited = True
             except errors.Error:
                 pass
         if self.subscription is not None:
             self.subscription.forget()
+            self.watch.subscriptions.remove(self.subscription)
         self.node = self.subscription = self.poll = None
         self._report("EXITED" if exited else "DIED")
 
-    def _return(self):
+    async def _return(self):
         """Check whether it is back."""
         try:
-            node, = tree.look([tree.component(self.path)])
+            node, = await tree.check_alive([await tree.component(self.path)])
             if node.kind == "component":
-                self.begin(node)
+                loop.current().running.place = node.endpoint  # its silence is that of this component from now on
+                await self.begin(node)
                 self._report("BACK")
         except errors.Refused as e:
             self.given_up = True
@@ -204,64 +210,57 @@ def _size(item):
 
 
 class Watch:
-    """Several components that are being watched; to be closed, whatever happens."""
+    """Several components that are being watched: `async with Watch(Events(kinds)) as watching: …`."""
 
-    def __init__(self, what, note):
-        """`what`: Events or Records. `note` is called with lines about anything but events, on any thread."""
+    def __init__(self, what, note=notes.note):
+        """`what`: Events or Records. `note` is called with lines about anything but events."""
         self.what, self._note = what, note
-        self.watched, self._subscriptions = [], []
-        self._items = interrupts.Mailbox(MOST)
-        self.dropped = self._came = self._gone = 0  # the latter: characters of the texts that came, and of those given out
-        self._ended = threading.Event()
-        self._guard = threading.Lock()
+        self.watched, self.subscriptions = [], []
+        self.dropped = 0
+        self._items, self._size = collections.deque(), 0  # what waits to be printed, and how many characters that has
+        self._bell, self._group = loop.Bell(), None  # rings when items have come
 
-    def start(self, paths):
+    async def __aenter__(self):
+        self._group = loop.Group()
+        return self
+
+    async def __aexit__(self, kind, error, traceback):
+        self._group.cancel()
+        is_signal = error is not None and not isinstance(error, (Exception, loop.Cancelled))
+        try:
+            await self._group.__aexit__(kind, error, traceback)
+        finally:
+            await self._detach_all(hurried=is_signal)
+
+    async def start(self, paths):
         """Begin to watch the component at each path; an errors.Error or a Watched for each."""
-        def begin(node):
+        async def begin(node):
             watched = Watched(self, node.path)
-            watched.begin(node)
+            await watched.begin(node)
             return watched
-        results = tree.on_components(paths, begin)
+        results = await tree.on_components(paths, begin)
         self.watched = [watched for watched in results if isinstance(watched, Watched)]
         names = [watched.name for watched in self.watched]
         for watched in self.watched:
             if names.count(watched.name) > 1:
                 watched.name = watched.where
-        processes = collections.OrderedDict()
-        for watched in self.watched:
-            processes.setdefault(watched.node.endpoint, []).append(watched)
-        for endpoint, group in processes.items():
-            lanes.start(self._look_after, endpoint, group)
+            self._group.start(watched.follow(), watched.node.endpoint)
         return results
 
-    def _look_after(self, endpoint, group):
-        """Look at the components of one process, one call at a time, until the watch ends."""
-        lanes.become_lane(endpoint)
-        while not self._ended.wait(component.POLL):
-            for watched in group:
-                if not watched.given_up:
-                    watched.look()
-
-    def remember(self, subscription):
-        """Remember what has to be detached; False when it is too late to attach anything."""
-        with interrupts.held(), self._guard:  # on the main thread, too, with our own ORB
-            if not self._ended.is_set():
-                self._subscriptions.append(subscription)
-            return not self._ended.is_set()
-
     def put(self, watched, item):
-        """Add an Event or a Record, from any thread. Never waits: what nobody reads is dropped and counted."""
+        """Add an Event or a Record: what nobody reads is dropped and counted."""
         if isinstance(item, Event) and item.kind not in self.what.kinds and not self._unknown(item):
             if item.kind == LIFE and item.event in ("DIED", "EXITED", "BACK", "ANSWERS"):
                 self.note(watched, {"DIED": "its process is gone", "BACK": "is back", "EXITED": "has exited",
                                     "ANSWERS": "answers again"}[item.event])
             return
-        with self._guard:
-            size = _size(item)
-            if self._came - self._gone + size > MOST_CHARACTERS or not self._items.put((watched, item)):
-                self.dropped += 1
-            else:
-                self._came += size
+        size = _size(item)
+        if len(self._items) >= MOST or self._size + size > MOST_CHARACTERS:
+            self.dropped += 1
+            return
+        self._items.append((watched, item))
+        self._size += size
+        self._bell.ring()
 
     def _unknown(self, item):
         return item.kind not in KINDS and len(self.what.kinds) == len(KINDS)
@@ -269,65 +268,56 @@ class Watch:
     def note(self, watched, line):
         self._note(f"{watched.where}: {line}")
 
-    def follow(self, number, seconds, idle):
-        """Yield (Watched, Event or Record) as they come: `number` of them (below 0: without end), for so many seconds.
+    async def follow(self, number, seconds):
+        """Yield lists of (Watched, Event or Record): `number` of these in all (below 0: without end), for `seconds`.
 
-        `idle` is called a few times a second. Raises Failed when fewer came in time.
+        Raises Failed when fewer came in time.
         """
-        end, wanted = time.monotonic() + seconds, number
-        while number and self.watched:
-            left = min(TICK, end - time.monotonic())
-            if left <= 0:
-                break
-            idle()
-            item = self._items.get(left)
-            if item is not None:
-                self._gone += _size(item[1])  # no lock: before Python 3.9, a signal may strike within `with`, and leave it locked
-                yield item
-                number -= 1
+        end, left = time.monotonic() + seconds, number
+        while left and self.watched and time.monotonic() < end:
+            batch = self._take(min(left, BATCH) if left > 0 else BATCH)
+            if batch:
+                left -= len(batch)
+                yield batch
+            else:
+                await self._bell.wait(end - time.monotonic())
         if self.dropped:
             self._note(f"{self.dropped} lines dropped: they came faster than they could be printed")
-        if number > 0 and self.watched:
+        if left > 0 and self.watched:
             raise errors.Failed(", ".join(watched.where for watched in self.watched),
-                                f"{wanted - number} of {wanted} within {seconds:g}s")
+                                f"{number - left} of {number} within {seconds:g}s")
 
-    def __enter__(self):
-        return self
+    def _take(self, most):
+        batch = [self._items.popleft() for _ in range(min(most, len(self._items)))]
+        self._size -= sum(_size(item) for _, item in batch)
+        return batch
 
-    def __exit__(self, kind, *_):
-        self.close(hurried=kind is not None and not issubclass(kind, Exception))  # a signal
-
-    def close(self, hurried=False):
-        """Detach all that was attached, within the timeout, and report components that do not answer.
+    async def _detach_all(self, hurried):
+        """Detach all that was attached, and report components that do not answer.
 
         `hurried`: all processes are asked, but their answers are not waited for; those that were heard recently will do it.
         """
-        session, unasked = lanes.session, set()
+        stuck = [subscription for subscription in self.subscriptions if subscription.reference is not None]
 
-        def detach(subscription):
-            with self._guard:
-                if subscription.node.endpoint in unasked:
-                    unasked.discard(subscription.node.endpoint)
-                    if hurried and not unasked:  # not earlier: on a busy computer, a thread waits long for a processor
-                        session.end = time.monotonic() + HURRY
-            subscription.detach()
-        with interrupts.held():
-            with self._guard:
-                self._ended.set()
-                endpoints = {subscription.node.endpoint for subscription in self._subscriptions}
-                unasked.update(endpoint for endpoint in endpoints if not lanes.Peer(endpoint).silence)
-                session.end = time.monotonic() + STARTING if hurried else None
+        async def detach(subscription):
             try:
-                values = lanes.each(self._subscriptions, detach,
-                                    lambda subscription: (subscription.node.endpoint, subscription.where))
-            finally:
-                with self._guard:
-                    unasked.clear()  # who is late changes nothing
-                    session.end = None
-        if session.turned_away:
-            cli.left_out(f"{session.turned_away} connections to this command were turned away, as too many came: events may be "
-                         "missing")
+                await subscription.detach()
+            except errors.Error as e:
+                if isinstance(e, errors.Silent):
+                    raise
+            stuck.remove(subscription)
+        places = {subscription: (subscription.node.endpoint, subscription.where) for subscription in stuck}
+        all_of_them = session.each(list(stuck), detach, places.get)
+        try:
+            await (loop.race(all_of_them, loop.sleep(HURRY)) if hurried else all_of_them)
+        finally:
+            for subscription in self.subscriptions:
+                subscription.forget()
+        turned_away = session.current().turned_away
+        if turned_away:
+            notes.left_out(f"{turned_away} connections to this command were turned away, as too many came: "
+                           "events may be missing")
         unheard = [watched.subscription for watched in self.watched if not watched.is_heard()]
-        for subscription, value in zip(self._subscriptions, values):
-            if isinstance(value, errors.Silent) and (subscription in unheard or not hurried):
+        for subscription in stuck:
+            if subscription in unheard or not hurried:
                 self._note(f"{subscription.where}: does not answer; it still has our observer, and drops it when a call to it fails")

@@ -61,6 +61,12 @@ def request(number, version, mode, target, operation, arguments):
     return out
 
 
+def whole(kind, payload=b"", minor=2, order="<", more=False):
+    """A message of GIOP 1.`minor` in a byte order; `more`: fragments of it follow."""
+    flags = (LITTLE if order == "<" else 0) | (MORE if more else 0)
+    return b"GIOP\1" + bytes([minor, flags, kind]) + struct.pack(order + "I", len(payload)) + payload
+
+
 def size(data):
     """How many octets follow the header that `data` begins with. Raises Garbled."""
     if data[:4] != b"GIOP" or data[4] != 1 or data[5] > 2 or data[7] > FRAGMENT:

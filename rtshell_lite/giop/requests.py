@@ -90,8 +90,3 @@ def needs_key(request):
 def located(request, status):
     """A LocateReply; status 0: no such object, 1: it is here."""
     return bytearray(_LOCATED.pack(b"GIOP", 1, request.minor, messages.LITTLE, LOCATED, 8, request.id, status))
-
-
-def word(kind, minor):
-    """A message that is a header alone: messages.CLOSE, messages.ERROR."""
-    return b"GIOP" + bytes([1, minor, messages.LITTLE, kind]) + bytes(4)

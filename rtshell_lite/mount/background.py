@@ -1,41 +1,33 @@
 """Mounting, and serving in the background until the tree is unmounted."""
-import io
 import os
-import sys
 
-from rtshell_lite import cli, errors, interrupts
+from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
 from rtshell_lite.mount import kernel
 
 
-def serve(directory, ttl, read_only=False, foreground=False, over=False):
-    """Mount the RTC Tree at an absolute path and serve it; returns the exit status. Raises Failed and what `orb.start` raises.
+def fork():
+    """Make the process that serves. Returns (its id, a pipe to wait at), or in that process (0, `leave` for `serve`).
 
-    Without `foreground` this process returns as soon as the tree can be used; its child serves. It is made before there is any
-    thread, and before the ORB starts: neither survives a fork. `over`: mount also where that hides files.
+    To be called before there is any thread, and before the ORB starts: neither survives a fork.
     """
-    kernel.check(directory, over)
-    if foreground:
-        return _served(directory, ttl, read_only, None)
     ours, theirs = os.pipe()
     child = os.fork()
-    if child:
-        os.close(theirs)
-        return 0 if os.read(ours, 1) else os.WEXITSTATUS(os.waitpid(child, 0)[1])
-    os.close(ours)
-    os.setsid()
-    return _served(directory, ttl, read_only, lambda: _leave_terminal(theirs))
+    os.close(theirs if child else ours)
+    return child, ours if child else lambda: _leave_terminal(theirs)
 
 
-def _unmount(directory):
-    try:
-        kernel.unmount(directory)
-    except errors.Failed:
-        pass  # that is why it ended
+def wait_for(child, pipe):
+    """Wait until the tree that the process `child` serves can be used; returns the exit status."""
+    if os.read(pipe, 1):
+        return 0
+    _, status = os.waitpid(child, 0)
+    return os.WEXITSTATUS(status)
 
 
 def _leave_terminal(pipe):
     """Let the parent return, and keep nothing of its terminal or directory."""
+    os.setsid()
     null = os.open(os.devnull, os.O_RDWR)
     for fd in range(3):
         os.dup2(null, fd)
@@ -45,43 +37,40 @@ def _leave_terminal(pipe):
     os.close(pipe)
 
 
-class Sentences(io.TextIOBase):
-    """In the place of stderr: what is said there belongs to the failures of the Mount."""
+async def serve(directory, ttl, read_only=False, over=False, leave=None):
+    """Mount the RTC Tree at an absolute path, and serve it until it is unmounted.
 
-    def __init__(self, mount):
-        self._mount = mount
+    Raises Failed and what `orb.start` raises.
 
-    def write(self, text):
-        for line in text.splitlines():
-            self._mount.complain(line.partition(": ")[2] or line)  # without the command's name
-        return len(text)
-
-
-def _served(directory, ttl, read_only, leave):
-    """Serve to the end; `leave` is called when the tree can be used, None in the foreground."""
+    over   mount also where that hides files
+    leave  called when the tree can be used; None to stay in the foreground, where failures are reported, too
+    """
+    await kernel.check(directory, over)
     orb.start()
     from rtshell_lite.mount import naming, nodes, server
-    stderr = sys.stderr
-    mount = nodes.Mount(directory, ttl, read_only, lambda sentence: leave or not stderr or stderr.write(f"{kernel.NAME}: {sentence}\n"))
+    before = notes.listener
+    mount = nodes.Mount(directory, ttl, read_only, None if leave else before)
 
     def ready():
         if leave:
             leave()
-        sys.stderr = Sentences(mount)
-    cli.unwind_when_ended()
-    kernel.share_heap()
+        notes.listener = mount.hear
     kernel.hold(directory)
     fd = kernel.mount(directory, read_only)
     device = kernel.mounted().get(directory)
-    serving = server.Server(mount, naming.Root(mount), fd, ready)
+    async with mount.tasks:
+        try:
+            await server.Server(mount, naming.Root(mount), fd, ready).serve()
+            device = None  # unmounted: what is mounted there now is another tree, even if it has the same number
+        finally:
+            if device and kernel.mounted().get(directory) == device:
+                _unmount(directory)
+            notes.listener = before
+            mount.tasks.cancel()
+
+
+def _unmount(directory):
     try:
-        serving.serve()
-        device = None  # it has been unmounted: what is mounted there now is another, even if it has the same number
-    except cli.Ended:
-        interrupts.arrived()
-    finally:
-        if device and kernel.mounted().get(directory) == device:
-            _unmount(directory)
-        serving.close()
-        sys.stderr = stderr
-    return 0
+        kernel.unmount(directory)
+    except errors.Failed:
+        pass  # that is why it ended

@@ -28,25 +28,25 @@ class ComponentDirectory(Directory):
         self.ports = source(lambda: Snapshot(self.node).ask(ports=EACH))
         self.profile = source(self._profile)
         self.configuration = source(lambda: configuration.of(self.node))
-        self.organisations = source(lambda: list(self._members()))
+        self.organisations = source(self._members)
         self.everything = source(self._everything)
 
     def _source(self, ask, seconds=None):
-        def checked():
+        async def checked():
             if self.node.ref is None:
                 raise self.node.error or errors.WrongKind(str(self.node.path), "component", self.node.what)
             try:
-                return ask()
+                return await ask()
             except (errors.Gone, errors.ConnectionRefused):
-                if not self._has_come_back():
+                if not await self._has_come_back():
                     raise
-                return ask()
-        return self.mount.source(self.place, checked, seconds)
+                return await ask()
+        return self.mount.answer(self.place, checked, seconds)
 
-    def _has_come_back(self):
+    async def _has_come_back(self):
         """Whether another object has its name now: the kernel does not look up again what is a working directory."""
         try:
-            node = tree.resolve(self.node.path)
+            node = await tree.resolve(self.node.path)
         except errors.Error:
             return False
         is_another = node.ref is not None and not orb.same(node.ref, self.node.ref)
@@ -63,24 +63,28 @@ class ComponentDirectory(Directory):
     def place(self):
         return self.node.endpoint if self.node.ref is not None else None, self.node.path
 
-    def _profile(self):
-        snapshot = self.ports.get()  # before the profile: see `component.profile`
+    async def _profile(self):
+        snapshot = await self.ports.get()  # before the profile: see `component.profile`
         if snapshot.refusing:
             raise snapshot.refusing[0][1]
-        return snapshot.ask(profile=FULL).profile
+        return (await snapshot.ask(profile=FULL)).profile
 
-    def _state(self):
-        owned, participating = self.contexts.get()
-        return component.merged(component.states(self.node, owned + participating))
+    async def _state(self):
+        owned, participating = await self.contexts.get()
+        return component.merged(await component.states(self.node, owned + participating))
 
-    def _everything(self):
+    async def _everything(self):
         from rtshell_lite.views import describe
-        found = describe.collect(self.node, 2)
-        return describe.as_dict(found, places.far_names(found.ports))
+        found = await describe.collect(self.node, 2)
+        return describe.as_dict(found, await places.far_names(found.ports))
 
-    def _members(self):
-        for organisation in composites.owned(self.node):
-            yield from zip((name for name, _ in organisation.members), composites.member_paths(self.node, organisation))
+    async def _members(self):
+        """[(instance name, text of its path)]"""
+        members = []
+        for organisation in await composites.owned(self.node):
+            paths = await composites.member_paths(self.node, organisation)
+            members += [(name, path) for (name, _), path in zip(organisation.members, paths)]
+        return members
 
     def entries(self, value):
         found = {"state": (Control, self.state, lambda state: state + "\n", self._change)}
@@ -97,14 +101,14 @@ class ComponentDirectory(Directory):
     def hidden(self, value):
         from rtshell_lite.events import observer, watch
         from rtshell_lite.mount.streams import WatchStream
-        return {"events": (WatchStream, lambda note: watch.Watch(watch.Events(watch.KINDS), note), observer.event_line),
-                "log": (WatchStream, lambda note: watch.Watch(watch.Records("NORMAL", []), note),
+        return {"events": (WatchStream, lambda: watch.Watch(watch.Events(watch.KINDS)), observer.event_line),
+                "log": (WatchStream, lambda: watch.Watch(watch.Records("NORMAL", [])),
                         lambda record: observer.record_line(record, self.name))}
 
-    def _change(self, text):
+    async def _change(self, text):
         if text not in TRANSITIONS:
             raise errors.BadValue(self.where + "/state", f"not {', '.join(TRANSITIONS)}")
-        transitions.change(self.node, TRANSITIONS[text], wait=WAIT)
+        await transitions.change(self.node, TRANSITIONS[text], wait=WAIT)
 
 
 def _field(name, profile):
@@ -152,13 +156,14 @@ class ConfigurationDirectory(Directory):
                 made[name] = SetDirectory, self.source, set_id
         return made
 
-    def _activate(self, text):
-        self.change(lambda found: found.activate(meant(text, self.where)))
+    async def _activate(self, text):
+        found = await self.fresh()
+        await found.activate(meant(text, self.where))
 
-    def change(self, function):
-        """function(Configuration), which is read anew."""
+    async def fresh(self):
+        """The Configuration, read anew."""
         self.source.expire()
-        function(self.source.get())
+        return await self.source.get()
 
 
 class SetDirectory(Directory):
@@ -181,12 +186,11 @@ class SetDirectory(Directory):
     def entries(self, found):
         return {name: (WritableItem,) for name in self._named(found)}
 
-    def store(self, name, text):
+    async def store(self, name, text):
         """Set the parameter of this file name."""
-        def change(found):
-            parameter = self._named(found)[name][0]
-            found.store({parameter: text}, found.set(self._id, with_hidden=True))
-        self.above.change(change)
+        found = await self.above.fresh()
+        parameter, _ = self._named(found)[name]
+        await found.store({parameter: text}, found.set(self._id, with_hidden=True))
 
 
 # ---- execution contexts ---------------------------------------------------------------------------------------
@@ -213,7 +217,7 @@ class ExecutionDirectory(Directory):
     def __init__(self, above, name, index, ref):
         super().__init__(above, name)
         self._index, self._ref = index, ref
-        self._profile = self.mount.source(self.place, lambda: component.context(self._node(), self._ref))
+        self._profile = self.mount.answer(self.place, lambda: component.context(self._node(), self._ref))
 
     def renew(self, index, ref):
         if not orb.same(ref, self._ref):
@@ -224,29 +228,29 @@ class ExecutionDirectory(Directory):
         return self.above.above.node
 
     def _asked(self, operation):
-        """A Source of what the context itself answers now."""
-        return self.mount.source(self.place, lambda: orb.call(self.where, self._ref, operation), 0)
+        """A CachedAnswer that is what the context itself answers now."""
+        return self.mount.answer(self.place, lambda: orb.call(self.where, self._ref, operation), 0)
 
     def entries(self, value):
         return {"state": (Control, self._asked("is_running"), lambda runs: "Running\n" if runs else "Stopped\n", self._run),
                 "rate": (Control, self._asked("get_rate"), "{:g}\n".format, self._set_rate),
                 "kind": (Text, self._profile, lambda context: context.kind + "\n"),
-                "owner": (Text, self.mount.source(self.place, self._owner), line)}
+                "owner": (Text, self.mount.answer(self.place, self._owner), line)}
 
-    def _owner(self):
-        return component.instance_name(self._node(), self._profile.get().owner)
+    async def _owner(self):
+        return await component.instance_name(self._node(), (await self._profile.get()).owner)
 
-    def _run(self, text):
+    async def _run(self, text):
         changes = {"Running": contexts.start, "Stopped": contexts.stop}
         if text not in changes:
             raise errors.BadValue(self.where + "/state", f"not {' or '.join(changes)}")
-        changes[text](self._node(), self._index)
+        await changes[text](self._node(), self._index)
 
-    def _set_rate(self, text):
+    async def _set_rate(self, text):
         try:
             rate = float(text)
         except ValueError:
             rate = 0.0
         if not 0 < rate < math.inf:
             raise errors.BadValue(self.where + "/rate", f"not a number of Hz above 0: {printable(text)}")
-        contexts.set_rate(self._node(), self._index, rate)
+        await contexts.set_rate(self._node(), self._index, rate)

@@ -6,15 +6,14 @@ import os
 import re
 import socket
 import sys
-import threading
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes
+from rtshell_lite.corba import session
+from rtshell_lite.net import loop
 from rtshell_lite.text import printable
 
 DEVICE = "/dev/fuse"
-M_ARENA_MAX = -8  # of <malloc.h>
 NAME = "rtmount"
 TYPE = "fuse." + NAME
 HELPERS = ("fusermount3", "fusermount")  # set-uid root; of FUSE 3 and 2
@@ -57,18 +56,17 @@ def is_stale(directory):
     return False
 
 
-def _is_stale_for_certain(directory):
-    """`is_stale`, False if there is no answer within the timeout. Leaves no thread if it is True."""
-    answers = []
-    asking = threading.Thread(target=lambda: answers.append(is_stale(directory)), daemon=True)
-    asking.start()
-    asking.join(lanes.session.timeout)
-    return answers == [True]
+async def _is_stale_for_certain(directory):
+    """`is_stale`, False if there is no answer within the timeout."""
+    try:
+        return await session.on_thread(directory, lambda: is_stale(directory))
+    except errors.Silent:
+        return False
 
 
 # ---- mounting -------------------------------------------------------------------------------------------------
 
-def check(directory, over=False):
+async def check(directory, over=False):
     """Raise Failed unless a tree can be mounted on this system, at this absolute path; a stale mount there is detached.
 
     `over`: also where that hides files.
@@ -76,7 +74,7 @@ def check(directory, over=False):
     if not sys.platform.startswith("linux"):
         raise errors.Failed(NAME, "works on Linux only")
     if directory in mounted():
-        if not _is_stale_for_certain(directory):
+        if not await _is_stale_for_certain(directory):
             raise errors.Failed(printable(directory), "an RTC Tree is mounted there already")
         unmount(directory)
     if not os.path.isdir(directory):
@@ -118,15 +116,6 @@ def mount(directory, read_only=False):
         os.close(fd)
         raise errors.Failed(printable(directory), f"cannot mount: {e.strerror}")
     return fd
-
-
-def share_heap():
-    """Let all threads allocate from one heap: with one for each of them, glibc kept twice the memory after large answers."""
-    try:
-        import ctypes  # which Debian's python3-minimal lacks
-        ctypes.CDLL(None).mallopt(M_ARENA_MAX, 1)
-    except (ImportError, AttributeError):  # another C library has no such thing
-        pass
 
 
 def _system_call(name, *args):
@@ -174,7 +163,7 @@ def hold(directory):
         pass
 
 
-def is_released(directory, seconds):
+async def is_released(directory, seconds):
     """Whether all processes that have mounted at a directory, where nothing is mounted now, end in so many seconds."""
     try:
         fd = os.open(directory, os.O_RDONLY)
@@ -189,7 +178,7 @@ def is_released(directory, seconds):
             except BlockingIOError:
                 if time.monotonic() > end:
                     return False
-                time.sleep(LOOK)
+                await loop.sleep(LOOK)
             except OSError:  # a file system without locks
                 return True
     finally:

@@ -24,24 +24,25 @@ class ManagerDirectory(Directory):
 
     def entries(self, value):
         return {"components": (ManagedDirectory,), "loaded": self._lines("get_loaded_modules", "file_path"),
-                "factories": self._lines("get_factory_profiles"), "create": (Control, NOTHING, lambda _: "", self._create)}
+                "factories": self._lines("get_factory_profiles"),
+                "create": (Control, NOTHING, lambda _: "", self._create)}
 
     def hidden(self, value):
         return {"loadable": self._lines("get_loadable_modules")}  # runs a process for each module
 
     def _lines(self, operation, key=None):
-        return Text, self.mount.source(self.place, lambda: self._modules(operation, key)), "".join
+        return Text, self.mount.answer(self.place, lambda: self._modules(operation, key)), "".join
 
-    def _modules(self, operation, key):
-        orb.is_alive(self.where, self.node.ref)  # looking for modules may take long
-        return [line(label) for label in manager.labels(self.node, operation, key)]
+    async def _modules(self, operation, key):
+        await orb.is_alive(self.where, self.node.ref)  # looking for modules may take long
+        return [line(label) for label in await manager.labels(self.node, operation, key)]
 
-    def _create(self, text):
+    async def _create(self, text):
         try:
             manager.check_argument(text)
         except errors.Usage as e:
-            raise errors.BadValue(self.where + "/create", str(e).replace(" (see --help)", ""))
-        manager.create(self.node, text, WAIT)
+            raise errors.BadValue(self.where + "/create", *e.args)
+        await manager.create(self.node, text, WAIT)
 
 
 class ManagedDirectory(Directory):
@@ -51,16 +52,25 @@ class ManagedDirectory(Directory):
 
     def __init__(self, above, name):
         super().__init__(above, name)
-        self.source = self.mount.source(self.place, self._listed)
+        self.source = self.mount.answer(self.place, self._listed)
 
-    def _listed(self):
+    async def _listed(self):
         """[(Node, the Path where it is bound or None)]"""
-        found = places.Places()
-        return [(node, node.kind == "component" and found.path(node.path.names[-1].id, node.ref, self.above.node))
-                for node in tree.managed(self.above.node)]
+        found, listed = places.Places(), []
+        for node in await tree.managed(self.above.node):
+            is_live = node.kind == "component"
+            path = await found.path(node.path.names[-1].id, node.ref, self.above.node) if is_live else None
+            listed.append((node, path))
+        return listed
 
     def entries(self, listed):
-        from rtshell_lite.mount.components import ComponentDirectory
         names = unique(node.path.names[-1] for node, _ in listed)
-        return {name: (Link, link_text(str(path), self)) if path else (ComponentDirectory, node) if node.kind == "component"
-                else (Link, f"{node.kind}: {node.error}") for name, (node, path) in zip(names, listed)}
+        return {name: self._made(node, path) for name, (node, path) in zip(names, listed)}
+
+    def _made(self, node, path):
+        if path:
+            return Link, link_text(str(path), self)
+        if node.kind != "component":
+            return Link, f"{node.kind}: {node.error}"
+        from rtshell_lite.mount.components import ComponentDirectory
+        return ComponentDirectory, node

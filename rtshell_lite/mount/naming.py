@@ -6,7 +6,7 @@ import stat
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.mount.nodes import NOTHING, Absent, Directory, File, Link, Text, file_name, relative
-from rtshell_lite.path import Path, parse
+from rtshell_lite.path import parse
 from rtshell_lite.robot import naming, tree
 from rtshell_lite.robot.node import bound
 
@@ -64,8 +64,8 @@ class Local(File):
     def seconds(self):
         return 0
 
-    def content(self):
-        return NOTHING, lambda _: self._text()
+    async def content(self):
+        return self._text()
 
 
 class Root(Directory):
@@ -91,15 +91,14 @@ class Root(Directory):
         found["errors"] = (Local, lambda: "".join(self.mount.errors))
         return found
 
-    def find(self, name):
+    async def find(self, name):
         if name in self.entries(()):
-            return super().find(name)
+            return self.pick(name, ())
         path = _server_path(name)
         if path is None or not HOST.match(name):
             raise Absent(self.where + "/" + name)
-        node = tree.resolve(path)
-        source = self.mount.source(lambda: (node.endpoint, name), lambda: bound(node), 0)
-        return source, lambda _: self.child(name, (ServerDirectory, path.server))
+        await bound(tree.name_server(path.server))
+        return self.child(name, (ServerDirectory, path.server))
 
 
 def _server_path(name):
@@ -120,7 +119,7 @@ class ContextDirectory(Directory):
     def __init__(self, above, name, node):
         super().__init__(above, name)
         self.node, self._bindings = node, {}
-        self.source = self.mount.source(self.place, self._listed)
+        self.source = self.mount.answer(self.place, self._listed)
         self.mount.contexts.setdefault(orb.identity(node.ref), self)
 
     def renew(self, node):
@@ -132,38 +131,40 @@ class ContextDirectory(Directory):
     def place(self):
         return self.node.endpoint, self.node.path
 
-    def _listed(self):
-        return self.mount.census.judged(tree.children(self.node))
+    async def _listed(self):
+        return await self.mount.liveness.check(await tree.children(self.node))
 
     def entries(self, nodes):
         return {file_name(node.path.names[-1]): self._made(node) for node in nodes}
 
-    def find(self, name):
-        if self.source.is_fresh():
-            return super().find(name)
-        path = self._named(name)
-        if path is None:  # shortened, or no name at all
-            return super().find(name) if "\\~" in name else _absent(self.where + "/" + name)
-        source = self._bindings.get(name)
-        if source is None:
-            for old in [key for key, source in self._bindings.items() if not source.is_fresh()]:
-                del self._bindings[old]
-            source = self._bindings[name] = self.mount.source(
-                self.place, lambda: self.mount.census.judged([self._resolved(path)])[0])
-        return source, lambda node: self.child(name, self._made(node))
+    async def find(self, name):
+        path = self._path_of(name)
+        is_shortened = path is None and "\\~" in name
+        if self.source.is_fresh() or is_shortened:
+            return await super().find(name)
+        if path is None:
+            raise Absent(self.where + "/" + name)
+        answer = self._bindings.get(name)
+        if answer is None:
+            self._bindings = {name: answer for name, answer in self._bindings.items() if answer.is_fresh()}
+            answer = self._bindings[name] = self.mount.answer(self.place, lambda: self._ask_for(path))
+        return self.child(name, self._made(await answer.get()))
 
-    def _resolved(self, path):
+    async def _ask_for(self, path):
         try:
-            return tree.resolve(path)
+            node = await tree.resolve(path)
         except errors.NotFound as e:
             raise Absent(e.where)
+        node, = await self.mount.liveness.check([node])
+        return node
 
     def expire(self):
         """Believe nothing of what is bound here."""
         self.source.expire()
         self._bindings = {}
 
-    def _named(self, name):
+    def _path_of(self, name):
+        """The Path that a file's name means, or None."""
         try:
             names = parse("/server/" + name).names
         except errors.BadPath:
@@ -195,10 +196,6 @@ class ContextDirectory(Directory):
         return None if known is None or known.path == posixpath.join(self.path, file_name(node.path.names[-1])) else known
 
 
-def _absent(where):
-    raise Absent(where)
-
-
 class ServerDirectory(ContextDirectory):
     """The root of a name server."""
 
@@ -206,7 +203,7 @@ class ServerDirectory(ContextDirectory):
 
     def __init__(self, above, name, address):
         self.address = address
-        super().__init__(above, name, tree.resolve(Path(address, (), None, False)))
+        super().__init__(above, name, tree.name_server(address))
 
     def renew(self, address):
         pass
@@ -220,9 +217,9 @@ class Zombie(Link):
     def __init__(self, above, name, node):
         super().__init__(above, name, node)
 
-    def target(self):
-        return NOTHING, lambda _: "zombie: its object is gone"
+    async def target(self):
+        return "zombie: its object is gone"
 
-    def remove(self):
-        for _ in naming.delete(self._target.path, self.mount.errors.append, zombie_only=True):
+    async def remove(self):
+        async for _ in naming.delete(self._target.path, self.mount.complain, zombie_only=True):
             pass

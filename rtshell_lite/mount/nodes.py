@@ -1,26 +1,26 @@
 """What every file, link and directory of a mounted RTC Tree has in common, and how names are spelt as names of files.
-
-What needs remote answers is given as (Source, function): the function makes a file's text, a directory's entries and so on of
-the Source's value, on any thread, without asking anybody.
 """
 import collections
 import posixpath
 import stat
 import sys
-import threading
 import time
 import weakref
 
-from rtshell_lite import errors
-from rtshell_lite.mount.asking import Crew, Given, Kept, Source
-from rtshell_lite.mount.census import Census
+from rtshell_lite import errors, notes
+from rtshell_lite.corba import session
+from rtshell_lite.mount.attempt import attempt
+from rtshell_lite.mount.cache import Cache, CachedAnswer, Known
+from rtshell_lite.mount.liveness import Liveness
+from rtshell_lite.net import loop
 from rtshell_lite.path import parse
 from rtshell_lite.text import printable, safe, unescaped
 
 NAME_MAX = 255  # bytes of a file's name
+SWEEP = 1.0  # seconds between two looks for what is not needed any more
 SIZE = 4096  # bytes that a file of unknown size claims, as in /sys: what claims 0 is not read by some programs
 MOST_ERRORS, LONGEST = 100, 2000  # failures that DIR/errors shows, characters of each
-NOTHING = Given(())
+NOTHING = Known(())
 
 
 class Absent(errors.NotFound):
@@ -31,37 +31,74 @@ class Mount:
     """What all nodes of a mount share.
 
     directory  its absolute path; `ttl` seconds for which names and profiles are believed
+    tasks      a loop.Group: whatever is done for the mount is done in it; nothing may fail there
     errors     the last failures, as lines
-    lock       held by whoever looks at or changes the nodes that the kernel knows
+    contexts   directories of naming contexts by the identity of these
     """
 
-    def __init__(self, directory, ttl, read_only=False, report=lambda sentence: None):
-        """`report` is called with each failure."""
-        self.report = report
+    def __init__(self, directory, ttl, read_only=False, listener=None):
+        """`listener`, like that of notes.py, is called for each failure and remark; or None."""
+        self._listener = listener
         self.directory, self.ttl, self.read_only = directory, ttl, read_only
-        self.crew = Crew(self.fail)  # its threads are lanes, see `lanes.become_lane`
-        self.changes = Crew(self.fail)  # its threads are none
-        self.kept, self.lock = Kept(), threading.RLock()
-        self.census = Census(self.changes, ttl)
+        self.tasks = loop.Group()
+        self.cache, self.liveness = Cache(self.tasks), Liveness(self.tasks, ttl, self.fail)
+        self._changes = {}  # {where: deque of the changes to make there}
         self.errors = collections.deque(maxlen=MOST_ERRORS)
-        self.streams = set()  # that are connected
-        self.contexts = weakref.WeakValueDictionary()  # directories of naming contexts by the identity of these
+        self.contexts = weakref.WeakValueDictionary()
         self.began = int(time.time())
+
+    def hear(self, kind, what):
+        """The listener of notes.py while the mount is served: DIR/errors keeps failures and remarks, not details."""
+        if kind == notes.DETAIL:
+            self._tell(kind, what)
+        else:
+            self.complain(str(what), kind)
 
     def fail(self, error):
         """Keep an exception as `complain` does."""
-        known = isinstance(error, errors.Error)
-        self.complain(str(error) if known else f"internal error: {type(error).__name__}: {printable(str(error))}")
+        if isinstance(error, errors.Error):
+            self.complain(str(error))
+        else:
+            self.complain(f"internal error: {type(error).__name__}: {printable(str(error))}")
 
-    def complain(self, sentence):
-        """Keep a failure for DIR/errors; print it, too, if somebody listens."""
+    def complain(self, sentence, kind=notes.FAILURE):
+        """Keep a failure for DIR/errors; report it, too, if somebody listens."""
         sentence = safe(sentence[:LONGEST])
         self.errors.append(sentence + "\n")
-        self.report(sentence)
+        self._tell(kind, sentence)
 
-    def source(self, place, ask, seconds=None):
-        """A Source that is believed for `seconds`, by default the ttl."""
-        return Source(self.crew, self.kept, place, ask, self.ttl if seconds is None else seconds)
+    def _tell(self, kind, what):
+        if self._listener is not None:
+            self._listener(kind, what)
+
+    def answer(self, place, ask, seconds=None):
+        """A CachedAnswer that is believed for `seconds`, by default the ttl."""
+        return CachedAnswer(self.cache, place, ask, self.ttl if seconds is None else seconds)
+
+    def change(self, where, function):
+        """Run a coroutine function after those that have been given before for the same place."""
+        waiting = self._changes.get(where)
+        if waiting is not None:
+            waiting.append(function)
+            return
+        self._changes[where] = collections.deque([function])
+        self.tasks.start(self._make_changes(where))
+
+    async def _make_changes(self, where):
+        waiting = self._changes[where]
+        while waiting:
+            _, error = await attempt(waiting.popleft()())
+            if error is not None:
+                self.fail(error)
+        del self._changes[where]
+
+    async def tidy(self):
+        """Free what is not needed any more, again and again."""
+        while True:
+            await loop.sleep(SWEEP)
+            self.cache.sweep()
+            self.liveness.sweep()
+            session.current().sweep()
 
 
 # ---- names ----------------------------------------------------------------------------------------------------
@@ -142,7 +179,7 @@ class Node:
 
 
 class File(Node):
-    """A regular file of text. `content()`: its (Source, function)."""
+    """A regular file of text."""
 
     __slots__ = ()
     mode = stat.S_IFREG | 0o444
@@ -155,20 +192,21 @@ class File(Node):
     def size(self):
         return SIZE
 
-    def content(self):
+    async def content(self):
+        """Its text. Raises errors.Error."""
         raise NotImplementedError
 
-    def store(self, text):
-        """Do what is written to it, on a thread that may ask. Raises errors.Error."""
+    async def store(self, text):
+        """Do what is written to it. Raises errors.Error."""
         raise errors.Refused(self.where, "cannot be written to")
 
     def open(self):
-        """A Handle of its own kind, or None for one that reads its text."""
+        """An open file of its own kind, or None for one that reads its text."""
         return None
 
 
 class Text(File):
-    """A file made of the value of a Source by a function."""
+    """A file made of the value of a CachedAnswer by a function."""
 
     __slots__ = ("_source", "_render")
 
@@ -176,12 +214,12 @@ class Text(File):
         super().__init__(above, name)
         self._source, self._render = source, render
 
-    def content(self):
-        return self._source, self._render
+    async def content(self):
+        return self._render(await self._source.get())
 
 
 class Control(Text):
-    """A Text that can be written to: store(text) does what that says."""
+    """A Text that can be written to: store(text), a coroutine function, does what that says."""
 
     __slots__ = ("_store",)
     mode = stat.S_IFREG | 0o644
@@ -190,8 +228,8 @@ class Control(Text):
         super().__init__(above, name, source, render)
         self._store = store
 
-    def store(self, text):
-        self._store(text)
+    async def store(self, text):
+        await self._store(text)
 
 
 class Item(File):
@@ -199,14 +237,11 @@ class Item(File):
 
     __slots__ = ()
 
-    def content(self):
-        return self.above.source, self._text
-
-    def _text(self, value):
-        try:
-            return line(self.above.texts(value)[self.name])
-        except LookupError:
+    async def content(self):
+        texts = self.above.texts(await self.above.source.get())
+        if self.name not in texts:
             raise Absent(self.where)
+        return line(texts[self.name])
 
 
 class WritableItem(Item):
@@ -215,8 +250,8 @@ class WritableItem(Item):
     __slots__ = ()
     mode = stat.S_IFREG | 0o644
 
-    def store(self, text):
-        self.above.store(self.name, meant(text, self.where))
+    async def store(self, text):
+        await self.above.store(self.name, meant(text, self.where))
 
 
 class Link(Node):
@@ -236,11 +271,11 @@ class Link(Node):
     def renew(self, *arguments):
         self._target, = arguments
 
-    def target(self):
-        """(Source, function) of the text."""
-        return NOTHING, lambda _: self._target
+    async def target(self):
+        """The text. Raises errors.Error."""
+        return self._target
 
-    def remove(self):
+    async def remove(self):
         """Do what rm asks for. Raises errors.Error."""
         raise errors.Refused(self.where, "cannot be removed")
 
@@ -265,15 +300,16 @@ class Directory(Node):
         """What can be opened by name, but is not listed, as reading it connects, blocks, changes something or costs much."""
         return {}
 
-    def list(self):
-        """(Source, function) of its nodes, in their order."""
-        return self.source, lambda value: [self.child(*item) for item in self.entries(value).items()]
+    async def list(self):
+        """Its nodes, in their order."""
+        return [self.child(*item) for item in self.entries(await self.source.get()).items()]
 
-    def find(self, name):
-        """(Source, function) of the node called `name`. The function raises Absent."""
-        return self.source, lambda value: self._found(name, value)
+    async def find(self, name):
+        """The node called `name`. Raises Absent."""
+        return self.pick(name, await self.source.get())
 
-    def _found(self, name, value):
+    def pick(self, name, value):
+        """`find`, given the value of `source`."""
         made = self.entries(value).get(name) or self.hidden(value).get(name)
         if made is None:
             raise Absent(posixpath.join(self.where, name))
@@ -288,7 +324,7 @@ class Directory(Node):
             return node
         return kind(self, name, *arguments)
 
-    def make_link(self, name, target):
+    async def make_link(self, name, target):
         """Do what ln -s asks for, and return the Link. Raises errors.Error."""
         raise errors.Refused(posixpath.join(self.where, name), "no links can be made here")
 

@@ -48,10 +48,10 @@ class PortDirectory(Directory):
         except LookupError:
             raise Absent(self.where)
 
-    def fresh(self):
-        """Its Port as it is now; for threads that may ask."""
+    async def fresh(self):
+        """Its Port as it is now."""
         self.source.expire()
-        return self.port(self.source.get())
+        return self.port(await self.source.get())
 
     def entries(self, snapshot):
         port = self.port(snapshot)
@@ -60,11 +60,13 @@ class PortDirectory(Directory):
             found["data_type"] = (Text, self.source,
                                   lambda snapshot: line(self.port(snapshot).properties.get("dataport.data_type", "")))
         else:
-            found["interfaces"] = (Items, self.source, lambda snapshot: [
-                (one.instance_name, f"{one.polarity} {one.type_name}") for one in self.port(snapshot).interfaces])
+            found["interfaces"] = (Items, self.source, self._interfaces)
         found["properties"] = (Items, self.source, lambda snapshot: self.port(snapshot).properties.items())
         found["connections"] = (ConnectionsDirectory,)
         return found
+
+    def _interfaces(self, snapshot):
+        return [(one.instance_name, f"{one.polarity} {one.type_name}") for one in self.port(snapshot).interfaces]
 
     def hidden(self, snapshot):
         from rtshell_lite.mount.streams import PortStream, Sending  # with all that sends and receives data
@@ -83,12 +85,12 @@ class ConnectionsDirectory(Directory):
     def __init__(self, above, name):
         super().__init__(above, name)
         self.source = above.source
-        self.far = self.mount.source(self.place, self._far)
+        self.far = self.mount.answer(self.place, self._far)
 
-    def _far(self):
+    async def _far(self):
         """{file name: text of the link}"""
-        snapshot = self.source.get()
-        ends = places.far_ends([self.above.port(snapshot)])
+        snapshot = await self.source.get()
+        ends = await places.far_ends([self.above.port(snapshot)])
 
         def text(far):
             if len(far.connector.ports) == 1:
@@ -108,21 +110,21 @@ class ConnectionsDirectory(Directory):
     def entries(self, snapshot):
         return {name: (Connection,) for name in self.named(snapshot)}
 
-    def make_link(self, name, target):
+    async def make_link(self, name, target):
         where = posixpath.join(self.where, name)
-        other = _walked(self, target, where)
+        other = await _walk(self, target, where)
         if not isinstance(other, PortDirectory):
             raise errors.BadValue(where, f"{line(target).strip()} is no port of this mount; a link's target starts where the link is")
-        connectors.connect([self.above.fresh(), other.fresh()], meant(name, where))
+        await connectors.connect([await self.above.fresh(), await other.fresh()], meant(name, where))
         return self.child(name, (Connection,))
 
-    def disconnect(self, name):
+    async def disconnect(self, name):
         """Remove the connection of this file name."""
-        port = self.above.fresh()
-        end = self.named(self.source.get()).get(name)
+        port = await self.above.fresh()
+        end = self.named(await self.source.get()).get(name)
         if end is None:
             raise Absent(posixpath.join(self.where, name))
-        connectors.disconnect(port, end.connector)
+        await connectors.disconnect(port, end.connector)
 
 
 class Connection(Link):
@@ -136,21 +138,18 @@ class Connection(Link):
     def renew(self, *arguments):
         pass
 
-    def target(self):
-        return self.above.far, self._text
-
-    def _text(self, texts):
-        try:
-            return texts[self.name]
-        except LookupError:
+    async def target(self):
+        texts = await self.above.far.get()
+        if self.name not in texts:
             raise Absent(self.where)
+        return texts[self.name]
 
-    def remove(self):
-        self.above.disconnect(self.name)
+    async def remove(self):
+        await self.above.disconnect(self.name)
 
 
-def _walked(start, target, where):
-    """The node that the target of a link in the directory `start` leads to; for threads that may ask. Raises Absent."""
+async def _walk(start, target, where):
+    """The node that the target of a link in the directory `start` leads to. Raises Absent."""
     mount, path = start.mount, posixpath.join(start.where, target)
     path = posixpath.normpath(path)
     if not path.startswith(mount.directory + "/"):
@@ -161,6 +160,5 @@ def _walked(start, target, where):
     for name in path[len(mount.directory) + 1:].split("/"):
         if not isinstance(node, Directory):
             raise Absent(path)
-        source, function = node.find(name)
-        node = function(source.get())
+        node = await node.find(name)
     return node

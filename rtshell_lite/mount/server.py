@@ -1,24 +1,17 @@
-"""The server of a mounted RTC Tree: answers the kernel's requests, on one thread where it can, on those of a Crew where peers
-have to be asked. What waits is a record, not a thread.
-"""
+"""The server of a mounted RTC Tree: answers the kernel's requests. One that needs an answer of a peer is a task."""
 import errno
 import itertools
 import os
 import posixpath
 import select
-import signal
 import stat
-import sys
-import threading
 
 from rtshell_lite import errors
 from rtshell_lite.mount import kernel, wire
 from rtshell_lite.mount.nodes import Absent, Directory, Link, Node
-from rtshell_lite.mount.opened import Listing, Opened
+from rtshell_lite.mount.openfile import Listing, OpenFile
+from rtshell_lite.net import loop
 from rtshell_lite.text import printable
-
-SWITCH = 0.0005  # seconds between switches of Python's threads: with the default, 0.005, requests wait for those that ask
-SWEEP = 1.0  # seconds between two looks for what is not needed any more
 
 # The errno of a failure: that of the first class that it is of.
 ERRNOS = (
@@ -39,106 +32,92 @@ def errno_of(error):
     return next((number for kind, number in ERRNOS if isinstance(error, kind)), errno.EIO)
 
 
-class Waiting:
-    """In a `with` statement on the main thread: wait() until there is something to read from a descriptor, or mounts have changed.
-
-    A signal ends it, too, if it comes just before, or if the kernel hands it to another thread: a blocking read would go on, and
-    nobody would hear the signal before the next request.
-    """
-
-    def __init__(self, fd):
-        self._poll = select.poll()
-        self._mounts = open(kernel.MOUNTS)
-        self._bell, self._rope = os.pipe()
-        for each in (fd, self._bell, self._rope):
-            os.set_blocking(each, False)
-        self._poll.register(fd, select.POLLIN)
-        self._poll.register(self._bell, select.POLLIN)
-        self._poll.register(self._mounts, select.POLLPRI)
-
-    def __enter__(self):
-        self._before = signal.set_wakeup_fd(self._rope)
-        return self
-
-    def __exit__(self, *_):
-        signal.set_wakeup_fd(self._before)
-        os.close(self._bell)
-        os.close(self._rope)
-        self._mounts.close()
-
-    def wait(self):
-        """Returns whether something has been mounted or unmounted."""
-        ready = [fd for fd, _ in self._poll.poll()]
-        if self._bell in ready:
-            os.read(self._bell, 64)
-        return self._mounts.fileno() in ready
-
-
 class Server:
-    """Serves a Mount on the descriptor `fd` of /dev/fuse; `ready()` is called when the kernel has begun to ask."""
+    """Serves a Mount on the descriptor `fd` of /dev/fuse; `ready()` is called when the kernel has begun to ask.
+
+    Each request is handled by a method. It returns the payload of the reply, or a coroutine that does; None if it replies itself.
+    """
 
     def __init__(self, mount, root, fd, ready):
         self.mount, self.fd, self._ready = mount, fd, ready
         root.id, root.lookups = wire.ROOT, 1
         self.nodes, self._numbers = {wire.ROOT: root}, itertools.count(wire.ROOT + 1)
         self._handles, self._handle_numbers = {}, itertools.count(1)
-        self._pending = {}  # requests that are not answered yet, by `unique`: their handle or None
-        self._guard = threading.Lock()
+        self._pending = {}  # by `unique` of each request without a reply: the Task to cancel at an interrupt, or None
         self._owner = os.getuid(), os.getgid()
-        self._ended = threading.Event()
+        self._buffer = bytearray(wire.LONGEST)
+        self._device, self._is_mounted = kernel.mounted().get(mount.directory), True
+        self._over = loop.Wait()
 
     # ---- the loop ---------------------------------------------------------------------------------------------
 
-    def serve(self):
+    async def serve(self):
         """Answer until the tree is unmounted."""
-        sys.setswitchinterval(SWITCH)
-        threading.Thread(target=self._tidy, daemon=True).start()
-        with Waiting(self.fd) as waiting:
-            self._serve(waiting, bytearray(wire.LONGEST))
-
-    def _serve(self, waiting, buffer):
-        view, device, is_mounted = memoryview(buffer), kernel.mounted().get(self.mount.directory), True
-        while is_mounted or self._handles:  # another mount namespace, as of a container, may keep a copy
-            if waiting.wait():
-                is_mounted = kernel.mounted().get(self.mount.directory) == device
+        here = loop.current()
+        os.set_blocking(self.fd, False)
+        with open(kernel.MOUNTS) as mounts:
+            here.watch(self.fd, select.POLLIN, self._take)
+            here.watch(mounts.fileno(), select.POLLPRI, self._look_at_mounts)
+            self.mount.tasks.start(self.mount.tidy())
             try:
-                size = os.readv(self.fd, [buffer])
-            except OSError as e:
-                if e.errno in (errno.ENOENT, errno.EAGAIN, errno.EINTR):  # interrupted before it was read
-                    continue
-                if e.errno == errno.ENODEV:
-                    return
-                raise
-            request = wire.request(view[:size])
-            if request.opcode not in wire.UNANSWERED:
-                self._pending[request.unique] = None
-            self._answer(request)
-            if request.opcode == wire.DESTROY:
-                return
+                await self._over
+            finally:
+                here.unwatch(self.fd)
+                here.unwatch(mounts.fileno())
 
-    def _answer(self, request):
-        handler = HANDLERS.get(request.opcode)
+    def _look_at_mounts(self):
+        self._is_mounted = kernel.mounted().get(self.mount.directory) == self._device
+        self._end_if_unused()
+
+    def _end_if_unused(self):
+        """End when it is unmounted and nothing is open; another mount namespace, as of a container, may keep a copy."""
+        if not self._is_mounted and not self._handles:
+            self._over.done()
+
+    def _take(self):
+        """Take a request."""
         try:
-            if handler is None:
+            size = os.readv(self.fd, [self._buffer])
+            self._handle(wire.request(memoryview(self._buffer)[:size]))
+        except OSError as e:
+            if e.errno == errno.ENODEV:
+                self._over.done()
+            elif e.errno not in (errno.ENOENT, errno.EAGAIN, errno.EINTR):  # interrupted before it was read
+                self._over.failed(e)
+        except Exception as e:
+            self._over.failed(e)
+
+    def _handle(self, request):
+        if request.opcode not in wire.UNANSWERED:
+            self._pending[request.unique] = None
+        try:
+            if request.opcode not in HANDLERS:
                 raise OSError(errno.ENOSYS, "")
-            handler(self, request)
+            answer = HANDLERS[request.opcode](self, request)
         except Exception as e:  # one request must not end all others
             self.fail(request, e)
+            return
+        if type(answer) is bytes:
+            self.reply(request, answer)
+        elif answer is not None:
+            self._pending[request.unique] = self.mount.tasks.start(self._finish(request, answer))
 
-    def _tidy(self):
-        while not self._ended.wait(SWEEP):
-            self.mount.kept.sweep()
-            self.mount.census.sweep()
-            for stream in list(self.mount.streams):
-                stream.look()
+    async def _finish(self, request, answer):
+        """Reply what a coroutine returns."""
+        try:
+            payload = await answer
+        except Exception as e:  # one request must not end all others
+            self.fail(request, e)
+        else:
+            if payload is not None:
+                self.reply(request, payload)
 
     # ---- answers ----------------------------------------------------------------------------------------------
 
     def reply(self, request, payload=b"", error=0):
         """Answer a request; False if it is waited for no longer."""
-        with self._guard:
-            if self._pending.pop(request.unique, self) is self:
-                return False
+        if self._pending.pop(request.unique, self) is self:
+            return False
         try:
             os.write(self.fd, wire.reply(request.unique, payload, error))
         except OSError as e:
@@ -152,65 +131,30 @@ class Server:
         if not isinstance(error, OSError) and not (isinstance(error, Absent) and request.opcode in QUIET):
             self.mount.fail(error)
         self.reply(request, error=errno_of(error))
+        loop.drop_traceback(error)  # it may be raised for others, too
 
-    def when(self, request, source, function):
-        """Reply function(value of the Source), bytes, as soon as it is there."""
-        value = source.now()
-        if value is not None:
-            self.reply(request, function(value))
-        else:
-            source.want(lambda value: self._arrived(request, function, value))
+    def _change(self, request, node, function):
+        """Make a change by function(), a coroutine function, one at a time for a node, and reply what that returns.
 
-    def _arrived(self, request, function, value):
-        try:
-            if isinstance(value, Exception):
-                raise value
-            payload = function(value)
-        except Exception as e:  # on a thread that others need
-            self.fail(request, e)
-        else:
-            self.reply(request, payload)
-
-    def change(self, request, node, function, payload=b""):
-        """Call function() on a thread that may ask, one at a time for a peer's node, and reply `payload` or what it returns."""
-        def changed(_):
+        An interrupt does not cancel it: half a change is worse than one that nobody waits for.
+        """
+        async def change():
             try:
-                return function() or payload
+                return await function()
             finally:
                 if node.is_part:
-                    self.mount.kept.expire()
-
-        def run():
-            self._arrived(request, changed, None)
-        self.mount.changes.start(("change", node.where), run, most=1)
+                    self.mount.cache.expire()
+        self.mount.change(node.where, lambda: self._finish(request, change()))
 
     # ---- nodes that the kernel knows --------------------------------------------------------------------------
 
-    def _entered(self, request, source, find):
-        """Reply the entry of the node that find(value) gives; from then on the kernel knows it."""
-        def reply(value):
-            with self.mount.lock:
-                node = find(value)
-                payload = self._entry(node)
-                if not self.reply(request, payload):
-                    self._forget(node, 1)
-            return None
-        value = source.now()
-        if value is not None:
-            reply(value)
-        else:
-            source.want(lambda value: self._arrived_entry(request, reply, value))
-
-    def _arrived_entry(self, request, function, value):
-        try:
-            if isinstance(value, Exception):
-                raise value
-            function(value)
-        except Exception as e:  # on a thread that others need
-            self.fail(request, e)
+    def _enter(self, request, node):
+        """Reply the entry of a node; from then on the kernel knows it."""
+        if not self.reply(request, self._entry(node)):
+            self._forget(node, 1)
 
     def _entry(self, node):
-        """The entry of a node, which counts as a look-up; the lock is held."""
+        """The entry of a node, which counts as a look-up."""
         if not node.id:
             node.id = next(self._numbers)
             self.nodes[node.id] = node
@@ -219,7 +163,7 @@ class Server:
         return wire.entry(node.id, self._attributes(node), node.seconds)
 
     def _forget(self, node, count):
-        """Forget a node when the kernel has; the lock is held."""
+        """Forget a node when the kernel has."""
         node.lookups -= count
         if node.lookups <= 0 and node.id != wire.ROOT:
             self.nodes.pop(node.id, None)
@@ -243,48 +187,49 @@ class Server:
         self.reply(request, wire.init_reply(version, flags))
         self._ready()
 
-    def lookup(self, request):
+    async def lookup(self, request):
         directory = self._node(request, Directory)
         name, = wire.names(request.body)
-        self._entered(request, *directory.find(name))
+        self._enter(request, await directory.find(name))
 
     def forget(self, request):
-        with self.mount.lock:
-            for number, count in wire.forgotten(request.opcode, request.node, request.body):
-                if number in self.nodes:
-                    self._forget(self.nodes[number], count)
+        for number, count in wire.forgotten(request.opcode, request.node, request.body):
+            if number in self.nodes:
+                self._forget(self.nodes[number], count)
 
     def getattr(self, request):
         node = self._node(request, Node)
-        self.reply(request, wire.attributes_reply(self._attributes(node), node.seconds))
+        return wire.attributes_reply(self._attributes(node), node.seconds)
 
     def setattr(self, request):
         if wire.changed(request.body) & ~wire.HARMLESS:
             raise errors.Refused(self._node(request, Node).where, "modes and owners cannot be changed")
-        self.getattr(request)
+        return self.getattr(request)
 
-    def readlink(self, request):
-        source, render = self._node(request, Link).target()
-        self.when(request, source, lambda value: render(value).encode("utf-8", "surrogateescape"))
+    async def readlink(self, request):
+        text = await self._node(request, Link).target()
+        return text.encode("utf-8", "surrogateescape")
 
     def symlink(self, request):
         directory = self._node(request, Directory)
         name, target = wire.names(request.body)
 
-        def make():
-            node = directory.make_link(name, target)
-            self.mount.kept.expire()
-            with self.mount.lock:
-                if not self.reply(request, self._entry(node)):
-                    self._forget(node, 1)
-        self.change(request, directory, make)
+        async def make():
+            node = await directory.make_link(name, target)
+            self.mount.cache.expire()  # before anybody hears of it
+            self._enter(request, node)
+        self._change(request, directory, make)
 
     def unlink(self, request):
         name, = wire.names(request.body)
         node = self._node(request, Directory).known.get(name)
         if not isinstance(node, Link):
             self.refuse(request)
-        self.change(request, node, node.remove)
+
+        async def remove():
+            await node.remove()
+            return b""
+        self._change(request, node, remove)
 
     def open(self, request):
         node = self._node(request, Node)
@@ -292,7 +237,7 @@ class Server:
         is_read = flags & os.O_ACCMODE == os.O_RDONLY
         if not is_read and not node.mode & stat.S_IWUSR:  # root is not stopped by modes
             raise OSError(errno.EACCES, "")
-        handle = node.open() or Opened(node)
+        handle = node.open() or OpenFile(node)
         self._reply_handle(request, handle, wire.DIRECT_IO | is_read * wire.NO_FLUSH)
 
     def _reply_handle(self, request, handle, flags=0):
@@ -304,41 +249,54 @@ class Server:
 
     def read(self, request):
         number, offset, size = wire.reading(request.body)
-        if not wire.is_direct(request.body):  # sendfile would take our sizes for true; programs then read as they do elsewhere
+        if not wire.is_direct(request.body):  # sendfile would believe our sizes; programs fall back to read
             raise OSError(errno.EINVAL, "")
-        handle = self._handles[number]
-        self._pending[request.unique] = handle
-        handle.read(self, request, offset, size)
+        return self._handles[number].read(offset, size)
 
     def write(self, request):
         number, data = wire.writing(request.body)
-        self._handles[number].write(self, request, data)
+        handle = self._handles[number]
+        return self._store(request, handle, handle.written(data), wire.written(len(data)))
 
     def flush(self, request):
         handle = self._handles[wire.handle(request.body)]
-        if not isinstance(handle, Opened):
-            return self.reply(request)
-        handle.flush(self, request)
+        return self._store(request, handle, handle.flushed(), b"") if isinstance(handle, OpenFile) else b""
+
+    def _store(self, request, handle, text, payload):
+        """Store what has been written, unless that is None."""
+        if text is None:
+            return payload
+
+        async def store():
+            await handle.node.store(text)
+            return payload
+        self._change(request, handle.node, store)
+        return None
 
     def release(self, request):
         handle = self._handles.pop(wire.handle(request.body), None)
         self.reply(request)
         if handle is not None:
             handle.close()
+        self._end_if_unused()
 
     def interrupt(self, request):
         unique = wire.interrupted(request.body)
         if unique in self._pending:
-            handle = self._pending[unique]
+            task = self._pending[unique]
             self.reply(request._replace(unique=unique), error=errno.EINTR)
-            if handle is not None:
-                handle.interrupt(unique)
+            if task is not None:
+                task.cancel()
 
     def statfs(self, request):
-        self.reply(request, wire.statfs())
+        return wire.statfs()
 
-    def done(self, request):
+    def accept(self, request):
+        return b""
+
+    def destroy(self, request):
         self.reply(request)
+        self._over.done()
 
     def refuse(self, request):
         where = posixpath.join(self._node(request, Node).where, printable(wire.named(request.opcode, request.body)))
@@ -354,47 +312,29 @@ class Server:
         directory = self._node(request, Directory)
         number, offset, size = wire.reading(request.body)
         listing = self._handles[number]
-        if offset and listing.nodes is not None:
-            return self._reply_entries(request, listing, offset, size)
-        source, make = directory.list()
+        if not offset or listing.nodes is None:
+            return self._list(request, directory, listing, offset, size)
+        self._reply_entries(request, listing, offset, size)
 
-        def entries(value):
-            with self.mount.lock:
-                listing.nodes = make(value)
-            self._reply_entries(request, listing, offset, size)
-        value = source.now()
-        if value is not None:
-            entries(value)
-        else:
-            source.want(lambda value: self._arrived_entry(request, entries, value))
+    async def _list(self, request, directory, listing, offset, size):
+        listing.nodes = await directory.list()
+        self._reply_entries(request, listing, offset, size)
 
     def _reply_entries(self, request, listing, offset, size):
-        plus, parts, length = request.opcode == wire.READDIRPLUS, [], 0
-        nodes = []
-        with self.mount.lock:
-            for i, node in enumerate(itertools.islice(listing.nodes, offset, None), offset + 1):
-                name = node.name.encode("utf-8")
-                part = wire.dirent(node.id or wire.UNKNOWN_INODE, i, name, node.mode)
-                if length + len(part) + plus * wire.ENTRY_SIZE > size:
-                    break
-                if plus:
-                    parts.append(self._entry(node))
-                    nodes.append(node)
-                    part = wire.dirent(node.id, i, name, node.mode)
-                parts.append(part)
-                length += len(part) + plus * wire.ENTRY_SIZE
-            if not self.reply(request, b"".join(parts)):
-                for node in nodes:
-                    self._forget(node, 1)
-
-    def close(self):
-        """Disconnect everything, after the end of `serve`."""
-        self._ended.set()
-        closing = [threading.Thread(target=stream.close, daemon=True) for stream in list(self.mount.streams)]
-        for thread in closing:
-            thread.start()
-        for thread in closing:
-            thread.join()
+        is_plus = request.opcode == wire.READDIRPLUS
+        parts, entered, left = [], [], size
+        for i, node in enumerate(itertools.islice(listing.nodes, offset, None), offset + 1):
+            name = node.name.encode("utf-8")
+            left -= wire.dirent_size(name) + is_plus * wire.ENTRY_SIZE
+            if left < 0:
+                break
+            if is_plus:
+                parts.append(self._entry(node))
+                entered.append(node)
+            parts.append(wire.dirent(node.id or wire.UNKNOWN_INODE, i, name, node.mode))
+        if not self.reply(request, b"".join(parts)):
+            for node in entered:
+                self._forget(node, 1)
 
 
 HANDLERS = {
@@ -402,7 +342,7 @@ HANDLERS = {
     wire.GETATTR: Server.getattr, wire.SETATTR: Server.setattr, wire.READLINK: Server.readlink, wire.SYMLINK: Server.symlink,
     wire.UNLINK: Server.unlink, wire.OPEN: Server.open, wire.READ: Server.read, wire.WRITE: Server.write,
     wire.RELEASE: Server.release, wire.RELEASEDIR: Server.release, wire.INTERRUPT: Server.interrupt, wire.STATFS: Server.statfs,
-    wire.OPENDIR: Server.opendir, wire.READDIR: Server.readdir, wire.READDIRPLUS: Server.readdir, wire.FSYNC: Server.done,
-    wire.FSYNCDIR: Server.done, wire.FLUSH: Server.flush, wire.DESTROY: Server.done}
+    wire.OPENDIR: Server.opendir, wire.READDIR: Server.readdir, wire.READDIRPLUS: Server.readdir, wire.FSYNC: Server.accept,
+    wire.FSYNCDIR: Server.accept, wire.FLUSH: Server.flush, wire.DESTROY: Server.destroy}
 HANDLERS.update(dict.fromkeys((wire.MKNOD, wire.MKDIR, wire.RMDIR, wire.RENAME, wire.RENAME2, wire.LINK, wire.CREATE),
                               Server.refuse))

@@ -164,6 +164,11 @@ def dirent(inode, offset, name, mode):
     return raw + bytes(-len(raw) % 8)
 
 
+def dirent_size(name):
+    """The bytes of that."""
+    return _DIRENT.size + len(name) + -len(name) % 8
+
+
 def statfs():
     """The answer to STATFS: nothing can be stored here."""
     return _STATFS.pack(0, 0, 0, 0, 0, 4096, 255, 4096, 0, *[0] * 6)

@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.text import printable
 
 ROOT_KEY = b"NameService"  # object key of the root of every name server
@@ -16,10 +16,13 @@ class Known:
         for node in nodes:
             self.enter(node)
 
-    def path(self, node):
+    async def path(self, node):
         """The Path by which the object of a Node was entered, or None."""
         host, port, key = orb.identity(node.ref)
-        return next((path for known_host, path in self._entered.get((port, key), ()) if same_host(host, known_host)), None)
+        for known_host, path in self._entered.get((port, key), ()):
+            if await same_host(host, known_host):
+                return path
+        return None
 
     def enter(self, node):
         """Remember a Node; a reference without an IIOP address has no identity, and is not remembered."""
@@ -28,9 +31,9 @@ class Known:
             self._entered.setdefault((port, key), []).append((host, node.path))
 
 
-def within(nodes):
+async def within(nodes):
     """The Nodes of a walk except those below a naming context of another name server; such a context is marked `foreign`."""
-    directories, away = {}, None
+    directories, away, found = {}, None, []
     for node in nodes:
         if away is not None and node.path.server == away.server and node.path.names[:len(away.names)] == away.names:
             continue
@@ -38,12 +41,13 @@ def within(nodes):
         if node.kind in ("server", "directory"):
             directories[node.path] = node
             above = directories.get(node.path.parent())
-            if above is not None and is_foreign(above, node):
+            if above is not None and await is_foreign(above, node):
                 node.foreign, away = True, node.path
-        yield node
+        found.append(node)
+    return found
 
 
-def is_foreign(above, node):
+async def is_foreign(above, node):
     """True when the naming context `node` belongs to another name server than the one `above` in which it is bound.
 
     Costs a call where a server is addressed otherwise than it publishes itself. A root is always foreign.
@@ -51,27 +55,27 @@ def is_foreign(above, node):
     (host, port, _), (own_host, own_port, key) = orb.identity(above.ref), orb.identity(node.ref)
     if key == ROOT_KEY or port != own_port:
         return True
-    if same_host(host, own_host):
+    if await same_host(host, own_host):
         return False
     try:  # keys of contexts are made of times and random numbers: only the server that made one knows it
-        return not orb.call(node.path, orb.at(node.ref, host, port), "_is_a", "IDL:omg.org/CosNaming/NamingContext:1.0")
+        return not await orb.call(node.path, orb.at(node.ref, host, port), "_is_a", "IDL:omg.org/CosNaming/NamingContext:1.0")
     except errors.Error:
         return True
 
 
-def same_host(one, other):
+async def same_host(one, other):
     """True when two host names or addresses have an IP address in common."""
-    return one == other or not _addresses(one).isdisjoint(_addresses(other))
+    return one == other or not (await _addresses(one)).isdisjoint(await _addresses(other))
 
 
-def _addresses(host):
+async def _addresses(host):
     try:
-        return set(resolve(host))
+        return set(await resolve(host))
     except errors.Error:
         return set()
 
 
-def resolve(host):
+async def resolve(host):
     """The IP addresses of a host name, as text. Raises Unreachable when it has none, or the look-up takes too long.
 
     The system's resolver has no deadline, and omniORB's own limits do not cover it.
@@ -83,4 +87,4 @@ def resolve(host):
         except (OSError, UnicodeError) as e:
             raise errors.Unreachable(printable(host), getattr(e, "strerror", None) or "not a host name")
         return list(collections.OrderedDict.fromkeys(info[4][0] for info in known))
-    return lanes.aside(("name of", host), printable(host), look_up)
+    return await session.on_thread(printable(host), look_up)

@@ -2,8 +2,9 @@
 import collections
 import time
 
-from rtshell_lite import cli, errors
-from rtshell_lite.corba import orb, tasks
+from rtshell_lite import errors, notes
+from rtshell_lite.corba import orb
+from rtshell_lite.net import loop
 from rtshell_lite.text import from_wire
 
 STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by number
@@ -18,19 +19,18 @@ Profile = collections.namedtuple("Profile", "instance_name type_name description
 Context = collections.namedtuple("Context", "handle ref kind rate running owner participants properties")
 
 
-def until(reached, seconds):
-    """Call reached() until it returns True, at first more often, for at most `seconds`; returns whether it did."""
+async def until(reached, seconds):
+    """Await reached() until it returns True, at first more often, for at most `seconds`; returns whether it did."""
     limit, pause = time.monotonic() + seconds, POLL / 10
-    while not reached():
+    while not await reached():
         if time.monotonic() > limit:
             return False
-        time.sleep(pause)
+        await loop.sleep(pause)
         pause = min(2 * pause, POLL)
     return True
 
 
-@tasks.task
-async def seen(asked):
+async def uncertain_if_refused(asked):
     """What `asked`, a coroutine or Call, returns after a change, which may have been made although the answer is refused.
 
     Raises Uncertain then.
@@ -43,36 +43,33 @@ async def seen(asked):
 
 # ---- profile --------------------------------------------------------------------------------------------------
 
-@tasks.task
 async def profile(node, brief=False):
-    """The Profile of a component. Ask its ports first (`ports.ports`): protocol rule, see `once_more`.
+    """The Profile of a component. Ask its ports first (`ports.ports`): docs/protocol.md 1.1.
 
     `brief`: with one of its properties, which shows that there are any.
     """
-    raw = await once_more.task(lambda: node.ask("get_component_profile"))
-    parent = await once_more.task(lambda: orb.Call(node.path, raw.parent, "get_sdo_id")) if raw.parent else ""
+    raw = await once_more(lambda: node.call("get_component_profile"))
+    parent = await once_more(lambda: orb.call(node.path, raw.parent, "get_sdo_id")) if raw.parent else ""
     texts = [from_wire(s) for s in (raw.instance_name, raw.type_name, raw.description, raw.version, raw.vendor,
                                     raw.category, parent)]
     return Profile._make(texts + [orb.properties(raw.properties[:1] if brief else raw.properties)])
 
 
-@tasks.task
 async def instance_name(node, ref):
     """The instance name of the component `ref`, which `node` knows: Unknown if it does not answer, '' for None."""
     if ref is None:
         return ""
     try:
-        return from_wire(await orb.Call(node.path, ref, "get_sdo_id"))
+        return from_wire(await orb.call(node.path, ref, "get_sdo_id"))
     except errors.Error:
         return "Unknown"
 
 
-@tasks.task
 async def once_more(call, failures=None):
     """What call() makes is awaited, a second time after a failure other than silence; that is added to `failures`, if given.
 
     A profile query makes a component check its connections, and the first one after a peer has died passes that peer's
-    TRANSIENT on to the caller (C++ and Python 2.1).
+    TRANSIENT on to the caller (C++ and Python 2.1; docs/protocol.md 1.2).
     """
     try:
         return await call()
@@ -86,62 +83,56 @@ async def once_more(call, failures=None):
 
 # ---- execution contexts ---------------------------------------------------------------------------------------
 
-def context_refs(node):
+async def context_refs(node):
     """References of the execution contexts that a component owns, and of those that it takes part in: two lists."""
-    return owned_context_refs(node), participating_context_refs(node)
+    return await owned_context_refs(node), await participating_context_refs(node)
 
 
-@tasks.task
 async def owned_context_refs(node):
     """References of the execution contexts that a component owns."""
     return await _refs(node, "get_owned_contexts")
 
 
-@tasks.task
 async def participating_context_refs(node):
     """References of the execution contexts, of other components, that a component takes part in."""
     return await _refs(node, "get_participating_contexts")
 
 
 async def _refs(node, operation):
-    listed = cli.first(MOST_CONTEXTS, await node.ask(operation), node.path, "execution contexts")
+    listed = notes.first(MOST_CONTEXTS, await node.call(operation), node.path, "execution contexts")
     return [orb.narrow(ref, "RTC.ExecutionContextService") for ref in listed if ref is not None]
 
 
-@tasks.task
 async def context_ref(node, index):
     """The reference of the execution context number `index`: the owned ones from 0, then the participating ones.
 
     One call for an owned one, the usual case.
     """
-    owned = await owned_context_refs.task(node)
+    owned = await owned_context_refs(node)
     if -len(owned) <= index < len(owned):
         return owned[index]
-    refs = owned + await participating_context_refs.task(node)
+    refs = owned + await participating_context_refs(node)
     if not 0 <= index < len(refs):
         raise errors.NoSuch(str(node.path), "execution context", f"{index} (it has {len(refs)})")
     return refs[index]
 
 
-@tasks.task
 async def context(node, ref):
     """The Context of an execution context, complete."""
-    raw = await orb.Call(node.path, ref, "get_profile")
-    return Context(handle=await node.ask("get_context_handle", ref), ref=ref, kind=_by_number(KINDS, raw.kind), rate=raw.rate,
-                   running=await orb.Call(node.path, ref, "is_running"), owner=raw.owner,
-                   participants=cli.first(MOST_MEMBERS, raw.participants, node.path, "participants of an execution context"),
+    raw = await orb.call(node.path, ref, "get_profile")
+    return Context(handle=await node.call("get_context_handle", ref), ref=ref, kind=_by_number(KINDS, raw.kind), rate=raw.rate,
+                   running=await orb.call(node.path, ref, "is_running"), owner=raw.owner,
+                   participants=notes.first(MOST_MEMBERS, raw.participants, node.path, "participants of an execution context"),
                    properties=orb.properties(raw.properties))
 
 
-@tasks.task
 async def running(node, ref):
     """The Context of an execution context with only its rate and whether it runs."""
-    rate, runs = await orb.Call(node.path, ref, "get_rate"), await orb.Call(node.path, ref, "is_running")
+    rate, runs = await orb.call(node.path, ref, "get_rate"), await orb.call(node.path, ref, "is_running")
     return Context(None, ref, None, rate, bool(runs), None, (), ())
 
 
-@tasks.task
-async def elsewhere(node, ref, asked, otherwise):
+async def or_default(node, ref, asked, otherwise):
     """What `asked`, a coroutine, returns, or `otherwise` if `ref`, a context of another process, does not answer.
 
     So a hung composite does not hide its members.
@@ -160,16 +151,15 @@ def _by_number(names, enumerator):
 
 # ---- state ----------------------------------------------------------------------------------------------------
 
-def state(node):
+async def state(node):
     """The state of a component over all its contexts: Error before Active before Inactive before Created, or Unknown."""
-    owned, participating = context_refs(node)
-    return merged(states(node, owned + participating))
+    owned, participating = await context_refs(node)
+    return merged(await states(node, owned + participating))
 
 
-@tasks.task
 async def states(node, refs):
     """Its state in each context; Unknown in a context of another process that does not answer."""
-    return [await elsewhere.task(node, ref, state_in.task(node, ref), "Unknown") for ref in refs]
+    return [await or_default(node, ref, state_in(node, ref), "Unknown") for ref in refs]
 
 
 def merged(states):
@@ -177,12 +167,11 @@ def merged(states):
     return next((s for s in ("Error", "Active", "Inactive", "Created") if s in states), "Unknown")
 
 
-@tasks.task
 async def state_in(node, ref):
     """The state of a component in the execution context `ref` (ExecutionContext::get_component_state)."""
     now = await state_of(node, ref, node.typed)
     if now == "Created":
-        known = await canonical.task(node)
+        known = await canonical(node)
         if known is not None:
             return await state_of(node, ref, known)
     return now
@@ -190,15 +179,14 @@ async def state_in(node, ref):
 
 async def state_of(node, ref, reference):
     """The state in the execution context `ref` of the component with this reference: `node`, or one that it knows."""
-    return _by_number(STATES, await orb.Call(node.path, ref, "get_component_state", reference))
+    return _by_number(STATES, await orb.call(node.path, ref, "get_component_state", reference))
 
 
-@tasks.task
 async def canonical(node):
     """The reference by which its contexts know a component, None if it is the one that we have.
 
     Contexts do not recognise a component that is bound under a rewritten address, or reached by its key.
     """
-    owned = await owned_context_refs.task(node)
-    owner = (await orb.Call(node.path, owned[0], "get_profile")).owner if owned else None
+    owned = await owned_context_refs(node)
+    owner = (await orb.call(node.path, owned[0], "get_profile")).owner if owned else None
     return None if owner is None or orb.same(owner, node.ref) else owner

@@ -4,8 +4,8 @@ Organization::get_owner is never called: a C++ component answers it once, and ha
 """
 import collections
 
-from rtshell_lite import cli, errors
-from rtshell_lite.corba import liveness, orb, tasks
+from rtshell_lite import errors, notes
+from rtshell_lite.corba import liveness, orb
 from rtshell_lite.robot import component, configuration, manager, ports, tree
 from rtshell_lite.robot.places import Places
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
@@ -20,21 +20,19 @@ EXPORTED = "exported_ports"  # parameter of a composite's set `default`: a comma
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
-@tasks.task
 async def owned(node, with_members=True):
     """The Organisations that a component owns, a composite if there are any; each of their members is asked for its name."""
     refs = await _refs(node, "get_owned_organizations")
     return [await _organisation(node, ref) if with_members else Organisation("", ref, []) for ref in refs]
 
 
-@tasks.task
 async def belonging(node, contexts):
     """(id, name of the composite, its path as text) of each organisation that a component is a member of.
 
     The composites are among the owners of `contexts`, the component.Contexts that it takes part in; Unknown where one does not
     answer.
     """
-    ids = [from_wire(await orb.Call(node.path, ref, "get_organization_id")) for ref in await _refs(node, "get_organizations")]
+    ids = [from_wire(await orb.call(node.path, ref, "get_organization_id")) for ref in await _refs(node, "get_organizations")]
     known = await _composites(node, contexts) if ids else {}
     return [(organisation_id,) + known.get(organisation_id, ("Unknown", "Unknown")) for organisation_id in ids]
 
@@ -45,10 +43,10 @@ async def _composites(node, contexts):
     for owner in [context.owner for context in contexts if context.owner is not None]:
         above = tree.Node(node.path, "component", owner)
         try:
-            name = from_wire(await above.ask("get_sdo_id"))
+            name = from_wire(await above.call("get_sdo_id"))
             for ref in await _refs(above, "get_owned_organizations"):
-                organisation_id = from_wire(await orb.Call(node.path, ref, "get_organization_id"))
-                by_id[organisation_id] = (name, _path_text(places, name, owner, node))
+                organisation_id = from_wire(await orb.call(node.path, ref, "get_organization_id"))
+                by_id[organisation_id] = (name, await _path_text(places, name, owner, node))
         except errors.Unreachable:
             continue
     return by_id
@@ -56,7 +54,7 @@ async def _composites(node, contexts):
 
 async def _refs(node, operation):
     try:
-        listed = cli.first(component.MOST_CONTEXTS, await node.ask(operation), node.path, "organizations")
+        listed = notes.first(component.MOST_CONTEXTS, await node.call(operation), node.path, "organizations")
         return [ref for ref in listed if ref is not None]
     except errors.Refused as e:
         if e.name in ("NO_IMPLEMENT", "BAD_OPERATION"):  # small implementations lack compositions
@@ -65,24 +63,27 @@ async def _refs(node, operation):
 
 
 async def _organisation(node, ref):
-    listed = cli.first(component.MOST_MEMBERS, await orb.Call(node.path, ref, "get_members"), node.path, "members")
+    listed = notes.first(component.MOST_MEMBERS, await orb.call(node.path, ref, "get_members"), node.path, "members")
     members = [member for member in listed if member is not None]
-    names = orb.each(members, lambda member: from_wire(orb.call(node.path, member, "get_sdo_id")), node.path)
-    return Organisation(from_wire(await orb.Call(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
+
+    async def name_of(member):
+        return from_wire(await orb.call(node.path, member, "get_sdo_id"))
+    names = await orb.each(members, name_of, node.path)
+    return Organisation(from_wire(await orb.call(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
 
 
-def member_paths(node, organisation):
+async def member_paths(node, organisation):
     """Paths of the members of an Organisation, as text; `Unknown (…)` for those that are dead or bound nowhere."""
     places = Places()
-    return [_path_text(places, name, ref, node) for name, ref in organisation.members]
+    return [await _path_text(places, name, ref, node) for name, ref in organisation.members]
 
 
-def _path_text(places, name, ref, node):
-    if isinstance(name, errors.Error) and liveness.shows_death(name, orb.endpoint(ref)):
+async def _path_text(places, name, ref, node):
+    if isinstance(name, errors.Error) and await liveness.shows_death(name, orb.endpoint(ref)):
         return "Unknown (it is gone)"
     if isinstance(name, errors.Error):
         return f"Unknown ({name.why})"
-    path = places.path(name, ref, node)
+    path = await places.path(name, ref, node)
     return str(path) if path else f"Unknown ({printable(name)})"
 
 
@@ -92,47 +93,47 @@ def _path_text(places, name, ref, node):
 Member = collections.namedtuple("Member", "instance node ports")
 
 
-def member(path, must_live=True):
+async def member(path, must_live=True):
     """The Member that PATH[:PORT,PORT…] names. Raises NoSuch for ports that it lacks, and what `tree.component` raises.
 
     With `must_live` False a component that is gone is named by its path alone.
     """
     wanted = [name for name in (path.port or "").split(",") if name]
     try:
-        node = tree.component(path.object())
-        instance = from_wire(node.call("get_sdo_id"))
+        node = await tree.component(path.object())
+        instance = from_wire(await node.call("get_sdo_id"))
     except (errors.NotFound, errors.Unreachable):
         if must_live or not path.names:
             raise
         return Member(path.names[-1].id, None, wanted)
     if must_live and wanted:
-        names = [ports.short_name(port.name, instance) for port in ports.ports(node)]
+        names = [ports.short_name(port.name, instance) for port in await ports.ports(node)]
         for name in wanted:
             if name not in names:
                 raise errors.NoSuch(str(path.object()), "port", printable(name))
     return Member(instance, node, wanted)
 
 
-def together(members):
+async def together(members):
     """Live Members, each once with all the ports wanted of it. Raises Failed for two that a composite could not distinguish."""
     merged = collections.OrderedDict()
     for m in members:
         known = merged.setdefault(m.instance, m)
-        if not _is(m, known.node.ref):
+        if not await _is(m, known.node.ref):
             raise errors.Failed(str(m.node.path), f"has the same name as {known.node.path!s}; a composite cannot have both")
         merged[m.instance] = known._replace(ports=list(collections.OrderedDict.fromkeys(known.ports + m.ports)))
     return list(merged.values())
 
 
-def the_one(node):
+async def first_organisation(node):
     """The first Organisation of a composite. Raises WrongKind for other components."""
-    organisations = owned(node)
+    organisations = await owned(node)
     if not organisations:
         raise errors.WrongKind(str(node.path), "composite component", "component")
     return organisations[0]
 
 
-def check(node, organisation, joining, leaving):
+async def check(node, organisation, joining, leaving):
     """Raise Failed or NoSuch for Members that cannot join an Organisation of a composite, or leave it.
 
     A dead member cannot leave: the composite calls it, and does not survive that (C++ 2.1: its process ends, at once or when it
@@ -142,10 +143,10 @@ def check(node, organisation, joining, leaving):
     for m in joining:
         if orb.same(m.node.ref, node.ref):
             raise errors.Failed(str(node.path), "cannot be a member of itself")
-        if m.instance in known and not _is(m, known[m.instance]):
+        if m.instance in known and not await _is(m, known[m.instance]):
             raise errors.Failed(str(node.path), f"has another member called {printable(m.instance)}")
     for m in leaving:
-        is_member = m.instance in known if m.node is None else _is(m, known.get(m.instance))
+        is_member = m.instance in known if m.node is None else await _is(m, known.get(m.instance))
         lost = None if m.ports else _lost(organisation, m.instance)
         if lost:
             raise _stays(node, m, lost)
@@ -171,57 +172,57 @@ def _stays(node, m, error):
                          "process or stop its execution context; restart that process")
 
 
-def _is(m, ref):
-    return orb.same(ref, m.node.ref) or orb.same(ref, component.canonical(m.node))
+async def _is(m, ref):
+    return orb.same(ref, m.node.ref) or orb.same(ref, await component.canonical(m.node))
 
 
-def add(node, organisation, members):
+async def add(node, organisation, members):
     """Make Members part of a composite and export their ports; lines that say what was done. Raises Refused."""
-    lines = _export(node, add_ports=[f"{m.instance}.{port}" for m in members for port in m.ports])
+    lines = await _export(node, add_ports=[f"{m.instance}.{port}" for m in members for port in m.ports])
     present = [name for name, _ in organisation.members]
     new = [m for m in members if m.instance not in present]
     if new:  # an empty list is refused
-        if not orb.call(node.path, organisation.ref, "add_members", [m.node.typed for m in new]):
+        if not await orb.call(node.path, organisation.ref, "add_members", [m.node.typed for m in new]):
             raise errors.Refused(str(node.path), "does not take members")
         lines += [f"added component {m.node.path!s}" for m in new]
     return lines + [f"component {m.node.path!s} is a member already" for m in members if m not in new]
 
 
-def remove(node, organisation, members):
+async def remove(node, organisation, members):
     """Remove Members, or hide their ports where they name some; lines that say what was done.
 
     Raises Refused, and Failed for one that has died since `check`.
     """
     going = [m for m in members if not m.ports]
     hidden = [f"{m.instance}.{port}" for m in members for port in m.ports]
-    lines = _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
+    lines = await _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
     for m in going:
-        _must_live(node, organisation, m)
-        if not orb.call(node.path, organisation.ref, "remove_member", to_wire(m.instance)):
+        await _must_live(node, organisation, m)
+        if not await orb.call(node.path, organisation.ref, "remove_member", to_wire(m.instance)):
             raise errors.Refused(str(node.path), f"does not remove member {printable(m.instance)}")
         lines.append(f"removed component {printable(m.instance)}")
     return lines
 
 
-def _must_live(node, organisation, m):
+async def _must_live(node, organisation, m):
     for name, ref in organisation.members:
         if name == m.instance:
             try:
-                orb.is_alive(node.path, ref)
+                await orb.is_alive(node.path, ref)
             except errors.Unreachable as e:
                 raise _stays(node, m, e)
 
 
-def _export(node, add_ports=(), hide=(), hide_all_of=()):
+async def _export(node, add_ports=(), hide=(), hide_all_of=()):
     """Change the list of exported ports and activate it; lines that say what was done."""
-    sets = configuration.of(node)
+    sets = await configuration.of(node)
     within = sets.set("default")
     now = [name.strip() for name in within.values.get(EXPORTED, "").split(",") if name.strip()]
     kept = [name for name in now if name not in hide and name.rpartition(".")[0] not in hide_all_of]
     wanted = kept + [name for name in add_ports if name not in kept]
     if wanted != now:
-        sets.store({EXPORTED: ",".join(wanted)}, within)
-        sets.activate("default")
+        await sets.store({EXPORTED: ",".join(wanted)}, within)
+        await sets.activate("default")
     return (["exported port " + printable(name) for name in wanted if name not in now]
             + [f"port {printable(name)} is exported already" for name in add_ports if name in kept]
             + ["hid port " + printable(name) for name in now if name not in wanted]
@@ -230,7 +231,7 @@ def _export(node, add_ports=(), hide=(), hide_all_of=()):
 
 # ---- rtcomp: find or make a composite on a manager, then change its members ------------------------------------
 
-def compose(target, adding, removing, type_name=COMPOSITE, options="", dry_run=False):
+async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry_run=False):
     """Make or change the composite at `target` (a Path): lines that say what was done, see `cli.report`.
 
     `adding` and `removing` are Paths whose port part is a comma-separated list. Everything is checked before the first
@@ -241,39 +242,39 @@ def compose(target, adding, removing, type_name=COMPOSITE, options="", dry_run=F
     if any(c in name for c in "?&="):
         raise errors.Usage(f"a composite cannot be called {printable(name)}")
     manager.check_argument(argument)
-    members = together([member(path) for path in adding])
-    leaving = [member(path, must_live=False) for path in collections.OrderedDict.fromkeys(removing)]
-    holder = tree.component(target.object(), or_manager=True)
+    members = await together([await member(path) for path in adding])
+    leaving = [await member(path, must_live=False) for path in collections.OrderedDict.fromkeys(removing)]
+    holder = await tree.component(target.object(), or_manager=True)
     if holder.kind == "component" and target.port is not None:
         raise errors.WrongKind(str(target), "component or manager", "port")
-    composite = holder if holder.kind == "component" else _of_manager(holder, name)
+    composite = holder if holder.kind == "component" else await _of_manager(holder, name)
     if composite is None and leaving:
         raise errors.Failed(str(holder.path), "cannot remove components or ports from a new composite")
     if composite is not None:
-        check(composite, the_one(composite), members, leaving)
+        await check(composite, await first_organisation(composite), members, leaving)
     if dry_run:
         return _commands(target, composite, adding, removing, type_name, options)
     lines = []
     if composite is None:
-        lines.append("created composite " + manager.create(holder, argument, wait=manager.SETTLE_TIME))
-        composite = _new(holder, name)
-    organisation = the_one(composite)
-    return lines + add(composite, organisation, members) + remove(composite, organisation, leaving)
+        lines.append("created composite " + await manager.create(holder, argument, wait=manager.SETTLE_TIME))
+        composite = await _new(holder, name)
+    organisation = await first_organisation(composite)
+    return lines + await add(composite, organisation, members) + await remove(composite, organisation, leaving)
 
 
-def _new(holder, name):
+async def _new(holder, name):
     """The composite just created; deleted again if its type makes it a component of another kind."""
-    composite = _of_manager(holder, name)
+    composite = await _of_manager(holder, name)
     try:
-        the_one(composite)
+        await first_organisation(composite)
     except errors.WrongKind:
-        manager.delete(holder, name)
+        await manager.delete(holder, name)
         raise
     return composite
 
 
-def _of_manager(holder, name):
-    return dict(manager.components(holder)).get(name)
+async def _of_manager(holder, name):
+    return dict(await manager.components(holder)).get(name)
 
 
 def _commands(target, composite, adding, removing, type_name, options):

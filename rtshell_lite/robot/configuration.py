@@ -3,7 +3,7 @@ import collections
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb, tasks
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import tree
 from rtshell_lite.text import candidates, from_wire, printable, shell_word, to_wire, unescaped
 
@@ -16,18 +16,17 @@ def hidden(set_id):
     return set_id.startswith("__") and set_id.endswith("__")
 
 
-@tasks.task
 async def of(node):
     """The Configuration of a component. Raises what remote calls raise."""
-    ref = await node.ask("get_configuration")
-    listed = await orb.Call(node.path, ref, "get_configuration_sets")
+    ref = await node.call("get_configuration")
+    listed = await orb.call(node.path, ref, "get_configuration_sets")
     return Configuration(node, ref, listed, await _active(node, ref))
 
 
 async def _active(node, ref):
     """The id of the active set, '' when there is none, as after values were set without activating."""
     try:
-        return from_wire((await orb.Call(node.path, ref, "get_active_configuration_set")).id)
+        return from_wire((await orb.call(node.path, ref, "get_active_configuration_set")).id)
     except errors.Refused as e:
         if e.name != "NotAvailable":
             raise
@@ -41,8 +40,8 @@ class Configuration:
         self.node, self.where, self.ref, self.active = node, str(node.path), ref, active
         self.raw = {from_wire(raw.id): raw for raw in listed}
 
-    def _call(self, operation, *args):
-        return orb.call(self.where, self.ref, operation, *args)
+    async def _call(self, operation, *args):
+        return await orb.call(self.where, self.ref, operation, *args)
 
     def sets(self, with_hidden=False):
         """The Sets, sorted by name."""
@@ -76,7 +75,7 @@ class Configuration:
             if "\0" in value:
                 raise errors.BadValue(f"{self.where}: {printable(name)}", "a string holds no NUL")
 
-    def store(self, values, within):
+    async def store(self, values, within):
         """Set `values` (a dict) in the Set `within`. The active set is activated again: a component forgets it otherwise.
 
         Raises NoSuch and BadValue before anything is changed, Refused.
@@ -85,10 +84,10 @@ class Configuration:
         everything = collections.OrderedDict(within.values, **values)
         raw = orb.struct("SDOPackage.ConfigurationSet")(
             to_wire(within.id), self.raw[within.id].description, orb.nvlist(everything.items()))
-        if not self._call("set_configuration_set_values", raw):
+        if not await self._call("set_configuration_set_values", raw):
             raise errors.Refused(self.where, f"does not take values for configuration set {printable(within.id)}")
         if self.active:
-            self.activate(self.active)
+            await self.activate(self.active)
 
     def check_active(self, set_id):
         """Raise NoSuch or Refused unless `set_id` can be made the active set."""
@@ -97,17 +96,17 @@ class Configuration:
         if hidden(set_id):
             raise errors.Refused(self.where, f"configuration set {printable(set_id)} holds metadata and cannot be active")
 
-    def activate(self, set_id):
+    async def activate(self, set_id):
         """Make `set_id` the active set. Raises NoSuch, Refused."""
         self.check_active(set_id)
         try:
-            why = "" if self._call("activate_configuration_set", to_wire(set_id)) else "the component refused"
+            why = "" if await self._call("activate_configuration_set", to_wire(set_id)) else "the component refused"
         except errors.Refused as e:
             why = e.why
         if why:
             raise errors.Refused(self.where, f"does not activate configuration set {printable(set_id)} ({why})")
 
-    def apply(self, wanted, active=""):
+    async def apply(self, wanted, active=""):
         """Set the values in `wanted` ({set: {name: value}}), then activate `active`; all is checked first.
 
         Returns the changes as commands; `steps` gives the same list and changes nothing.
@@ -116,9 +115,9 @@ class Configuration:
         for set_id in sorted(wanted):
             within = self.set(set_id, with_hidden=True)
             if _changed(within, wanted[set_id]):
-                self.store(wanted[set_id], within)
+                await self.store(wanted[set_id], within)
         if active and active != self.active:
-            self.activate(active)
+            await self.activate(active)
         return steps
 
     def steps(self, wanted, active=""):
@@ -231,6 +230,6 @@ def differences(left, right, with_hidden=False):
     return rows
 
 
-def read(paths):
+async def read(paths):
     """The Configuration of the component at each path; an errors.Error in the place of what failed."""
-    return tree.on_components(paths, of)
+    return await tree.on_components(paths, of)

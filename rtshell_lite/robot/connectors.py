@@ -25,7 +25,7 @@ def command(labels, name, connector_id, given):
     return " ".join(shell_word(word) for word in words + labels)
 
 
-def connect(ends, name="", connector_id="", given=None):
+async def connect(ends, name="", connector_id="", given=None):
     """Connect the Ports `ends` (one or more) and return the Connector made, named after them in this order.
 
     Out ports come first in its profile, as the ports disconnect in that order: an in port that does so first waits for the out
@@ -39,19 +39,19 @@ def connect(ends, name="", connector_id="", given=None):
     refs = [port.ref for port in sorted(ends, key=lambda port: port.type == "DataInPort")]
     asked = orb.struct(PROFILE)(to_wire(name), to_wire(connector_id), refs,
                                 orb.nvlist(sorted(ports.connection_properties(ends, given).items())))
-    code, raw = orb.call(ports.between(ends), refs[0], "connect", asked)
+    code, raw = await orb.call(ports.between(ends), refs[0], "connect", asked)
     if str(code) != "RTC_OK":
-        _tidy(ends)
+        await _tidy(ends)
         raise errors.Refused(ports.between(ends), _why_refused(str(code), ends, connector_id), name=str(code))
     return ports.connector(raw, ports.between(ends))
 
 
-def connect_alone(port, name, properties):
+async def connect_alone(port, name, properties):
     """Connect one data port with no other, as tools do, and return the Connector. Raises Refused, Unreachable."""
     for reason in ports.without_rate([port], properties):
         raise errors.Refused(ports.label(port), reason)
     asked = orb.struct(PROFILE)(to_wire(name), "", [port.ref], orb.nvlist(sorted(properties.items())))
-    code, raw = orb.call(ports.label(port), port.ref, "connect", asked)
+    code, raw = await orb.call(ports.label(port), port.ref, "connect", asked)
     if str(code) != "RTC_OK":
         raise errors.Refused(ports.label(port), f"refused by the component ({code})", name=str(code))
     return ports.connector(raw, ports.label(port))
@@ -67,34 +67,34 @@ def _why_refused(code, ends, connector_id):
     return f"refused by the component ({code}){also}"
 
 
-def _tidy(ends):
+async def _tidy(ends):
     """Remove what a failed connect left: components of Python keep half a connection on the in port."""
     for port in ends:
         try:
-            now = ports.port(port.node, port.ref)
+            now = await ports.port(port.node, port.ref)
             for connector in now.connectors:
                 if connector.id not in [c.id for c in port.connectors] and ports.joining([now._replace(connectors=[connector])] + [
                         end for end in ends if end is not port]):
-                    orb.call(ports.label(port), port.ref, "notify_disconnect", to_wire(connector.id))
+                    await orb.call(ports.label(port), port.ref, "notify_disconnect", to_wire(connector.id))
         except errors.Error:
             pass  # the refusal itself is what the user has to know
 
 
-def disconnect(port, connector):
+async def disconnect(port, connector):
     """Remove a Connector of a Port. Done when the port no longer has it, whatever the far end answers. Raises Refused."""
     connector_id = to_wire(connector.id)
     for operation in ("disconnect", "notify_disconnect"):  # the second reaches this end alone, for a dead far end
-        failure = _forgetting_failed(port, operation, connector_id)
+        failure = await _forgetting_failed(port, operation, connector_id)
         if failure is None:
             return
-        left = component.once_more(lambda: orb.Call(ports.label(port), port.ref, "get_connector_profiles"))
+        left = await component.once_more(lambda: orb.call(ports.label(port), port.ref, "get_connector_profiles"))
         if connector_id not in [c.connector_id for c in left]:
-            _forget_elsewhere(port, connector)
+            await _forget_elsewhere(port, connector)
             return
     raise failure
 
 
-def _forget_elsewhere(port, connector):
+async def _forget_elsewhere(port, connector):
     """Make the other ends forget a Connector that a Port has removed without reaching all of them; dead ends do not matter.
 
     Raises Uncertain where one does not answer: it may live, and have half a connection.
@@ -103,7 +103,7 @@ def _forget_elsewhere(port, connector):
         if ref is None or orb.same(ref, port.ref):
             continue
         try:
-            orb.call(ports.label(port), ref, "notify_disconnect", to_wire(connector.id))
+            await orb.call(ports.label(port), ref, "notify_disconnect", to_wire(connector.id))
         except (errors.Gone, errors.ConnectionRefused, errors.Refused):
             pass
         except errors.Unreachable as e:
@@ -112,10 +112,10 @@ def _forget_elsewhere(port, connector):
             raise errors.Uncertain(ports.label(port), why)
 
 
-def _forgetting_failed(port, operation, connector_id):
+async def _forgetting_failed(port, operation, connector_id):
     """Ask a port to forget a connector; the errors.Error that says why it may still have it, or None."""
     try:
-        code = str(orb.call(ports.label(port), port.ref, operation, connector_id))
+        code = str(await orb.call(ports.label(port), port.ref, operation, connector_id))
     except errors.Silent:
         raise
     except errors.Unreachable as e:  # may be the far end's death, passed on
@@ -126,7 +126,7 @@ def _forgetting_failed(port, operation, connector_id):
     return errors.Refused(ports.label(port), f"cannot remove connection {printable(from_wire(connector_id))} ({code})")
 
 
-def disconnect_all(pairs, dry_run=False):
+async def disconnect_all(pairs, dry_run=False):
     """`disconnect` each (Port, Connector): a line or an errors.Error for each; a connector of two of the ports is removed once."""
     results, seen = [], set()  # type: list, set
     for port, connector in pairs:
@@ -137,7 +137,7 @@ def disconnect_all(pairs, dry_run=False):
             results.append(f"rtdis -i {shell_word(connector.id)} {shell_word(ports.label(port))}")
             continue
         try:
-            disconnect(port, connector)
+            await disconnect(port, connector)
             results.append(f"{ports.label(port)}: removed connection {printable(connector.id)}")
         except errors.Error as e:
             results.append(e)

@@ -12,32 +12,32 @@ SETTLE_TIME = 2.0  # seconds: a component joins and leaves at the context's next
 Entry = collections.namedtuple("Entry", "index context state owner participants")
 
 
-def entries(node, only=None):
+async def entries(node, only=None):
     """An Entry for each execution context of a component, the owned ones first; `only`: for the context number `only`.
 
     The Context of an Entry is None if it belongs to another component that does not answer.
     """
     if only is not None:
-        return [_entry(node, only, component.context_ref(node, only))]
-    owned, participating = component.context_refs(node)
-    return [_entry(node, index, ref) for index, ref in enumerate(owned + participating)]
+        return [await _entry(node, only, await component.context_ref(node, only))]
+    owned, participating = await component.context_refs(node)
+    return [await _entry(node, index, ref) for index, ref in enumerate(owned + participating)]
 
 
-def _entry(node, index, ref):
-    context = component.elsewhere(node, ref, component.context.task(node, ref), None)
+async def _entry(node, index, ref):
+    context = await component.or_default(node, ref, component.context(node, ref), None)
     if context is None:
         return Entry(index, None, "Unknown", "", [])
-    return Entry(index, context, component.states(node, [ref])[0], component.instance_name(node, context.owner),
-                 [component.instance_name(node, ref) for ref in context.participants])
+    return Entry(index, context, (await component.states(node, [ref]))[0], await component.instance_name(node, context.owner),
+                 [await component.instance_name(node, ref) for ref in context.participants])
 
 
 # ---- changing -------------------------------------------------------------------------------------------------
 
-def set_rate(node, index, rate):
+async def set_rate(node, index, rate):
     """Set the rate (Hz) of a context and check it. Raises Refused."""
-    ref, where = component.context_ref(node, index), str(node.path)
-    code = str(orb.call(where, ref, "set_rate", rate))
-    now = component.seen(orb.Call(where, ref, "get_rate"))
+    ref, where = await component.context_ref(node, index), str(node.path)
+    code = str(await orb.call(where, ref, "set_rate", rate))
+    now = await component.uncertain_if_refused(orb.call(where, ref, "get_rate"))
     if code != "RTC_OK" or not same_rate(now, rate):
         raise errors.Refused(where, f"does not take a rate of {rate:g} Hz ({code}; it is {now:g} Hz)")
     return f"{node.path}: {now:g} Hz"
@@ -48,78 +48,81 @@ def same_rate(now, wanted):
     return abs(now - wanted) <= 0.01 * wanted
 
 
-def start(node, index):
+async def start(node, index):
     """Start a context. Raises Refused."""
-    return _run(node, index, "start", True)
+    return await _run(node, index, "start", True)
 
 
-def stop(node, index):
+async def stop(node, index):
     """Stop a context: its components keep their states, and none of them is executed. Raises Refused."""
-    return _run(node, index, "stop", False)
+    return await _run(node, index, "stop", False)
 
 
-def _run(node, index, operation, wanted):
-    ref, where = component.context_ref(node, index), str(node.path)
-    code = str(orb.call(where, ref, operation))  # PRECONDITION_NOT_MET if it already is
-    if bool(component.seen(orb.Call(where, ref, "is_running"))) != wanted:
+async def _run(node, index, operation, wanted):
+    ref, where = await component.context_ref(node, index), str(node.path)
+    code = str(await orb.call(where, ref, operation))  # PRECONDITION_NOT_MET if it already is
+    if bool(await component.uncertain_if_refused(orb.call(where, ref, "is_running"))) != wanted:
         raise errors.Refused(where, f"its execution context does not {operation} ({code})")
     return f"{node.path}: {'running' if wanted else 'stopped'}"
 
 
-def one_by_one(change, node, index, participants):
+async def one_by_one(change, node, index, participants):
     """`attach` or `detach` the components, in their order; an errors.Error in the place of what failed."""
     results = []
     for participant in participants:
         try:
-            results.append(participant if isinstance(participant, errors.Error) else change(node, index, participant))
+            results.append(participant if isinstance(participant, errors.Error) else await change(node, index, participant))
         except errors.Error as e:
             results.append(e)
     return results
 
 
-def attach(node, index, participant):
+async def attach(node, index, participant):
     """Let the component `participant` take part in a context. Raises Failed, Refused, and Unreachable if that is dead.
 
     OpenRTM-aist 2 lists it at once, and knows its state, and takes commands for it, from the context's next cycle on.
     """
-    ref, where = component.context_ref(node, index), str(node.path)
-    orb.is_alive(str(participant.path), participant.ref)
-    profile = orb.call(where, ref, "get_profile")
+    ref, where = await component.context_ref(node, index), str(node.path)
+    await orb.is_alive(str(participant.path), participant.ref)
+    profile = await orb.call(where, ref, "get_profile")
     if orb.same(profile.owner, participant.ref):
         raise errors.Failed(where, f"{participant.path!s} owns this execution context")
     if not _takes_part(profile, participant):
-        code = str(orb.call(where, ref, "add_component", participant.typed))
-        if code != "RTC_OK" or not _takes_part(component.seen(orb.Call(where, ref, "get_profile")), participant):
+        code = str(await orb.call(where, ref, "add_component", participant.typed))
+        if code != "RTC_OK" or not _takes_part(await component.uncertain_if_refused(orb.call(where, ref, "get_profile")), participant):
             raise errors.Refused(where, f"its execution context does not take {participant.path!s} ({code})")
-    is_known = component.until(lambda: component.state_in(participant, ref) != "Created", SETTLE_TIME)
+
+    async def is_executed():
+        return await component.state_in(participant, ref) != "Created"
+    is_known = await component.until(is_executed, SETTLE_TIME)
     return f"{node.path}: {participant.path} takes part{'' if is_known else ' from its next cycle on'}"
 
 
-def detach(node, index, participant):
+async def detach(node, index, participant):
     """Let the component `participant` leave a context, which happens at its next cycle. Raises NoSuch, Refused."""
-    ref, where = component.context_ref(node, index), str(node.path)
-    profile = orb.call(where, ref, "get_profile")
+    ref, where = await component.context_ref(node, index), str(node.path)
+    profile = await orb.call(where, ref, "get_profile")
     if not _takes_part(profile, participant):
         raise errors.NoSuch(where, "participant", str(participant.path))
-    code = str(orb.call(where, ref, "remove_component", participant.typed))
+    code = str(await orb.call(where, ref, "remove_component", participant.typed))
     seconds = max(SETTLE_TIME, 3 / profile.rate if profile.rate > 0 else 0)
-    if not component.until(lambda: _has_left(where, ref, participant), seconds):
+    if not await component.until(lambda: _has_left(where, ref, participant), seconds):
         raise errors.Refused(where, f"its execution context does not let go of {participant.path!s} ({code})")
     return f"{node.path}: {participant.path} left"
 
 
-def _has_left(where, ref, participant):
+async def _has_left(where, ref, participant):
     """Whether neither the context lists the component, nor the component the context, which may execute it until then."""
-    if _takes_part(component.seen(orb.Call(where, ref, "get_profile")), participant):
+    if _takes_part(await component.uncertain_if_refused(orb.call(where, ref, "get_profile")), participant):
         return False
-    return not any(orb.same(ref, other) for other in component.participating_context_refs(participant))
+    return not any(orb.same(ref, other) for other in await component.participating_context_refs(participant))
 
 
 def _takes_part(profile, participant):
     return any(orb.same(ref, participant.ref) for ref in profile.participants)
 
 
-def command(node, index, *words):
+async def command(node, index, *words):
     """An rtec command for a context of a component, ready for a shell. Raises NoSuch."""
-    component.context_ref(node, index)
+    await component.context_ref(node, index)
     return " ".join(["rtec"] + (["-e", str(index)] if index else []) + [shell_word(w) for w in (str(node.path),) + words])

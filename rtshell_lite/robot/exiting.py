@@ -3,6 +3,7 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
+from rtshell_lite.net import loop
 from rtshell_lite.robot import component, tree
 from rtshell_lite.text import shell_word
 
@@ -11,82 +12,82 @@ LEAVING = 2.0  # seconds that an execution context gets, at least, to release a 
 LEAVING_MOST = 60.0  # at most, whatever rate it claims
 
 
-def exit_all(paths, wait=None, dry_run=False):
+async def exit_all(paths, wait=None, dry_run=False):
     """LightweightRTObject::exit of the component at each path: a line or an errors.Error for each.
 
     With `wait` (seconds) also wait until the name is unbound, which a component's manager does up to a second later.
     """
-    def exit_one(node):
+    async def exit_one(node):
         if dry_run:
             return "rtexit " + shell_word(str(node.path))
-        leave(node)
-        _exit(node)
+        await leave(node)
+        await _exit(node)
         if wait is not None:
-            _until_unbound(node, wait)
+            await _until_unbound(node, wait)
         return f"{node.path}: exited"
-    return tree.on_components(paths, exit_one)
+    return await tree.on_components(paths, exit_one)
 
 
-def leave(node):
+async def leave(node):
     """Take a component that is to exit out of the execution contexts of others, such as composites, and wait until it has left.
 
     A context informs a component in its next cycle that it has left. If that has exited by then, the context's process ends, too
     (C++ 2.1). Raises Refused if a context keeps it.
     """
     asked, seconds = [], LEAVING
-    for ref in component.participating_context_refs(node):
+    for ref in await component.participating_context_refs(node):
         try:
-            rate = orb.call(node.path, ref, "get_rate")
-            orb.call(node.path, ref, "remove_component", node.typed)
+            rate = await orb.call(node.path, ref, "get_rate")
+            await orb.call(node.path, ref, "remove_component", node.typed)
         except errors.Error:
             continue  # it is gone, hangs or refuses
         asked.append(ref)
         seconds = max(seconds, min(3 / rate, LEAVING_MOST) if rate > 0 else 0)
 
-    def has_left():
-        return not asked or not any(orb.same(present, ref) for present in component.participating_context_refs(node) for ref in asked)
-    if not component.until(has_left, seconds):
+    async def has_left():
+        return not asked or not any(orb.same(present, ref) for present in await component.participating_context_refs(node) for ref in asked)
+    if not await component.until(has_left, seconds):
         raise errors.Refused(str(node.path), "an execution context that it takes part in does not let go of it (see rtec); its "
                              "process could end if this one did")
 
 
-def _exit(node):
-    orb.is_alive(node.path, node.ref)  # if it is dead afterwards, this call has ended it
+async def _exit(node):
+    await orb.is_alive(node.path, node.ref)  # if it is dead afterwards, this call has ended it
     try:
-        code = str(node.call("exit"))
+        code = str(await node.call("exit"))
     except (errors.Silent, errors.Refused):
         raise
     except errors.Unreachable:
-        if not _has_ended(node):
+        if not await _has_ended(node):
             raise
         return
     if code != "RTC_OK":
         raise errors.Refused(str(node.path), f"does not exit ({code})")
 
 
-def _has_ended(node):
+async def _has_ended(node):
     """Whether a component whose answer was lost is gone: the last one of a process ends the process.
 
     A process that ends may still accept a connection, and drop it, before it refuses the next.
     """
     limit = time.monotonic() + ENDING
     while True:
-        now, = tree.look([node])
+        now, = await tree.check_alive([node])
         if now.kind == "zombie":
             return True
         if isinstance(now.error, errors.Silent) or time.monotonic() > limit:
             return False
-        time.sleep(component.POLL)
+        await loop.sleep(component.POLL)
 
 
-def _until_unbound(node, wait):
-    if not component.until(lambda: _is_unbound(node), wait):
+async def _until_unbound(node, wait):
+    if not await component.until(lambda: _is_unbound(node), wait):
         raise errors.Unreachable(str(node.path), f"has exited, but its name is still bound after {wait:g}s")
 
 
-def _is_unbound(node):
+async def _is_unbound(node):
     try:
-        tree.resolve(node.path)
+        await tree.resolve(node.path)
     except errors.NotFound:
         return True
     return False

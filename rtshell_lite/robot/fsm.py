@@ -6,60 +6,64 @@ from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 SERVICE = "IDL:omg.org/RTC/ExtendedFsmService:1.0"
 
 
-class Machine:
-    """The state machine of the component `node`. Raises NoSuch where it has none.
+async def of(node):
+    """The Machine of the component `node`. Raises NoSuch where it has none.
 
     The service is taken from the list of all, as get_sdo_service ends components of C++ 2.1.
     """
+    services = [profile.service for profile in await node.call("get_service_profiles")
+                if SERVICE in (profile.interface_type, profile.id) and profile.service is not None]
+    if not services:
+        raise errors.NoSuch(str(node.path), "SDO service", "ExtendedFsmService (it is no state machine of FSM4RTC)")
+    return Machine(str(node.path), orb.narrow(services[0], "RTC.ExtendedFsmService"))
 
-    def __init__(self, node):
-        self.where = str(node.path)
-        services = [profile.service for profile in node.call("get_service_profiles")
-                    if SERVICE in (profile.interface_type, profile.id) and profile.service is not None]
-        if not services:
-            raise errors.NoSuch(self.where, "SDO service", "ExtendedFsmService (it is no state machine of FSM4RTC)")
-        self.ref = orb.narrow(services[0], "RTC.ExtendedFsmService")
 
-    def state(self):
+class Machine:
+    """The state machine of the component at the path `where`, and the reference of its service."""
+
+    def __init__(self, where, ref):
+        self.where, self.ref = where, ref
+
+    async def state(self):
         """The name of the current state."""
-        return from_wire(orb.call(self.where, self.ref, "get_current_state"))
+        return from_wire(await orb.call(self.where, self.ref, "get_current_state"))
 
-    def _raw(self):
-        code, structure = orb.call(self.where, self.ref, "get_fsm_structure")
+    async def _raw(self):
+        code, structure = await orb.call(self.where, self.ref, "get_fsm_structure")
         if str(code) != "RTC_OK":
             raise errors.Refused(self.where, f"does not report its structure ({code})")
         return structure
 
-    def structure(self):
+    async def structure(self):
         """A dict: name, structure (SCXML), event_profiles (pairs name, data type), properties (pairs)."""
-        raw = self._raw()
+        raw = await self._raw()
         return {"name": from_wire(raw.name), "structure": from_wire(raw.structure),
                 "event_profiles": _pairs(raw), "properties": orb.properties(raw.properties)}
 
-    def set_structure(self, content, dry_run=False):
+    async def set_structure(self, content, dry_run=False):
         """Replace the text of its structure; returns whether that changes, or with `dry_run` would change, anything."""
         def change(structure):
             structure.structure = to_wire(content)
-        return self._set(change, lambda structure: from_wire(structure.structure), content, dry_run)
+        return await self._set(change, lambda structure: from_wire(structure.structure), content, dry_run)
 
-    def set_event_profiles(self, pairs, dry_run=False):
+    async def set_event_profiles(self, pairs, dry_run=False):
         """Replace its event profiles by `pairs` of name and data type; returns what `set_structure` does."""
         event_profile = orb.struct("RTC.FsmEventProfile")
 
         def change(structure):
             structure.event_profiles = [event_profile(to_wire(name), to_wire(kind)) for name, kind in pairs]
-        return self._set(change, _pairs, pairs, dry_run)
+        return await self._set(change, _pairs, pairs, dry_run)
 
-    def _set(self, change, read, wanted, dry_run):
+    async def _set(self, change, read, wanted, dry_run):
         """Change one part of the structure and read it again: RTC_OK alone proves nothing."""
-        structure = self._raw()
+        structure = await self._raw()
         if read(structure) == wanted:
             return False
         if dry_run:
             return True
         change(structure)
-        code = str(orb.call(self.where, self.ref, "set_fsm_structure", structure))
-        if code != "RTC_OK" or read(self._raw()) != wanted:
+        code = str(await orb.call(self.where, self.ref, "set_fsm_structure", structure))
+        if code != "RTC_OK" or read(await self._raw()) != wanted:
             why = code + (" but unchanged" if code == "RTC_OK" else "")
             raise errors.Refused(self.where, f"does not take it ({why})")
         return True

@@ -8,7 +8,7 @@ import posixpath
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb, tasks
+from rtshell_lite.corba import orb
 from rtshell_lite.path import Path, parse, split_address
 from rtshell_lite.robot import component, exiting, ports, tree
 from rtshell_lite.text import from_wire, printable, to_wire
@@ -34,13 +34,13 @@ class Address(str):
 
 # ---- which manager --------------------------------------------------------------------------------------------
 
-def find(word):
+async def find(word):
     """The Node of the manager that `word` names: a path, or corbaloc:[iiop]:HOST[:PORT][/KEY] without a name server.
 
     Raises BadPath before anything is contacted, what `tree.resolve` raises, WrongKind, Gone, Silent.
     """
     direct = word.startswith("corbaloc:")
-    node, = tree.look([tree.Node(Address(word), "unsure", reference(word)) if direct else _bound(parse(word))])
+    node, = await tree.check_alive([tree.Node(Address(word), "unsure", reference(word)) if direct else await _bound(parse(word))])
     if node.kind == "manager":
         return node
     if direct and isinstance(node.error, errors.Gone):
@@ -50,10 +50,10 @@ def find(word):
     raise node.error or errors.WrongKind(str(node.path), "manager", node.what)
 
 
-def _bound(path):
+async def _bound(path):
     if path.port is not None:
         raise errors.WrongKind(str(path), "manager", "port")
-    return tree.resolve(path)
+    return await tree.resolve(path)
 
 
 def check(word):
@@ -86,60 +86,60 @@ def _key(word):
 
 # ---- what it has ----------------------------------------------------------------------------------------------
 
-def components(node):
+async def components(node):
     """(instance name, Node) of each live component; a master lists those of its slaves, too."""
-    return [(child.path.names[-1].id, child) for child in tree.managed(node) if child.kind == "component"]
+    return [(child.path.names[-1].id, child) for child in await tree.managed(node) if child.kind == "component"]
 
 
-def profiles(node, wanted=lambda child: True):
+async def profiles(node, wanted=lambda child: True):
     """(Node, component.Profile) of those of its components for which wanted(Node) is true; an errors.Error for what failed.
 
     Those that are gone are left out, although managers may still list them.
     """
-    def profiled(child):
-        ports.ports(child)  # first, see `component.profile`
-        return child, component.profile(child)
-    children = sorted((child for child in tree.managed(node) if child.kind != "zombie" and wanted(child)),
+    async def profiled(child):
+        await ports.ports(child)  # first, see `component.profile`
+        return child, await component.profile(child)
+    children = sorted((child for child in await tree.managed(node) if child.kind != "zombie" and wanted(child)),
                       key=lambda child: str(child.path))
-    return tree.on_nodes([child.error or child for child in children], profiled)
+    return await tree.on_nodes([child.error or child for child in children], profiled)
 
 
-def configuration(node):
+async def configuration(node):
     """Its configuration as a list of (key, value) texts."""
-    return orb.properties(node.call("get_configuration"))
+    return orb.properties(await node.call("get_configuration"))
 
 
-def profile(node):
+async def profile(node):
     """Its profile (RTM::ManagerProfile) as a list of (key, value) texts."""
-    return orb.properties(node.call("get_profile").properties)
+    return orb.properties((await node.call("get_profile")).properties)
 
 
-def modules(node, operation="get_loadable_modules"):
+async def modules(node, operation="get_loadable_modules"):
     """Profiles of modules as dicts, sorted, each once: get_loadable_modules, get_loaded_modules or get_factory_profiles.
 
     A master can create what its slaves have loaded: some masters report that, those of C++ 2.1 do not.
     """
-    listed = _modules(node, operation)
+    listed = await _modules(node, operation)
     if operation != "get_loadable_modules":
-        for answer in tree.on_nodes(_slaves(node), lambda slave: _modules(slave, operation)):
+        for answer in await tree.on_nodes(await _slaves(node), lambda slave: _modules(slave, operation)):
             listed += [] if isinstance(answer, errors.Error) else answer
     distinct = {tuple(sorted(module.items())): module for module in listed}
     return sorted(distinct.values(), key=lambda module: (component_id(module), module.get("file_path", "")))
 
 
-def labels(node, operation, key=None):
+async def labels(node, operation, key=None):
     """What `modules` returns as texts, by a property or by their ids; neighbours that are alike once."""
-    listed = [module.get(key, "") if key else component_id(module) for module in modules(node, operation)]
+    listed = [module.get(key, "") if key else component_id(module) for module in await modules(node, operation)]
     return [label for label, _ in itertools.groupby(listed)]  # a factory may have other defaults in another slave
 
 
-def _modules(node, operation):
+async def _modules(node, operation):
     seconds = MODULES_TIME if operation == "get_loadable_modules" else None
-    return [dict(orb.properties(module.properties)) for module in node.call(operation, seconds=seconds)]
+    return [dict(orb.properties(module.properties)) for module in await node.call(operation, seconds=seconds)]
 
 
-def _loaded(node):
-    return [module.get("file_path", "") for module in _modules(node, "get_loaded_modules")]
+async def _loaded(node):
+    return [module.get("file_path", "") for module in await _modules(node, "get_loaded_modules")]
 
 
 def component_id(properties):
@@ -150,42 +150,44 @@ def component_id(properties):
 
 # ---- changing -------------------------------------------------------------------------------------------------
 
-def create(node, argument, wait=None):
+async def create(node, argument, wait=None):
     """Create a component and return its instance name. `argument` is MODULE[?key=value[&key=value…]].
 
     `wait`: so many seconds until it is initialised and the manager lists it. Raises Refused with what is known of the reason.
     """
-    before = components(node)
+    before = await components(node)
     wanted = dict(pair.split("=", 1) for pair in argument.partition("?")[2].split("&") if "=" in pair).get("instance_name")
     if wanted in [name for name, _ in before]:
         # managers do not refuse it: two components of one name crash their process later (C++ 1.x)
         raise errors.Refused(str(node.path), f"has a component {printable(wanted)} already")
-    refs = (node.call("create_component", to_wire(spelt), seconds=CREATE_TIME) for spelt in _spellings(node, argument))
-    ref = next((ref for ref in refs if ref is not None), None)
+    ref = None
+    for spelling in await _spellings(node, argument):
+        ref = ref or await node.call("create_component", to_wire(spelling), seconds=CREATE_TIME)
     if ref is None:
-        raise errors.Refused(str(node.path), f"does not create {printable(argument)} ({_why_not(node, argument)})")
+        why = await _why_not(node, argument)
+        raise errors.Refused(str(node.path), f"does not create {printable(argument)} ({why})")
     created = tree.Node(node.path, "component", ref)
-    name = from_wire(component.seen(created.ask("get_sdo_id")))
+    name = from_wire(await component.uncertain_if_refused(created.call("get_sdo_id")))
     if any(orb.same(ref, known.ref) for _, known in before):
         raise errors.Refused(str(node.path), f"created nothing new: it returned {printable(name)}, which was there")
     if name in [known for known, _ in before]:
-        raise errors.Refused(str(node.path), _same_name(node, created, printable(name)))
+        raise errors.Refused(str(node.path), await _same_name(node, created, printable(name)))
     if wait is not None:
-        _until(wait, lambda: _is_ready(node, name, created), str(node.path), f"{printable(name)} is not ready")
+        await _until(wait, lambda: _is_ready(node, name, created), str(node.path), f"{printable(name)} is not ready")
     return name
 
 
-def _same_name(node, created, name):
+async def _same_name(node, created, name):
     """What a creation has come to that returned a new component under a name that was there before.
 
     A Python factory keeps the last name that it was given, makes another component of that name, and lists it nowhere.
     """
-    if component.seen(tasks.plain(_lists, node, created.ref)):
+    if await component.uncertain_if_refused(_lists(node, created.ref)):
         return f"made a second component called {name}: only one of them is found by that name; delete one"
     return f"created nothing of use: it returned the name {name}, which is taken; give another one: ?instance_name=…"
 
 
-def _spellings(node, argument):
+async def _spellings(node, argument):
     """The argument, and its other form: an identity has no language for C++ 1.1, and one for all later versions.
 
     Without a language, it is first looked up, see `whole_id`.
@@ -193,21 +195,20 @@ def _spellings(node, argument):
     ident, mark, rest = argument.partition("?")
     fields = ident.split(":")
     if fields[0] != "RTC" or len(fields) not in (5, 6):
-        yield argument
-        return
-    whole, is_old = whole_id(node, ident), _is_old(node)
-    if is_old or whole.count(":") == 5:
-        yield whole + mark + rest
-    if is_old:  # a later one knows no such id, and a master of C++ 2.1 would start a slave to look there
-        yield ":".join(fields[:4] + ([""] if whole.count(":") == 4 else []) + fields[-1:]) + mark + rest
+        return [argument]
+    whole, is_old = await whole_id(node, ident), await _is_old(node)
+    if not is_old:  # it knows no id without a language, and a master of C++ 2.1 would start a slave to look there
+        return [whole + mark + rest] if whole.count(":") == 5 else []
+    other = ":".join(fields[:4] + ([""] if whole.count(":") == 4 else []) + fields[-1:])
+    return [whole + mark + rest, other + mark + rest]
 
 
-def _is_old(node):
+async def _is_old(node):
     """Whether a manager is older than 1.2, or of RtORB, whose ids have no language."""
-    return not dict(configuration(node)).get("openrtm.version", "").startswith(("1.2", "2."))
+    return not dict(await configuration(node)).get("openrtm.version", "").startswith(("1.2", "2."))
 
 
-def whole_id(node, ident):
+async def whole_id(node, ident):
     """The id of a component (RTC:vendor:category:name:version) with its language, as a factory or a loadable module has it.
 
     `name` may be that of the implementation or of the type. Returns `ident` where it has a language, or nothing like it is known.
@@ -219,18 +220,18 @@ def whole_id(node, ident):
     _, vendor, category, name = fields[:4]
     wanted = {"vendor": vendor, "category": category, "version": fields[-1]}
     for operation in ("get_factory_profiles", "get_loadable_modules"):
-        for module in modules(node, operation):
+        for module in await modules(node, operation):
             is_named = name in (module.get("implementation_id"), module.get("type_name"))
             if is_named and all(module.get(key, "") in ("", value) for key, value in wanted.items()):  # Python may not find out all
                 return component_id(module)
     return ident
 
 
-def _why_not(node, argument):
+async def _why_not(node, argument):
     """What can be found out of the reason: managers give none."""
     ident = argument.partition("?")[0]
     wanted = ident.split(":")[3] if ident.count(":") > 3 else ident
-    factories = modules(node, "get_factory_profiles")
+    factories = await modules(node, "get_factory_profiles")
     alike = [factory for factory in factories if factory.get("implementation_id") == wanted]
     if not alike:
         known = sorted({factory.get("implementation_id", "") for factory in factories})
@@ -242,47 +243,54 @@ def _why_not(node, argument):
     return f"a wrong argument, {limit}or its own initialisation failed"
 
 
-def _is_ready(node, name, created):
-    return name in [listed for listed, _ in components(node)] and component.state(created) not in ("Created", "Unknown")
+async def _is_ready(node, name, created):
+    return name in [listed for listed, _ in await components(node)] and await component.state(created) not in ("Created", "Unknown")
 
 
-def delete(node, instance):
+async def delete(node, instance):
     """Delete a component of this manager or of one of its slaves, and wait until it is listed no longer.
 
     Raises NoSuch, Refused, Unreachable.
     """
-    matching = [child for name, child in components(node) if name == instance]
+    matching = [child for name, child in await components(node) if name == instance]
     if len(matching) != 1:
         raise errors.NoSuch(str(node.path), "component" if not matching else "single component (its slaves have several)",
                             printable(instance))
     # a master returns BAD_PARAMETER for the name of a slave's component, or RTC_OK and does nothing (C++ 1.1)
-    holder = next((slave for slave in _slaves(node) if _lists(slave, matching[0].ref)), node)
-    exiting.leave(matching[0])
-    code = str(holder.call("delete_component", to_wire(instance), seconds=CREATE_TIME))
+    holder = node
+    for slave in await _slaves(node):
+        if await _lists(slave, matching[0].ref):
+            holder = slave
+            break
+    await exiting.leave(matching[0])
+    code = str(await holder.call("delete_component", to_wire(instance), seconds=CREATE_TIME))
     if code != "RTC_OK":
         raise errors.Refused(str(node.path), f"does not delete {printable(instance)} ({code})")
-    _until(SETTLE_TIME, lambda: not _lists(node, matching[0].ref), str(node.path), f"still lists {printable(instance)}")
+
+    async def is_forgotten():
+        return not await _lists(node, matching[0].ref)
+    await _until(SETTLE_TIME, is_forgotten, str(node.path), f"still lists {printable(instance)}")
 
 
-def _slaves(node):
-    return [slave for slave in tree.slaves(node) if slave.kind == "manager"]
+async def _slaves(node):
+    return [slave for slave in await tree.slaves(node) if slave.kind == "manager"]
 
 
-def _lists(node, ref):
-    return any(orb.same(listed, ref) for listed in node.call("get_components"))
+async def _lists(node, ref):
+    return any(orb.same(listed, ref) for listed in await node.call("get_components"))
 
 
-def load(node, file_path, function):
+async def load(node, file_path, function):
     """Load a module; `function` is its initialisation function. Raises Refused when it is not there afterwards.
 
     Returns how many factories there are that were not there before.
     """
-    before, known = _loaded(node), len(_modules(node, "get_factory_profiles"))
-    code = str(node.call("load_module", to_wire(file_path), to_wire(function), seconds=CREATE_TIME))
-    after = _loaded(node)
+    before, known = await _loaded(node), len(await _modules(node, "get_factory_profiles"))
+    code = str(await node.call("load_module", to_wire(file_path), to_wire(function), seconds=CREATE_TIME))
+    after = await _loaded(node)
     if code != "RTC_OK" or not meant(file_path, after) and len(after) <= len(before):
         raise errors.Refused(str(node.path), f"did not load {printable(file_path)} (it returned {code})")
-    return len(_modules(node, "get_factory_profiles")) - known
+    return len(await _modules(node, "get_factory_profiles")) - known
 
 
 def meant(word, paths):
@@ -306,14 +314,14 @@ def _plain(path):
     return re.sub("^//", "/", posixpath.normpath(path.replace("\\", "/")))
 
 
-def unload(node, word):
+async def unload(node, word):
     """Unload the module that `word` means, see `meant`. Raises NoSuch, Failed while a component of it lives, Refused.
 
     A master is asked to unload its own, else the slave that has it. Returns the name of a component that the manager still offers
     to create although its code is gone, '' if none: to create it would end its process (C++ 2.1).
     """
-    slaves = _slaves(node)
-    loaded = [(holder, _loaded(holder)) for holder in [node] + slaves]
+    slaves = await _slaves(node)
+    loaded = [(holder, await _loaded(holder)) for holder in [node] + slaves]
     paths = meant(word, [path for _, listed in loaded for path in listed])
     if len(paths) != 1:
         raise errors.NoSuch(str(node.path), "loaded module" if not paths else "single loaded module", printable(word))
@@ -321,27 +329,27 @@ def unload(node, word):
     for holder, listed in loaded:
         if path not in listed:
             continue
-        _must_be_unused(holder, path)
+        await _must_be_unused(holder, path)
         try:  # a master may list its slaves' modules, but refuses to unload them
-            code = str(holder.call("unload_module", to_wire(path)))
+            code = str(await holder.call("unload_module", to_wire(path)))
         except errors.Refused as e:
             code = e.why
             continue
-        if code == "RTC_OK" and _loaded(holder).count(path) < listed.count(path):
-            return _still_offered(holder, path)
+        if code == "RTC_OK" and (await _loaded(holder)).count(path) < listed.count(path):
+            return await _still_offered(holder, path)
     raise errors.Refused(str(node.path), f"did not unload {printable(path)} (it returned {code})")
 
 
-def _must_be_unused(node, path):
+async def _must_be_unused(node, path):
     """Raise Failed if a component of a compiled module lives: to lose its code would end its process (C++ 2.1)."""
-    for answer in profiles(node, lambda child: child.endpoint == node.endpoint):
+    for answer in await profiles(node, lambda child: child.endpoint == node.endpoint):
         if not isinstance(answer, errors.Error) and _is_of(path, dict(answer[1].properties)):
             user = printable(answer[1].instance_name)
             raise errors.Failed(str(node.path), f"{printable(path)} is in use by {user}, whose process would end; delete it first")
 
 
-def _still_offered(node, path):
-    return next((factory["implementation_id"] for factory in _modules(node, "get_factory_profiles") if _is_of(path, factory)), "")
+async def _still_offered(node, path):
+    return next((factory["implementation_id"] for factory in await _modules(node, "get_factory_profiles") if _is_of(path, factory)), "")
 
 
 def _is_of(path, properties):
@@ -350,53 +358,53 @@ def _is_of(path, properties):
     return properties.get("implementation_id") == name and properties.get("language") != "Python"
 
 
-def set_configuration(node, key, value):
+async def set_configuration(node, key, value):
     """Set a configuration value; many are read only when a manager starts. Raises Refused if it was not set."""
-    code = str(node.call("set_configuration", to_wire(key), to_wire(value)))
-    now = dict(configuration(node)).get(key)
+    code = str(await node.call("set_configuration", to_wire(key), to_wire(value)))
+    now = dict(await configuration(node)).get(key)
     if code != "RTC_OK" or now != value:
         shown = "missing" if now is None else printable(now) or "empty"
         raise errors.Refused(str(node.path), f"did not set {printable(key)} (it returned {code}; the value is {shown})")
 
 
-def shut_down(node, wait=None, above=()):
+async def shut_down(node, wait=None, above=()):
     """End the processes of a manager's slaves, then its own; lines and errors.Errors, see `cli.report`.
 
     Slaves can only be found through their master, so it is left running if one of them is. A process may take `wait` seconds, or
     END_TIME; it has ended when nobody listens there any more.
     """
     known = [node.ref] + list(above)
-    slaves = [slave for slave in tree.slaves(node) if slave.kind != "zombie" and not any(orb.same(slave.ref, ref) for ref in known)]
-    parts = tree.on_nodes([slave.error or slave for slave in slaves], lambda slave: shut_down(slave, wait, known))
+    slaves = [slave for slave in await tree.slaves(node) if slave.kind != "zombie" and not any(orb.same(slave.ref, ref) for ref in known)]
+    parts = await tree.on_nodes([slave.error or slave for slave in slaves], lambda slave: shut_down(slave, wait, known))
     results = [result for part in parts for result in ([part] if isinstance(part, errors.Error) else part)]
     left = [slave for slave, part in zip(slaves, parts) if isinstance(part, errors.Error) or not all(_done(line) for line in part)]
     if left:
         return results + [errors.NotTried(str(node.path), f"its slave {left[0].path!s} still runs, and cannot be found without it")]
-    return results + [_ended(node, END_TIME if wait is None else wait)]
+    return results + [await _ended(node, END_TIME if wait is None else wait)]
 
 
 def _done(result):
     return not isinstance(result, errors.Error)
 
 
-def _ended(node, seconds):
+async def _ended(node, seconds):
     """End the process of one manager: a line, or an errors.Error."""
     try:
-        code = str(node.call("shutdown"))
+        code = str(await node.call("shutdown"))
         if code != "RTC_OK":
             return errors.Refused(str(node.path), f"does not shut down ({code})")
     except (errors.Silent, errors.Refused) as e:
         return e
     except errors.Unreachable:
         pass  # it may have ended before it answered
-    if not component.until(lambda: _is_over(node), seconds):
+    if not await component.until(lambda: _is_over(node), seconds):
         return errors.Unreachable(str(node.path), f"its process has not ended within {seconds:g}s")
     return f"shut down {node.path}"
 
 
-def _is_over(node):
+async def _is_over(node):
     try:
-        orb.call(node.path, node.ref, "_non_existent")
+        await orb.call(node.path, node.ref, "_non_existent")
     except errors.ConnectionRefused:
         return True
     except errors.Error:
@@ -404,6 +412,6 @@ def _is_over(node):
     return False
 
 
-def _until(limit, reached, where, otherwise):
-    if not component.until(lambda: component.seen(tasks.plain(reached)), limit):
+async def _until(limit, reached, where, otherwise):
+    if not await component.until(lambda: component.uncertain_if_refused(reached()), limit):
         raise errors.Unreachable(where, f"{otherwise} after {limit:g}s")

@@ -11,7 +11,7 @@ WHY_LEFT = "its host refuses the connection, as a firewall would, and no other p
            "netstat -ltnp | grep :%d there shows whether its process runs; -f deletes the name all the same"
 
 
-def delete(path, note, zombie_only=False, recursive=False, dry_run=False, force=False):
+async def delete(path, note, zombie_only=False, recursive=False, dry_run=False, force=False):
     """Unbind what `path` names; yields a line (see `cli.report`) for each name, deepest first.
 
     note         called with a line on each naming context that has another name, and loses only this one
@@ -23,31 +23,33 @@ def delete(path, note, zombie_only=False, recursive=False, dry_run=False, force=
     if path.port is not None or not path.names:
         raise errors.WrongKind(str(path), "name that can be deleted", "port" if path.port is not None
                                else "name server" if path.server else "root directory")
-    node = tree.resolve(path)
-    above = tree.resolve(path.parent())
+    node = await tree.resolve(path)
+    above = await tree.resolve(path.parent())
     if above.kind == "manager":
         raise errors.WrongKind(str(path.parent()), "directory with names in it", "manager; rtmgr deletes its components")
     if zombie_only:
-        yield _delete_zombie(_dead(node, force), dry_run, force)
+        yield await _delete_zombie(await _dead(node, force), dry_run, force)
     elif node.kind == "directory":
-        yield from _Deletion(path, recursive, dry_run, note).lines(above, node)
+        deletion = _Deletion(await _Bindings().walk(path), recursive, dry_run, note)
+        async for line in deletion.lines(above, node):
+            yield line
     else:
-        yield _unbind(node.path, dry_run)
+        yield await _unbind(node.path, dry_run)
 
 
-def zombies(top):
+async def zombies(top):
     """What is or may be a zombie at and below the Node `top`, federated name servers aside: (Nodes, Nodes whose listing failed)."""
-    nodes = list(aliases.within(tree.walk(top, managers=False)))
-    found = [node for node in tree.look(nodes) if node.kind == "zombie" or isinstance(node.error, errors.MaybeGone)]
+    nodes = await aliases.within(await tree.walk(top, managers=False))
+    found = [node for node in await tree.check_alive(nodes) if node.kind == "zombie" or isinstance(node.error, errors.MaybeGone)]
     return found, [node for node in nodes if node.error is not None]
 
 
-def delete_zombies(nodes, dry_run=False, force=False):
+async def delete_zombies(nodes, dry_run=False, force=False):
     """Delete each of these zombies: a line, '' for one that lives after all, or an errors.Error; for `force` see `delete`."""
     results = []
     for node in nodes:
         try:
-            results.append(_delete_zombie(node, dry_run, force))
+            results.append(await _delete_zombie(node, dry_run, force))
         except errors.WrongKind:
             results.append("")
         except errors.Error as e:
@@ -55,20 +57,20 @@ def delete_zombies(nodes, dry_run=False, force=False):
     return results
 
 
-def _delete_zombie(node, dry_run, force):
+async def _delete_zombie(node, dry_run, force):
     """Delete a zombie after a second look: the component may have been started again under its name."""
     try:
-        again = tree.resolve(node.path)
+        again = await tree.resolve(node.path)
     except errors.NotFound:
         return ""
-    return _unbind(_dead(again, force).path, dry_run, zombie=True)
+    return await _unbind((await _dead(again, force)).path, dry_run, zombie=True)
 
 
-def _dead(node, force):
+async def _dead(node, force):
     """Look at a node that should be a zombie and return it. Raises WrongKind, Silent if it does not answer, LeftAlone."""
-    node, = tree.look([node])
+    node, = await tree.check_alive([node])
     if isinstance(node.error, errors.MaybeGone) and not force:
-        node = _with_witnesses(node)
+        node = await _with_witnesses(node)
     if isinstance(node.error, errors.MaybeGone):
         if force:
             return node
@@ -80,21 +82,21 @@ def _dead(node, force):
     return node
 
 
-def _with_witnesses(node):
+async def _with_witnesses(node):
     """Look at a Node again after others of its host that are bound beside it: if one of them answers, it is known to be gone."""
-    beside = [other for other in tree.children(tree.resolve(node.path.parent()))
+    beside = [other for other in await tree.children(await tree.resolve(node.path.parent()))
               if other.ref is not None and other.endpoint[0] == node.endpoint[0] and other.endpoint != node.endpoint]
-    tree.look(beside[:MOST_WITNESSES])
-    node, = tree.look([tree.resolve(node.path)])
+    await tree.check_alive(beside[:MOST_WITNESSES])
+    node, = await tree.check_alive([await tree.resolve(node.path)])
     return node
 
 
-def _unbind(path, dry_run, zombie=False):
+async def _unbind(path, dry_run, zombie=False):
     if dry_run:
         return f"rtdel {'-z ' if zombie else ''}{shell_word(str(path))}"
-    server = tree.resolve(Path(path.server, (), None, False))
+    server = await tree.resolve(Path(path.server, (), None, False))
     try:
-        server.call("unbind", orb.naming_name(path.names))
+        await server.call("unbind", orb.naming_name(path.names))
     except errors.Refused as e:
         if e.name == "NotFound":
             raise errors.NotFound(str(path))
@@ -107,14 +109,17 @@ def _unbind(path, dry_run, zombie=False):
 class _Bindings:
     """The names by which the naming contexts of all name servers can be reached, and which can without one of the names."""
 
-    def __init__(self, path):
-        """`path` names the naming context to delete; its name server and those of RTCTREE_NAMESERVERS are walked."""
+    def __init__(self):
         self.known, self._names, self._roots = aliases.Known(), {}, set()
+        self._left = {}  # {Path of a directory: a path that leads there} without one of the names
+
+    async def walk(self, path):
+        """Walk the name server of `path`, the naming context to delete, and those of RTCTREE_NAMESERVERS; returns self."""
         places = {}  # Path of a directory: the Path by which it is known
-        for node in tree.walk_servers(tree.known_servers(path.server), managers=False):
+        for node in await tree.walk_servers(await tree.known_servers(path.server), managers=False):
             if node.kind not in ("server", "directory"):
                 continue
-            place = self.known.path(node) or places.get(node.alias)
+            place = await self.known.path(node) or places.get(node.alias)
             if place is None:
                 self.known.enter(node)
                 place = node.path
@@ -123,7 +128,8 @@ class _Bindings:
                 self._roots.add(place)
             else:
                 self._bind(places, node, place)
-        self._without((self.known.path(tree.resolve(path.parent())), path.names[-1]))
+        self._without((await self.known.path(await tree.resolve(path.parent())), path.names[-1]))
+        return self
 
     def _bind(self, places, node, place):
         above = places[node.path.parent()]
@@ -131,7 +137,7 @@ class _Bindings:
 
     def _without(self, gone):
         """Find what can be reached without the name `gone`, a pair (Path of the directory, Name)."""
-        self._left, todo = {}, [(root, root) for root in self._roots]  # {Path of a directory: a path that leads there}
+        todo = [(root, root) for root in self._roots]
         below = {}
         for (above, name), (place, _) in self._names.items():
             if (above, name) != gone:
@@ -142,55 +148,56 @@ class _Bindings:
                 self._left[place] = leads
                 todo += [(inner, leads.child(name)) for inner, name in below.get(place, ())]
 
-    def elsewhere(self, node):
+    async def elsewhere(self, node):
         """A Path by which a naming context can still be reached, or None."""
-        return self._left.get(self.known.path(node))
+        return self._left.get(await self.known.path(node))
 
 
 class _Deletion:
     """The deletion of a naming context; for `note` see `delete`."""
 
-    def __init__(self, path, recursive, dry_run, note):
+    def __init__(self, bindings, recursive, dry_run, note):
         self.recursive, self.dry_run, self.note = recursive, dry_run, note
-        self.bindings, self._entered = _Bindings(path), aliases.Known()
+        self.bindings, self._entered = bindings, aliases.Known()
 
-    def lines(self, above, node):
+    async def lines(self, above, node):
         """Delete the naming context `node`, bound in `above`, after what is below it; yields a line for each name.
 
         One that has another name, belongs to another name server or is bound inside itself loses only this name.
         """
         if len(node.path.names) > tree.DEPTH:
             raise errors.Refused(str(node.path), f"more than {tree.DEPTH} directories deep")
-        if self._is_alias(above, node) or self._entered.path(node):
-            yield _unbind(node.path, self.dry_run)
+        if await self._is_alias(above, node) or await self._entered.path(node):
+            yield await _unbind(node.path, self.dry_run)
             return
-        below = tree.children(node)
+        below = await tree.children(node)
         if below and not self.recursive:
             names = f"{len(below)} name{'s' if len(below) > 1 else ''}"
             raise errors.Refused(str(node.path), f"not empty ({names}); delete it with --recursive")
         self._entered.enter(node)
         for child in below:
             if child.kind == "directory":
-                yield from self.lines(node, child)
+                async for line in self.lines(node, child):
+                    yield line
             else:
-                yield _unbind(child.path, self.dry_run)
+                yield await _unbind(child.path, self.dry_run)
         if not self.dry_run:
-            _destroy(node)
-        yield _unbind(node.path, self.dry_run)
+            await _destroy(node)
+        yield await _unbind(node.path, self.dry_run)
 
-    def _is_alias(self, above, node):
-        another = self.bindings.elsewhere(node)
-        if another is None and not aliases.is_foreign(above, node):
+    async def _is_alias(self, above, node):
+        another = await self.bindings.elsewhere(node)
+        if another is None and not await aliases.is_foreign(above, node):
             return False
         what = "another name of " + str(another) if another else "a directory of the name server at %s:%d" % node.endpoint
         self.note(f"{node.path}: {printable(what)}; only this name is deleted")
         return True
 
 
-def _destroy(node):
+async def _destroy(node):
     """Destroy an empty context. The server refuses when a name has been bound in it since, which stops the deletion."""
     try:
-        node.call("destroy")
+        await node.call("destroy")
     except errors.Refused as e:
         if e.name == "NotEmpty":
             raise errors.Refused(str(node.path), "not empty any more")

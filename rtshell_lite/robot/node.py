@@ -2,8 +2,8 @@
 import collections
 import time
 
-from rtshell_lite import cli, errors
-from rtshell_lite.corba import lanes, orb, tasks
+from rtshell_lite import errors, notes
+from rtshell_lite.corba import orb, session
 from rtshell_lite.path import Name
 from rtshell_lite.text import LONGEST, from_wire
 
@@ -23,7 +23,7 @@ class Node:
 
     path   its Path
     kind   root, server, directory, component, manager; zombie, whose object is gone; silent, a component or manager whose
-           process does not answer; unknown, any other object; unsure, one that must be asked (`look`), as its reference does not say
+           process does not answer; unknown, any other object; unsure, one that must be asked (`check_alive`), as its reference does not say
     ref    its object reference; None at the root and for a nil reference
     error  for kind `silent` and `zombie`: the errors.Error that says why; for others: why what is below could not be listed
     alias  the Path of the same directory where a walk entered it before; such a Node is not entered again; else None
@@ -71,16 +71,12 @@ class Node:
         interface = "RTM.Manager" if self.kind == "manager" else "OpenRTM.DataFlowComponent"
         return orb.narrow(self.ref, interface)
 
-    def call(self, operation, *args, **more):
+    async def call(self, operation, *args, **more):
         """Call an operation of its object; errors name its path."""
-        return tasks.run(self.ask(operation, *args, **more))
-
-    async def ask(self, operation, *args, **more):
-        """`call`, to be awaited in a task."""
         try:
-            return await orb.Call(self.path, self.typed, operation, *args, **more)
+            return await orb.call(self.path, self.typed, operation, *args, **more)
         except errors.ConnectionRefused as e:
-            raise errors.NoNameServer(*e.args) if self.kind in ("server", "directory") else _refusal(self)
+            raise errors.NoNameServer(*e.args) if self.kind in ("server", "directory") else await _refusal(self)
         except errors.Gone as e:
             raise no_name_server(self) if self.kind == "server" else e
 
@@ -125,36 +121,35 @@ def _kind(type_id, name):
 
 # ---- liveness -------------------------------------------------------------------------------------------------
 
-def look(nodes):
+async def check_alive(nodes):
     """Find out which of `nodes` live, in parallel, one call each; returns new nodes in the same order.
 
     A component or manager that is gone becomes `zombie`, one that does not answer `silent`. They are asked `_non_existent`: a
-    profile query can end a component whose connection has died (protocol of OpenRTM-aist 2.1).
+    profile query can end a component whose connection has died (docs/protocol.md 1.1, 1.3).
     """
     # a manager with an error has answered, though not to every question
     objects = [node for node in nodes if node.kind in ("component", "manager", "unsure") and node.error is None]
-    answers = dict(zip(objects, on_nodes(objects, _looked_at)))
-    return [judged(node, answers[node]) if node in answers else node for node in nodes]
+    answers = dict(zip(objects, await on_nodes(objects, _living)))
+    return [await classify_answer(node, answers[node]) if node in answers else node for node in nodes]
 
 
-def judged(node, answer):
+async def classify_answer(node, answer):
     """The Node that `node` turns out to be, given what it answered: itself, or zombie or silent after an errors.Error."""
     if not isinstance(answer, errors.Error):
         return answer
     if isinstance(answer, errors.ConnectionRefused):
-        answer = _refusal(node)  # by now, others of its host may have answered
+        answer = await _refusal(node)  # by now, others of its host may have answered
     is_zombie = isinstance(answer, (errors.Gone, errors.ProcessGone))
     return Node(node.path, "zombie" if is_zombie else "silent", node.ref, answer)
 
 
-def _refusal(node):
+async def _refusal(node):
     from rtshell_lite.corba import liveness  # few need it
-    return liveness.refusal(node.path, node.endpoint)
+    return await liveness.refusal(node.path, node.endpoint)
 
 
-@tasks.task
-async def _looked_at(node):
-    await orb.is_alive.task(node.path, node.ref)
+async def _living(node):
+    await orb.is_alive(node.path, node.ref)
     return await _sure(node) if node.kind == "unsure" else node
 
 
@@ -162,23 +157,28 @@ async def _sure(node):
     """Ask an object whose reference does not say what it is; a refusal makes it unknown."""
     try:
         for kind, type_id in (("component", _RTOBJECT), ("manager", _MANAGER), ("directory", _CONTEXTS[0])):
-            if await orb.Call(node.path, node.ref, "_is_a", type_id):
+            if await orb.call(node.path, node.ref, "_is_a", type_id):
                 return Node(node.path, kind, node.ref)
     except errors.Refused:
         pass
     return Node(node.path, "unknown", node.ref)
 
 
-def on_nodes(nodes, function):
-    """Call function(node) for each Node, in parallel by the process that answers; an errors.Error stays in its place."""
-    return list(on_nodes_in_turn(nodes, function))
+async def on_nodes(nodes, function):
+    """What function(node) returns for each Node, awaited in parallel by the process that answers; an errors.Error stays in its place."""
+    values = iter(await session.each([node for node in nodes if isinstance(node, Node)], function, _place))
+    return [next(values) if isinstance(node, Node) else node for node in nodes]
 
 
-def on_nodes_in_turn(nodes, function):
-    """`on_nodes`, but yields the values as lanes.in_turn does."""
-    values = lanes.each_in_turn([node for node in nodes if isinstance(node, Node)], function,
-                                lambda node: (node.endpoint, node.path))
-    return (next(values) if isinstance(node, Node) else node for node in nodes)
+async def stream_nodes(nodes, function):
+    """`on_nodes`, but an asynchronous generator that keeps no values."""
+    values = session.stream([node for node in nodes if isinstance(node, Node)], function, _place)
+    for node in nodes:
+        yield await values.__anext__() if isinstance(node, Node) else node
+
+
+def _place(node):
+    return node.endpoint, node.path
 
 
 # ---- what a naming context holds ------------------------------------------------------------------------------
@@ -188,7 +188,7 @@ def name_server_error(node, e):
     return no_name_server(node) if e.name in ("BAD_OPERATION", "NO_IMPLEMENT", "INTF_REPOS") else e
 
 
-def bound(node):
+async def bound(node):
     """The bindings of a naming context, however many there are: (Name, whether it is a naming context).
 
     One call for all but the largest contexts; [] for other directories. Names above MOST, those not received in PATIENCE, and
@@ -199,7 +199,7 @@ def bound(node):
         return []
     received = too_long = 0
     entries = collections.OrderedDict()  # of names that may come again and again, each is kept once
-    for bindings in _batches(node):
+    async for bindings in _batches(node):
         for binding in [binding for binding in bindings if binding.binding_name]:
             name, received = binding.binding_name[0], received + 1
             if len(name.id) + len(name.kind) >= LONGEST:
@@ -207,29 +207,27 @@ def bound(node):
                 continue
             entries[Name(from_wire(name.id), from_wire(name.kind)), binding.binding_type._v == 1] = None  # 1: ncontext
     if too_long:
-        cli.left_out(f"{node.path}: {too_long} of {received} names are left out: they are longer than {LONGEST} characters")
+        notes.left_out(f"{node.path}: {too_long} of {received} names are left out: they are longer than {LONGEST} characters")
     return list(entries)
 
 
-def _batches(node, size=10000):
+async def _batches(node, size=10000):
     """The bindings of a naming context in lists, MOST of them at most, and few more than MOST_OCTETS."""
     try:
-        bindings, iterator = node.call("list", size)
+        bindings, iterator = await node.call("list", size)
     except errors.Refused as e:
         raise name_server_error(node, e)
     yield bindings[:MOST]
     if iterator is None:
         return
-    received, octets, more, end = len(bindings), 0, True, time.monotonic() + PATIENCE * lanes.session.timeout
+    received, octets, more, end = len(bindings), 0, True, time.monotonic() + PATIENCE * session.current().timeout
     try:
-        while True:  # see interrupts
-            if not more or received >= MOST or octets >= MOST_OCTETS or time.monotonic() >= end:
-                break
-            more, bindings = orb.call(str(node.path), iterator, "next_n", size)
+        while more and received < MOST and octets < MOST_OCTETS and time.monotonic() < end:
+            more, bindings = await orb.call(str(node.path), iterator, "next_n", size)
             yield bindings[:MOST - received]
             received += len(bindings)
             octets += sum(len(name.id) + len(name.kind) for binding in bindings for name in binding.binding_name)
     finally:
-        orb.call(str(node.path), iterator, "destroy")
+        await orb.call(str(node.path), iterator, "destroy")
     if more:
-        cli.left_out(f"{node.path}: only its first {min(received, MOST)} names are taken; its list of them does not end")
+        notes.left_out(f"{node.path}: only its first {min(received, MOST)} names are taken; its list of them does not end")

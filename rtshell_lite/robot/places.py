@@ -3,7 +3,7 @@ import collections
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb, tasks
+from rtshell_lite.corba import orb, session
 from rtshell_lite.path import Name
 from rtshell_lite.robot import ports, tree
 from rtshell_lite.text import printable
@@ -17,20 +17,20 @@ class Places:
     def __init__(self):
         self.everywhere = None
 
-    def path(self, instance, ref, known):
+    async def path(self, instance, ref, known):
         """The Path where the component `ref` with this instance name is bound, or None; `known` is the Node of one that knows it."""
         directory = known.path.parent()
-        return self._beside(directory.child(Name(instance, "rtc")), ref) or self._anywhere(ref, directory.server)
+        return await self._beside(directory.child(Name(instance, "rtc")), ref) or await self._anywhere(ref, directory.server)
 
-    def _beside(self, path, ref):
+    async def _beside(self, path, ref):
         try:
-            return path if orb.same(tree.resolve(path).ref, ref) else None
+            return path if orb.same((await tree.resolve(path)).ref, ref) else None
         except errors.Error:
             return None
 
-    def _anywhere(self, ref, server):
+    async def _anywhere(self, ref, server):
         if self.everywhere is None:
-            self.everywhere = [node for node in tree.walk_servers(tree.known_servers(server), managers=False)
+            self.everywhere = [node for node in await tree.walk_servers(await tree.known_servers(server), managers=False)
                                if node.kind == "component" and node.ref is not None]
         return next((node.path for node in self.everywhere if orb.same(node.ref, ref)), None)
 
@@ -42,7 +42,7 @@ class Places:
 End = collections.namedtuple("End", "ref port error")
 
 
-def far_ends(near, silent=None):
+async def far_ends(near, silent=None):
     """{identity of a port: End} of all ports that the Ports `near` are connected with, except these themselves.
 
     They are asked, one call each (see `ask`), unless their processes are `silent` ({endpoint: errors.Error}). Whose they are is found by
@@ -56,42 +56,41 @@ def far_ends(near, silent=None):
             for ref in [ref for ref in connector.ports if ref is not None and orb.identity(ref) not in own]:
                 wanted.setdefault(orb.identity(ref), (ref, port.node))
                 joining[orb.identity(ref)].add(connector.id)
-    answers = ask([ref for ref, _ in wanted.values() if orb.endpoint(ref) not in silent], joining)
+    answers = await ask([ref for ref, _ in wanted.values() if orb.endpoint(ref) not in silent], joining)
     places, ends = Places(), {}
     for identity, (ref, node) in wanted.items():
         answer = silent.get(orb.endpoint(ref)) or next(answers)
         failed = isinstance(answer, errors.Error)
-        ends[identity] = End(ref, None, answer) if failed else End(ref, _placed(answer, places, node), None)
+        ends[identity] = End(ref, None, answer) if failed else End(ref, await _placed(answer, places, node), None)
     return ends
 
 
-def ask(refs, joining):
+async def ask(refs, joining):
     """An iterator of the Port of each reference, or an errors.Error; the Node of a Port has an address as its path.
 
     A Port has no other connectors than those whose ids are in joining[its identity], as thousands of ports may each have a
     thousand. Those that cannot be asked in PATIENCE are Late.
     """
-    end = time.monotonic() + PATIENCE * lanes.session.timeout
+    end = time.monotonic() + PATIENCE * session.current().timeout
 
-    @tasks.task
     async def look(ref):
         if time.monotonic() > end:
-            raise errors.Late(orb.at_address(ref), lanes.NO_TIME)
-        port = await ports.port.task(tree.Node(orb.at_address(ref), "component", ref), ref)
+            raise errors.Late(orb.at_address(ref), session.NO_TIME)
+        port = await ports.port(tree.Node(orb.at_address(ref), "component", ref), ref)
         ids = joining[orb.identity(ref)]
         joined = {connector.id: connector for connector in reversed(port.connectors) if connector.id in ids}
         return port._replace(connectors=list(joined.values()))
-    return iter(orb.each(refs, look))
+    return iter(await orb.each(refs, look))
 
 
-def _placed(port, places, known):
-    path = port.owner and places.path(port.name.rpartition(".")[0], port.owner, known)
+async def _placed(port, places, known):
+    path = port.owner and await places.path(port.name.rpartition(".")[0], port.owner, known)
     return port._replace(node=path and tree.Node(path, "component", port.owner))
 
 
-def far_names(near):
+async def far_names(near):
     """A function reference → `name` of that end of a connection of the Ports `near`; None for one of these."""
-    ends = far_ends(near)
+    ends = await far_ends(near)
 
     def name_of(ref):
         if ref is None:

@@ -2,8 +2,8 @@
 import collections
 import re
 
-from rtshell_lite import cli, errors
-from rtshell_lite.corba import orb, tasks
+from rtshell_lite import errors, notes
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, tree
 from rtshell_lite.text import cut, from_wire, printable
 
@@ -32,10 +32,9 @@ ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
-@tasks.task
 async def ports(node, brief=False):
     """The Ports of a component in its own order: one call for the list and one a port; for `brief` see `port`."""
-    return [await port.task(node, ref, brief=brief) for ref in await refs.task(node)]
+    return [await port(node, ref, brief=brief) for ref in await refs(node)]
 
 
 # How the connectors of tools are called: ours, and those of rtshell, whose components are named like their connectors
@@ -63,21 +62,19 @@ def in_system(listed):
     return [port._replace(connectors=[connector for connector in port.connectors if not is_of_tool(connector)]) for port in listed]
 
 
-@tasks.task
 async def refs(node):
     """References of the ports of a component."""
-    listed = cli.first(MOST_PORTS, await node.ask("get_ports"), node.path, "ports")
+    listed = notes.first(MOST_PORTS, await node.call("get_ports"), node.path, "ports")
     return [orb.narrow(ref, "RTC.PortService") for ref in listed if ref is not None]
 
 
-@tasks.task
 async def port(node, ref, failures=None, brief=False):
     """The Port of a reference (PortService::get_port_profile); for `failures` see `component.once_more`.
 
     `brief`: without interfaces, and with no property but its type: they take most of the memory.
     """
     try:
-        profile = await component.once_more.task(lambda: orb.Call(node.path, ref, "get_port_profile"), failures)
+        profile = await component.once_more(lambda: orb.call(node.path, ref, "get_port_profile"), failures)
     except (errors.Gone, errors.ConnectionRefused):
         if orb.endpoint(ref) == node.endpoint:
             raise
@@ -86,8 +83,8 @@ async def port(node, ref, failures=None, brief=False):
         raise errors.LostMember(str(node.path), why)
     properties = dict(orb.properties(profile.properties, "port.port_type" if brief else None))
     kind = properties.get("port.port_type")
-    interfaces = [] if brief else cli.first(MOST_PARTS, profile.interfaces, node.path, "interfaces of a port")
-    connectors = cli.first(MOST_PARTS, profile.connector_profiles, node.path, "connectors of a port")
+    interfaces = [] if brief else notes.first(MOST_PARTS, profile.interfaces, node.path, "interfaces of a port")
+    connectors = notes.first(MOST_PARTS, profile.connector_profiles, node.path, "connectors of a port")
     return Port(node, cut(from_wire(profile.name)), kind if kind in DATA + ("CorbaPort",) else "Port", properties,
                 [_interface(i) for i in interfaces], [connector(c, node.path) for c in connectors], ref,
                 orb.one_of(profile.owner, node.ref))
@@ -100,7 +97,7 @@ def _interface(profile):
 
 def connector(profile, where):
     """The Connector that a ConnectorProfile describes."""
-    ends = cli.first(MOST_ENDS, profile.ports, where, "ends of a connector")
+    ends = notes.first(MOST_ENDS, profile.ports, where, "ends of a connector")
     return Connector(from_wire(profile.connector_id), cut(from_wire(profile.name)), ends, orb.properties(profile.properties))
 
 
@@ -114,12 +111,12 @@ def label(port):
     return str(port.node.path.with_port(short_name(port.name, port.node.path.names[-1].id)))
 
 
-def find(paths):
+async def find(paths):
     """The Port that each path names, found in parallel, one call a port of its component.
 
     An errors.Error takes the place of what failed: NoSuch with what there is, and what `tree.component` raises.
     """
-    listed = tree.on_components([path.object() for path in paths], ports)
+    listed = await tree.on_components([path.object() for path in paths], ports)
     return [answer if isinstance(answer, errors.Error) else named(path, answer) for path, answer in zip(paths, listed)]
 
 
@@ -148,7 +145,7 @@ def mismatches(ends, properties):
     Components check next to nothing of this themselves (they connect a TimedLong with a TimedDouble and return RTC_OK).
     """
     if len({orb.identity(port.ref) for port in ends}) < len(ends):
-        return ["a port is named twice"]  # C++ 2.1 deadlocks for good on it
+        return ["a port is named twice"]  # C++ 2.1 deadlocks for good on it: docs/protocol.md 3.1
     types = [port.type for port in ends]
     if all(t == "CorbaPort" for t in types):
         return _service_mismatches(ends, properties)

@@ -26,12 +26,12 @@ def _expression(pattern):
     return "".join(parts.get(c) or re.escape(c) for c in pattern) + r"\Z"
 
 
-def find(paths, wanted):
+async def find(paths, wanted):
     """The Nodes at and below `paths` that are Wanted, in the order of the tree, a list of the errors met, and near misses.
 
     These are nodes whose names would match without their kinds, if no name does.
     """
-    parts, failures = errors.parted(tree.at_each(paths, lambda path: _below(path, wanted)))
+    parts, failures = errors.split(await tree.at_each(paths, lambda path: _below(path, wanted)))
     nodes = [node for part in parts for node in part]
     failures += [node.error for node in nodes if node.error is not None and node.kind != "zombie"]
     named = [node for node in nodes if not wanted.names or _matches(node.name, wanted.names)]
@@ -40,11 +40,11 @@ def find(paths, wanted):
     if wanted.kinds:
         nodes = [node for node in nodes if node.kind == "unsure" or wanted.kinds & CAN_BE.get(node.kind, {node.kind})]
     if wanted.kinds or wanted.state:  # only then it matters what lives
-        nodes = tree.look(nodes)
+        nodes = await tree.check_alive(nodes)
     if wanted.kinds:
         nodes = [node for node in nodes if node.kind in wanted.kinds]
     if wanted.state:
-        nodes, more = _in_state(nodes, wanted.state.capitalize())
+        nodes, more = await _in_state(nodes, wanted.state.capitalize())
         failures += more
     return nodes, failures + [node.error for node in nodes if node.kind == "silent"], close
 
@@ -53,21 +53,21 @@ def _matches(name, patterns):
     return any(match(name) for match in patterns)
 
 
-def _below(path, wanted):
+async def _below(path, wanted):
     if path.port is not None:
         raise errors.WrongKind(str(path), "directory", "port")
-    top = tree.resolve(path)
+    top = await tree.resolve(path)
     if path.directory and top.kind not in tree.DIRECTORIES:
         raise errors.WrongKind(str(path), "directory", top.what)
-    nodes = list(tree.walk(top, wanted.depth))
+    nodes = list(await tree.walk(top, wanted.depth))
     if top.error is not None:
         raise top.error
     return nodes
 
 
-def _in_state(nodes, state):
+async def _in_state(nodes, state):
     silent = [node.error for node in nodes if node.kind == "silent"]
     components = [node for node in nodes if node.kind == "component"]
-    states = tree.on_nodes(components, component.state)
+    states = await tree.on_nodes(components, component.state)
     return ([node for node, answer in zip(components, states) if answer == state],
             silent + [answer for answer in states if isinstance(answer, errors.Error)])

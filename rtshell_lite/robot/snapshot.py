@@ -5,7 +5,7 @@ A new part is an attribute of Snapshot, and a line in PARTS with the function th
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb, tasks
+from rtshell_lite.corba import orb, session
 from rtshell_lite.robot import component, ports
 
 # How much of a part is wanted. Ports and profile have BRIEF and FULL (see `ports.port`, `component.profile`), organisations have
@@ -36,12 +36,15 @@ class Snapshot:
     configuration  its configuration.Configuration, None where it has none
     organisations  composites.Organisations that it owns
     composites     (id, name, path as text) of those that it is a member of; needs `participating`
+    members        {id of an Organisation: paths of its members, as text}; needs `organisations`
+    names          {identity: instance name} of components that own its contexts, with FULL also of those that take part; needs these
     profile        its component.Profile, None where a port has failed
     """
 
     asking, answered, error = "", False, None
     ports = refusing = dropped = of_tools = owned = participating = states = organisations = composites = ()
     configuration = profile = written = None
+    members, names = {}, {}  # type: dict, dict
 
     def __init__(self, node, others=(), rest=0):
         self.node, self.others, self.rest, self._left_alone = node, others, rest, {}
@@ -56,45 +59,39 @@ class Snapshot:
         """The contexts that it owns, then those that it takes part in: in the order in which -e counts."""
         return [*self.owned, *self.participating]
 
-    def ask(self, **parts):
+    async def ask(self, **parts):
         """Ask for the parts {name: how much}, in this order, the profile last. Raises the first errors.Error.
 
         A profile query can end a component that has a connection with a dead far end; its ports notice that before: protocol
         rule, see `component.once_more`.
         """
-        return tasks.run(self.asked(**parts))
-
-    async def asked(self, **parts):
-        """`ask`, to be awaited in a task."""
         for name in sorted(parts, key="profile".__eq__):
             self.asking, function = PARTS[name]
             setattr(self, name, await function(self, parts[name]))
             self.answered = True
         return self
 
-    async def elsewhere(self, ref, ask, otherwise):
+    async def or_default(self, ref, ask, otherwise):
         """`component.elsewhere`, but a context that did not answer is not asked for `rest` seconds."""
         if self._left_alone and time.monotonic() < self._left_alone.get(orb.identity(ref), 0):
             return otherwise
-        answer = await component.elsewhere.task(self.node, ref, ask(self.node, ref), None)
+        answer = await component.or_default(self.node, ref, ask(self.node, ref), None)
         if answer is None and self.rest:
             self._left_alone[orb.identity(ref)] = time.monotonic() + self.rest
         return otherwise if answer is None else answer
 
 
-@tasks.task
 async def of(node, **parts):
     """The Snapshot of one component with these parts. Raises what remote calls raise."""
-    return await Snapshot(node).asked(**parts)
+    return await Snapshot(node).ask(**parts)
 
 
-def ask_all(snapshots, **parts):
+async def ask_all(snapshots, **parts):
     """`ask` in parallel by the process that answers; what ended the questions becomes the `error` of a Snapshot."""
-    @tasks.task
     async def ask(snapshot):
-        await snapshot.asked(**parts)
+        await snapshot.ask(**parts)
 
-    answers = lanes.each(snapshots, ask, lambda snapshot: (snapshot.node.endpoint, snapshot.where))
+    answers = await session.each(snapshots, ask, lambda snapshot: (snapshot.node.endpoint, snapshot.where))
     for snapshot, answer in zip(snapshots, answers):
         snapshot.error = answer if isinstance(answer, errors.Error) else None
 
@@ -102,14 +99,14 @@ def ask_all(snapshots, **parts):
 # ---- how each part is asked for -------------------------------------------------------------------------------
 
 async def _ports(snapshot, how):
-    refs = await ports.refs.task(snapshot.node)
+    refs = await ports.refs(snapshot.node)
     snapshot.answered = True
     snapshot.ports, snapshot.refusing, snapshot.dropped = [], [], []  # those from before a failure are of use
     for number, ref in enumerate(refs, 1):
         snapshot.asking = f"the profile of its port {number}"
         failed_once = []  # shows that the port had a connection with a dead far end
         try:
-            port = await ports.port.task(snapshot.node, ref, failed_once, brief=how == BRIEF)
+            port = await ports.port(snapshot.node, ref, failed_once, brief=how == BRIEF)
         except errors.Error as e:
             if how != EACH or isinstance(e, errors.Silent):
                 raise
@@ -121,11 +118,11 @@ async def _ports(snapshot, how):
 
 
 async def _owned(snapshot, how):
-    return await _contexts(snapshot, await component.owned_context_refs.task(snapshot.node), how)
+    return await _contexts(snapshot, await component.owned_context_refs(snapshot.node), how)
 
 
 async def _participating(snapshot, how):
-    return await _contexts(snapshot, await component.participating_context_refs.task(snapshot.node), how)
+    return await _contexts(snapshot, await component.participating_context_refs(snapshot.node), how)
 
 
 async def _contexts(snapshot, refs, how):
@@ -133,35 +130,52 @@ async def _contexts(snapshot, refs, how):
     if how == REFERENCES:
         return bare
     if how == BRIEF:
-        return [context._replace(handle=await snapshot.node.ask("get_context_handle", context.ref)) for context in bare]
-    ask = component.context.task if how == FULL else component.running.task
-    return [await snapshot.elsewhere(context.ref, ask, context) for context in bare]
+        return [context._replace(handle=await snapshot.node.call("get_context_handle", context.ref)) for context in bare]
+    ask = component.context if how == FULL else component.running
+    return [await snapshot.or_default(context.ref, ask, context) for context in bare]
 
 
 async def _states(snapshot, _):
-    return [await snapshot.elsewhere(context.ref, component.state_in.task, "Unknown") for context in snapshot.contexts]
+    return [await snapshot.or_default(context.ref, component.state_in, "Unknown") for context in snapshot.contexts]
 
 
 async def _configuration(snapshot, _):
     from rtshell_lite.robot import configuration  # not needed, and not loaded, for a listing; nor are composites
     try:
-        return await configuration.of.task(snapshot.node)
+        return await configuration.of(snapshot.node)
     except errors.Refused:  # small implementations have none
         return None
 
 
 async def _organisations(snapshot, how):
     from rtshell_lite.robot import composites
-    return await composites.owned.task(snapshot.node, with_members=how == FULL)
+    return await composites.owned(snapshot.node, with_members=how == FULL)
 
 
 async def _composites(snapshot, _):
     from rtshell_lite.robot import composites
-    return await composites.belonging.task(snapshot.node, snapshot.participating)
+    return await composites.belonging(snapshot.node, snapshot.participating)
+
+
+async def _members(snapshot, _):
+    from rtshell_lite.robot import composites
+    return {organisation.id: await composites.member_paths(snapshot.node, organisation) for organisation in snapshot.organisations}
+
+
+async def _names(snapshot, how):
+    refs = {orb.identity(context.owner): context.owner for context in snapshot.contexts if context.owner is not None}
+    if how == FULL:
+        refs.update((orb.identity(ref), ref) for context in snapshot.contexts for ref in context.participants)
+    own = orb.identity(snapshot.node.ref)
+    others = [identity for identity in refs if identity != own]
+
+    async def name_of(identity):
+        return await component.instance_name(snapshot.node, refs[identity])
+    return dict(zip(others, await session.each(others, name_of, lambda identity: (identity[:2], snapshot.where))))
 
 
 async def _profile(snapshot, how):
-    return None if snapshot.refusing else await component.profile.task(snapshot.node, brief=how == BRIEF)
+    return None if snapshot.refusing else await component.profile(snapshot.node, brief=how == BRIEF)
 
 
 # The parts by attribute: what is asked for in words, coroutine function(snapshot, how much).
@@ -173,4 +187,6 @@ PARTS = {
     "configuration": ("its configuration", _configuration),
     "organisations": ("its members", _organisations),
     "composites": ("its composites", _composites),
+    "members": ("its members", _members),
+    "names": ("the names of components in its execution contexts", _names),
     "profile": ("its profile", _profile)}

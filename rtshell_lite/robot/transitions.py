@@ -3,7 +3,8 @@ import collections
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb, tasks
+from rtshell_lite.corba import orb, session
+from rtshell_lite.net import loop
 from rtshell_lite.robot import component, tree
 from rtshell_lite.text import printable, shell_word
 
@@ -20,27 +21,26 @@ RESET = Transition("reset", "rtreset", "reset_component", "Inactive", "Error")
 Placement = collections.namedtuple("Placement", "index ref is_own state")
 
 
-def change_all(paths, transition, index=None, wait=None, dry_run=False):
+async def change_all(paths, transition, index=None, wait=None, dry_run=False):
     """`change` for the component at each path, in parallel: a line that says what was done, or an errors.Error, for each.
 
     If one is something else than a component, none is changed, and only the WrongKinds are returned.
     With `dry_run` nothing changes, and the line is the command that would change the component, '' where none is needed.
     """
-    @tasks.task
     async def change_one(node):
         if dry_run:
             return await _command(node, transition, index)
-        now = await change.task(node, transition, index, wait)
+        now = await change(node, transition, index, wait)
         return f"{node.path}: {now}"
     orb.start()
-    nodes = tree.at_each(paths, tree.component)
-    return [node for node in nodes if isinstance(node, errors.WrongKind)] or tree.on_nodes(nodes, change_one)
+    nodes = await tree.at_each(paths, tree.component)
+    return [node for node in nodes if isinstance(node, errors.WrongKind)] or await tree.on_nodes(nodes, change_one)
 
 
 async def _command(node, transition, index):
     """The command that would take a component through a Transition, '' where none is needed."""
     if index is not None:
-        now = await component.state_in.task(node, await component.context_ref.task(node, index))
+        now = await component.state_in(node, await component.context_ref(node, index))
         return "" if now == transition.target else _words(transition, index, node)
     places = await placements(node)
     if transition is ACTIVATE:
@@ -62,11 +62,11 @@ async def placements(node):
     The state is Unknown in a context of another process that does not answer: the component may be Active there. Raises NoSuch if
     it has no context.
     """
-    owned, participating = await component.owned_context_refs.task(node), await component.participating_context_refs.task(node)
+    owned, participating = await component.owned_context_refs(node), await component.participating_context_refs(node)
     found = []
     for index, ref in enumerate(owned + participating):
         try:
-            state = await component.state_in.task(node, ref)
+            state = await component.state_in(node, ref)
         except errors.Gone:
             if index < len(owned):  # the component itself is ending
                 raise
@@ -74,7 +74,7 @@ async def placements(node):
         except errors.Unreachable as e:
             if orb.endpoint(ref) == node.endpoint:
                 raise
-            if _proves_death(e, ref):
+            if await _proves_death(e, ref):
                 continue
             state = "Unknown"
         found.append(Placement(index, ref, index < len(owned), state))
@@ -83,27 +83,26 @@ async def placements(node):
     return found
 
 
-def _proves_death(failure, ref):
+async def _proves_death(failure, ref):
     """Whether the failure of a call of the context `ref` proves that its process is gone: nothing is executed there."""
     if not isinstance(failure, errors.ConnectionRefused):
         return False
     from rtshell_lite.corba import liveness  # few need it
-    return liveness.is_gone(orb.endpoint(ref))
+    return await liveness.is_gone(orb.endpoint(ref))
 
 
 async def _members_first(node, ref, wait):
     """Deactivate the members of a composite of C++ 1.1 before it: the thread that deactivates it would wait for them in vain."""
     if not orb.address(ref).type_id.endswith("/ExtTrigExecutionContextService:1.0"):
         return
-    raw = await orb.Call(node.path, ref, "get_profile")
-    if not orb.same(raw.owner, node.ref) or not raw.participants or not await node.ask("get_owned_organizations"):
+    raw = await orb.call(node.path, ref, "get_profile")
+    if not orb.same(raw.owner, node.ref) or not raw.participants or not await node.call("get_owned_organizations"):
         return
     for member in raw.participants:
         if await component.state_of(node, ref, member) == "Active":
-            await orb.Call(node.path, ref, "deactivate_component", member, seconds=wait)
+            await orb.call(node.path, ref, "deactivate_component", member, seconds=wait)
 
 
-@tasks.task
 async def change(node, transition, index=None, wait=None):
     """Take a component through a Transition; returns the state reached or asked for, and where that is not its own first context.
 
@@ -115,7 +114,7 @@ async def change(node, transition, index=None, wait=None):
     so after RTC_ERROR the state is polled for the timeout. Raises Refused with the reason, Unreachable when it was not reached.
     """
     if index is not None:
-        await _change_in(node, await component.context_ref.task(node, index), transition, wait, _number(index))
+        await _change_in(node, await component.context_ref(node, index), transition, wait, _number(index))
         return transition.target
     places = await placements(node)
     if transition is not ACTIVATE:
@@ -198,7 +197,7 @@ async def _to_activate(node, places):
         return (settled or places)[0]
     known = [place for place in places if place.state != "Unknown"]
     for place in known:
-        if await component.elsewhere.task(node, place.ref, orb.Call(node.path, place.ref, "is_running"), False):
+        if await component.or_default(node, place.ref, orb.call(node.path, place.ref, "is_running"), False):
             return place
     _check_that_one_answers(node, _all_in(places, "Unknown"))
     return places[0]
@@ -210,12 +209,11 @@ async def _where(node, place):
         return "Active"
     if place.is_own:
         return f"Active in {_number(place.index)}"
-    profile = await component.elsewhere.task(node, place.ref, orb.Call(node.path, place.ref, "get_profile"), None)
-    owner = printable(await component.instance_name.task(node, profile.owner)) if profile else ""
+    profile = await component.or_default(node, place.ref, orb.call(node.path, place.ref, "get_profile"), None)
+    owner = printable(await component.instance_name(node, profile.owner)) if profile else ""
     return f"Active in the context of {owner or 'another component'}"
 
 
-@tasks.task
 async def change_as_planned(node, transition, index, wait, stage):
     """`change` for a plan that names the execution context number `index`: whether there was something to do.
 
@@ -237,12 +235,12 @@ async def change_as_planned(node, transition, index, wait, stage):
 
 async def _change_in(node, ref, transition, wait, called, before=None, stage=_ignore):
     """`change` in one execution context, which messages call so; `before` is the state there, if that has just been asked."""
-    before = before or await component.state_in.task(node, ref)
+    before = before or await component.state_in(node, ref)
     if before != transition.target:
         code = await _request(node, ref, transition, wait, called, stage)
         await _reach(node, ref, transition, code, before, wait, time.monotonic())
     elif wait is not None:
-        await stay.task(node, ref, transition, wait)
+        await check_still_active(node, ref, transition, wait)
 
 
 async def _request(node, ref, transition, wait, called, stage):
@@ -251,12 +249,12 @@ async def _request(node, ref, transition, wait, called, stage):
     if transition is DEACTIVATE:
         await _members_first(node, ref, wait)
     # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz: `wait` is for the answer, too
-    code = await orb.Call(node.path, ref, transition.operation, node.typed, seconds=wait)
+    code = await orb.call(node.path, ref, transition.operation, node.typed, seconds=wait)
     if str(code) == "BAD_PARAMETER":
-        known = await component.canonical.task(node)
+        known = await component.canonical(node)
         if known is None:
             raise errors.Refused(str(node.path), "is not in " + called)
-        code = await orb.Call(node.path, ref, transition.operation, known, seconds=wait)
+        code = await orb.call(node.path, ref, transition.operation, known, seconds=wait)
     if str(code) == "RTC_OK":
         stage("told")
     return str(code)
@@ -269,16 +267,15 @@ async def _reach(node, ref, transition, code, before, wait, start):
     """
     if code == "RTC_OK" and wait is None:
         return
-    now = await component.seen.task(component.state_in.task(node, ref))
+    now = await component.uncertain_if_refused(component.state_in(node, ref))
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
         raise errors.Refused(str(node.path), f"cannot {transition.name}: {_reason(code, before, now, transition)}")
-    seconds = lanes.session.timeout if wait is None else wait
+    seconds = session.current().timeout if wait is None else wait
     await _until(node, ref, transition, now, seconds, start)
     if wait is not None:
-        await stay.task(node, ref, transition, start + seconds - time.monotonic())
+        await check_still_active(node, ref, transition, start + seconds - time.monotonic())
 
 
-@tasks.task
 async def state_as_planned(node, transition, wait):
     """The state that shows whether `change_as_planned` has been done: over all its contexts.
 
@@ -292,7 +289,7 @@ async def state_as_planned(node, transition, wait):
     active = _all_in(places, "Active")
     if not active:
         return component.merged([place.state for place in places])
-    await stay.task(node, active[0].ref, transition, wait)
+    await check_still_active(node, active[0].ref, transition, wait)
     return "Active"
 
 
@@ -305,8 +302,7 @@ def _reason(code, before, now, transition):
     return f"{code}, it is {now}"
 
 
-@tasks.task
-async def stay(node, ref, transition, seconds):
+async def check_still_active(node, ref, transition, seconds):
     """Check that a component is still Active a period of its execution context `ref` later, within `seconds`.
 
     Where onActivated fails, a component is Active for one period before it is in Error (all of OpenRTM-aist). Other states
@@ -314,14 +310,14 @@ async def stay(node, ref, transition, seconds):
     """
     if transition is not ACTIVATE:
         return
-    rate, start = await component.seen.task(orb.Call(node.path, ref, "get_rate")), time.monotonic()
+    rate, start = await component.uncertain_if_refused(orb.call(node.path, ref, "get_rate")), time.monotonic()
     end = start + (1 / rate if rate > 0 else 0) + JITTER
     limit = start + max(seconds, component.POLL)
     while time.monotonic() < end:
         if time.monotonic() > limit:
             raise errors.Late(str(node.path), f"Active, but not yet for a period ({1 / rate:g}s) of its execution context")
-        await tasks.Sleep(max(0, min(component.POLL, end - time.monotonic())))
-        now = await component.seen.task(component.state_in.task(node, ref))
+        await loop.sleep(max(0, min(component.POLL, end - time.monotonic())))
+        now = await component.uncertain_if_refused(component.state_in(node, ref))
         if now != transition.target:
             raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to {now}")
 
@@ -332,11 +328,11 @@ async def _until(node, ref, transition, now, seconds, start):
     while now != transition.target:
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to Error")
-        if not await orb.Call(node.path, ref, "is_running"):
+        if not await orb.call(node.path, ref, "is_running"):
             why = "its execution context is stopped; once started, it may still do so"  # OpenRTM-aist 2 remembers the request
             raise errors.Refused(str(node.path), f"cannot {transition.name}: {why}")
         if time.monotonic() > limit:
             raise errors.Late(str(node.path), f"not {transition.target} within {seconds:g}s, still {now}")
-        await tasks.Sleep(pause)
+        await loop.sleep(pause)
         pause = min(2 * pause, component.POLL)
-        now = await component.seen.task(component.state_in.task(node, ref))
+        now = await component.uncertain_if_refused(component.state_in(node, ref))

@@ -3,22 +3,23 @@
 Resolution is lazy: only what a path names is asked. As a library:
 
     from rtshell_lite.robot import tree
-    for node in tree.walk(tree.resolve("/localhost")):
-        print(node.path, node.kind)
+    async def main():
+        for node in await tree.walk(await tree.resolve("/localhost")):
+            print(node.path, node.kind)
+    loop.run(main())
 """
 import collections
 import functools
-import itertools
 import os
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb, tasks
+from rtshell_lite.corba import orb, session
 from rtshell_lite.robot import aliases
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_address
-# other modules use these as tree.look, tree.Node …
-from rtshell_lite.robot.node import (DIRECTORIES, Node, bound, classified, judged, look, name_server_error, on_nodes,
-                                     on_nodes_in_turn, unusable)
+# other modules use these as tree.check_alive, tree.Node …
+from rtshell_lite.robot.node import (DIRECTORIES, Node, bound, check_alive, classified, classify_answer, name_server_error, on_nodes,
+                                     stream_nodes, unusable)
 from rtshell_lite.text import closest, from_wire, printable
 
 AT_ONCE = 1000  # names whose objects are asked for at a time: a pending call takes memory
@@ -33,12 +34,12 @@ def servers():
     return list(collections.OrderedDict.fromkeys(address.strip() for address in listed or ["localhost"]))
 
 
-def known_servers(first):
+async def known_servers(first):
     """Nodes of the name server at the address `first`, and of those of `servers` whose addresses are valid; contacts nobody."""
     nodes = []
     for address in [first] + [address for address in servers() if address != first]:
         try:
-            nodes.append(resolve(Path(address, (), None, False)))
+            nodes.append(await resolve(Path(address, (), None, False)))
         except errors.BadPath:
             pass
     return nodes
@@ -71,8 +72,13 @@ def _is_server(word):
 def _server(path):
     """The node of the name server that `path` begins with; contacts nobody."""
     node = Node(Path(path.server, (), None, False), "server", _reference(path.server))
-    lanes.name_servers.add(node.endpoint)
+    session.current().name_servers.add(node.endpoint)
     return node
+
+
+def name_server(address):
+    """The node of the name server at an address; contacts nobody. Raises BadPath."""
+    return _server(Path(address, (), None, False))
 
 
 @functools.lru_cache(maxsize=64)
@@ -81,17 +87,16 @@ def _reference(server):
 
 
 def lane(path):
-    """The endpoint of the name server that `path` begins with, for a lanes.Job; None at the root."""
+    """The endpoint of the name server that `path` begins with; None at the root."""
     return _server(path).endpoint if path.server is not None else None
 
 
 # ---- from a path to a node ------------------------------------------------------------------------------------
 
-@tasks.task
 async def resolve(path):
     """The Node at `path` (a Path or text; its port is left out). One call to the name server, none to a component.
 
-    A component or manager comes back unasked: `look` finds out whether it lives. Raises NotFound, Misspelt, WrongKind, and
+    A component or manager comes back unasked: `check_alive` finds out whether it lives. Raises NotFound, Misspelt, WrongKind, and
     Unreachable or Silent when the name server does not answer.
     """
     path = (parse(path) if isinstance(path, str) else path).object()
@@ -105,35 +110,35 @@ async def _resolved(server, path):
         return server
     for size, name in enumerate(path.names[:-1], 1):
         if name.kind in ("rtc", "mgr"):  # otherwise the name server asks this object whether it is a naming context
-            above = _directory(await _resolved(server, path._replace(names=path.names[:size])))
+            above = await _directory(await _resolved(server, path._replace(names=path.names[:size])))
             if above.kind == "manager":
-                return _descend(above, path.names[size:])
+                return await _descend(above, path.names[size:])
     try:
-        ref = await server.ask("resolve", orb.naming_name(path.names))
+        ref = await server.call("resolve", orb.naming_name(path.names))
     except errors.Garbled as e:
         return unusable(path, e)
     except errors.Refused as e:
         if e.name in ("NotFound", "CannotProceed", "InvalidName"):
-            raise _why_not_found(path)
+            raise await _why_not_found(path)
         raise name_server_error(server, e)
     except errors.Unreachable as e:
-        raise e if isinstance(e, errors.Silent) else _broken_off(server, path, e)
+        raise e if isinstance(e, errors.Silent) else await _broken_off(server, path, e)
     node = classified(path, ref)
     if ref is not None and not orb.address(ref).type_id:  # how it is bound shows more
-        node = classified(path, ref, (path.names[-1], True) in bound(await _resolved(server, path.parent())))
+        node = classified(path, ref, (path.names[-1], True) in await bound(await _resolved(server, path.parent())))
     return node
 
 
-def _broken_off(server, path, failure):
+async def _broken_off(server, path, failure):
     """The error for a path through several name servers, of which one cannot be reached; it names that one."""
     node = server
     try:
         for size, name in enumerate(path.names[:-1], 1):
-            ref = node.call("resolve", orb.naming_name([name]))
+            ref = await node.call("resolve", orb.naming_name([name]))
             node = classified(path._replace(names=path.names[:size]), ref, True)
             if node.kind != "directory":
                 return failure
-        node.call("resolve", orb.naming_name(path.names[-1:]))
+        await node.call("resolve", orb.naming_name(path.names[-1:]))
     except errors.Unreachable as e:
         return e
     except errors.Refused:
@@ -141,10 +146,10 @@ def _broken_off(server, path, failure):
     return failure
 
 
-def _descend(node, names):
+async def _descend(node, names):
     """The Node below a manager that `names` lead to."""
     for name in names:
-        below = children(_directory(node))
+        below = await children(await _directory(node))
         matching = [child for child in below if child.path.names[-1] == name]
         if not matching:
             raise _near_miss(node.path.child(name), _by_id(child.path.names[-1] for child in below))
@@ -152,19 +157,19 @@ def _descend(node, names):
     return node
 
 
-def _directory(node):
+async def _directory(node):
     if node.kind == "unsure":
-        node, = look([node])
+        node, = await check_alive([node])
     if node.kind not in DIRECTORIES:
         raise errors.WrongKind(str(node.path), "directory", node.what)
     return node
 
 
-def _why_not_found(path):
+async def _why_not_found(path):
     """The error for a path that does not resolve, with a similar name if its directory has one."""
     try:
-        above = _directory(resolve(path.parent()))
-        names = _by_id(name for name, _ in bound(above))
+        above = await _directory(await resolve(path.parent()))
+        names = _by_id(name for name, _ in await bound(above))
     except (errors.NotFound, errors.WrongKind) as e:
         return e
     return _near_miss(path, names)
@@ -179,7 +184,6 @@ def _near_miss(path, names):
     return errors.NotFound(str(path)) if close is None else errors.Misspelt(str(path), str(names[close]))
 
 
-@tasks.task
 async def component(path, or_manager=False):
     """The component (`or_manager`: or the manager) at `path` (a Path or text). Asks it nothing.
 
@@ -188,9 +192,9 @@ async def component(path, or_manager=False):
     path = parse(path) if isinstance(path, str) else path
     if path.port is not None:
         raise errors.WrongKind(str(path), "component", "port")
-    node = await resolve.task(path)
+    node = await resolve(path)
     if node.kind == "unsure":
-        node, = look([node])
+        node, = await check_alive([node])
     if node.kind == "zombie":
         raise errors.Gone(str(node.path))
     if node.kind == "silent":
@@ -204,51 +208,54 @@ async def component(path, or_manager=False):
     return node
 
 
-@tasks.task
 async def component_or_manager(path):
     """The component or manager at `path`."""
-    return await component.task(path, True)
+    return await component(path, True)
 
 
-def on_components(paths, function, or_managers=False):
+async def on_components(paths, function, or_managers=False):
     """Call function(node) for the component at each path, in parallel; values in order, an errors.Error for what failed.
 
     With `or_managers`, managers are taken as well.
     """
-    return list(on_components_in_turn(paths, function, or_managers))
+    return await on_nodes(await _found(paths, or_managers), function)
 
 
-def on_components_in_turn(paths, function, or_managers=False):
-    """`on_components`, but yields the values as lanes.in_turn does."""
+async def stream_components(paths, function, or_managers=False):
+    """`on_components`, but an asynchronous generator that keeps no values."""
+    async for value in stream_nodes(await _found(paths, or_managers), function):
+        yield value
+
+
+async def _found(paths, or_managers):
     orb.start()  # its failures are not the failure of a path
-    return on_nodes_in_turn(at_each(paths, component_or_manager if or_managers else component), function)
+    return await at_each(paths, component_or_manager if or_managers else component)
 
 
-def at_each(paths, function):
+async def at_each(paths, function):
     """Call function(path) for each path, in parallel by name server: the values in order, an errors.Error for what failed."""
-    return lanes.each(paths, function, lambda path: (lane(path), str(path)))
+    return await session.each(paths, function, lambda path: (lane(path), str(path)))
 
 
 # ---- listing --------------------------------------------------------------------------------------------------
 
-def children(node):
+async def children(node):
     """The nodes in a directory, sorted by name: one call for the names, one to the name server for each object.
 
-    Nobody but the name server is asked (use `look` on the result). At the root: the name servers. In a manager: its slaves
+    Nobody but the name server is asked (use `check_alive` on the result). At the root: the name servers. In a manager: its slaves
     and components, which have to be asked for their names. Raises WrongKind for what is no directory, and Unreachable.
     """
     if node.kind == "root":
         return _sorted(_server(parse("/" + address)) for address in servers())
     if node.kind == "manager":
-        return _sorted(slaves(node) + managed(node))
+        return _sorted(await slaves(node) + await managed(node))
     if node.kind not in ("server", "directory"):
         raise errors.WrongKind(str(node.path), "directory", node.what)
     context, server = node.typed, node.endpoint
-    names, nodes = bound(node), []
+    names, nodes = await bound(node), []
     while names:
         batch, names = [(context, node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]], names[:-AT_ONCE]
-        lanes.alive()  # this may be part of a longer call to the name server, which has answered so far
-        for child in lanes.each(batch, _child, lambda item: (server, item[1])):
+        for child in await session.each(batch, _child, lambda item: (server, item[1])):
             if isinstance(child, Node):
                 nodes.append(child)
             elif not isinstance(child, errors.Refused):  # unbound since the list was made
@@ -256,12 +263,11 @@ def children(node):
     return _sorted(nodes)
 
 
-@tasks.task
 async def _child(entry):
     """The Node that an entry of a naming context, (context, path, whether it is a context itself), is bound to."""
     context, path, is_context = entry
     try:
-        return classified(path, await orb.Call(path, context, "resolve", orb.naming_name(path.names[-1:])), is_context)
+        return classified(path, await orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])), is_context)
     except errors.Garbled as e:  # the others are listed all the same
         return unusable(path, e)
 
@@ -272,19 +278,23 @@ def _sorted(nodes):
 
 # ---- below a manager ------------------------------------------------------------------------------------------
 
-def slaves(node):
+async def slaves(node):
     """Nodes of a manager's slaves. Those of one name get their instance names, or process ids: manager_4711."""
     try:
-        refs = [ref for ref in node.call("get_slave_managers") if ref is not None]
+        refs = [ref for ref in await node.call("get_slave_managers") if ref is not None]
     except errors.Refused as e:
         if e.name == "BAD_OPERATION":  # managers of RtORB have no slaves
             return []
         raise
     asked = [Node(node.path.child(Name(f"slave{i}", "")), "manager", ref) for i, ref in enumerate(refs)]
-    answers = on_nodes(asked, lambda slave: dict(orb.properties(slave.call("get_profile").properties)))
-    return [judged(slave, answer) if isinstance(answer, errors.Error)
+    answers = await on_nodes(asked, _manager_profile)
+    return [await classify_answer(slave, answer) if isinstance(answer, errors.Error)
             else Node(node.path.child(Name(name, "")), "manager", slave.ref)
             for slave, answer, name in zip(asked, answers, _distinct_names(answers))]
+
+
+async def _manager_profile(node):
+    return dict(orb.properties((await node.call("get_profile")).properties))
 
 
 def _distinct_names(profiles):
@@ -297,36 +307,40 @@ def _distinct_names(profiles):
     return [name if name not in names[:i] else f"{name}_{i}" for i, name in enumerate(names)]
 
 
-def managed(node):
+async def managed(node):
     """Nodes of a manager's components; a master lists those of its slaves, too."""
-    refs = [ref for ref in node.call("get_components") if ref is not None]
+    refs = [ref for ref in await node.call("get_components") if ref is not None]
     asked = [Node(node.path.child(Name(f"unknown{i}", "rtc")), "component", ref) for i, ref in enumerate(refs)]
-    names = on_nodes(asked, lambda child: from_wire(child.call("get_sdo_id")))
-    return [judged(child, name) if isinstance(name, errors.Error)  # dead or silent: it cannot give its name
+    names = await on_nodes(asked, _instance_name)
+    return [await classify_answer(child, name) if isinstance(name, errors.Error)  # dead or silent: it cannot give its name
             else Node(node.path.child(Name(name, "rtc")), "component", child.ref) for child, name in zip(asked, names)]
+
+
+async def _instance_name(node):
+    return from_wire(await node.call("get_sdo_id"))
 
 
 # ---- walking --------------------------------------------------------------------------------------------------
 
-def walk(node, depth=None, managers=True):
-    """Yield `node` and everything below it, depth first, sorted.
+async def walk(node, depth=None, managers=True):
+    """A list of `node` and everything below it, depth first, sorted.
 
     A naming context or manager that is bound by several names is entered by the first of them in this order; by the others it
-    is yielded with that Path as its `alias`. At most `depth` levels (None: DEPTH) are entered, managers unless `managers` is
-    False, and the contexts of other name servers where they are bound. A directory that cannot be listed is yielded with its
-    `error` set, a manager that does not answer as `zombie` or `silent`. Components are not asked whether they live.
+    stands there with that Path as its `alias`. At most `depth` levels (None: DEPTH) are entered, managers unless `managers` is
+    False, and the contexts of other name servers where they are bound. A directory that cannot be listed has its `error` set,
+    a manager that does not answer is `zombie` or `silent`. Components are not asked whether they live.
     """
     depth = DEPTH if depth is None else min(depth, DEPTH)
     if node.kind != "root":
-        return _walk(node, depth, managers, aliases.Known())
-    return itertools.chain([node], walk_servers(children(node), depth - 1, managers) if depth else [])
+        return await _walk(node, depth, managers, aliases.Known())
+    return [node] + (await walk_servers(await children(node), depth - 1, managers) if depth else [])
 
 
-def walk_servers(servers, depth=DEPTH, managers=True):
+async def walk_servers(servers, depth=DEPTH, managers=True):
     """`walk` several name servers, Nodes, in parallel, as some may be silent; what two of them share is an alias in the second."""
-    parts = lanes.each(servers, lambda server: list(_walk(server, depth, managers, aliases.Known(servers))),
-                       lambda server: (server.endpoint, str(server.path)))
-    known = aliases.Known(servers)
+    parts = await session.each(servers, lambda server: _walk(server, depth, managers, aliases.Known(servers)),
+                               lambda server: (server.endpoint, str(server.path)))
+    known, found = aliases.Known(servers), []
     for server, part in zip(servers, parts):
         if isinstance(part, errors.Error):
             server.error, part = part, [server]
@@ -336,46 +350,48 @@ def walk_servers(servers, depth=DEPTH, managers=True):
                 continue
             hidden = None
             if node.kind in ("directory", "manager"):
-                node.alias = known.path(node) or node.alias
+                node.alias = await known.path(node) or node.alias
                 if node.alias:
                     hidden = node.path.names
                 elif len(node.path.names) < depth:
                     known.enter(node)
-            yield node
+            found.append(node)
+    return found
 
 
-def _walk(node, depth, managers, known):
+async def _walk(node, depth, managers, known):
     if node.kind in ("directory", "manager"):
-        node.alias = known.path(node)
+        node.alias = await known.path(node)
     below = []
     if node.kind in DIRECTORIES and node.alias is None and depth > 0:
         known.enter(node)
         if managers or node.kind != "manager":
-            below = _below(node)
-    yield node
+            below = await _below(node)
+    found = [node]
     for child in below:
-        yield from _walk(child, depth - 1, managers, known)
+        found += await _walk(child, depth - 1, managers, known)
+    return found
 
 
-def _below(node):
+async def _below(node):
     """The children of a directory; if it cannot be listed, [], and its `error` is set."""
     if node.kind == "manager":
-        return _below_manager(node)
+        return await _below_manager(node)
     try:
-        return children(node)
+        return await children(node)
     except errors.Error as e:
         node.error = e
         return []
 
 
-def _below_manager(node):
+async def _below_manager(node):
     """The children of a manager; a live master whose slave does not answer may not answer this."""
     below = None
     try:
-        below = slaves(node)
-        return _sorted(below + managed(node))
+        below = await slaves(node)
+        return _sorted(below + await managed(node))
     except errors.Error as e:
         node.error = e
         if below is None and not isinstance(e, errors.Refused):
-            node.kind = judged(node, e).kind
+            node.kind = (await classify_answer(node, e)).kind
     return _sorted(below or [])

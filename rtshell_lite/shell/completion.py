@@ -8,10 +8,10 @@ import argparse
 import collections
 import os
 import re
-import threading
 
 from rtshell_lite import errors, options
-from rtshell_lite.corba import lanes
+from rtshell_lite.corba import session
+from rtshell_lite.net import loop
 from rtshell_lite.path import ROOT, parse
 from rtshell_lite.robot import tree
 from rtshell_lite.shell import installation, setup
@@ -23,7 +23,7 @@ Candidate = collections.namedtuple("Candidate", "text final help")
 SECONDS = 0.7  # for everything: with the start of Python, an answer takes at most a second
 
 
-def candidates(words, redirected=False):
+async def candidates(words, redirected=False):
     """The Candidates for the last of `words`, a command line whose other words are complete; [] in case of any failure.
 
     The text of a candidate begins with what was typed. With `redirected`, the last word is the file after a < or >. Asks at
@@ -31,15 +31,15 @@ def candidates(words, redirected=False):
     """
     try:
         if redirected:
-            found = _files(words[-1], [])
+            found = await _files(words[-1], [])
         else:
-            found = _arguments(os.path.basename(words[0]), words[1:-1], words[-1]) if words[1:] else _command_names()
+            found = await _arguments(os.path.basename(words[0]), words[1:-1], words[-1]) if words[1:] else _command_names()
     except (errors.Error, OSError):
         return []
     return sorted({candidate.text: candidate for candidate in found if candidate.text.startswith(words[-1])}.values())
 
 
-def answers(which, line, typed, meant=lambda words: words):
+async def answers(which, line, typed, meant=lambda words: words):
     """The lines with completions of `line` for the shell `which`; none if they take longer than SECONDS.
 
     `typed` is the end of the line that the shell replaces by one of them; `meant` turns the words of the line, as typed in
@@ -48,20 +48,16 @@ def answers(which, line, typed, meant=lambda words: words):
     line = setup.split(line, which == "fish")
     if line.open or not line.words[0]:
         return []
-    found, before = [], lanes.session.timeout
-    thread = threading.Thread(target=lambda: found.extend(candidates(meant(line.words), line.redirected)), daemon=True)
-    lanes.session.timeout = min(lanes.session.timeout, SECONDS)
-    thread.start()
-    thread.join(SECONDS)
-    lanes.session.timeout = before  # rtsh goes on
-    return setup.answers(which, line, list(found), typed)
+    session.current().timeout = min(session.current().timeout, SECONDS)
+    found = await loop.race(candidates(meant(line.words), line.redirected), loop.sleep(SECONDS))
+    return setup.answers(which, line, found or [], typed)
 
 
 def _command_names():
     return [Candidate(name, True, "") for name in installation.commands()]
 
 
-def _arguments(command, before, word):
+async def _arguments(command, before, word):
     known = installation.commands()
     if command not in known:
         return []
@@ -69,14 +65,14 @@ def _arguments(command, before, word):
     parser = options.parser(module.arguments, module.__doc__, command)
     positional, option, ended = parser.unfinished(before)
     if option:
-        found = _for_action(option, word, positional)
-        return found if found or option.nargs != "?" else _positional(parser, module.__doc__, positional, word)
+        found = await _for_action(option, word, positional)
+        return found if found or option.nargs != "?" else await _positional(parser, module.__doc__, positional, word)
     if word.startswith("-") and not ended:
-        return _options(parser, word, positional)
-    return _positional(parser, module.__doc__, positional, word)
+        return await _options(parser, word, positional)
+    return await _positional(parser, module.__doc__, positional, word)
 
 
-def _options(parser, word, positional):
+async def _options(parser, word, positional):
     """Options, or the value of one after its equals sign."""
     name, equals, value = word.partition("=")
     options = {text: action for action in parser._actions for text in action.option_strings
@@ -84,11 +80,11 @@ def _options(parser, word, positional):
     if not equals:
         formatter = parser._get_formatter()
         return [Candidate(text, True, formatter._expand_help(action)) for text, action in options.items()]
-    found = _for_action(options[name], value, positional) if name in options else []
+    found = await _for_action(options[name], value, positional) if name in options else []
     return [candidate._replace(text=f"{name}={candidate.text}") for candidate in found]
 
 
-def _positional(parser, doc, positional, word):
+async def _positional(parser, doc, positional, word):
     actions = [action for action in parser._actions if not action.option_strings]
     if not actions:
         return []
@@ -103,8 +99,8 @@ def _positional(parser, doc, positional, word):
     if action.metavar == "ARG" and uses:
         chosen = uses.get(positional[number - 1], [])
         kinds = chosen[len(positional) - number:] or [kind for kind in chosen[-1:] if kind == "PATH"]
-        return _of_kind(kinds[0], word, positional) if kinds else []
-    return _for_action(action, word, positional)
+        return await _of_kind(kinds[0], word, positional) if kinds else []
+    return await _for_action(action, word, positional)
 
 
 def _uses(doc, prog):
@@ -118,16 +114,16 @@ def _uses(doc, prog):
     return uses
 
 
-def _for_action(action, word, positional):
+async def _for_action(action, word, positional):
     choices = action.choices or getattr(action.type, "words", None)
     if choices:
         return [Candidate(choice, True, "") for choice in choices]
-    return _of_kind(getattr(action, "completion", action.metavar), word, positional)
+    return await _of_kind(getattr(action, "completion", action.metavar), word, positional)
 
 
-def _of_kind(kind, word, positional):
+async def _of_kind(kind, word, positional):
     complete = KINDS.get(kind)
-    return complete(word, positional) if complete and word is not None else []
+    return await complete(word, positional) if complete and word is not None else []
 
 
 # ---- the RTC Tree ---------------------------------------------------------------------------------------------
@@ -138,13 +134,13 @@ _Entry = collections.namedtuple("_Entry", "name kind")
 
 def _paths(wanted, port_types=(), port_needed=False):
     """A function that completes paths to _Entries of the `wanted` kinds, and to ports of some types."""
-    def complete(word, _):
+    async def complete(word, _):
         above, last = _split(word)
         component, colon, _ = _cut_at_colon(last)
         if colon and parse(above or ".") != ROOT:
-            return _ports(above + component, port_types) if port_types else []
+            return await _ports(above + component, port_types) if port_types else []
         found = []
-        for entry in _entries(parse(above or ".")):
+        for entry in await _entries(parse(above or ".")):
             descend = entry.kind == "directory" or entry.kind == "manager" and "manager" not in wanted
             if descend:
                 found.append(Candidate(_no_option(above + entry.name) + "/", False, ""))
@@ -171,49 +167,53 @@ def _cut_at_colon(name):
     return found.groups() if found else (name, "", "")
 
 
-def _entries(path):
+async def _entries(path):
     """The _Entries of a directory, by one call: bindings and kinds of names say well enough what they are."""
-    node = tree.resolve(path)
+    node = await tree.resolve(path)
     if node.kind == "unsure":
-        node, = tree.look([node])
+        node, = await tree.check_alive([node])
     if node.kind in ("server", "directory"):
         return [_Entry(str(name), "directory" if context else _BY_NAME.get(name.kind, "object"))
-                for name, context in tree.bound(node)]
+                for name, context in await tree.bound(node)]
     if node.kind not in tree.DIRECTORIES:
         return []
-    return [_Entry(child.name, "directory" if child.kind == "server" else child.kind) for child in tree.children(node)]
+    return [_Entry(child.name, "directory" if child.kind == "server" else child.kind) for child in await tree.children(node)]
 
 
 _BY_NAME = {"mgr": "manager", "rtc": "component"}  # kinds in names
 
 
-def _ports(component, types):
+async def _ports(component, types):
     """Paths of the ports of a component."""
     from rtshell_lite.robot import ports
-    node = tree.component(parse(component))
+    node = await tree.component(parse(component))
     return [Candidate(component + ports.label(port)[len(str(node.path)):], True, port.properties.get("dataport.data_type", ""))
-            for port in ports.ports(node) if port.type in types]
+            for port in await ports.ports(node) if port.type in types]
 
 
 # ---- configuration --------------------------------------------------------------------------------------------
 
-def _configuration(path):
+async def _configuration(path):
     from rtshell_lite.robot import configuration
-    return configuration.of(tree.component(parse(path)))
+    return await configuration.of(await tree.component(parse(path)))
 
 
-def _sets(_, positional):
-    return [Candidate(printable(one_set.id), True, "") for one_set in _configuration(positional[0]).sets()] if positional else []
+async def _sets(_, positional):
+    return [Candidate(printable(one_set.id), True, "") for one_set in (await _configuration(positional[0])).sets()] if positional else []
 
 
-def _parameters(_, positional):
-    values = _configuration(positional[0]).set().values if positional else {}
+async def _parameters(_, positional):
+    values = (await _configuration(positional[0])).set().values if positional else {}
     return [Candidate(printable(name), True, printable(value)) for name, value in values.items()]
 
 
 # ---- local files ----------------------------------------------------------------------------------------------
 
-def _files(word, _):
+async def _files(word, _):
+    return await loop.on_thread(_listed, word)  # a directory of a hung file server is none of our business
+
+
+def _listed(word):
     above = word[:word.rfind("/") + 1]
     found = []
     for name in os.listdir(os.path.expanduser(above) or "."):
@@ -224,15 +224,15 @@ def _files(word, _):
     return found
 
 
-def _directories(word, positional):
-    return [candidate for candidate in _files(word, positional) if not candidate.final]
+async def _directories(word, positional):
+    return [candidate for candidate in await _files(word, positional) if not candidate.final]
 
 
 _DATA, _ALL = ("DataInPort", "DataOutPort"), ("DataInPort", "DataOutPort", "CorbaPort", "Port")
 _OBJECTS = ("component", "object")
 
 
-def _properties(_, __):
+async def _properties(_, __):
     """Properties of connections that OpenRTM knows."""
     from rtshell_lite.robot import ports
     return [Candidate(name + "=", False, "") for name in ports.PROPERTIES]

@@ -5,7 +5,7 @@ import os
 import re
 import sys
 
-from rtshell_lite import cli, errors
+from rtshell_lite import errors, notes
 from rtshell_lite.shell import installation
 from rtshell_lite.text import near, printable, quoted
 
@@ -67,10 +67,14 @@ def lines(read):
 
 
 class Interpreter:
-    """Runs commands; `status` is the exit status of the last one, `stop`: a failure ends rtsh. `show(text)` prints help."""
+    """Runs commands; `status` is the exit status of the last one, `stop`: a failure ends rtsh.
 
-    def __init__(self, stop=False, show=None):
-        self.stop, self.status, self.show = stop, 0, show
+    command(arguments, run, doc, words)  runs one and returns its exit status, see cli.command
+    show(text)  prints help
+    """
+
+    def __init__(self, command, stop=False, show=None):
+        self._command, self.stop, self.status, self.show = command, stop, 0, show
         self.files = {name: path for name, path in installation.commands().items() if name != "rtsh"}
         self._modules = {}
 
@@ -88,7 +92,7 @@ class Interpreter:
     def run_line(self, line):
         """Run the commands of a line. Raises BadLine, Left."""
         for words in split(line):
-            cli.detail(" ".join(map(quoted, words)))
+            notes.detail(" ".join(map(quoted, words)))
             if words[0] == "exit":
                 raise Left(_status(words[1:], self.status))
             if words[0] == "help":
@@ -103,7 +107,7 @@ class Interpreter:
         try:
             name = self.name(words[0])
         except errors.BadLine as e:
-            return cli.complain(e)
+            return notes.fail(e)
         if name == "rtcwd" and not re.match("-h$|--help$|--version$|--shell", " ".join(words[1:2])):
             return self._change_directory(name, words[1:])
         return self._run(name, words[1:])
@@ -121,7 +125,7 @@ class Interpreter:
         module, before = self._modules[name], sys.argv
         sys.argv = [self.files[name]] + words
         try:
-            status = cli.command(module.arguments, module.run, module.__doc__, words)
+            status = self._command(module.arguments, module.run, module.__doc__, words)
             sys.stdout.flush()
             return status
         finally:

@@ -2,6 +2,7 @@
 import os
 
 from rtshell_lite import errors, files
+from rtshell_lite.net import loop
 from rtshell_lite.path import parse
 from rtshell_lite.shell import completion
 
@@ -56,7 +57,7 @@ class Editor:
         if number == 0:
             line = self.readline.get_line_buffer()[:self.readline.get_endidx()]
             begins = line.rpartition(";")[2].strip() == typed  # the first word of a command
-            self._found = self._names(typed) if begins else completion.answers("bash", line, typed, self._meant)
+            self._found = self._names(typed) if begins else loop.run(completion.answers("bash", line, typed, self._meant))
         return self._found[number] if number < len(self._found) else None
 
     def _meant(self, words):

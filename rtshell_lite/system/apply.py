@@ -4,10 +4,10 @@ Each is looked at first, skipped if it is done already, and looked at again afte
 that concern one component are done one by one, in their order where that matters, others at the same time.
 """
 import collections
-import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes
+from rtshell_lite.corba import session
+from rtshell_lite.net import loop
 from rtshell_lite.robot import tree
 from rtshell_lite.system import sites, steps
 
@@ -21,8 +21,9 @@ class Outcome:
 
     def __init__(self, step, status=UNTRIED, error=None):
         self.step, self.status, self.error = step, status, error
-        self.before = self.after = None  # the answers to its step's jobs, before it was done and after
+        self.before = self.after = None  # the answers to its step's questions, before it was done and after
         self.running = False  # True while it is being done
+        self.failure = None  # the errors.Error that doing it raised
         self.likely = False  # True if it is done now, but an earlier step may change that
 
     @property
@@ -47,14 +48,14 @@ class Outcome:
                 "error": str(self.error) if self.error is not None else None}
 
 
-def judged(step):
+async def assess(step):
     """The Outcome of a step by what was found of its Sites: done already, to be done, not tried, or failed."""
     outcome = Outcome(step)
     if not step.tolerant:
         outcome.error = step.site_error()
     if outcome.error is None and all(site.found is not None or site.error is not None for site in step.sites):
         try:
-            if step.is_done(steps.given(step.found())):
+            if await step.is_done(steps.raise_first(step.found())):
                 outcome.status = ALREADY
         except errors.Error as e:
             if any(e is site.error for site in step.sites):  # reported with the component itself
@@ -64,36 +65,34 @@ def judged(step):
     return outcome
 
 
-def carry_out(outcomes, all_or_nothing=False):
+async def carry_out(outcomes, all_or_nothing=False):
     """Do the pending steps. `all_or_nothing`: if anything required fails, or on an interruption, undo all of them."""
     is_complete = False
     try:
         for level in _levels([outcome for outcome in outcomes if outcome.pending]):
             if all_or_nothing and _spoilt(outcomes):
                 break
-            _carry_out(level, outcomes)
+            await _carry_out(level, outcomes, all_or_nothing)
         is_complete = True
     finally:
         if all_or_nothing and (not is_complete or _spoilt(outcomes)):
-            _roll_back(outcomes)
+            await _roll_back(outcomes)
 
 
 def _spoilt(outcomes):
     return any(outcome.failed and outcome.step.required for outcome in outcomes)
 
 
-def _roll_back(outcomes):
+async def _roll_back(outcomes):
     """Undo what has been done, the last first."""
-    limit = time.monotonic() + lanes.session.timeout + lanes.GRACE
-    while any(outcome.running for outcome in outcomes) and time.monotonic() < limit:  # what is done later could not be undone
-        time.sleep(lanes.TICK)
     for outcome in reversed([outcome for outcome in outcomes if outcome.status in (DONE, UNSURE)]):
+        loop.current().allow_more()
         outcome.fail(errors.Failed(outcome.step.where, "interrupted while it was undone"), STUCK)
         if outcome.after is None:  # it was interrupted before it was looked at again
-            outcome.after = _answers([outcome])[0]
-        failure = _tried(outcome, lambda: outcome.step.undo(outcome.before, outcome.after))
+            outcome.after = (await _answers([outcome]))[0]
+        failure = await _tried(outcome.step.undo(outcome.before, outcome.after))
         try:
-            undone = not outcome.step.is_done(_answers([outcome])[0])
+            undone = not await outcome.step.is_done((await _answers([outcome]))[0])
         except errors.Error as e:
             undone, failure = isinstance(e, errors.Gone), failure or e
         if undone and not outcome.running:
@@ -127,19 +126,23 @@ def _levels(outcomes):
 
 # ---- looking ----------------------------------------------------------------------------------------------------
 
-def _answers(outcomes):
-    """For each outcome the list of answers to its step's jobs; an errors.Error in the place of what failed."""
-    asked = []  # type: list
-    for outcome in outcomes:
-        try:
-            asked.append(outcome.step.jobs())
-        except errors.Error as e:
-            asked.append(e)
-    values = iter(lanes.gather([job for jobs in asked if isinstance(jobs, list) for job in jobs]))
-    return [[next(values) for _ in jobs] if isinstance(jobs, list) else [jobs] for jobs in asked]
+async def _answers(outcomes):
+    """For each outcome the list of answers to its step's questions; an errors.Error in the place of what failed."""
+    asked = [_questions(outcome.step) for outcome in outcomes]
+    questions = [question for part in asked if isinstance(part, list) for question in part]
+    values = iter(await session.each(questions, lambda question: question.ask(), lambda question: question[:2]))
+    return [[next(values) for _ in part] if isinstance(part, list) else [part] for part in asked]
 
 
-def _look(outcomes):
+def _questions(step):
+    """The Questions of a step, or the errors.Error that says why it has none."""
+    try:
+        return step.questions()
+    except errors.Error as e:
+        return e
+
+
+async def _look(outcomes):
     """Ask how things are, and return those outcomes that are still to be done."""
     ready, todo = [], []
     for outcome in outcomes:
@@ -148,10 +151,10 @@ def _look(outcomes):
             outcome.error = dead
         else:
             ready.append(outcome)
-    for outcome, answers in zip(ready, _answers(ready)):
+    for outcome, answers in zip(ready, await _answers(ready)):
         outcome.before = answers
         try:
-            if outcome.step.is_done(answers):
+            if await outcome.step.is_done(answers):
                 outcome.status = ALREADY
             else:
                 todo.append(outcome)
@@ -160,7 +163,7 @@ def _look(outcomes):
     return todo
 
 
-def _mark_dead(outcomes, others=()):
+async def _mark_dead(outcomes, others=()):
     """Note at the Sites which components have died or fallen silent meanwhile: they are not called again.
 
     `others`: outcomes of which only the Sites in the same processes are looked at.
@@ -171,9 +174,9 @@ def _mark_dead(outcomes, others=()):
     asked = _living_sites(outcomes)
     endpoints = {site.node.endpoint for site in asked.values()}
     asked.update((key, site) for key, site in _living_sites(others).items() if site.node.endpoint in endpoints)
-    nodes = tree.look([site.node for site in asked.values()])
+    nodes = await tree.check_alive([site.node for site in asked.values()])
     unsure = [type(node.error) is errors.Unreachable for node in nodes]  # a connection, which may have been an old one
-    again = iter(tree.look([site.node for site, is_unsure in zip(asked.values(), unsure) if is_unsure]))
+    again = iter(await tree.check_alive([site.node for site, is_unsure in zip(asked.values(), unsure) if is_unsure]))
     for site, node, is_unsure in zip(asked.values(), nodes, unsure):
         site.error = next(again).error if is_unsure else node.error
 
@@ -186,52 +189,69 @@ def _living_sites(outcomes):
 
 # ---- doing ------------------------------------------------------------------------------------------------------
 
-def _carry_out(level, outcomes):
+async def _carry_out(level, outcomes, all_or_nothing):
     """Do the steps of one level."""
-    todo = _look(level)
-    # apart: what has begun goes on after Ctrl-C, and _roll_back waits for it
-    results = lanes.gather([_job(outcome, lambda outcome=outcome: _act(outcome)) for outcome in todo], apart=True)
-    for outcome, result in zip(todo, results):
-        if isinstance(result, errors.Silent):
+    todo = await _look(level)
+    await _act_on_all(todo, all_or_nothing)
+    for outcome in todo:
+        if isinstance(outcome.failure, errors.Silent):
             # one call was lost; whether the process answers others decides what is reported
-            lanes.session.silent.pop(outcome.step.endpoint, None)
-    for outcome, answers in zip(todo, _answers(todo)):
+            session.current().silent.pop(outcome.step.endpoint, None)
+    for outcome, answers in zip(todo, await _answers(todo)):
         outcome.after = answers
     lost = [outcome for outcome in todo if not outcome.step.tolerant and _lost(outcome.after) and not _lost(outcome.after, errors.Silent)]
-    for outcome, answers in zip(lost, _answers(lost)):  # one more look: what was done has to be known
+    for outcome, answers in zip(lost, await _answers(lost)):  # one more look: what was done has to be known
         outcome.after = answers
-    _mark_dead(level, outcomes)
-    for outcome, result in zip(todo, results):
-        _judge(outcome, result if isinstance(result, errors.Error) else None)
+    await _mark_dead(level, outcomes)
+    for outcome in todo:
+        await _judge(outcome, outcome.failure)
     for outcome in level:
         if outcome.error is not None:
             outcome.step.give_up(outcome.error)
 
 
-def _act(outcome):
+async def _act_on_all(outcomes, is_to_be_known):
+    """Do these steps at the same time.
+
+    `is_to_be_known`: after Ctrl-C, what has begun goes on for as long as an answer may take; it is undone then.
+    """
+    over = loop.Bell()
+
+    async def all_over():
+        while any(outcome.running for outcome in outcomes):
+            await over.wait()
+
+    async with loop.Group() as group:
+        for outcome in outcomes:
+            outcome.running = True
+            group.start(_act(outcome, over), outcome.step.endpoint)
+        try:
+            await all_over()
+        except BaseException:
+            if is_to_be_known:
+                await loop.race(all_over(), loop.sleep(session.current().timeout))
+            raise
+
+
+async def _act(outcome, over):
     """Do a step, and note what is known of it in case an interruption comes before it is judged."""
-    interrupted = errors.Failed(outcome.step.where, "interrupted while it was done")
-    outcome.fail(interrupted, UNSURE)
-    outcome.running = True
+    outcome.fail(errors.Failed(outcome.step.where, "interrupted while it was done"), UNSURE)
     try:
-        outcome.step.act(outcome.before)
-        if outcome.error is interrupted:  # else it was given up, and has been judged
+        outcome.failure = await _tried(outcome.step.act(outcome.before))
+        if outcome.failure is None:
             outcome.status, outcome.error = DONE, None
     finally:
         outcome.running = False
+        over.ring()
 
 
-def _job(outcome, call):
-    return lanes.Job(outcome.step.endpoint, outcome.step.where, call)
-
-
-def _tried(outcome, call):
-    """Call a method of a step in the lane of its process; returns the errors.Error that it raised, or None."""
+async def _tried(change):
+    """Await what a method of a step has begun; returns the errors.Error that it raised, or None."""
     try:
-        value, = lanes.gather([_job(outcome, call)], apart=True)
-    except errors.Error as e:  # there is no process to ask
+        await change
+    except errors.Error as e:
         return e
-    return value if isinstance(value, errors.Error) else None
+    return None
 
 
 def _lost(answers, kind=errors.Error):
@@ -239,10 +259,10 @@ def _lost(answers, kind=errors.Error):
     return next((answer for answer in answers if isinstance(answer, kind)), None)
 
 
-def _judge(outcome, failure):
+async def _judge(outcome, failure):
     """Decide by the look after a step what has become of it. `failure` is the error of `act`, or None."""
     try:
-        if outcome.step.is_done(outcome.after):
+        if await outcome.step.is_done(outcome.after):
             outcome.status, outcome.error = DONE, None
             return
         why = failure or errors.Refused(outcome.step.where, "was said to be done, but is not so")
@@ -253,4 +273,4 @@ def _judge(outcome, failure):
             outcome.fail(errors.Unreachable(outcome.step.where, f"{e.why}; whether it was done is not known"), UNSURE)
             return
     outcome.fail(why)
-    _tried(outcome, lambda: outcome.step.tidy(outcome.after))
+    await _tried(outcome.step.tidy(outcome.after))

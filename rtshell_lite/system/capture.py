@@ -3,8 +3,8 @@ import collections
 import functools
 import re
 
-from rtshell_lite import cli, errors, path
-from rtshell_lite.corba import orb, tasks
+from rtshell_lite import errors, path
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, places, ports, snapshot, tree
 from rtshell_lite.robot.snapshot import BRIEF, FULL
 from rtshell_lite.text import printable
@@ -29,15 +29,14 @@ _REFERENCE = re.compile(r"dataport\.corba_cdr\.(?:in|out)port_(?:ior|ref)\Z")
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
-@tasks.task
 async def ask(node, brief=False, states=True):
-    """The Found of a component. Its ports come before its profile (protocol rule: see `component.once_more`).
+    """The Found of a component. Its ports come before its profile (docs/protocol.md 1.1).
 
     `brief`: of properties and references only those that go into a file or are compared with one, a quarter of the memory.
     """
     detail = BRIEF if brief else FULL
     in_contexts = {"participating": BRIEF, "states": FULL} if states else {}
-    shown = await snapshot.of.task(node, ports=detail, owned=FULL, **in_contexts, configuration=FULL, organisations=FULL, profile=detail)
+    shown = await snapshot.of(node, ports=detail, owned=FULL, **in_contexts, configuration=FULL, organisations=FULL, profile=detail)
     contexts = shown.owned
     if any(context.handle is None for context in contexts):
         raise errors.Unreachable(str(node.path), "one of its execution contexts does not answer")
@@ -66,23 +65,23 @@ def is_reference(name, value):
 
 # ---- capturing ------------------------------------------------------------------------------------------------
 
-def capture(tops=(), all_components=False, with_states=False, with_managers=False):
+async def capture(tops=(), all_components=False, with_states=False, with_managers=False):
     """The System below the Paths `tops` (none: all name servers), sorted; only what is connected, or a composite of it.
 
     `with_managers`: which manager lists a component goes into the profile.
     """
-    nodes, managers, failures, notes = components(tops)
-    holders = _holders(managers, notes) if with_managers else {}
+    nodes, managers, failures, notes = await components(tops)
+    holders = await _holders(managers, notes) if with_managers else {}
     found, silent = [], {}
-    for node, answer in zip(nodes, tree.on_nodes(nodes, functools.partial(ask, brief=True, states=with_states))):
+    for node, answer in zip(nodes, await tree.on_nodes(nodes, functools.partial(ask, brief=True, states=with_states))):
         if not isinstance(answer, errors.Error):
             found.append(answer)
-        elif _is_zombie(node, answer):
+        elif await _is_zombie(node, answer):
             notes.append(f"{node.path!s}: zombie, left out")
         else:
             failures.append(answer)
             silent[node.endpoint] = answer
-    connectors = _connectors(found, silent, notes)
+    connectors = await _connectors(found, silent, notes)
     found, unused = (found, []) if all_components else _in_use(found)
     found.sort(key=lambda each: path_uri(each.node))
     profile = model.RtsProfile(components=[_component(each, found, notes) for each in found])
@@ -100,18 +99,18 @@ def capture(tops=(), all_components=False, with_states=False, with_managers=Fals
     return System(profile, found, unused, failures, notes)
 
 
-def components(tops=()):
+async def components(tops=()):
     """(component nodes, each object once, by its first path; manager nodes; errors; notes) below the Paths (none: all name servers).
 
     Components below managers are skipped: they are bound in a name server, too.
     """
     orb.start()
-    parts, failures = errors.parted(tree.at_each(
-        tops or [path.ROOT], lambda top: list(tree.walk(tree.resolve(top), managers=False))))
+    parts, failures = errors.split(await tree.at_each(
+        tops or [path.ROOT], _walk))
     walked = [node for part in parts for node in part]
     failures += [node.error for node in walked if node.kind in ("server", "directory") and node.error is not None]
     unsure = [node for node in walked if node.kind == "unsure"]
-    sure = dict(zip(unsure, tree.look(unsure)))
+    sure = dict(zip(unsure, await tree.check_alive(unsure)))
     walked = sorted([sure.get(node, node) for node in walked], key=lambda node: str(node.path))
     managers = [node for node in walked if node.kind == "manager" and node.alias is None]
     nodes, notes, seen = [], [], {}
@@ -128,10 +127,14 @@ def components(tops=()):
     return nodes, managers, failures, notes
 
 
-def _holders(managers, notes):
+async def _walk(top):
+    return await tree.walk(await tree.resolve(top), managers=False)
+
+
+async def _holders(managers, notes):
     """{identity of a component: path of the manager that lists it, as an RtsProfile has it}; one that is dead lists none."""
     holders = {}
-    for node, answer in zip(managers, tree.on_nodes(managers, lambda node: node.call("get_components"))):
+    for node, answer in zip(managers, await tree.on_nodes(managers, lambda node: node.call("get_components"))):
         if isinstance(answer, (errors.Gone, errors.ConnectionRefused)):
             continue
         if isinstance(answer, errors.Error):
@@ -143,11 +146,11 @@ def _holders(managers, notes):
     return holders
 
 
-def _is_zombie(node, failure):
+async def _is_zombie(node, failure):
     """Look whether a component that failed with `failure` is gone itself, and not something behind it."""
     if not isinstance(failure, (errors.Gone, errors.ConnectionRefused)):
         return False
-    now, = tree.look([node])
+    now, = await tree.check_alive([node])
     return now.kind == "zombie"
 
 
@@ -221,7 +224,7 @@ def _target(kind, each, **more):
 
 # ---- connections ----------------------------------------------------------------------------------------------
 
-def _connectors(found, silent, notes):
+async def _connectors(found, silent, notes):
     """The model's connectors, each once, with all its ends; what ends outside the system is reported in `notes`.
 
     `silent` are the processes that did not answer before, {endpoint: errors.Error}: they are not asked again.
@@ -238,7 +241,7 @@ def _connectors(found, silent, notes):
             for one in port.connectors:
                 refs = [ref for ref in one.ports if ref is not None]
                 connectors.setdefault((one.id, frozenset(orb.identity(ref) for ref in refs)), (port, one, refs))
-    outside = places.far_ends([port for each in found for port in each.ports], silent)
+    outside = await places.far_ends([port for each in found for port in each.ports], silent)
     made = []
     for port, one, refs in connectors.values():
         known = [ends[orb.identity(ref)] for ref in refs if orb.identity(ref) in ends]
@@ -304,8 +307,8 @@ def shown_path(each):
 
 def read(name, form=None):
     """The profile in a file (`-`: stdin). Raises OSError, BadProfile."""
-    from rtshell_lite import files
-    cli.reading(name, "an RtsProfile")
+    from rtshell_lite import files, notes
+    notes.reading(name, "an RtsProfile")
     return rtsprofile.load(files.read(name), name, form)
 
 
@@ -340,7 +343,7 @@ def port_of(end):
 
 # ---- what is running of a profile -----------------------------------------------------------------------------
 
-def look(profile, function=ask):
+async def look(profile, function=ask):
     """function(node) for each component of a profile; an errors.Error in the place of one that is not there or fails."""
     paths = []
     for each in profile.components:
@@ -348,13 +351,13 @@ def look(profile, function=ask):
             paths.append(path_of(each))
         except errors.BadPath as e:
             paths.append(errors.Failed("/" + printable(each.path_uri), e))
-    answers = iter(tree.on_components([one for one in paths if not isinstance(one, errors.Error)], function))
+    answers = iter(await tree.on_components([one for one in paths if not isinstance(one, errors.Error)], function))
     return [one if isinstance(one, errors.Error) else next(answers) for one in paths]
 
 
-def states(profile):
+async def states(profile):
     """The state of each component of a profile, as `look` gives it."""
-    return look(profile, component.state)
+    return await look(profile, component.state)
 
 
 def state(found):

@@ -48,13 +48,13 @@ class Result:
         self.differences, self.failures, self.asked = [], [], 0
 
 
-def compare(profile, state, tell=lambda line: None, extra=False):
+async def compare(profile, state, tell=lambda line: None, extra=False):
     """Do all checks, in order, and return the Result; `tell` is called with a line for each.
 
     `extra`: report, too, what the system has beyond the profile.
     """
     listed = sites.of(profile)
-    sites.look(listed, functools.partial(capture.ask, brief=True))
+    await sites.look(listed, functools.partial(capture.ask, brief=True))
     result = Result()
     result.failures = [site.error for site in listed if _is_silent(site)]
     result.asked = len(listed) - len(result.failures)
@@ -67,7 +67,7 @@ def compare(profile, state, tell=lambda line: None, extra=False):
                 seen.add(difference.message)
                 result.differences.append(difference)
     if extra:
-        _strangers(listed, result)
+        await _strangers(listed, result)
         known = {connector.connector_id for connector in profile.connectors}
         known |= {difference.actual for difference in result.differences if difference.check == OTHER_ID}
         result.differences += _extra(known, [site for site in listed if site.found is not None])
@@ -208,7 +208,7 @@ def _remarks(step):
     if not isinstance(step, connect_steps.Connect) or any(site.found is None for site in step.sites):
         return []
     at = step.found()
-    actual = None if errors.parted(at)[1] else step.other_id(at)
+    actual = None if errors.split(at)[1] else step.other_id(at)
     if actual is None:
         return []
     remark = _in_words(step, steps.Difference("other id", None, step.connector.connector_id, actual, None))
@@ -257,13 +257,13 @@ def _beyond(check, required, message, path, actual):
     return Difference(check, required, message, path, None, actual, message)
 
 
-def _strangers(listed, result):
+async def _strangers(listed, result):
     """Add to the Result the components in the name servers of the Sites `listed` that are none of these."""
     servers = {site.path._replace(names=()) for site in listed if site.path.server is not None}
-    nodes, _, failures, _ = capture.components(sorted(servers, key=str))
+    nodes, _, failures, _ = await capture.components(sorted(servers, key=str))
     known = {orb.identity(site.node.ref) for site in listed if site.found is not None} | {site.where for site in listed}
     strange = [node for node in nodes if orb.identity(node.ref) not in known and str(node.path) not in known]
-    for node in tree.look(strange):
+    for node in await tree.check_alive(strange):
         if node.kind == "silent":
             failures.append(node.error)
         elif node.kind == "component":

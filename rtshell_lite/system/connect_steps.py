@@ -1,6 +1,6 @@
 """Steps that make connections and remove them; see steps.py."""
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import connectors, ports
 from rtshell_lite.system import capture, sites, steps
 from rtshell_lite.system.steps import Difference
@@ -69,8 +69,8 @@ class Connection(steps.Step):
         self.connector, self.ends, self.paths = connector, ends, paths
         self.ids, self.wanted = ids, wanted_properties(connector)
 
-    def jobs(self):
-        return [site.port_job(name) for site, name in self._living()]
+    def questions(self):
+        return [site.port_question(name) for site, name in self._living()]
 
     def found(self):
         return [site.port(name) for site, name in self._living()]
@@ -82,7 +82,7 @@ class Connection(steps.Step):
     @property
     def endpoint(self):
         site, name = self._living()[0]
-        return site.port_job(name).endpoint
+        return site.port_question(name).endpoint
 
     def having(self, at):
         """[(Port, its ports.Connector)] of the Ports `at`, all that it is to join, for those that have the connection.
@@ -117,12 +117,12 @@ class Connection(steps.Step):
         joining = ports.joining(at) if len(at) > 1 else [one for port in ports.in_system(at) for one in port.connectors]
         return [connector for connector in joining if connector.id not in self.ids and len(connector.ports) == len(at)]
 
-    def disconnect(self, having):
+    async def disconnect(self, having):
         """Remove the connection from what `having` returned; returns the errors of the ports that fail."""
         failures = []
         for port, connector in having:
             try:
-                lanes.ask(orb.endpoint(port.ref), ports.label(port), lambda: connectors.disconnect(port, connector))
+                await connectors.disconnect(port, connector)
             except errors.Error as e:
                 failures.append(e)
         return failures
@@ -154,9 +154,10 @@ class Connect(Connection):
 
     def __init__(self, connector, ends, ids):
         super().__init__(connector, ends, ids)
-        self.given = {name: value for name, value in self.wanted.items()
-                      if name != "dataport.data_type" or value.startswith("IDL:")}  # a short name: the ports know the long one
-        self.command = connectors.command(self.paths, connector.name, connector.connector_id, self.given)
+        self.requested = dict(self.wanted)
+        if not self.requested.get("dataport.data_type", "").startswith("IDL:"):  # a short name: the ports know the long one
+            self.requested.pop("dataport.data_type", None)
+        self.command = connectors.command(self.paths, connector.name, connector.connector_id, self.requested)
 
     def leftovers(self, at):
         """What `having` returns for a connection that is not complete; [] for one that is, or is nowhere."""
@@ -196,7 +197,7 @@ class Connect(Connection):
     def _obstacle(self, at):
         """The error that says why the Ports `at` cannot be connected, or None. A port alone may have several connections."""
         try:
-            ports.check(at, self.given)
+            ports.check(at, self.requested)
         except errors.Error as e:
             return e
         for other in self.others(at) if len(at) > 1 else []:
@@ -209,14 +210,14 @@ class Connect(Connection):
         is_other = having and having[0][1].id != self.connector.connector_id and self.connector.connector_id
         return having[0][1].id if is_other else None
 
-    def act(self, answers):
-        connectors.connect(answers, self.connector.name, self.connector.connector_id, self.given)
+    async def act(self, answers):
+        await connectors.connect(answers, self.connector.name, self.connector.connector_id, self.requested)
 
-    def tidy(self, answers):
-        self.disconnect(self.having(errors.parted(answers)[0]))
+    async def tidy(self, answers):
+        await self.disconnect(self.having(errors.split(answers)[0]))
 
-    def undo(self, before, after):
-        self.tidy(after)
+    async def undo(self, before, after):
+        await self.tidy(after)
 
 
 def wanted_properties(connector):
@@ -255,8 +256,8 @@ class Disconnect(Connection):
         """The errors.NoSuch of ends whose component is there without that port."""
         return [site.port(name) for site, name in self.ends if site.error is None and self._is_lost(site, name)]
 
-    def is_done(self, answers):
-        living, failures = errors.parted(answers)
+    async def is_done(self, answers):
+        living, failures = errors.split(answers)
         self.last = self.having(living)
         for port, connector in self.last[:1]:
             self.command = f"rtdis -i {shell_word(connector.id)} {shell_word(ports.label(port))}"
@@ -265,11 +266,11 @@ class Disconnect(Connection):
                 raise e
         return not self.last
 
-    def act(self, answers):
-        steps.given(self.disconnect(self.last))
+    async def act(self, answers):
+        steps.raise_first(await self.disconnect(self.last))
 
-    def undo(self, before, after):
-        living = errors.parted(after)[0]
-        removed = self.having(errors.parted(before)[0])[0][1]
+    async def undo(self, before, after):
+        living = errors.split(after)[0]
+        removed = self.having(errors.split(before)[0])[0][1]
         properties = {name: value for name, value in removed.properties if not capture.is_reference(name, value)}
-        connectors.connect(living, removed.name, removed.id, properties)
+        await connectors.connect(living, removed.name, removed.id, properties)

@@ -1,26 +1,25 @@
 """Reports, for people and as JSON, on the steps that change a system (rtresurrect, rtteardown) and on plans (rtstart, rtstop)."""
 import collections
 
-from rtshell_lite import cli, text
+from rtshell_lite import notes, text
 
 
-def of_steps(args, outcomes, carry_out):
+async def of_steps(args, outcomes, carry_out):
     """Carry out steps (apply.Outcomes), print what became of each, and return the exit status.
 
     With --dry-run, print the commands that would do them by hand instead. As in rtshell, the failure of a step that is not
     required leaves the status 0. An interruption is raised again, after the report.
     """
-    cli.unwind_when_ended()
     try:
         if not args.dry_run:
-            carry_out(outcomes, args.rollback)
+            await carry_out(outcomes, args.rollback)
     finally:
         status = _report(args, outcomes)
     return status
 
 
 def _report(args, outcomes):
-    tally, counts = cli.Tally(), collections.OrderedDict((status, 0) for status in ("done", "already so"))
+    tally, counts = notes.Tally(), collections.OrderedDict((status, 0) for status in ("done", "already so"))
     for outcome in outcomes:
         counts[outcome.status] = counts.get(outcome.status, 0) + 1
         if args.json:
@@ -32,17 +31,18 @@ def _report(args, outcomes):
             tally.done += is_good and not args.rollback
             if outcome.status != "already so":
                 why = " because of " + outcome.error.where if outcome.error else ""
-                cli.detail(f"{outcome.step.title}: {outcome.status}{why}")
+                notes.detail(f"{outcome.step.title}: {outcome.status}{why}")
         elif outcome.step.required:
             tally.add(outcome.error)
         else:
-            cli.note(f"{outcome.error} (not required)")
+            notes.note(f"{outcome.error} (not required)")
     if any(counts.values()) and not args.dry_run:
-        (cli.note if tally.statuses else cli.detail)(", ".join("%d %s" % (number, status) for status, number in counts.items() if number))
+        tell = notes.note if tally.statuses else notes.detail
+        tell(", ".join("%d %s" % (number, status) for status, number in counts.items() if number))
     return tally.status()
 
 
-class Progress(cli.Tally):
+class Progress(notes.Tally):
     """Reports the actions of a plan (see run_plan.py) as they begin and end, in the words of rtshell."""
 
     def __init__(self, as_json, verb, state):
@@ -52,8 +52,7 @@ class Progress(cli.Tally):
 
     def starting(self, action, line):
         """An action begins, described by `line`."""
-        if not cli.is_quiet():
-            cli.say("Executing {%d} %s" % (action.number, line))
+        notes.progress("Executing {%d} %s" % (action.number, line))
 
     def ended(self, result):
         """An action has ended, or will not be tried; failures of optional components do not change the exit status."""
@@ -61,11 +60,11 @@ class Progress(cli.Tally):
         self._as_json(result)
         if error is None:
             self.add(action)
-            cli.detail(f"{action.path}: {'already ' if result.outcome == 'already' else ''}{self.state}")
+            notes.detail(f"{action.path}: {'already ' if result.outcome == 'already' else ''}{self.state}")
         elif action.component.is_required:
             self.add(error)
         else:
-            cli.say(f"Action failed: {error}")
+            notes.action_failed(error)
 
     def skipped(self, result):
         """An action will not be tried, for a reason that has been reported."""

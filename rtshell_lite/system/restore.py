@@ -23,34 +23,34 @@ def _sites(profile):
 
 # ---- restoring --------------------------------------------------------------------------------------------------
 
-def restoring(profile, options):
+async def restoring(profile, options):
     """The apply.Outcomes of the steps that restore a profile: pending, done already, or known not to be possible."""
     listed = _sites(profile)
-    sites.look(listed)
+    await sites.look(listed)
     locate = capture.locator(profile, options.strict)
-    outcomes = [_presence(site) for site in listed]
+    outcomes = [await _presence(site) for site in listed]
     if options.create:
-        outcomes = _creations(profile, outcomes, options, locate)
+        outcomes = await _creations(profile, outcomes, options, locate)
     site_of = sites.finder(locate, listed)
     for site in listed:
-        outcomes += _memberships(site, site_of)
+        outcomes += await _memberships(site, site_of)
     for site in listed:
-        outcomes += _configurations(site) + _rates(site) + _participations(site, site_of)
-    return outcomes + _connections(profile, site_of)
+        outcomes += await _configurations(site) + await _rates(site) + await _participations(site, site_of)
+    return outcomes + await _connections(profile, site_of)
 
 
-def _presence(site):
+async def _presence(site):
     """Whether a component is there, and the one that is meant; nothing can be done with any other."""
-    outcome = apply.judged(steps.Present(site))
+    outcome = await apply.assess(steps.Present(site))
     if outcome.error is not None:
         site.error = outcome.error
         outcome.fail(site.error)
     return outcome
 
 
-def _creations(profile, outcomes, options, locate):
+async def _creations(profile, outcomes, options, locate):
     """The outcomes of `_presence`, with a Create in the place of each component that is missing."""
-    named, holders = _named_managers(profile, locate), {}
+    named, creators = _named_managers(profile, locate), {}
     result = []
     for outcome in outcomes:
         site = outcome.step.site
@@ -59,10 +59,10 @@ def _creations(profile, outcomes, options, locate):
             try:
                 if not manager_path:
                     raise errors.Failed(site.where, "is not there, and nothing names a manager to create it (see --manager)")
-                if manager_path not in holders:
-                    holders[manager_path] = Holder(manager_path)
-                holder = holders[manager_path]
-                outcome = apply.Outcome(steps.Create(site, holder, holder.identity(site.component.id)))
+                if manager_path not in creators:
+                    creators[manager_path] = await _creator(manager_path)
+                creator = creators[manager_path]
+                outcome = apply.Outcome(steps.Create(site, creator, await creator.identity(site.component.id)))
                 site.error = None
             except errors.Error as e:
                 site.error = e
@@ -71,21 +71,25 @@ def _creations(profile, outcomes, options, locate):
     return result
 
 
-class Holder:
-    """A manager that is to create components; a Create lists it among its Sites. Raises what `manager.find` raises."""
+async def _creator(path):
+    """The Creator for a manager. Raises what `manager.find` raises."""
+    manager.check(path)
+    return Creator(await manager.find(path))
+
+
+class Creator:
+    """A manager that is to create components; a Create lists it among its Sites."""
 
     required, error, found = True, None, None
 
-    def __init__(self, path):
-        manager.check(path)
-        self.node = manager.find(path)
-        self.where = str(self.node.path)
+    def __init__(self, node):
+        self.node, self.where = node, str(node.path)
         self._identities = {}
 
-    def identity(self, component_id):
+    async def identity(self, component_id):
         """The id by which it creates a component: profiles have the type's name in their ids and no language."""
         if component_id not in self._identities:
-            self._identities[component_id] = manager.whole_id(self.node, component_id)
+            self._identities[component_id] = await manager.whole_id(self.node, component_id)
         return self._identities[component_id]
 
 
@@ -113,14 +117,14 @@ def _above(where):
 
 # ---- components -------------------------------------------------------------------------------------------------
 
-def _memberships(site, site_of):
+async def _memberships(site, site_of):
     """Whether a composite has its members; those that are not there are reported apart from the others."""
     members = steps.members(site, site_of)
     parts = [member for member in members if member.error is None], [member for member in members if member.error is not None]
-    return [apply.judged(steps.Members(site, part)) for part in parts if part]
+    return [await apply.assess(steps.Members(site, part)) for part in parts if part]
 
 
-def _configurations(site):
+async def _configurations(site):
     """Whether the parameters of each set have their values, and which set is active."""
     outcomes = []
     for one in site.component.configuration_sets:
@@ -128,40 +132,40 @@ def _configurations(site):
         unknown = steps.Values(site, one.id, wanted).unknown()  # do not keep the others from their values
         known = collections.OrderedDict((name, value) for name, value in wanted.items() if name not in unknown)
         for part in [{name: wanted[name]} for name in unknown] + [known] * bool(known):
-            outcomes.append(apply.judged(steps.Values(site, one.id, part)))
+            outcomes.append(await apply.assess(steps.Values(site, one.id, part)))
     if site.component.active_configuration_set:
-        active = apply.judged(steps.Active(site, site.component.active_configuration_set))
+        active = await apply.assess(steps.Active(site, site.component.active_configuration_set))
         if active.status == apply.ALREADY and any(outcome.pending for outcome in outcomes):
             active.status, active.likely = apply.UNTRIED, True  # setting values deactivates, until the set is activated again
         outcomes.append(active)
     return outcomes
 
 
-def _rates(site):
+async def _rates(site):
     """Whether the execution contexts that a component owns have their rates."""
-    return [apply.judged(steps.Rate(site, index, handle, wanted.rate)) for index, handle, wanted in steps.own_contexts(site)
+    return [await apply.assess(steps.Rate(site, index, handle, wanted.rate)) for index, handle, wanted in steps.own_contexts(site)
             if 0 < wanted.rate < float("inf") and wanted.kind.upper()[:8] == "PERIODIC"]
 
 
-def _participations(site, site_of):
+async def _participations(site, site_of):
     """Whether other components take part in its contexts, as on robots that run many in one; a composite lists its members itself."""
     outcomes = []
     for index, handle, wanted in steps.own_contexts(site):
         others = [] if site.component.participants else steps.participants(site, wanted, site_of)
         present = [other for other in others if other.error is None]
-        outcomes += [apply.judged(steps.Participants(site, index, handle, part)) for part in (
+        outcomes += [await apply.assess(steps.Participants(site, index, handle, part)) for part in (
             present, [other for other in others if other.error is not None]) if part]
     return outcomes
 
 
 # ---- connections ------------------------------------------------------------------------------------------------
 
-def _connections(profile, site_of):
+async def _connections(profile, site_of):
     """Whether the connections are there; what is left of one that has lost an end is removed first."""
-    outcomes = [apply.judged(step) for step in connect_steps.connecting(profile, site_of)]
+    outcomes = [await apply.assess(step) for step in connect_steps.connecting(profile, site_of)]
     broken = [outcome for outcome in outcomes if isinstance(outcome.error, connect_steps.Incomplete)]
     strange = [_strange_ends(outcome.step) for outcome in broken]
-    answers = iter(orb.each([ref for refs in strange for ref in refs], lambda ref: orb.is_alive("", ref)))
+    answers = iter(await orb.each([ref for refs in strange for ref in refs], lambda ref: orb.is_alive("", ref)))
     for outcome, refs in zip(broken, strange):
         ends = [next(answers) for _ in refs]
         if any(isinstance(answer, errors.Silent) or not isinstance(answer, errors.Error) for answer in ends):
@@ -169,7 +173,7 @@ def _connections(profile, site_of):
                 printable(outcome.step.connector.connector_id))))
         else:
             outcome.status, outcome.error = apply.UNTRIED, None
-            removal = apply.judged(connect_steps.Disconnect(outcome.step.connector, outcome.step.ends, outcome.step.ids))
+            removal = await apply.assess(connect_steps.Disconnect(outcome.step.connector, outcome.step.ends, outcome.step.ids))
             outcomes.insert(outcomes.index(outcome), removal)
     return outcomes
 
@@ -184,21 +188,21 @@ def _strange_ends(step):
 
 # ---- tearing down -----------------------------------------------------------------------------------------------
 
-def tearing_down(profile, options):
+async def tearing_down(profile, options):
     """(the apply.Outcomes of the steps that remove the connections of a profile, notes on components and ports that are gone).
 
     Where one end is gone, the others are freed. That not even the directories of components are there is a failure.
     """
     listed = _sites(profile)
-    sites.look(listed, _ports_only)
+    await sites.look(listed, _ports_only)
     lost = [site for site in listed if site.error is not None]
     some = not listed or any(site.error is None or site.error.where == site.where for site in listed)
-    outcomes = [_presence(site) for site in lost if not (some and sites.is_gone(site.error))]
+    outcomes = [await _presence(site) for site in lost if not (some and sites.is_gone(site.error))]
     notes = [str(site.error) for site in lost if some and sites.is_gone(site.error)]
     site_of = sites.finder(capture.locator(profile, options.strict), listed)
     removals = connect_steps.disconnecting(profile, site_of)
     notes += [str(error) for step in removals if step.kind == "disconnect" for error in step.lost_ports()]
-    outcomes += [apply.judged(step) for step in removals]
+    outcomes += [await apply.assess(step) for step in removals]
     if not some:
         for outcome in outcomes:
             if outcome.status == apply.ALREADY:
@@ -206,5 +210,5 @@ def tearing_down(profile, options):
     return outcomes, notes
 
 
-def _ports_only(node):
-    return capture.Found(node, ports.in_system(ports.ports(node)), [], {}, [], "", [], None)
+async def _ports_only(node):
+    return capture.Found(node, ports.in_system(await ports.ports(node)), [], {}, [], "", [], None)

@@ -3,12 +3,13 @@ import collections
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, pool
+from rtshell_lite.corba import session
+from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports, transitions
 from rtshell_lite.system import capture, plan, sites, steps
 from rtshell_lite.text import printable
 
-TICK = 1.0  # seconds that the main thread sleeps at most
+AT_ONCE = 4  # components of one process that are changed at a time: each is asked often until it has changed
 
 # What became of an action: `outcome` is one of plan.DONE …, `error` an errors.Error that says why, None where all is well.
 Result = collections.namedtuple("Result", "action outcome error")
@@ -24,32 +25,34 @@ class Run:
     """A plan being carried out."""
 
     def __init__(self, actions, transition, progress, wait=None):
-        """`progress` is called on the caller's thread: starting(action, line), ended(Result), skipped(Result).
+        """`progress` is told: starting(action, line), ended(Result), skipped(Result).
 
         `wait`: how long a component may take to reach its state, in seconds (default: the timeout).
         """
         self.actions, self.transition, self.progress = actions, transition, progress
-        self.wait = wait or lanes.session.timeout
+        self.wait = wait or session.current().timeout
         self._found = {}  # for each component of the profile, by its id(): (node, _Contexts or None) or an error
         self._asked = set()  # numbers of the actions whose component may have been asked to change
-        self._calls = pool.Calls()
+        self._waiting = collections.defaultdict(collections.deque)  # by endpoint: (action, node, contexts) that are due
+        self._busy = collections.Counter()  # by endpoint: how many are being changed
+        self._changed = loop.Bell()  # rings when something may be due
         self._schedule = plan.Schedule(actions, transition.target)
 
     # ---- before anything is changed ----
 
-    def check(self, profile, tell=lambda line: None):
+    async def check(self, profile, tell=lambda line: None):
         """Find the components and their contexts, and check that they are those of the profile.
 
         Returns the errors of required components: after any of these, nothing is to be started. `tell` is called with a line
         for each of them.
         """
         failures = []
-        for wanted, answer in zip(profile.components, self._look(profile, _ask)):
+        for wanted, answer in zip(profile.components, await self._look(profile, _ask)):
             if wanted.is_required:
                 tell("Checking for required component %s with ID \"%s\" and instance name \"%s\"" % (
                     capture.shown_path(wanted), printable(wanted.id), printable(wanted.instance_name)))
             try:
-                self._found[id(wanted)] = self._checked(wanted, answer)
+                self._found[id(wanted)] = await self._checked(wanted, answer)
             except errors.Error as e:
                 self._found[id(wanted)] = e
                 failures += [e] if wanted.is_required else []
@@ -65,26 +68,26 @@ class Run:
                 error = errors.NotTried(action.path, "something that is required failed")
                 self.progress.skipped(Result(action, plan.NOT_TRIED, error))
 
-    def _checked(self, wanted, answer):
+    async def _checked(self, wanted, answer):
         """(node, _Contexts) of a component of the profile. Raises WrongKind, NoSuch, or `answer` if that is an error."""
         if isinstance(answer, errors.Error):
             raise answer
-        steps.Present(sites.Site(wanted)).is_done([answer])
+        await steps.Present(sites.Site(wanted)).is_done([answer])
         for action in self.actions:
             if action.component is wanted:
                 _context(answer.node, answer.contexts, action)
         return answer.node, answer.contexts
 
-    def find(self, profile):
+    async def find(self, profile):
         """Find the components; their contexts are asked for when it is their turn."""
-        for wanted, answer in zip(profile.components, self._look(profile, lambda node: node)):
+        for wanted, answer in zip(profile.components, await self._look(profile, _unasked)):
             self._found[id(wanted)] = answer if isinstance(answer, errors.Error) else (answer, None)
 
-    def _look(self, profile, function):
+    async def _look(self, profile, function):
         """capture.look; when an exception interrupts it, all actions are reported as not tried."""
         interrupted = True
         try:
-            answers = capture.look(profile, function)
+            answers = await capture.look(profile, function)
             interrupted = False
         except errors.Error:  # nobody can be asked at all
             interrupted = False
@@ -96,98 +99,93 @@ class Run:
 
     # ---- doing it ----
 
-    def carry_out(self):
+    async def carry_out(self):
         """Do all actions. When an exception interrupts it, nothing more begins, and actions that have not ended are reported."""
         try:
-            while True:  # see interrupts
-                if self._schedule.is_over():
-                    break
-                now = time.monotonic()
-                for action, reason in self._schedule.due(now):
-                    if reason is None:
-                        self._start(action)
-                    else:
-                        self.progress.ended(Result(action, plan.NOT_TRIED, errors.NotTried(action.path, reason)))
-                self._listen(self._schedule.next_time(now))
+            async with loop.Group() as group:
+                while not self._schedule.is_over():
+                    now = time.monotonic()
+                    for action, reason in self._schedule.due(now):
+                        if reason is None:
+                            self._start(action, group)
+                        else:
+                            self.progress.ended(Result(action, plan.NOT_TRIED, errors.NotTried(action.path, reason)))
+                    await self._wait(self._schedule.next_time(now))
         finally:
             self._leave()
 
-    def _start(self, action):
+    async def _wait(self, until):
+        """Wait until an action begins or ends; no longer than `until`, by time.monotonic(), or None."""
+        if not self._schedule.is_over():
+            await self._changed.wait(None if until is None else max(0, until - time.monotonic()))
+
+    def _start(self, action, group):
         found = self._found[id(action.component)]
         if isinstance(found, errors.Error):
             self._begin(action)
             self._end(self._failed(action, found))
             return
         node, contexts = found
-        self._calls.start(node.endpoint, action.number, lambda: self._change(action, node, contexts))
+        self._waiting[node.endpoint].append((action, node, contexts))
+        if self._busy[node.endpoint] < AT_ONCE:
+            self._busy[node.endpoint] += 1
+            group.start(self._work(node.endpoint), node.endpoint)
+
+    async def _work(self, endpoint):
+        """Change components of a process, one after the other, while any is due."""
+        waiting = self._waiting[endpoint]
+        while waiting:
+            action, node, contexts = waiting.popleft()
+            self._begin(action)
+            self._end(await self._change(action, node, contexts))
+        self._busy[endpoint] -= 1
 
     def _begin(self, action):
         self.progress.starting(action, plan.plain_line(action, self.transition.name.capitalize()))
 
-    def _listen(self, until):
-        """Wait until an action begins or ends, and note it; no longer than `until`."""
-        seconds = TICK if until is None else min(TICK, max(0, until - time.monotonic()))
-        while not self._schedule.is_over():
-            event = self._calls.ended(seconds)
-            if event is None:
-                return
-            number, value = event
-            if isinstance(value, Result):
-                self._end(value)
-            elif value == "begun":
-                self._begin(self._schedule.actions[number])
-            elif value == "told":
-                self._schedule.told(number)
-            seconds = 0  # take what else has happened by now
-
     def _end(self, result):
         self._schedule.end(result.action.number, result.outcome)
+        self._changed.ring()
         self.progress.ended(result)
 
     def _leave(self):
         """Report the actions that have not ended."""
-        begun = self._calls.close()
-        if not self._schedule.is_over():
-            self._listen(time.monotonic())
         for action in self.actions:
             if action.number in self._schedule.ended:
                 continue
-            if action.number in begun & self._asked:
+            if action.number in self._asked:
                 error = errors.Uncertain(action.path, "interrupted")
                 self._end(Result(action, plan.UNCERTAIN, error))
             else:
                 self._end(Result(action, plan.NOT_TRIED, errors.NotTried(action.path, "interrupted")))
 
-    # ---- one action, on a thread of pool.Calls ----
+    # ---- one action ----
 
-    def _change(self, action, node, contexts):
+    async def _change(self, action, node, contexts):
         """Take a component through the transition, and return the Result."""
-        def change():
-            index = _context(node, contexts or _contexts(node), action)
-            has_changed = transitions.change_as_planned(node, self.transition, index, self.wait, stage)
-            return plan.DONE if has_changed else plan.ALREADY
-
         def stage(name):
             self._asked.add(action.number)
-            self._calls.post(action.number, name)
-        self._calls.post(action.number, "begun")
+            if name == "told":
+                self._schedule.told(action.number)
+                self._changed.ring()
         try:
-            return Result(action, lanes.ask(node.endpoint, str(node.path), change), None)
+            index = _context(node, contexts or await _contexts(node), action)
+            has_changed = await transitions.change_as_planned(node, self.transition, index, self.wait, stage)
+            return Result(action, plan.DONE if has_changed else plan.ALREADY, None)
         except errors.Unreachable as e:
             if action.number in self._asked:
-                return self._seen(action, node, e)
+                return await self._seen(action, node, e)
             return self._failed(action, e)
         except errors.Error as e:
             return self._failed(action, e)
 
-    def _seen(self, action, node, failure):
+    async def _seen(self, action, node, failure):
         """The Result of an action whose answer was lost: the component may have changed, so look."""
-        def state():
-            return component.seen(transitions.state_as_planned.task(node, self.transition, self.wait))
-        where = failure.where
-        why = str(failure)[len(where) + 2:]
+        where, why = failure.where, failure.why
+        if session.current().silence(node.endpoint):
+            return Result(action, plan.UNCERTAIN, errors.Uncertain(where, why))
         try:
-            now = lanes.ask(node.endpoint, str(node.path), state)
+            now = await component.uncertain_if_refused(transitions.state_as_planned(node, self.transition, self.wait))
         except (errors.Gone, errors.ConnectionRefused, errors.Refused) as e:
             return self._failed(action, e)
         except errors.Error:
@@ -205,16 +203,20 @@ class Run:
 
 # ---- asking ---------------------------------------------------------------------------------------------------
 
-def _ask(node):
-    """The _Answer of a component. Its ports are asked before its profile (protocol rule: see `component.once_more`)."""
-    ports.ports(node)
-    return _Answer(node, component.profile(node), _contexts(node))
+async def _unasked(node):
+    return node
 
 
-def _contexts(node):
+async def _ask(node):
+    """The _Answer of a component. Its ports are asked before its profile (docs/protocol.md 1.1)."""
+    await ports.ports(node)
+    return _Answer(node, await component.profile(node), await _contexts(node))
+
+
+async def _contexts(node):
     """The _Contexts of a component."""
-    owned, participating = component.context_refs(node)
-    return _Contexts([node.call("get_context_handle", ref) for ref in owned + participating], len(owned))
+    owned, participating = await component.context_refs(node)
+    return _Contexts([await node.call("get_context_handle", ref) for ref in owned + participating], len(owned))
 
 
 def _context(node, contexts, action):

@@ -1,8 +1,13 @@
 """The components that an RtsProfile lists, each with its place and with what one look at the running system found there."""
+import collections
+
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import ports, tree
 from rtshell_lite.system import capture, relocate
+
+# Something to ask: `endpoint` of the process that answers, `where`, the path of the object, for errors, and a coroutine function.
+Question = collections.namedtuple("Question", "endpoint where ask")
 
 MISSING = (errors.NotFound, errors.Gone, errors.ProcessGone)
 
@@ -33,15 +38,18 @@ class Site:
         names = [name, self.instance + "." + name]
         return next((port for port in known if port.name in names), None) or ports.named(self.path.with_port(name), known)
 
-    def port_job(self, name):
-        """A lanes.Job that asks the component for its port called `name`. Raises NoSuch."""
+    def port_question(self, name):
+        """A Question that asks the component for its port called `name`. Raises NoSuch."""
         where = str(self.path.with_port(name))
         if self.found is None:
-            return lanes.Job(self.node.endpoint, where, lambda: self.port(name, ports.ports(self.node)))
+            return Question(self.node.endpoint, where, lambda: self._asked_port(name))
         port = self.port(name)
         if isinstance(port, errors.Error):
             raise port
-        return lanes.Job(orb.endpoint(port.ref), where, lambda: ports.port(self.node, port.ref))
+        return Question(orb.endpoint(port.ref), where, lambda: ports.port(self.node, port.ref))
+
+    async def _asked_port(self, name):
+        return self.port(name, await ports.ports(self.node))
 
 
 def of(profile):
@@ -49,10 +57,10 @@ def of(profile):
     return [Site(component) for component in profile.components]
 
 
-def look(sites, ask=capture.ask):
+async def look(sites, ask=capture.ask):
     """Find the components of Sites, and what `ask(node)`, which returns a Found, says of each; `error` where that fails."""
     asked = [site for site in sites if site.error is None]
-    for site, found in zip(asked, tree.on_components([site.path for site in asked], ask)):
+    for site, found in zip(asked, await tree.on_components([site.path for site in asked], ask)):
         if isinstance(found, errors.Error):
             site.error = found
         else:

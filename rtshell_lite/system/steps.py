@@ -2,9 +2,10 @@
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, composites, configuration, contexts, manager, tree
 from rtshell_lite.system import capture, sites
+from rtshell_lite.system.sites import Question
 from rtshell_lite.text import printable, shell_word
 
 # Where the system differs from what a step wants: `what` is a key of compare.MESSAGES; `name` that of the parameter, property,
@@ -41,40 +42,40 @@ class Step:
         """The error of the first Site that has one, or None."""
         return next((site.error for site in self.sites if site.error is not None), None)
 
-    def jobs(self):
-        """What has to be asked to know whether it is done: lanes.Jobs."""
+    def questions(self):
+        """What has to be asked to know whether it is done: Questions."""
         return []
 
     def found(self):
-        """What its jobs would answer, by what was found of all Sites in one look."""
+        """The answers to its questions, by what was found of all Sites in one look."""
         return [self.sites[0].found]
 
     def differences(self, answers):
         """Differences between what the step wants and the answers, none of which is an error."""
         return []
 
-    def is_done(self, answers):
-        """Whether nothing differs, by the answers to `jobs`. Raises an errors.Error if that is not known, or cannot be mended."""
-        differences = list(self.differences(given(answers)))
+    async def is_done(self, answers):
+        """Whether nothing differs, by the answers to its questions. Raises an errors.Error if that is not known, or cannot be mended."""
+        differences = list(self.differences(raise_first(answers)))
         for difference in differences:
             if difference.obstacle is not None:
                 raise difference.obstacle
         return not differences
 
-    def act(self, answers):
+    async def act(self, answers):
         """Do it; `answers` are those by which it was not done."""
 
-    def tidy(self, answers):
+    async def tidy(self, answers):
         """After `act` has failed: remove what it has left behind."""
 
-    def undo(self, before, after):
+    async def undo(self, before, after):
         """Undo it; the answers before and after it was done."""
 
     def give_up(self, error):
         """Note for the steps that follow that it could not be done."""
 
 
-def given(answers):
+def raise_first(answers):
     """The answers; raises the first error among them."""
     for answer in answers:
         if isinstance(answer, errors.Error):
@@ -105,7 +106,7 @@ class Present(Step):
 # ---- making components ------------------------------------------------------------------------------------------
 
 class Create(Step):
-    """Let the manager `holder` (restore.Holder) create the component that it knows as `identity`, with the wanted name."""
+    """Let the manager `holder` (restore.Creator) create the component that it knows as `identity`, with the wanted name."""
 
     kind = "create"
 
@@ -122,33 +123,36 @@ class Create(Step):
     def endpoint(self):
         return self.holder.node.endpoint
 
-    def jobs(self):
-        return [lanes.Job(self.endpoint, self.where, self._created)]
+    def questions(self):
+        return [Question(self.endpoint, self.where, self._created)]
 
-    def _created(self):
+    async def _created(self):
         """The Node of the component, None if it is not there."""
         try:
-            node = tree.component(self.site.path)
-            orb.call(self.where, node.ref, "_non_existent")
+            node = await tree.component(self.site.path)
+            await orb.call(self.where, node.ref, "_non_existent")
         except sites.MISSING:
             return None
         return node
 
-    def is_done(self, answers):
-        self.site.node, = given(answers)
+    async def is_done(self, answers):
+        self.site.node, = raise_first(answers)
         return self.site.node is not None
 
-    def act(self, answers):
-        name = manager.create(self.holder.node, self.argument, wait=manager.SETTLE_TIME)
+    async def act(self, answers):
+        name = await manager.create(self.holder.node, self.argument, wait=manager.SETTLE_TIME)
         if name != self.site.instance:
-            manager.delete(self.holder.node, name)
+            await manager.delete(self.holder.node, name)
             raise errors.Refused(self.where, f"its manager made {printable(name)} instead; deleted again")
-        if not component.until(lambda: self._created() is not None, manager.SETTLE_TIME):
-            manager.delete(self.holder.node, name)
+
+        async def is_there():
+            return await self._created() is not None
+        if not await component.until(is_there, manager.SETTLE_TIME):
+            await manager.delete(self.holder.node, name)
             raise errors.Refused(self.where, f"{self.holder.where} made it, but it is not bound here; deleted again")
 
-    def undo(self, before, after):
-        manager.delete(self.holder.node, self.site.instance)
+    async def undo(self, before, after):
+        await manager.delete(self.holder.node, self.site.instance)
 
     def give_up(self, error):
         self.site.error = error
@@ -167,29 +171,27 @@ class Members(Step):
         words = ["rtcomp"] + [word for member in added for word in ("-a", member.where)] + [site.where]
         self.command = " ".join(map(shell_word, words))
 
-    def jobs(self):
-        return [lanes.Job(self.endpoint, self.where, lambda: composites.the_one(self.site.node))]
+    def questions(self):
+        return [Question(self.endpoint, self.where, lambda: composites.first_organisation(self.site.node))]
 
     def differences(self, answers):
-        composite, = answers  # a Found, or an Organisation
+        return [Difference("member", member.instance, str(member.node.path), None, None) for member in self._missing(answers)]
+
+    async def is_done(self, answers):
         missing = self._missing(answers)
-        try:
-            composites.check(self.site.node, composite, missing, [])
-            obstacle = None
-        except errors.Error as e:
-            obstacle = e
-        return [Difference("member", member.instance, str(member.node.path), None, obstacle) for member in missing]
+        await composites.check(self.site.node, answers[0], missing, [])
+        return not missing
 
     def _missing(self, answers):
         """composites.Members: those that are to be members, and are none by the answers."""
-        composite, = given(answers)
+        composite, = raise_first(answers)  # a Found, or an Organisation
         return [composites.Member(member.instance, member.node, []) for member in self.members if _is_missing(member, composite)]
 
-    def act(self, answers):
-        composites.add(self.site.node, answers[0], self._missing(answers))
+    async def act(self, answers):
+        await composites.add(self.site.node, answers[0], self._missing(answers))
 
-    def undo(self, before, after):
-        composites.remove(self.site.node, after[0], self._missing(before))
+    async def undo(self, before, after):
+        await composites.remove(self.site.node, after[0], self._missing(before))
 
 
 def members(site, site_of):
@@ -212,11 +214,11 @@ class _Configuring(Step):
         self.site, self.set_id = site, set_id
         self.unknown_set = errors.NoSuch(site.where, "configuration set", printable(set_id))
 
-    def jobs(self):
-        return [lanes.Job(self.endpoint, self.where, self._configured)]
+    def questions(self):
+        return [Question(self.endpoint, self.where, self._configured)]
 
-    def _configured(self):
-        now = configuration.of(self.site.node)
+    async def _configured(self):
+        now = await configuration.of(self.site.node)
         return Configured(now.sets(with_hidden=True), now.active, now)
 
 
@@ -262,18 +264,18 @@ class Values(_Configuring):
             return []
         return [difference.name for difference in self.differences(self.found()) if difference.what == "parameter"]
 
-    def act(self, answers):
+    async def act(self, answers):
         now, = answers
         if not self.site.component.active_configuration_set:  # else the next step activates that
             self.active_before = now.active
-        self._store(self.values, now)
+        await self._store(self.values, now)
 
-    def undo(self, before, after):
+    async def undo(self, before, after):
         previous = self._present(before[0])
-        self._store({name: previous[name] for name in self.values}, after[0])
+        await self._store({name: previous[name] for name in self.values}, after[0])
 
-    def _store(self, values, now):
-        now.configuration.store(values, now.configuration.set(self.set_id, with_hidden=True))
+    async def _store(self, values, now):
+        await now.configuration.store(values, now.configuration.set(self.set_id, with_hidden=True))
 
 
 class Active(_Configuring):
@@ -293,13 +295,13 @@ class Active(_Configuring):
         yield Difference("active set", None, self.set_id, now.active or None,
                          None if self.set_id in present else self.unknown_set)
 
-    def act(self, answers):
-        answers[0].configuration.activate(self.set_id)
+    async def act(self, answers):
+        await answers[0].configuration.activate(self.set_id)
 
-    def undo(self, before, after):
+    async def undo(self, before, after):
         if not before[0].active:
             raise errors.Refused(self.where, "had no active configuration set before, and cannot get rid of one")
-        after[0].configuration.activate(before[0].active)
+        await after[0].configuration.activate(before[0].active)
 
 
 class Participants(Step):
@@ -315,8 +317,8 @@ class Participants(Step):
         words = ["rtec"] + ["-e", str(index)] * bool(index) + [site.where, "attach"]
         self.command = " ".join(map(shell_word, words + [participant.where for participant in attached]))
 
-    def jobs(self):
-        return [lanes.Job(self.endpoint, self.where, lambda: _owned_contexts(self.site))]
+    def questions(self):
+        return [Question(self.endpoint, self.where, lambda: _owned_contexts(self.site))]
 
     def found(self):
         return [self.site.found.owned]
@@ -332,13 +334,13 @@ class Participants(Step):
         refs = [ref for context in owned if context.handle == self.handle for ref in context.participants]
         return participant.node is None or not any(orb.same(ref, participant.node.ref) for ref in refs)
 
-    def act(self, answers):
+    async def act(self, answers):
         for participant in self._missing(answers):
-            contexts.attach(self.site.node, self.index, participant.node)
+            await contexts.attach(self.site.node, self.index, participant.node)
 
-    def undo(self, before, after):
+    async def undo(self, before, after):
         for participant in self._missing(before):
-            contexts.detach(self.site.node, self.index, participant.node)
+            await contexts.detach(self.site.node, self.index, participant.node)
 
 
 def own_contexts(site):
@@ -357,8 +359,8 @@ def participants(site, context, site_of):
     return [participant for participant in found if participant is not None and participant is not site]
 
 
-def _owned_contexts(site):
-    return [component.context(site.node, ref) for ref in component.owned_context_refs(site.node)]
+async def _owned_contexts(site):
+    return [await component.context(site.node, ref) for ref in await component.owned_context_refs(site.node)]
 
 
 def _with_handle(step, answers):
@@ -380,8 +382,8 @@ class Rate(Step):
         words = ["rtec"] + ["-e", str(index)] * bool(index) + [site.where, "rate", f"{rate!r}"]
         self.command = " ".join(map(shell_word, words))
 
-    def jobs(self):
-        return [lanes.Job(self.endpoint, self.where, lambda: _owned_contexts(self.site))]
+    def questions(self):
+        return [Question(self.endpoint, self.where, lambda: _owned_contexts(self.site))]
 
     def found(self):
         return [self.site.found.owned]
@@ -391,9 +393,9 @@ class Rate(Step):
         if not contexts.same_rate(context.rate, self.rate):
             yield Difference("rate", None, self.rate, context.rate, None)
 
-    def act(self, answers):
-        contexts.set_rate(self.site.node, _with_handle(self, answers)[0], self.rate)
+    async def act(self, answers):
+        await contexts.set_rate(self.site.node, _with_handle(self, answers)[0], self.rate)
 
-    def undo(self, before, after):
+    async def undo(self, before, after):
         index, context = _with_handle(self, before)
-        contexts.set_rate(self.site.node, index, context.rate)
+        await contexts.set_rate(self.site.node, index, context.rate)

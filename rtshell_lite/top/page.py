@@ -1,17 +1,18 @@
 """The live page of rttop. curses draws it, and so sends to a terminal only the cells that have changed."""
+import _signal  # see start.py
 import contextlib
 import curses
 import locale
 import os
+import select
 import sys
-import time
 
 from rtshell_lite import text
-from rtshell_lite.data.watcher import Watcher
+from rtshell_lite.net import loop
 from rtshell_lite.robot import transitions
 from rtshell_lite.top import rows
 
-TICK = 0.1  # seconds to wait for a key
+TICK = 0.1  # seconds after Esc without a character after which it counts as the key of that name
 PAUSE = 1.0  # seconds without a character after which a paste counts as complete
 ESCAPE = "\x1b"
 PASTE, PASTE_END = "\x1b[200~", "\x1b[201~"  # around what is pasted, once a terminal has got BRACKETS (mode 2004 of xterm)
@@ -63,6 +64,7 @@ def screen():
         curses.noecho()
         curses.cbreak()
         window.keypad(True)
+        window.nodelay(True)
         curses.putp(BRACKETS)
         with contextlib.suppress(curses.error):  # some terminals cannot
             curses.curs_set(0)
@@ -132,60 +134,64 @@ class Page:
         self.overlay = None  # lines shown instead of the rows: of rtcat, the keys
         self.overlay_first = 0
         self.ended = False
+        self.typed = loop.Bell()  # rings while there is something to be read from the terminal
 
-    def follow(self):
-        """Show the page and handle keys until q. Raises BrokenPipeError when the terminal is gone."""
-        watcher, due = Watcher([]), 0.0
-        while not self.ended:
-            fresh = self._fit() | self._hear()
-            if fresh or time.monotonic() >= due:
-                self._draw()
-                due = time.monotonic() + self.looking.delay
-            watcher.look()
-            key = self._key()
-            if key is not None:
-                self._obey(key)
-                due = 0.0
+    async def follow(self):
+        """Show the page and handle keys until q."""
+        here, terminal = loop.current(), sys.stdin.fileno()
+        here.watch(terminal, select.POLLIN, self.typed.ring)
+        if "readline" not in sys.modules:  # in rtsh the signal is readline's, which would not get it back
+            here.hear(_signal.SIGWINCH, self.looking.bell.ring)
+        try:
+            async with loop.background(self._keep_drawing()):
+                while not self.ended:
+                    self._obey(await self._key())
+                    self._draw()
+        finally:
+            here.unwatch(terminal)
 
-    def _key(self):
-        """A character, or a number for other keys, or None after TICK; Esc with all that comes at once with it, such as a paste."""
-        key = self._character(TICK)
-        more = self._character(0) if key == ESCAPE else None
+    async def _keep_drawing(self):
+        while True:
+            self._fit()
+            self._take_news()
+            self._draw()
+            await self.looking.bell.wait(self.looking.delay)
+
+    async def _key(self):
+        """A character, or a number for other keys; Esc with all that comes at once with it: a paste, say."""
+        key = await self._character(None)
+        more = await self._character(0) if key == ESCAPE else None
         while more is not None:
             key += str(more)
             if key.startswith(PASTE) and key.endswith(PASTE_END):
                 break
-            more = self._character(PAUSE if key.startswith(PASTE) else TICK)
+            more = await self._character(PAUSE if key.startswith(PASTE) else TICK)
         return key
 
-    def _character(self, seconds):
-        try:
-            self.window.timeout(int(seconds * 1000))
-            return self.window.get_wch()
-        except curses.error:
-            time.sleep(0)  # lets signals be handled
-            return None
+    async def _character(self, seconds):
+        """The next one; None where none comes for so many seconds."""
+        while True:
+            with contextlib.suppress(curses.error):
+                return self.window.get_wch()
+            if not await self.typed.wait(seconds):
+                return None
 
     def _fit(self):
-        """Adopt the size of the terminal; True if it has changed. In rtsh, its signal goes to readline, not to curses."""
+        """Adopt the size of the terminal."""
         with contextlib.suppress(OSError):
             width, height = os.get_terminal_size(sys.stdout.fileno())
             if min(width, height) > 0 and curses.is_term_resized(height, width):
                 curses.resizeterm(height, width)
-                return True
-        return False
 
-    def _hear(self):
-        """Take the results of actions; True if there were any."""
-        news = self.looking.news()
-        for (command, path), value in news:
+    def _take_news(self):
+        """Take the results of actions."""
+        for (command, path), value in self.looking.news():
             if isinstance(value, Exception):
                 self.message = f"{command}: {value}"
             elif command == "rtcat":
                 self.message, self.overlay, self.overlay_first = "", value, 0
             else:
                 self.message = f"{command}: {path}: {value}"
-        return bool(news)
 
     # ---- keys ----
 
@@ -346,7 +352,7 @@ class Page:
         return text.safe(line).encode(coding, "backslashreplace").decode(coding)
 
 
-def show(looking, meters, sort, wanted):
+async def show(looking, meters, sort, wanted):
     """Show the page until the user ends it; the terminal is always restored."""
     with screen() as window:
-        Page(window, looking, meters, sort, wanted).follow()
+        await Page(window, looking, meters, sort, wanted).follow()

@@ -1,20 +1,22 @@
 """What rtcat shows of a component or a port, as lines or as JSON."""
 from rtshell_lite import text
-from rtshell_lite.corba import orb, tasks
-from rtshell_lite.robot import component, composites, ports
+from rtshell_lite.corba import orb
+from rtshell_lite.robot import component, ports
 from rtshell_lite.robot.snapshot import BRIEF, FULL, Snapshot
 from rtshell_lite.text import printable
 
 
-@tasks.task
 async def collect(node, level=0):
     """The Snapshot of a component with everything that rtcat shows.
 
     `level` is how often -l was given: from 1 on, all parts are full.
     """
     detail = FULL if level else BRIEF
-    return await Snapshot(node).asked(ports=detail, owned=detail, participating=FULL, states=FULL, organisations=detail,
-                                      composites=FULL, profile=detail)
+    parts = {"ports": detail, "owned": detail, "participating": FULL, "states": FULL, "organisations": detail, "composites": FULL,
+             "names": FULL if level > 1 else BRIEF}
+    if level:
+        parts["members"] = FULL
+    return await Snapshot(node).ask(**parts, profile=detail)
 
 
 # ---- lines ----------------------------------------------------------------------------------------------------
@@ -60,7 +62,7 @@ def composition_lines(snapshot, level, tag, more, paint):
     for organisation in snapshot.organisations:
         yield f"{tag}{sign}Composition {paint(printable(snapshot.profile.instance_name), 'bold')}"
         if level:
-            members = [("Member", path) for path in composites.member_paths(snapshot.node, organisation)]
+            members = [("Member", path) for path in snapshot.members[organisation.id]]
             yield from text.pairs([("ID", printable(organisation.id))] + members, more + "  ")
     for organisation_id, name, path in snapshot.composites:
         yield f"{tag}{sign}Parent composition {paint(printable(name), 'bold')}"
@@ -93,8 +95,12 @@ def context_lines(context, state, snapshot, level, tag, more, paint):
 
 
 def _instance(ref, snapshot):
-    """The instance name of a component that takes part in a context."""
-    return snapshot.profile.instance_name if orb.same(ref, snapshot.node.ref) else component.instance_name(snapshot.node, ref)
+    """The instance name of a component that owns a context, or takes part in it."""
+    if ref is None:
+        return ""
+    if orb.same(ref, snapshot.node.ref):
+        return snapshot.profile.instance_name
+    return snapshot.names.get(orb.identity(ref), "Unknown")
 
 
 def port_lines(port, instance, level, ends, paint, tag="", more=""):
@@ -136,7 +142,7 @@ def as_dict(snapshot, ends):
     fields = dict(snapshot.profile._asdict(), properties=dict(snapshot.profile.properties), path=str(snapshot.node.path),
                   state=component.merged(snapshot.states), composite=bool(snapshot.organisations),
                   composite_member=bool(snapshot.composites))
-    fields["compositions"] = [{"id": organisation.id, "members": composites.member_paths(snapshot.node, organisation)}
+    fields["compositions"] = [{"id": organisation.id, "members": snapshot.members[organisation.id]}
                               for organisation in snapshot.organisations]
     fields["parent_compositions"] = [{"id": organisation_id, "name": name, "path": path}
                                      for organisation_id, name, path in snapshot.composites]

@@ -21,12 +21,12 @@ _SECTIONS = (
 )
 
 
-def collect(node):
+async def collect(node):
     """Ask a manager for all that rtcat shows, an About. It may take a while to look for loadable modules."""
-    profile = dict(manager.profile(node))
-    loaded = [module.get("file_path", "") for module in manager.modules(node, "get_loaded_modules")]
+    profile = dict(await manager.profile(node))
+    loaded = [module.get("file_path", "") for module in await manager.modules(node, "get_loaded_modules")]
     try:
-        return About(node, profile, loaded, sorted(module.get("module_file_path", "") for module in manager.modules(node)), None)
+        return About(node, profile, loaded, sorted(module.get("module_file_path", "") for module in await manager.modules(node)), None)
     except errors.Refused as e:
         return About(node, profile, loaded, None, e)
 
@@ -47,8 +47,8 @@ def lines(about):
         yield "  " + printable(path)
 
 
-def as_dict(about):
+async def as_dict(about):
     """The JSON object of a manager."""
     return {"path": str(about.node.path), "kind": "manager", "profile": about.profile, "loaded_modules": about.loaded,
-            "loadable_modules": about.loadable, "components": [name for name, _ in manager.components(about.node)],
-            "slaves": [str(slave.path) for slave in tree.slaves(about.node)]}
+            "loadable_modules": about.loadable, "components": [name for name, _ in await manager.components(about.node)],
+            "slaves": [str(slave.path) for slave in await tree.slaves(about.node)]}

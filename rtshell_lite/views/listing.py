@@ -2,7 +2,7 @@
 import collections
 
 from rtshell_lite import errors, text
-from rtshell_lite.corba import lanes, tasks
+from rtshell_lite.corba import session
 from rtshell_lite.robot import tree
 
 MARKS = {"zombie": "*", "silent": "?"}
@@ -11,28 +11,28 @@ MARKS = {"zombie": "*", "silent": "?"}
 COUNTED = (("ports", None), ("in_ports", "DataInPort"), ("out_ports", "DataOutPort"), ("service_ports", "CorbaPort"))
 
 
-def all_blocks(paths, recurse, typed):
+async def all_blocks(paths, recurse, typed):
     """`blocks` for each path, in parallel by name server; an errors.Error for what failed. `typed` is for the headers."""
-    return lanes.each(list(zip(paths, typed)), lambda item: blocks(item[0], recurse, text.safe(item[1])),
-                      lambda item: (tree.lane(item[0]), str(item[0])))
+    return await session.each(list(zip(paths, typed)), lambda item: blocks(item[0], recurse, text.safe(item[1])),
+                              lambda item: (tree.lane(item[0]), str(item[0])))
 
 
-def blocks(path, recurse=False, shown="."):
+async def blocks(path, recurse=False, shown="."):
     """What to list at `path`: [(header, [Node, …])]; the header is None for a single object.
 
     With `recurse`, a block for every directory below, its header relative to `shown` as in ls -R; a directory bound by several
     names has one for the first. One that cannot be listed is in its parent's block with its `error` set. Raises what
     `tree.resolve` raises, and WrongKind.
     """
-    top = _resolved(path)
+    top = await _resolved(path)
     if top.kind not in tree.DIRECTORIES:
         if path.directory:
             raise errors.WrongKind(str(path), "directory", top.what)
         return [(None, [top])]
     if not recurse:
-        return [(shown + ":", tree.children(top))]
+        return [(shown + ":", await tree.children(top))]
     listed = collections.OrderedDict()
-    for node in tree.walk(top):
+    for node in await tree.walk(top):
         if node.kind in tree.DIRECTORIES and node.alias is None:
             below = str(node.path)[len(str(top.path)):].strip("/")
             listed[node.path] = (shown.rstrip("/") + ("/" + below if below else "") + ":", [])
@@ -43,11 +43,11 @@ def blocks(path, recurse=False, shown="."):
     return list(listed.values())
 
 
-def _resolved(path):
+async def _resolved(path):
     if path.port is None:
-        return tree.resolve(path)
+        return await tree.resolve(path)
     try:
-        tree.resolve(path)
+        await tree.resolve(path)
     except errors.NotFound:
         if path.port.isdigit():  # a name server, without the slash before it
             raise errors.Misspelt(str(path), f"/{path.names[-1]}:{path.port}")
@@ -55,33 +55,32 @@ def _resolved(path):
     raise errors.WrongKind(str(path), "directory or component", "port; rtcat shows it")
 
 
-def look(nodes, long=False):
+async def look(nodes, long=False):
     """(Node, figures or None) of each node: one liveness call a component, with `long` its figures instead.
 
     The figures of a component take 4 calls (its contexts, state, ports) and one a port.
     """
     if not long:
-        return [(node, None) for node in tree.look(nodes)]
-    nodes = [tree.look([node])[0] if node.kind == "unsure" else node for node in nodes]
+        return [(node, None) for node in await tree.check_alive(nodes)]
+    nodes = [(await tree.check_alive([node]))[0] if node.kind == "unsure" else node for node in nodes]
     asked = [node for node in nodes if node.kind == "component"]
-    answers = dict(zip(asked, tree.on_nodes(asked, _figures)))
-    others = dict(zip([n for n in nodes if n not in answers], tree.look([n for n in nodes if n not in answers])))
+    answers = dict(zip(asked, await tree.on_nodes(asked, _figures)))
+    others = dict(zip([n for n in nodes if n not in answers], await tree.check_alive([n for n in nodes if n not in answers])))
     rows = []
     for node in nodes:
         answer = answers.get(node)
         if isinstance(answer, errors.Error):
-            node, answer = tree.judged(node, answer), None
+            node, answer = await tree.classify_answer(node, answer), None
         rows.append((others.get(node, node), answer))
     return rows
 
 
-@tasks.task
 async def _figures(node):
     """The figures of a component, whose reference is dropped."""
     from rtshell_lite.robot import component, snapshot  # not needed, and not loaded, for names alone
     shown = snapshot.Snapshot(node)
     try:
-        await shown.asked(owned=snapshot.REFERENCES, participating=snapshot.REFERENCES, states=snapshot.FULL, ports=snapshot.BRIEF)
+        await shown.ask(owned=snapshot.REFERENCES, participating=snapshot.REFERENCES, states=snapshot.FULL, ports=snapshot.BRIEF)
     except (errors.Gone, errors.ConnectionRefused) as e:
         if not shown.answered:
             raise

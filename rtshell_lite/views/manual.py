@@ -18,10 +18,10 @@ TITLES = collections.OrderedDict([
 _AUTHORS_FIELDS = (("__license__", "License"), ("__contact__", "Contact"), ("__url__", "URL"))
 
 
-def collect(node, graph=False):
+async def collect(node, graph=False):
     """The Manual of the component `node`. Its ports are asked first: see `component.profile`."""
-    listed, sets = ports.ports(node), configuration.of(node)
-    profile = component.profile(node)
+    listed, sets = await ports.ports(node), await configuration.of(node)
+    profile = await component.profile(node)
     texts = _values(sets, "__doc__")
     fields = [("Vendor", profile.vendor), ("Version", profile.version), ("Category", profile.category)]
     fields += [(label, texts[key]) for key, label in _AUTHORS_FIELDS if key in texts]

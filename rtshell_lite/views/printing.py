@@ -1,4 +1,7 @@
-"""What rtprint shows of the values that come from ports: lines, JSON, bytes, or figures on their flow."""
+"""What rtprint shows of the values that come from ports: lines, JSON, bytes, or figures on their flow.
+
+Values are formatted and written on a thread, a batch at a time: however long that takes, components get their answers.
+"""
 import importlib
 import math
 import os
@@ -8,8 +11,10 @@ import time
 
 from rtshell_lite import errors, text
 from rtshell_lite.data import datatypes, statistics, values
+from rtshell_lite.net import loop
 
 TICK = 0.2  # seconds between two looks at anything but values: dead ports, the end of the time
+SHOW = 1.0  # seconds between two lines of figures
 PORTION = 1 << 16  # characters that are written at once
 LONG = 8  # elements of a sequence that are shown on a terminal
 USER_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)  # what a formatter may raise
@@ -95,26 +100,22 @@ def formatter(name, directories=()):
 
 # ---- as they come ---------------------------------------------------------------------------------------------
 
-def batches(box, opened, look, seconds=math.inf, rate=None):
+async def batches(box, opened, seconds=math.inf, rate=None):
     """Yield lists of (key, Message) from an Inbox, as they come; until `seconds` are over or no connection of `opened` is left.
 
-    With a rate, so many times a second, and only the newest of each key. At least every TICK a list, maybe empty, is yielded and
-    look() is called.
+    With a rate, so many times a second, and only the newest of each key. At least every TICK a list, maybe empty, is yielded.
     """
-    end, looked = time.monotonic() + seconds, 0.0
-    while True:
-        now = time.monotonic()
-        if now - looked >= TICK:
-            look()
-            looked = now
-        last = now >= end or not opened.live()
-        left = 0 if last else min(end - now, 1 / rate if rate else TICK)
+    end, is_last = time.monotonic() + seconds, False
+    while not is_last:
+        left = end - time.monotonic()
+        is_last = left <= 0 or not opened.live()
+        if is_last:
+            left = 0
         if rate:
-            time.sleep(left)
-        batch = box.get(0 if rate else left)
-        yield sorted(dict(batch).items()) if rate else batch
-        if last:
-            return
+            await loop.sleep(min(left, 1 / rate))
+            yield sorted(dict(await box.get(0)).items())
+        else:
+            yield await box.get(min(left, TICK))
 
 
 def portions(lines):
@@ -132,24 +133,35 @@ def portions(lines):
 # ---- figures --------------------------------------------------------------------------------------------------
 
 class Board:
-    """Figures for each Channel: in place on a terminal, else a line each time, or JSON; and totals at the end."""
+    """Figures for each Channel, written by write(text): in place on a terminal, else a line each time, or JSON; totals at the end."""
 
-    def __init__(self, channels, box, json):
-        self.channels, self.box, self.json = channels, box, json
+    def __init__(self, channels, box, json, write):
+        self.channels, self.box, self.json, self.write = channels, box, json, write
         self.dropped = [0] * len(channels)
         self.in_place = not json and sys.stdout.isatty()
         self.lines = 0
+        self.begun = self.shown = self.ended = time.monotonic()
 
-    def show(self, seconds):
-        """The figures since the last time, which was `seconds` ago."""
-        figures = []
+    def add(self, batch):
+        """Count (key, Message) pairs, and show the figures since the last time, when it is time."""
+        for key, message in batch:
+            self.channels[key].count(message)
+        if not self.is_due():
+            return
+        now, figures = time.monotonic(), []
         for key, channel in enumerate(self.channels):
             dropped, self.dropped[key] = self.box.dropped[key] - self.dropped[key], self.box.dropped[key]
-            figures.append(channel.flow.look().summary(seconds, dropped))
+            figures.append(channel.flow.look().summary(now - self.shown, dropped))
+        self.shown = now
         self._write(figures, "")
 
-    def end(self, seconds):
-        """The figures since the beginning."""
+    def is_due(self):
+        """Whether it is time to show figures."""
+        return time.monotonic() - self.shown >= SHOW
+
+    def end(self):
+        """Show the figures from the beginning until `ended`."""
+        seconds = self.ended - self.begun
         self._write([channel.flow.total.summary(seconds, self.box.dropped[key]) for key, channel in enumerate(self.channels)],
                     "all in all: ")
 
@@ -160,13 +172,13 @@ class Board:
         else:
             lines = [prefix + (channel.label + ": " if len(figures) > 1 else "") + text.safe(figure_line(of_port))
                      for channel, of_port in zip(self.channels, figures)]
+        start = ""
         if self.in_place:
             width = text.width() - 1
-            sys.stdout.write("\x1b[%dA" % self.lines if self.lines else "")
+            start = "\x1b[%dA" % self.lines if self.lines else ""
             lines = ["\x1b[2K" + line[:width] for line in lines]
             self.lines = len(lines)
-        sys.stdout.write("".join(line + "\n" for line in lines))
-        sys.stdout.flush()
+        self.write(start + "".join(line + "\n" for line in lines))
 
 
 def figure_line(figures):

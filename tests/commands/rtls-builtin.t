@@ -124,7 +124,7 @@ world: manager --context managed.host_cxt/%n.rtc
   rtls: /no.such.host: host name not known
   [4]
 
-It is used by itself where omniORBpy cannot be imported. Who asks for omniORBpy there is told so:
+It is used by itself. Who asks for omniORBpy where that cannot be imported is told so, and who needs it:
 
   $ mkdir bare; echo 'raise ImportError("none here")' > bare/omniORB.py; export PYTHONPATH=$TMP/bare${PYTHONPATH:+:$PYTHONPATH}
   $ unset RTSHELL_ORB; rtls -l ConsoleIn0.rtc; rtls --version --verbose | tail -1
@@ -135,6 +135,15 @@ It is used by itself where omniORBpy cannot be imported. Who asks for omniORBpy 
   [1]
   $ RTSHELL_ORB=omniorb rtdoctor -q | grep ORB
   fail  here: Python * has no omniORBpy, which RTSHELL_ORB asks for; try: unset RTSHELL_ORB (glob)
+  $ RTCTREE_ORB_ARGS='-ORBtraceLevel;5' rtls
+  rtls: RTCTREE_ORB_ARGS: -ORBtraceLevel: only omniORB knows that, and omniORBpy is not installed (package jeteve-omniorb; salome-omniorb for Python 3.7)
+  [1]
+  $ rtls /ssliop:127.0.0.1:1
+  rtls: /ssliop:127.0.0.1:1: only omniORB knows that, and omniORBpy is not installed (package jeteve-omniorb; salome-omniorb for Python 3.7)
+  [1]
+  $ RTSHELL_ORB=builtin rtls /ssliop:127.0.0.1:1
+  rtls: /ssliop:127.0.0.1:1: not an address (the builtin ORB speaks IIOP only)
+  [2]
   $ RTSHELL_ORB=tao rtls
   rtls: RTSHELL_ORB: tao: neither omniorb nor builtin (see --help)
   [2]

@@ -11,3 +11,15 @@ world: two
   $ rtls --version -v
   0.* (glob)
   Python 3.*, omniORBpy * (glob)
+
+It is used by itself where only it knows what is asked: a setting, another transport.
+
+  $ unset RTSHELL_ORB; rtls --version -v | tail -1
+  Python 3.*, builtin ORB (glob)
+  $ RTCTREE_ORB_ARGS='-ORBmaxGIOPConnectionPerServer;2' rtls --version -v | tail -1
+  Python 3.*, omniORBpy * (glob)
+  $ RTCTREE_ORB_ARGS='-ORBendPoint;giop:tcp:127.0.0.1:' rtls --version -v | tail -1
+  Python 3.*, builtin ORB (glob)
+  $ rtls /ssliop:127.0.0.1:1
+  rtls: /ssliop:127.0.0.1:1: connection refused; is the name server running?
+  [4]

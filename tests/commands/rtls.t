@@ -286,8 +286,6 @@ Wrong usage contacts nobody.
   ConsoleIn0.rtc
   $ RTSHELL_TIMEOUT=0.5 rtls ConsoleIn0.rtc
   ConsoleIn0.rtc
-  $ RTCTREE_ORB_ARGS='-ORBmaxGIOPConnectionPerServer;2' rtls ConsoleIn0.rtc
-  ConsoleIn0.rtc
 
 -v and -q have nothing to tell while all goes well.
 

@@ -2,7 +2,7 @@ Whoever reads on this host is called by the component in its own cycle, and leav
 of a publisher has ended components.
 
 world: senders 500 100
-world: senders 50 100 --context slow.host_cxt/%n.rtc
+world: senders 10 100 --context slow.host_cxt/%n.rtc
 once: it is the clock that counts here
 
   $ rtprint -q Source0.rtc:number >/dev/null & pid=$!; until ctl connectors Source0:number | grep -q rtprint; do :; done

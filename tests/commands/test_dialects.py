@@ -24,7 +24,7 @@ COMMANDS = [["rtls", "-lR"], ["rtls", "-l", HERE], ["rtcat", "-ll", HERE + "Cons
             ["rtmgr", "--loaded", HERE + "manager.mgr"], ["rtdel", "--dry-run", "-z"]]
 FAIL = ["rtcat", "rtreset"]  # the component does not exist; it is not in Error
 VARIES = re.compile(rb"127\.0\.0\.1:\d+|Date=\"[^\"]*\"|IOR:[0-9a-f]*")  # ports, when rtcryo wrote a file
-IS_BUILTIN = os.environ.get("RTSHELL_ORB") == "builtin"
+IS_BUILTIN = os.environ.get("RTSHELL_ORB") != "omniorb"
 PIECES = (40, 104, 1000) + ((4, 5, 7, 8, 12, 16, 20, 24, 25, 39) if IS_BUILTIN else ())  # omniORB takes multiples of 8
 # GIOP 1.x, byte order, octets of a fragment; omniORB takes no references for GIOP 1.0 that have components
 DIALECTS = [(2, ">", None), (1, "<", None), (1, ">", None), *((0, order, None) for order in "<>" if IS_BUILTIN),

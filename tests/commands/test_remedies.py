@@ -13,6 +13,7 @@ import sys
 import time
 import unittest
 
+from loops import wait_for
 import mounts
 import running
 import worlds
@@ -23,11 +24,11 @@ except ImportError:
     raise unittest.SkipTest("needs omniORBpy")
 
 from rtshell_lite import errors, path
-from rtshell_lite.corba import lanes
 from rtshell_lite.doctor import finding, remedies
 from rtshell_lite.robot import tree
 from rtshell_lite.system import capture
 
+PART = 10  # one in so many of its tests in a short run
 ONCE = "what commands do is the same for every Python"
 PROGRAMS = set(os.listdir(worlds.COMMANDS)) & {name for name in os.listdir(worlds.COMMANDS) if name.startswith("rt")} | {"unset"}
 SETTLED = ("dataport.data_type", "dataport.dataflow_type", "dataport.interface_type", "dataport.subscription_type")
@@ -97,10 +98,15 @@ FAULTS = {
 
 # ---- what there is --------------------------------------------------------------------------------------------
 
+TIMEOUT = 5.0  # seconds
+
+
 def facts(server):
     """{"KIND PATH …": state} of everything that a name server leads to."""
+    async def look():
+        return await tree.check_alive(await tree.walk(await tree.resolve(server), managers=False))
     found = {}
-    for node in tree.look(list(tree.walk(tree.resolve(server), managers=False))):
+    for node in wait_for(look(), TIMEOUT):
         where = str(node.path)
         found["name " + where] = (node.kind, str(node.alias))
         if node.kind == "component" and node.alias is None:
@@ -110,7 +116,7 @@ def facts(server):
 
 def _component(node, where):
     try:
-        asked = capture.ask(node)
+        asked = wait_for(capture.ask(node), TIMEOUT)
     except errors.Error as e:
         return {"broken " + where: type(e).__name__}
     found = {"active set " + where: asked.active}
@@ -151,7 +157,6 @@ class Following(unittest.TestCase):
     def setUpClass(cls):
         worlds.processes.nameserver.binary() or cls.skipTest("needs omniNames")
         cls.around = running.Surroundings()
-        lanes.session.timeout = 5.0
 
     @classmethod
     def tearDownClass(cls):

@@ -5,13 +5,14 @@ import unittest
 
 import running
 import worlds
+from loops import wait_for
 from mock_components import asking
 from rtshell_lite import errors, path
-from rtshell_lite.corba import lanes, orb
 from rtshell_lite.robot import composites, configuration, connectors, contexts, ports, tree
 from rtshell_lite.system import apply, capture, restore
 from rtshell_lite.xmlprofile import model, rtsprofile
 
+PART = 12  # one in so many of its tests in a short run
 ONCE = "what becomes of a system does not depend on the Python"
 BOTH = "each ORB fails in its own way"
 WORDS = ["x", "two words", "日本", "a=b", "<&>\"'", "-5", "\\x20", "$(false)", "tab\there", "\udcff", "; rm"]
@@ -22,9 +23,6 @@ SECONDS = 2.0  # how long a mock may stay silent; 1 is too short where the machi
 
 
 def setUpModule():
-    if worlds.omniORB is not None:
-        lanes.session.timeout = SECONDS
-        orb.start()  # with our settings: the second to ask for an ORB gets the first one's
     worlds.start_name_server()
 
 
@@ -36,34 +34,42 @@ def where(name, port=None):
     return path.parse("/127.0.0.1:%d/test.host_cxt/%s.rtc" % (worlds.Server.port, name) + (":" + port if port else ""))
 
 
+def ask(coroutine):
+    """The result of a coroutine, in a session of its own."""
+    return wait_for(coroutine, SECONDS)
+
+
 def node(name):
-    return tree.component(where(name))
+    return ask(tree.component(where(name)))
 
 
 def connect(*ends, **more):
-    return connectors.connect(ports.find([where(*end.split(":", 1)) for end in ends]), **more)
+    async def connect_all():
+        return await connectors.connect(await ports.find([where(*end.split(":", 1)) for end in ends]), **more)
+    return ask(connect_all())
 
 
 def captured():
     """The profile of the running system, captured without faults."""
-    lanes.session.silent.clear()
-    found = capture.capture([path.parse("/127.0.0.1:%d" % worlds.Server.port)], all_components=True)
+    found = ask(capture.capture([path.parse("/127.0.0.1:%d" % worlds.Server.port)], all_components=True))
     assert not found.failures, found.failures
     return found.profile
 
 
 def restored(profile, all_or_nothing=False):
-    lanes.session.silent.clear()
-    outcomes = restore.restoring(profile, NOTHING)
-    apply.carry_out(outcomes, all_or_nothing)
-    return outcomes
+    async def restore_all():
+        outcomes = await restore.restoring(profile, NOTHING)
+        await apply.carry_out(outcomes, all_or_nothing)
+        return outcomes
+    return ask(restore_all())
 
 
 def torn_down(profile):
-    lanes.session.silent.clear()
-    outcomes, _ = restore.tearing_down(profile, NOTHING)
-    apply.carry_out(outcomes)
-    return outcomes
+    async def tear_down():
+        outcomes, _ = await restore.tearing_down(profile, NOTHING)
+        await apply.carry_out(outcomes)
+        return outcomes
+    return ask(tear_down())
 
 
 def statuses(outcomes):
@@ -107,19 +113,20 @@ class Everything(Worlds):
 
     def change(self, dice):
         for name in ("ConfigSample0", "ConfigSample1", "Motor0"):
-            found = configuration.of(node(name))
+            found = ask(configuration.of(node(name)))
             for one in found.sets(with_hidden=True):
                 values = {key: dice.choice(WORDS) for key in one.values if key.startswith("str_") and dice.random() < 0.6}
                 if values:
-                    found.store(values, one)
-        configuration.of(node("ConfigSample0")).activate(dice.choice(["default", "mode0", "mode1"]))
+                    ask(found.store(values, one))
+        found = ask(configuration.of(node("ConfigSample0")))
+        ask(found.activate(dice.choice(["default", "mode0", "mode1"])))
         for name in ("Mock0", "ConfigSample1", "composite0"):
-            contexts.set_rate(node(name), 0, dice.choice([1000.0, 500.0, 250.0]))
+            ask(contexts.set_rate(node(name), 0, dice.choice([1000.0, 500.0, 250.0])))
 
     def leave(self, name):
         composite = node("composite0")
         member = composites.Member(name, node(name), [])
-        composites.remove(composite, composites.the_one(composite), [member])
+        ask(composites.remove(composite, ask(composites.first_organisation(composite)), [member]))
 
     def test_saved_torn_down_restored_and_saved_again_is_the_same(self):
         for seed in range(SEEDS):
@@ -186,14 +193,14 @@ class Faults(Worlds):
         for world in self.worlds:
             self.ctl(world, "reset")
         torn_down(self.saved)
-        found = configuration.of(node("ConfigSample0"))
-        found.store(WRECKED, found.set("mode0"))
-        found.activate("default")
-        contexts.set_rate(node("ConsoleOut1"), 0, 100.0)
+        found = ask(configuration.of(node("ConfigSample0")))
+        ask(found.store(WRECKED, found.set("mode0")))
+        ask(found.activate("default"))
+        ask(contexts.set_rate(node("ConsoleOut1"), 0, 100.0))
         composite = node("composite0")
-        one = composites.the_one(composite)
+        one = ask(composites.first_organisation(composite))
         if any(name == "Motor0" for name, _ in one.members):
-            composites.remove(composite, one, [composites.Member("Motor0", node("Motor0"), [])])
+            ask(composites.remove(composite, one, [composites.Member("Motor0", node("Motor0"), [])]))
         self.wrecked = {each.path_uri: each for each in captured().components}
         for world in self.worlds:
             self.ctl(world, "reset")
@@ -310,9 +317,7 @@ class Faults(Worlds):
             with self.subTest(world=place, operation=operation):
                 self.wreck()
                 self.ctl(self.worlds[place], "fail", operation, str(count), "DIE")
-                lanes.session.silent.clear()
-                outcomes = restore.restoring(self.saved, NOTHING)
-                apply.carry_out(outcomes)
+                outcomes = restored(self.saved)
                 self.assertLessEqual(statuses(outcomes), {"done", "already so", "failed", "not tried"}, told(outcomes))
                 self.assertIn("failed", statuses(outcomes))
                 self.worlds[place].close()

@@ -17,6 +17,7 @@ import worlds
 
 import rtshell_lite
 
+PART = 3  # one in so many of its tests in a short run
 ONCE = "it runs commands that other tests run on all Pythons"
 
 # A Python whose installation of packages does nothing, and one that cannot make environments

@@ -14,6 +14,7 @@ import unittest
 import running
 import tools
 
+PART = 12  # one in so many of its tests in a short run
 ONCE = "what a network does is the same for every Python"
 BOTH = "each ORB connects in its own way"
 ALONE = "it measures times"

@@ -8,6 +8,7 @@ import invocations
 import running
 from mock_components import faulty, malice
 
+PART = 12  # one in so many of its tests in a short run
 ONCE = "how long a peer is waited for does not depend on the Python"
 BOTH = "each ORB reads answers in its own way"
 ALONE = "it measures times"
@@ -21,7 +22,7 @@ MODES = sorted(set(faulty.MODES) | set(faulty.UNREACHABLE))
 NAMING = {"hostile", "many", "loop", "bottomless"}  # these answer as a name server does, if strangely
 SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"} | set(malice.CHANGES)
 # kB at most, where these are more than running.RESIDENT: omniORB takes what the builtin ORB refuses.
-HEAVY = {"megabytes": 192 * 1024} if os.environ.get("RTSHELL_ORB") != "builtin" else {}
+HEAVY = {"megabytes": 192 * 1024} if os.environ.get("RTSHELL_ORB") == "omniorb" else {}
 ENDLESS = {"many", "endless", "endless-nothing", "endless-long"}
 MOST_SAID = 2 << 20     # octets on stdout and stderr
 KEPT = 1 << 20          # octets of each

@@ -8,6 +8,7 @@ import unittest
 import worlds
 from worlds import eventually, outcome, raised, value
 
+PART = 5  # one in so many of its tests in a short run
 ONCE = "mocks are used by the transcripts on every Python"
 try:
     import omniORB

@@ -9,6 +9,7 @@ import processes
 import worlds
 from worlds import connector, eventually, outcome, raised, value
 
+PART = 8  # one in so many of its tests in a short run
 ONCE = "mocks are used by the transcripts on every Python"
 try:
     import CosNaming
@@ -191,7 +192,7 @@ class Worlds(unittest.TestCase):
         hung = self.world("hung", "2")
         component = hung.component("Mock1")
         omniORB.setClientCallTimeout(component, 200)
-        self.assertEqual(raised(component.get_ports), "TIMEOUT")
+        eventually(lambda: raised(component.get_ports) == "TIMEOUT", "stopped")
         zombie = self.world("zombie", "2")
         zombie.process.wait(worlds.LIMIT)
         self.assertEqual(raised(zombie.resolve("Mock1.rtc")._non_existent), "TRANSIENT")

@@ -25,7 +25,7 @@ class Dialect(relay.Relay):
 
     def refused(self, message):
         """MessageError to what is later than our version."""
-        return giop_client.whole(messages.ERROR, b"", self.minor) if self.strict and message[5] > self.minor else None
+        return messages.whole(messages.ERROR, b"", self.minor) if self.strict and message[5] > self.minor else None
 
     def asked(self, message):
         return _in_version(2, message)

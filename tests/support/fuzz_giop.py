@@ -8,6 +8,7 @@ import giop_client
 from fuzz import Crash, Refused, Target, spoilt
 from rtshell_lite.corba.iiop import calls, server
 from rtshell_lite.giop import messages, operations, requests
+from rtshell_lite.net import loop
 
 WORDS = fuzz_replies.WORDS + [bytes([1, minor, flags, kind]) for minor in (0, 1, 2) for flags in (0, 1, 3) for kind in range(8)]
 KEYS = {b"p" * 24: giop_client.Port, b"o" * 24: giop_client.Observer}
@@ -20,7 +21,7 @@ class Requests(Target):
     words = WORDS + [b"_is_a\0", b"put\0", b"update_status\0", b"_non_existent\0"]
 
     def prepare(self):
-        self.server = server.Server("127.0.0.1", 0)
+        self.server = server.Server(loop.Loop(), "127.0.0.1", 0)
         for key, kind in KEYS.items():
             servant = kind()
             self.server.objects[key] = servant, server.idl.id_of(servant.interface)
@@ -32,14 +33,13 @@ class Requests(Target):
                                          (b"x", "_non_existent", b"")):
                 message = giop_client.request(key, operation, body, minor=minor, order=order, contexts=b"code sets")
                 self.seeds += [message, message * 2] + ([b"".join(giop_client.fragments(message, 40, 56))] if minor else [])
-        self.seeds += [giop_client.request(b"p" * 24, "", kind=requests.LOCATE), giop_client.whole(requests.CANCEL, b"\1\0\0\0")]
+        self.seeds += [giop_client.request(b"p" * 24, "", kind=requests.LOCATE), messages.whole(requests.CANCEL, b"\1\0\0\0")]
         self.good = giop_client.request(b"p" * 24, "_non_existent")
 
     def done(self):
         for caller in list(self.server.callers):
             self.server.close(caller)
         self.server.listening.close()
-        self.server.selector.close()
 
     def make(self, rng):
         message = spoilt(rng, rng.choice(self.seeds), self.words, self.seeds)
@@ -61,7 +61,6 @@ class Requests(Target):
             here.setblocking(False)
             caller = server.Caller(there, "")
             self.server.callers.add(caller)
-            self.server.selector.register(there, server.selectors.EVENT_READ, caller)
             here.sendall(data)
             found = b""
             while caller in self.server.callers and select.select([there], [], [], 0)[0]:

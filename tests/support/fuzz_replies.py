@@ -231,10 +231,10 @@ def serve():
     """Run the commands on stdin, a line of JSON each, and print their results."""
     import faulthandler
     import io
-    from rtshell_lite import cli
-    from rtshell_lite.corba import lanes
+    from rtshell_lite import cli, notes
     from rtshell_lite.shell import installation
     files, modules, out = installation.commands(), {}, sys.stdout
+    notes.listener = cli._hear
     faulthandler.enable()
     for line in sys.stdin:
         asked, before = json.loads(line), _memory()
@@ -246,7 +246,6 @@ def serve():
         sys.stdout = sys.stderr = io.TextIOWrapper(io.BytesIO(), "utf-8", "backslashreplace", line_buffering=True)
         status = cli.command(modules[name].arguments, modules[name].run, modules[name].__doc__, words)
         said, sys.stdout, sys.stderr = sys.stdout.buffer.getvalue().decode("utf-8"), out, sys.__stderr__
-        lanes.session.silent.clear()
         out.write(json.dumps({"status": status, "said": said, "grown": _memory() - before}) + "\n")
         out.flush()
     os._exit(0)

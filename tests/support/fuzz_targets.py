@@ -13,7 +13,7 @@ from rtshell_lite import errors, path, text
 from rtshell_lite.giop import descriptors
 from rtshell_lite.data import datatypes, literals, type_json, values
 from rtshell_lite.data.idl import parser, tokens
-from rtshell_lite.datalog import blocks, export, logfile, meaning, records, writer
+from rtshell_lite.datalog import blocks, decode, export, logfile, records, writer
 from rtshell_lite.xmlprofile import rtsprofile
 
 IDL = os.path.join(os.path.dirname(tokens.OWN), "idl")
@@ -137,13 +137,14 @@ class Logs(Target):
         try:
             with logfile.load(self.file) as log:
                 entries = list(log.entries())
-                channels = meaning.Channels(log, types)
-                told = list(log.notes()) + list(meaning.summary(log))
-                text.json_line(meaning.as_dict(log))
+                channels = decode.Channels(log, types)
+                told = list(log.notes()) + list(decode.summary(log))
+                text.json_line(decode.as_dict(log))
                 for entry in entries:
-                    told.append(meaning.line(channels, entry, 20))
-                    json.loads(text.json_line(meaning.record(channels, entry)))
-                told += export.csv_lines(channels, entries, entries)
+                    told.append(decode.line(channels, entry, 20))
+                    json.loads(text.json_line(decode.record(channels, entry)))
+                head, row_of = export.table(channels, entries)
+                told += [head] + list(map(row_of, entries))
         except errors.Failed as e:
             raise Refused(str(e))
         for line in told:

@@ -4,13 +4,14 @@ import struct
 import threading
 import unittest
 
-from rtshell_lite.giop import descriptors, idl, ior
+from rtshell_lite.corba import session
 from rtshell_lite.corba.iiop import server
-from rtshell_lite.giop import messages, requests
+from rtshell_lite.giop import descriptors, idl, ior, messages, requests
+from rtshell_lite.net import loop
 
 LIMIT = 60.0  # seconds that anything may take on a busy machine
 PORT_OK = descriptors.items(idl.descriptor("IDL:OpenRTM/PortStatus:1.0"))[0]
-CLOSE, ERROR = requests.word(messages.CLOSE, 2), requests.word(messages.ERROR, 2)
+CLOSE, ERROR = messages.whole(messages.CLOSE), messages.whole(messages.ERROR)
 
 
 class Port:
@@ -66,11 +67,7 @@ def request(key, operation, body=b"", number=1, minor=2, order="<", is_answered=
             head = aligned(head, 8) if body else head
     if minor < 2 and body:
         head = aligned(head, 4)
-    return whole(kind, head[12:] + body, minor, order)
-
-
-def whole(kind, payload, minor=2, order="<", more=False):
-    return b"GIOP\1" + bytes([minor, (order == "<") | more << 1, kind]) + struct.pack(order + "I", len(payload)) + payload
+    return messages.whole(kind, head[12:] + body, minor, order)
 
 
 def block(data, order="<"):
@@ -86,7 +83,7 @@ def fragments(message, *cuts):
     order, minor = ("<" if message[6] & 1 else ">"), message[5]
     parts = [message[a:b] for a, b in zip((12,) + cuts, cuts + (len(message),))]
     ahead = message[12:16] if minor == 2 else b""
-    return [whole(message[7] if i == 0 else messages.FRAGMENT, (b"" if i == 0 else ahead) + part, minor, order, i < len(parts) - 1)
+    return [messages.whole(message[7] if i == 0 else messages.FRAGMENT, (b"" if i == 0 else ahead) + part, minor, order, i < len(parts) - 1)
             for i, part in enumerate(parts)]
 
 
@@ -143,17 +140,60 @@ def result(message):
     return name[len("IDL:omg.org/CORBA/"):-len(":1.0")], completed
 
 
+class Serving:
+    """A loop on a thread, which serves."""
+
+    def __init__(self):
+        self.loop, self._began, self._over = None, threading.Event(), loop.Bell()
+        self._thread = threading.Thread(target=lambda: loop.run(self._run(), session=session.Session(LIMIT)), daemon=True)
+        self._thread.start()
+        self._began.wait()
+
+    async def _run(self):
+        self.loop = loop.current()
+        self.loop.make_bell()
+        self._began.set()
+        await self._over.wait()
+
+    def call(self, function, *args):
+        """What function(*args) returns, or raises, on that thread."""
+        box, done = [], threading.Event()
+
+        def work():
+            try:
+                box.append((function(*args), None))
+            except Exception as e:
+                box.append((None, e))
+            done.set()
+        self.loop.post(work)
+        done.wait()
+        (value, error), = box
+        if error is not None:
+            raise error
+        return value
+
+    def close(self):
+        self.loop.post(self._over.ring)
+        self._thread.join()
+
+
 class Served(unittest.TestCase):
     """Base of test cases: servants, and clients of them."""
 
     def setUp(self):
+        self.serving = Serving()
+        self.addCleanup(self.serving.close)
         self.port, self.observer = Port(), Observer()
         self.key, self.withdraw = self.serve(self.port)
         self.observed, _ = self.serve(self.observer)
 
+    @property
+    def server(self):
+        """The server.Server."""
+        return self.serving.loop.server
+
     def serve(self, servant):
-        found, withdraw = server.serve(servant)
-        self.addCleanup(withdraw)
+        found, withdraw = self.serving.call(server.serve, servant)
         address = ior.address(found)
         self.at = address.port
         return address.key, withdraw

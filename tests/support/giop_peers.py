@@ -5,11 +5,14 @@ import struct
 import threading
 import unittest
 
-from rtshell_lite.corba import lanes, orb
-from rtshell_lite.corba.iiop import client, loop
-from rtshell_lite.giop import messages
+from unittest import mock
 
-CLOSE = b"GIOP\1\2\1\5" + bytes(4)
+from rtshell_lite.corba import orb, session
+from rtshell_lite.corba.iiop import client
+from rtshell_lite.giop import messages
+from rtshell_lite.net import loop
+
+CLOSE = messages.whole(messages.CLOSE)
 
 
 class Peer:
@@ -46,7 +49,7 @@ def answer(number, body=b"\0", status=0, minor=2, order="<"):
     """A reply, whole."""
     head = struct.pack(order + "II", number, status)
     head = head + bytes(4) if minor == 2 else bytes(4) + head
-    return b"GIOP\1" + bytes([minor, order == "<", 1]) + struct.pack(order + "I", len(head + body)) + head + body
+    return messages.whole(messages.REPLY, head + body, minor, order)
 
 
 class Script:
@@ -98,10 +101,15 @@ class Calls(unittest.TestCase):
     """Tests of many calls at once on this thread, which have 2 s, to processes that follow scripts."""
 
     def setUp(self):
-        before = lanes.session
-        lanes.session = lanes.Session(2)
-        lanes._answered.clear()
-        self.addCleanup(setattr, lanes, "session", before)
+        self.session = session.Session(2)
+        session.Session.answered.clear()
+        patched = mock.patch.object(orb, "_orb", client)
+        patched.start()
+        self.addCleanup(patched.stop)
+
+    def wait_for(self, coroutine):
+        """The result of a coroutine, or what it raises."""
+        return loop.run(coroutine, session=self.session)
 
     def script(self, play):
         """A process that answers what has come as `play` says."""
@@ -111,7 +119,7 @@ class Calls(unittest.TestCase):
 
     def run_tasks(self, *jobs):
         """The values of coroutine functions, each a job of the process of a reference."""
-        return list(loop.in_turn([lanes.Job(ref.address[1:3], f"job{i}", function) for i, (ref, function) in enumerate(jobs)]))
+        return self.wait_for(session.each(jobs, lambda job: job[1](), lambda job: (job[0].address[1:3], "job")))
 
     def script_of(self, replies):
         """A process that answers all that has come with replies(number) each."""
@@ -124,5 +132,5 @@ class Calls(unittest.TestCase):
     def asking(self, ref, operation="_non_existent"):
         """A job of the process of a reference that asks one question."""
         async def ask():
-            return await orb.Call("w", ref, operation)
+            return await orb.call("w", ref, operation)
         return ref, ask

@@ -10,9 +10,10 @@ def refused():
     """Why nothing can be mounted here, '' if it can."""
     from rtshell_lite import errors
     from rtshell_lite.mount import kernel
+    from rtshell_lite.net import loop
     with tempfile.TemporaryDirectory() as directory:
         try:
-            kernel.check(directory)
+            loop.run(kernel.check(directory))
             os.close(kernel.mount(directory))
         except errors.Failed as e:
             return str(e).replace(directory, "here")

@@ -69,9 +69,8 @@ def meant(test, patterns):
 
 
 def has_turn(test, part):
-    """Is the test one of those that run today? `part` is "N SEED": one in N, other ones with another seed; "" all."""
-    number, seed = part.split() if part else ("1", "")
-    return zlib.crc32((seed + test.id()).encode()) % int(number) == 0 or test.id().startswith("unittest.loader")
+    """Is the test one of the `part`, one in N, always the same; "" is all."""
+    return zlib.crc32(test.id().encode()) % int(part or 1) == 0 or test.id().startswith("unittest.loader")
 
 
 def die_with_parent():

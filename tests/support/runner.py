@@ -3,7 +3,7 @@
 Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a test failed or none ran.
 
   tests/run                       on the Python that runs this: transcripts under one shell with one ORB and test modules, of
-                                  those of failures and long ones a part, another each day (RTSHELL_SEED repeats that of a day)
+                                  those of failures and long ones a part, always the same
   tests/run rtls test_path        those whose name holds one of these words: tests/commands/rtls.t, tests/unit/test_path.py
   tests/run 'rtls.t (dash)'       one transcript under one shell
   tests/run --python 3.7 rtls     on another Python
@@ -13,9 +13,9 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
                                   the ORB that RTSHELL_ORB names
   tests/run --long test_long      the long form of what tests/faults/ and the like try in short: hours in all
   tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
-  tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13; transcripts on 3.6, which has no omniORBpy, by
-                                  the builtin ORB, and by turns on 3.7 under ash, on 3.13 under dash, and there by the builtin
-                                  ORB, too, as faults are; the packaging on every Python from 3.6 to 3.13
+  tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13; transcripts on 3.6 by our own ORB, and by omniORB
+                                  by turns on 3.7 under ash, on 3.13 under dash, and there some by ours, too; faults by both;
+                                  the packaging on every Python from 3.6 to 3.13
 """
 import argparse
 import concurrent.futures
@@ -31,9 +31,9 @@ import threading
 import time
 import zlib
 
-import daily
 import environments
 import leftovers
+import short
 import transcripts
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -41,9 +41,9 @@ TESTS = os.path.dirname(HERE)
 FULL, PURE, ALL = ["3.11", "3.7", "3.13"], ["3.6"], ["3.%d" % minor for minor in range(6, 14)]
 # The matrix: test modules run on the first three Pythons, those that say that one is enough on the first. Of transcripts, see
 # has_turn: shells and ORBs to play them with on each Python, the ORB None where it is the one that the commands choose themselves.
-MATRIX = {"3.11": [("dash", None)], "3.7": [("ash", None)], "3.13": [("dash", None), ("dash", "builtin")],
+MATRIX = {"3.11": [("dash", "omniorb")], "3.7": [("ash", "omniorb")], "3.13": [("dash", "omniorb"), ("dash", None)],
           "3.6": [("dash", None), ("ash", None)]}
-TURNS, SHARE = ["3.7", "3.13"], 5  # the builtin ORB on a Python that has omniORBpy: one of so many transcripts
+TURNS, SHARE = ["3.7", "3.13"], 5  # our own ORB on a Python that has omniORBpy: one of so many transcripts
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 PROCESSORS = os.cpu_count() or 1
@@ -84,8 +84,8 @@ def module_jobs(python, interpreter, commands, wheel, patterns, modules, orb=Non
 
     def job(module):
         return Job(" ".join(filter(None, (python.version, orb, module))), lambda: run_module(
-            module, interpreter, dict(environment, RTSHELL_PART=daily.part(module)), patterns),
-            1 if says(module, "ALONE") else daily.at_once(PROCESSORS), source(module))
+            module, interpreter, dict(environment, RTSHELL_PART=short.part(source(module))), patterns),
+            1 if says(module, "ALONE") else short.at_once(PROCESSORS), source(module))
     return [job(module) for module in modules]
 
 
@@ -157,22 +157,22 @@ def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, acce
             if shell in missing:
                 return [(name, "skip", "%s is not installed" % transcripts.SHELLS[shell][0])]
             return [(name,) + transcripts.run_case(path, shell, setting, accept)]
-        return Job("%s %s" % (label, name), run, daily.at_once(PROCESSORS, transcripts.says(path, "alone")), path)
+        return Job("%s %s" % (label, name), run, short.at_once(PROCESSORS, transcripts.says(path, "alone")), path)
     lacks_omniorb = not environments.fetch_omniorb(python)
     return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shell and [shell])
-            if daily.has_turn(path, shell, setting.orb) and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
+            if short.has_turn(path, shell, setting.orb) and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
             and not (in_matrix and not has_turn(python.version, shell, setting.orb, path))]
 
 
 def has_turn(version, shell, orb, path):
-    """Does the matrix play a transcript with these? Each once with omniORBpy, once without, and some without where it is.
+    """Does the matrix play a transcript with these? Each once with omniORB, once with our own ORB, some with that where both are.
 
     What a shell does does not depend on the Python, nor on the ORB.
     """
     number = zlib.crc32(os.path.basename(path).encode())
     if version in PURE:
         return shell == ("dash", "ash")[number % 2]
-    if orb:
+    if orb is None:
         return number % SHARE == 0 and not any(transcripts.says(path, word) for word in ("alone", "once", "orb"))
     return version == (FULL[0] if transcripts.says(path, "once") else TURNS[number % len(TURNS)])
 
@@ -288,11 +288,11 @@ def jobs_for(version, wheel, args):
     if args.all:
         for shell, orb in MATRIX[version]:
             jobs += transcript_jobs(python, transcript_setting(python, interpreter, wheel, orb), args.pattern, shell, in_matrix=True)
-            if orb:
+            if orb and version == TURNS[-1]:
                 both = [module for module in test_modules() if says(module, "BOTH")]
                 jobs += module_jobs(python, interpreter, os.path.dirname(interpreter), wheel, args.pattern, both, orb)
         return jobs
-    for orb in daily.orbs():
+    for orb in short.orbs():
         setting = transcript_setting(python, interpreter, wheel, orb)
         jobs += transcript_jobs(python, setting, args.pattern, accept=args.accept)
     return jobs
@@ -364,7 +364,7 @@ def main():
     if args.real:
         os.environ["RTSHELL_REAL"] = os.pathsep.join(map(os.path.abspath, args.real))
         os.environ["RTSHELL_ROUNDS"] = str(args.rounds)
-    daily.choose(args.pattern or args.all or args.long or args.real or args.compat or args.accept)
+    short.choose(args.pattern or args.all or args.long or args.real or args.compat or args.accept)
     environments.need_loopback()
     marker, score = leftovers.mark(), Score()
     held = environments.lock()

@@ -130,7 +130,7 @@ def together(function, cases, parallel=PARALLEL):
 def sample(cases, count, seed=1):
     """Some of the cases, the same ones even when others come or go; all of them when RTSHELL_FAULTS is set.
 
-    RTSHELL_SEED, the day in a run of all tests, chooses others.
+    RTSHELL_SEED, the day in .ci/run, chooses others.
     """
     cases, seed = list(cases), "%s%d" % (os.environ.get("RTSHELL_SEED", ""), seed)
     if THOROUGH or len(cases) <= count:

@@ -15,7 +15,8 @@ except ImportError:
 else:
     from mock_components import naming as mock_naming
     from rtshell_lite import path
-    from rtshell_lite.corba import omni
+    from rtshell_lite.corba import omniorb
+    from rtshell_lite.net import loop
     from rtshell_lite.robot import aliases, naming, tree
 
 PUBLISHED = "127.0.0.3"  # Linux answers at all of 127.0.0.0/8
@@ -39,44 +40,58 @@ class PublishedOtherwise(unittest.TestCase):
         self.addCleanup(self.process.wait)
         self.addCleanup(self.process.kill)
         worlds.eventually(lambda: processes.nameserver.answers(self.port), "omniNames answers")
-        self.names = mock_naming.Naming(omni.start(), "127.0.0.1:%d" % self.port)
+        self.names = mock_naming.Naming(omniorb.start(), "127.0.0.1:%d" % self.port)
         self.names.contexts([("own", "cxt"), ("inner", "cxt")])
 
     def at(self, *names):
         return "/".join(("/127.0.0.1:%d" % self.port,) + names)
 
     def foreign(self):
-        return [node.name for node in aliases.within(tree.walk(tree.resolve(self.at()))) if node.foreign]
+        async def found():
+            return [node.name for node in await aliases.within(await tree.walk(await tree.resolve(self.at()))) if node.foreign]
+        return loop.run(found())
+
+    def walked(self):
+        """What is below the name server."""
+        async def found():
+            return (await tree.walk(await tree.resolve(self.at())))[1:]
+        return loop.run(found())
+
+    def delete(self, notes):
+        """The lines of a deletion of own.cxt."""
+        async def deleted():
+            return [line async for line in naming.delete(path.parse(self.at("own.cxt")), notes.append, recursive=True)]
+        return loop.run(deleted())
 
     def test_its_own_directories_are_not_foreign(self):
-        self.assertEqual(tree.resolve(self.at("own.cxt")).endpoint[0], PUBLISHED)
+        self.assertEqual(loop.run(tree.resolve(self.at("own.cxt"))).endpoint[0], PUBLISHED)
         self.assertEqual(self.foreign(), [])
 
     def test_another_server_at_the_same_port_is_foreign(self):
-        self.names.bind_context([("root", "cxt")], mock_naming.root(omni.start(), "127.0.0.9:%d" % self.port))
+        self.names.bind_context([("root", "cxt")], mock_naming.root(omniorb.start(), "127.0.0.9:%d" % self.port))
         self.assertEqual(self.foreign(), ["root.cxt"])
 
     def test_its_own_directories_can_be_deleted(self):
         notes = []
-        lines = list(naming.delete(path.parse(self.at("own.cxt")), notes.append, recursive=True))
+        lines = self.delete(notes)
         self.assertEqual(([line.rpartition("/")[2] for line in lines], notes), (["inner.cxt: deleted", "own.cxt: deleted"], []))
-        self.assertEqual(tree.children(tree.resolve(self.at())), [])
+        self.assertEqual(self.walked(), [])
 
     def test_a_second_name_is_an_alias(self):
         self.names.bind_context([("two", "cxt")], self.names.resolve([("own", "cxt")]))
-        walked = [(node.name, node.alias and str(node.alias)) for node in tree.walk(tree.resolve(self.at()))][1:]
+        walked = [(node.name, node.alias and str(node.alias)) for node in self.walked()]
         self.assertEqual(walked, [("own.cxt", None), ("inner.cxt", None), ("two.cxt", self.at("own.cxt"))])
         notes = []
-        list(naming.delete(path.parse(self.at("own.cxt")), notes.append, recursive=True))
+        self.delete(notes)
         self.assertEqual(notes, ["%s: another name of %s; only this name is deleted" % (self.at("own.cxt"), self.at("two.cxt"))])
-        self.assertEqual([node.name for node in tree.walk(tree.resolve(self.at()))][1:], ["two.cxt", "inner.cxt"])
+        self.assertEqual([node.name for node in self.walked()], ["two.cxt", "inner.cxt"])
 
 
 class Hosts(unittest.TestCase):
     def test_names_of_one_host(self):
         for one, other, same in (("a", "a", True), ("localhost", "127.0.0.1", True), ("127.0.0.1", "127.0.0.2", False),
                                  ("no-such-host.invalid", "127.0.0.1", False), ("", "127.0.0.1", False)):
-            self.assertIs(aliases.same_host(one, other), same, (one, other))
+            self.assertIs(loop.run(aliases.same_host(one, other)), same, (one, other))
 
 
 if __name__ == "__main__":

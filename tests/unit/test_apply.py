@@ -6,8 +6,8 @@ import random
 import unittest
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes
-from rtshell_lite.system import apply, steps
+from rtshell_lite.net import loop
+from rtshell_lite.system import apply, sites, steps
 
 
 class Step(steps.Step):
@@ -60,8 +60,11 @@ class Switch(steps.Step):
         super().__init__([], where, where)
         self.on, self.undoes, self.coming = False, undoes, list(found)
 
-    def jobs(self):
-        return [lanes.Job(self.endpoint, self.where, lambda: self.coming.pop(0) if self.coming else self.on)]
+    def questions(self):
+        return [sites.Question(self.endpoint, self.where, self.look)]
+
+    async def look(self):
+        return self.coming.pop(0) if self.coming else self.on
 
     def differences(self, answers):
         if answers[0] is KeyboardInterrupt:
@@ -70,10 +73,10 @@ class Switch(steps.Step):
             obstacle = errors.Failed(self.where, answers[0]) if answers[0] else None
             yield steps.Difference("switch", None, True, answers[0], obstacle)
 
-    def act(self, answers):
+    async def act(self, answers):
         self.on = True
 
-    def undo(self, before, after):
+    async def undo(self, before, after):
         self.on = not self.undoes
 
 
@@ -83,7 +86,7 @@ class Reports(unittest.TestCase):
     def check(self, switches, expected, all_or_nothing=False):
         outcomes = [apply.Outcome(switch) for switch in switches]
         try:
-            apply.carry_out(outcomes, all_or_nothing)
+            loop.run(apply.carry_out(outcomes, all_or_nothing))
         except KeyboardInterrupt:
             pass
         self.assertEqual([(outcome.status, outcome.error and str(outcome.error)) for outcome in outcomes], expected)

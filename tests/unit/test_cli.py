@@ -7,8 +7,9 @@ import tempfile
 import unittest
 from unittest import mock
 
-from rtshell_lite import cli, options
+from rtshell_lite import cli, notes, options
 
+PART = 3  # one in so many of its tests in a short run
 COMMAND = '''\
 """Do something for a test.
 
@@ -201,8 +202,9 @@ class Reading(unittest.TestCase):
     def test_a_command_that_waits_for_the_terminal_says_so(self):
         for name, on_terminal, wanted in ("-", True, "Ctrl-D"), ("-", False, ""), ("file", True, ""):
             stdin = mock.Mock(isatty=lambda: on_terminal)
-            with mock.patch.object(sys, "stdin", stdin), mock.patch.object(sys, "stderr", io.StringIO()) as said:
-                cli.reading(name, "an RtsProfile")
+            with mock.patch.object(sys, "stdin", stdin), mock.patch.object(sys, "stderr", io.StringIO()) as said, \
+                    mock.patch.object(notes, "listener", cli._hear):
+                notes.reading(name, "an RtsProfile")
             self.assertEqual("reading an RtsProfile from standard input; Ctrl-D ends it" in said.getvalue(), bool(wanted))
 
 

@@ -1,12 +1,13 @@
 """What TAB offers before anything is asked of a robot; shells on terminals are tried in tests/commands."""
 import unittest
 
+from rtshell_lite.net import loop
 from rtshell_lite.shell import completion
 
 
 class Commands(unittest.TestCase):
     def offered(self, line):
-        return list(completion.answers("bash", line, line))
+        return list(loop.run(completion.answers("bash", line, line)))
 
     def test_names_of_commands(self):
         self.assertEqual(self.offered("rtpw"), ["rtpwd "])

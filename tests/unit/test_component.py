@@ -4,6 +4,7 @@ from unittest import mock
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
+from rtshell_lite.net import loop
 from rtshell_lite.robot import composites, fsm, transitions, tree
 
 NODE = tree.Node(path.parse("/localhost/a.rtc"), "component", None)
@@ -17,11 +18,13 @@ class Asked:
     def __init__(self, **answers):
         self.answers = answers
 
-    async def ask(self, operation, *args):
+    async def call(self, operation, *args):
         return self.answers[operation]
 
     def patched(self):
-        return mock.patch.object(orb.Call, "wait", lambda call: self.answers[call.operation])
+        async def call(where, ref, operation, *args, seconds=None):
+            return self.answers[operation]
+        return mock.patch.object(orb, "call", call)
 
 
 class Contexts(unittest.TestCase):
@@ -30,7 +33,7 @@ class Contexts(unittest.TestCase):
         node = Asked(get_component_state=mock.Mock(_v=1), activate_component=code, get_owned_contexts=["context"],
                      get_profile=mock.Mock(owner=None))
         with node.patched(), mock.patch.object(orb, "narrow", lambda ref, name: ref), self.assertRaises(errors.Refused) as caught:
-            transitions.change(node, transitions.ACTIVATE, index=0, wait=0)
+            loop.run(transitions.change(node, transitions.ACTIVATE, index=0, wait=0))
         return str(caught.exception)
 
     def test_one_that_does_not_know_it(self):
@@ -45,7 +48,7 @@ class Machines(unittest.TestCase):
         """The reference of the machine of a component with these SDO services, pairs (type, reference)."""
         profiles = [mock.Mock(interface_type=kind, id="1", service=ref) for kind, ref in services]
         with mock.patch.object(fsm.orb, "narrow", lambda ref, name: ref):
-            return fsm.Machine(mock.Mock(path=NODE.path, call=lambda operation: profiles)).ref
+            return loop.run(fsm.of(Asked(get_service_profiles=profiles))).ref
 
     def test_a_service_without_a_reference_is_none(self):
         self.assertEqual(self.found(("Other", "other"), (fsm.SERVICE, None), (fsm.SERVICE, "machine")), "machine")
@@ -59,9 +62,12 @@ class Composites(unittest.TestCase):
         async def known(node, contexts):
             return {"hand": ("hand0", "/localhost/hand0.rtc")}
 
+        async def call(where, ref, operation):
+            return ref
+
         node = Asked(get_organizations=["arm", "hand"])
-        with mock.patch.object(composites, "_composites", known), mock.patch.object(orb.Call, "wait", lambda call: call.ref):
-            self.assertEqual(composites.belonging(node, []),
+        with mock.patch.object(composites, "_composites", known), mock.patch.object(orb, "call", call):
+            self.assertEqual(loop.run(composites.belonging(node, [])),
                              [("arm", "Unknown", "Unknown"), ("hand", "hand0", "/localhost/hand0.rtc")])
 
 

@@ -1,51 +1,182 @@
 """Connections of data ports: if this fails, Ctrl-C takes longer the more ports there are, or commands report the wrong status."""
 import collections
-import threading
+import os
+import signal
 import time
 import unittest
 from unittest import mock
 
 from rtshell_lite import cli, errors, path
 from rtshell_lite.corba import servants
-from rtshell_lite.data import port_words, rates, reading, sender, watcher
+from rtshell_lite.corba.session import Session
+from rtshell_lite.data import port_arguments, rates, reading, sender, watcher, writing
+from rtshell_lite.data.connection import Connections
+from rtshell_lite.data.inbox import Inbox
+from rtshell_lite.net import loop
 from rtshell_lite.robot import ports
+
+LIMIT = 10.0  # seconds that anything may take
 
 
 def idle_reader():
     """The part of a push Reader that closes it, for a port that sends nothing."""
     reader = reading.Reader.__new__(reading.Reader)
-    reader.dataflow, reader.agreed = "push", {"dataport.subscription_type": "new"}
-    reader.first = reader.last = 0.0
-    reader.ended, reader.came = threading.Event(), threading.Event()
+    reader.dataflow, reader.agreed, reader.served = "push", {"dataport.subscription_type": "new"}, None
+    reader.first, reader.last, reader.count, reader.heaviest = 0.0, 0.0, 0, 0
+    reader.renew()
     return reader
 
 
+class Connection:
+    """Replaces a connection.Connection; signals come while it is opened or closed."""
+
+    def __init__(self, strikes=()):
+        self.strikes, self.endpoint, self.where = strikes, ("here", 1), "/a.rtc:out"
+        self.failure = self.connector = None
+        self.is_closing, self.is_looking = False, loop.Bell()
+
+    async def strike(self, step):
+        if step in self.strikes:
+            os.kill(os.getpid(), signal.SIGINT)
+        await loop.sleep(0.05)
+
+    async def open(self):
+        await self.strike("open")
+        await loop.finish(self.connect())
+
+    async def connect(self):
+        await self.strike("connect")
+        self.connector = "made"
+        await self.strike("connected")
+
+    async def close(self):
+        await self.strike("close")
+        await self.strike("close again")
+        self.connector = None
+
+    async def look(self):
+        self.is_looking.ring()
+        while not self.is_closing:
+            await loop.sleep(0.01)
+        raise errors.Unreachable(self.where, "the connection has been removed")
+
+    def is_due(self):
+        return True
+
+    def stop(self):
+        """It does nothing that had to end before."""
+
+    def report(self, known, unwound):
+        """It never stays."""
+
+
+class Struck(unittest.TestCase):
+    """Signals at the worst of moments leave no connection in a robot."""
+
+    def test_none_is_left_whenever_ctrl_c_comes(self):
+        for strikes in (["open"], ["connect"], ["connected"], ["close"], ["connect", "close"], ["close", "close again"]):
+            for others in (0, 6):  # more than calls are made at a time
+                with self.subTest(strikes=strikes, others=others), mock.patch.object(loop, "BOUNCE", 0):
+                    every = [Connection() for _ in range(others)] + [Connection(strikes)]
+
+                    async def main():
+                        async with Connections(every):
+                            await loop.sleep(0 if strikes[0].startswith("close") else LIMIT)
+                    begun = time.monotonic()
+                    with self.assertRaises(KeyboardInterrupt):
+                        loop.run(main(), {signal.SIGINT: KeyboardInterrupt}, Session())
+                    self.assertEqual([each.connector for each in every], [None] * len(every))
+                    self.assertLess(time.monotonic() - begun, LIMIT / 2)
+
+    def test_what_we_have_removed_ourselves_is_no_failure(self):
+        connection = Connection()
+
+        async def main():
+            with mock.patch("rtshell_lite.data.connection.LOOK", 0.01):
+                async with Connections([connection]):
+                    await connection.is_looking.wait(LIMIT)
+        loop.run(main(), None, Session())
+        self.assertEqual((connection.failure, connection.connector), (None, None))
+
+    def test_one_that_was_silent_when_it_was_to_connect_is_not_connected(self):
+        connection = Connection()
+        connection.failure = errors.Silent(connection.where, "no answer")
+        self.assertEqual(Connections([connection]).live(), [])
+        connection.connector = "made"
+        self.assertEqual(Connections([connection]).live(), [connection])
+
+    def test_a_value_that_is_on_its_way_is_waited_for(self):
+        """Else nobody knows whether the component is taking it, and the connection stays."""
+        writer, taken = writing.Writer.__new__(writing.Writer), []
+        writer.little, writer.unanswered = True, False
+
+        async def put(data):
+            os.kill(os.getpid(), signal.SIGINT)
+            await loop.sleep(0.05)
+            taken.append(data)
+        with mock.patch.object(writer, "_put", put), self.assertRaises(KeyboardInterrupt):
+            loop.run(writer.put(b"data"), {signal.SIGINT: KeyboardInterrupt}, Session())
+        self.assertEqual(taken, [b"data"])
+
+
+class Bounded(unittest.TestCase):
+    def test_what_is_being_written_takes_memory_too(self):
+        """rtlog at full flood held 144 MiB, though 64 may wait: what it was writing did not count."""
+        box = Inbox(most_bytes=1000)
+
+        def get():
+            return loop.run(box.get(0))
+        for _ in range(2):
+            box.put(0, reading.Message(0, b"x" * 400, True))
+        self.assertEqual(len(get()), 2)
+        for _ in range(3):
+            box.put(0, reading.Message(0, b"x" * 400, True))
+        self.assertEqual((len(box.waiting), box.dropped[0]), (1, 2))
+        get()
+        get()
+        box.put(0, reading.Message(0, b"x" * 400, True))
+        self.assertEqual(len(box.waiting), 1)
+
+
 class Closing(unittest.TestCase):
+    def rest(self, *readers):
+        """How long these readers wait, together, until their connectors can be removed."""
+        async def main():
+            begun = time.monotonic()
+            self.assertEqual(await loop.each(readers, reading.Reader.is_at_rest), [True] * len(readers))
+            return time.monotonic() - begun
+        with mock.patch.object(reading.orb, "answers_at_once", lambda: True):
+            return loop.run(main())
+
     def test_ports_that_send_nothing_are_waited_for_together(self):
         readers = [idle_reader() for _ in range(100)]
-        begun = time.monotonic()
         for reader in readers:
             reader.stop()
-        self.assertTrue(all(reader.is_at_rest() for reader in readers))
-        self.assertLess(time.monotonic() - begun, 100 * reading.QUIET / 2)
+        self.assertLess(self.rest(*readers), 100 * reading.QUIET / 2)
 
     def test_a_value_that_came_long_ago_is_no_sign(self):
         """A value that came while others were closed does not count; the next one is waited for, up to a limit."""
         reader = idle_reader()
+        reader.early = []
         reader.stop()
-        reader.came.set()
-        begun = time.monotonic()
-        self.assertTrue(reader.is_at_rest())
-        self.assertGreater(time.monotonic() - begun, reading.QUIET)
+        reader._take(0, b"")
+        self.assertGreater(self.rest(reader), reading.QUIET)
 
     def test_a_connector_is_removed_right_after_a_value(self):
         """While its answer is on its way the publisher does not use the connector; a moment later it may again."""
-        reader, slept = idle_reader(), []
+        reader, turns = idle_reader(), []
         reader.stop()
-        reader.came = mock.Mock(wait=lambda seconds: True, is_set=lambda: False)
-        with mock.patch.object(reading.time, "sleep", slept.append):
-            self.assertTrue(reader.is_at_rest())
-        self.assertEqual(slept, [])
+
+        def take():
+            reader._take(0, b"")
+            loop.current().before_waiting.append(lambda: turns.append("another turn of the loop"))
+
+        async def main():
+            loop.current().call_later(0.02, take)
+            await reader.is_at_rest()
+        with mock.patch.object(reading, "QUIET", LIMIT), mock.patch.object(reading.orb, "answers_at_once", lambda: True):
+            loop.run(main())
+        self.assertEqual(turns, [])
 
 
 class Early(unittest.TestCase):
@@ -53,7 +184,6 @@ class Early(unittest.TestCase):
         """They wait in memory, so there is a limit: a component that goes on is told that the buffer is full."""
         for receiver in servants.RECEIVERS.values():
             reader = idle_reader()
-            reader.early, reader.early_bytes, reader.lock, reader.count, reader.heaviest = [], 0, threading.Lock(), 0, 0
             servant = receiver(reader._take)
             put = getattr(servant, "put", None) or servant.push
             with mock.patch.object(reading, "BUFFER_BYTES", 1000):
@@ -77,23 +207,23 @@ class Status(unittest.TestCase):
         connections = [mock.Mock(failure=failure) for failure in failures]
         tally = cli.Tally()
         with mock.patch.object(cli, "complain"):
-            watcher.Watcher(connections).count(tally, [connections[number] for number in more.get("of_no_use", ())])
+            watcher.Watcher(connections).count(tally, [connections[number] for number in more.get("useless", ())])
         return tally.done, tally.status()
 
     def test_it(self):
         failure = errors.Silent("a", "no answer")
         self.assertEqual(self.status(None, None), (2, 0))
         self.assertEqual(self.status(None, failure), (1, 5))
-        self.assertEqual(self.status(None, failure, of_no_use=[0]), (0, 4))
-        self.assertEqual(self.status(failure, of_no_use=[0]), (0, 4))
+        self.assertEqual(self.status(None, failure, useless=[0]), (0, 4))
+        self.assertEqual(self.status(failure, useless=[0]), (0, 4))
 
 
-class Words(unittest.TestCase):
+class Arguments(unittest.TestCase):
     """Which port PATH:PORT.NAME means."""
 
     def found(self, word, *names):
         known = [ports.Port(None, name, "DataOutPort", {}, [], [], name, None) for name in names]
-        found = port_words._named(port_words.parse([word])[0], known)
+        found = port_arguments._named(port_arguments.parse([word])[0], known)
         return str(found) if isinstance(found, errors.Error) else (found.port.name, found.name)
 
     def test_it(self):
@@ -104,6 +234,15 @@ class Words(unittest.TestCase):
             self.assertEqual(self.found("/h/A.rtc:" + word, "A.out"), "/h/A.rtc: no such port: %s (its ports: out)" % word)
 
 
+def answer(*answers):
+    """A coroutine function that returns these, one after the other."""
+    waiting = list(answers)
+
+    async def asked(*args):
+        return waiting.pop(0)
+    return asked
+
+
 class Rates(unittest.TestCase):
     """The rate of a component, by what it writes."""
 
@@ -111,10 +250,10 @@ class Rates(unittest.TestCase):
         node = collections.namedtuple("Node", "path")(path.parse("/h/A.rtc"))
         kinds = [("A.in", "DataInPort")] + [("A.out%d" % number, "DataOutPort") for number in range(len(counts))]
         known = [ports.Port(node, name, kind, {}, [], [], name, None) for name, kind in kinds]
-        with mock.patch("rtshell_lite.robot.component.state", return_value=more.get("state", "Active")), \
-                mock.patch("rtshell_lite.robot.ports.ports", return_value=known), \
-                mock.patch("rtshell_lite.data.reading.count_writes", side_effect=[(count, 2.0) for count in counts]):
-            return rates.measured(node, 2.0)
+        with mock.patch("rtshell_lite.robot.component.state", answer(more.get("state", "Active"))), \
+                mock.patch("rtshell_lite.robot.ports.ports", answer(known)), \
+                mock.patch("rtshell_lite.data.reading.count_writes", answer(*[(count, 2.0) for count in counts])):
+            return loop.run(rates.measured(node, 2.0))
 
     def test_the_first_port_that_is_written_to(self):
         self.assertEqual(self.measured(20, 90), (10.0, "writes to out0"))

@@ -1,8 +1,8 @@
 """Recording and playing without any port: which entries, when, with which times, and what a slow disk costs."""
+import errno
 import json
 import os
 import struct
-import sys
 import threading
 import time
 import unittest
@@ -13,7 +13,8 @@ import tools
 from test_datalog import CHANNELS, START, Case, messages
 from rtshell_lite import errors
 from rtshell_lite.data import datatypes
-from rtshell_lite.datalog import export, logfile, meaning, play, recorder, records, textlog, writer
+from rtshell_lite.datalog import decode, export, logfile, play, recorder, records, textlog, writer
+from rtshell_lite.net import loop
 try:
     import omniORB
 except ImportError:
@@ -52,8 +53,11 @@ class Playing(Case):
     def test_what_is_said_of_a_log_without_entries(self):
         self.write([])
         with logfile.load(self.name) as log:
-            said = meaning.as_dict(log)
+            said = decode.as_dict(log)
         self.assertEqual([said["entries"], [channel["entries"] for channel in said["channels"]]], [0, [0, 0]])
+
+    async def times(self, entries, begun):
+        return [time.monotonic() - begun async for _ in entries]
 
     def test_pace(self):
         """Entries come when they are due, neither sooner nor much later; `seconds` end them."""
@@ -63,7 +67,7 @@ class Playing(Case):
                               (lambda: play.due(entries, 1, None, .15), [0, .1]),
                               (lambda: play.portions(entries, 3, .1), [0, 0, 0, .1])]:
             waited, begun = tools.waited_for_processor(os.getpid()), time.monotonic()
-            times = [time.monotonic() - begun for _ in how()]
+            times = loop.run(self.times(how(), begun))
             waited = tools.waited_for_processor(os.getpid()) - waited
             self.assertEqual(len(times), len(expected))
             for taken, due in zip(times, expected):
@@ -81,7 +85,7 @@ class Timestamps(Case):
                     (0, START, True, b"xyz")], channels=[CHANNELS[0]._replace(typecode=b"")])
         self.log = logfile.load(self.name)
         self.addCleanup(self.log.__exit__)
-        self.channels, self.entries = meaning.Channels(self.log, datatypes.Types()), list(self.log.entries())
+        self.channels, self.entries = decode.Channels(self.log, datatypes.Types()), list(self.log.entries())
 
     def data(self, number, little, moment=None):
         data = self.channels.data(self.entries[number], little, moment)
@@ -110,7 +114,7 @@ class Timestamps(Case):
         self.assertEqual(self.channels.data(self.entries[3], True, START + 1), b"xyz")
         with self.assertRaisesRegex(errors.Failed, "entry 3: RTC.TimedLong: the data end"):
             self.channels.data(self.entries[3], False, START + 1)
-        self.assertEqual(meaning.line(self.channels, self.entries[3]), "3 bytes: 78797a")
+        self.assertEqual(decode.line(self.channels, self.entries[3]), "3 bytes: 78797a")
         self.assertEqual(self.channels.unreadable, 1)
 
 
@@ -119,22 +123,22 @@ class Types(Case):
         self.write([(0, START, True, struct.pack("<IIi", 1, 2, 7))], channels=[records.Channel("a", type_id, typecode, ())])
         log = logfile.load(self.name)
         self.addCleanup(log.__exit__)
-        return meaning.Channels(log, datatypes.Types()), next(log.entries())
+        return decode.Channels(log, datatypes.Types()), next(log.entries())
 
     @unittest.skipUnless(omniORB, "omniORBpy is not installed")
     def test_described_in_the_file(self):
         """No IDL is needed for a type that nobody else knows."""
         code = datatypes.Types().named("TimedLong").to_bytes()
         channels, entry = self.open("IDL:Own/Type:1.0", code)
-        self.assertEqual(meaning.line(channels, entry), "[1.000000002] 7")
-        self.assertEqual(meaning.record(channels, entry)["value"], {"tm": {"sec": 1, "nsec": 2}, "data": 7})
+        self.assertEqual(decode.line(channels, entry), "[1.000000002] 7")
+        self.assertEqual(decode.record(channels, entry)["value"], {"tm": {"sec": 1, "nsec": 2}, "data": 7})
 
     def test_not_known(self):
         """The bytes are shown and played; only the other byte order needs the type."""
         for code in (b"", b"garbled", b"[" * 5000):
             channels, entry = self.open("IDL:Own/Type:1.0", code)
-            self.assertEqual(meaning.line(channels, entry), "12 bytes: 010000000200000007000000")
-            fields = meaning.record(channels, entry)
+            self.assertEqual(decode.line(channels, entry), "12 bytes: 010000000200000007000000")
+            fields = decode.record(channels, entry)
             self.assertEqual((fields["hex"], fields["little_endian"]), ("010000000200000007000000", True))
             self.assertEqual(channels.data(entry, True, START + 5), entry.data)
             with self.assertRaisesRegex(errors.Failed, "type IDL:Own/Type:1.0 is not known; name its IDL file"):
@@ -148,8 +152,9 @@ class Exporting(Case):
                                   **{"data": "\x1b[2J\u202e\r\n\\x", "a\x9b": 1})
         self.put(simpkl_files.log([value], 2, specs=[simpkl_files.spec("n\x07", "IDL:Own/Type:1.0")]))
         with logfile.load(self.name) as log:
-            channels = meaning.Channels(log, datatypes.Types())
-            lines = list(export.csv_lines(channels, log.entries(), log.entries()))
+            channels = decode.Channels(log, datatypes.Types())
+            head, row_of = export.table(channels, log.entries())
+            lines = [head] + list(map(row_of, log.entries()))
         self.assertEqual(lines, ["number,received,port,tm.sec,tm.nsec,data,a\\u009b",
                                  "0,1795247464.750000000,n\\x07,1,2,\\x1b[2J\\u202e\\x0d\\x0a\\\\x,1"])
 
@@ -167,10 +172,9 @@ class Deep(Case):
     def test_shown(self):
         self.write(self.messages, channels=[self.channel])
         with logfile.load(self.name) as log:
-            channels = meaning.Channels(log, datatypes.Types())
-            for lines in (export.lines(channels, log.entries()), export.json_lines(channels, log.entries()),
-                          export.csv_lines(channels, log.entries(), log.entries())):
-                self.assertGreaterEqual(len(list(lines)), len(self.messages))
+            channels = decode.Channels(log, datatypes.Types())
+            for line_of in (export.people(channels), export.json(channels), export.table(channels, log.entries())[1]):
+                self.assertEqual(len(list(map(line_of, log.entries()))), len(self.messages))
 
     def test_recorded_as_text(self):
         out = textlog.Writer(self.name, [self.channel], [self.type])
@@ -182,16 +186,27 @@ class Deep(Case):
 
 class Recording(Case):
     def test_ports_with_one_name_share_a_channel(self):
-        channels = recorder.Channels(mock.Mock(of_port=mock.Mock(side_effect=errors.BadType("x", "y"))))
+        async def of_port(port):
+            raise errors.BadType("x", "y")
+        channels = recorder.Channels(mock.Mock(of_port=of_port))
         properties = {"dataport.data_type": "IDL:RTC/TimedLong:1.0"}
         found = []
         for label, name in (("/h/A.rtc:out", "one"), ("/h/B.rtc:out", "other"), ("/h/C.rtc:out", "one")):
             with mock.patch.object(recorder.ports, "label", lambda port: label):
-                found.append(channels.add(mock.Mock(properties=properties), name))
+                found.append(loop.run(channels.add(mock.Mock(properties=properties), name)))
         self.assertEqual((found, [channel.sources for channel in channels.found]),
                          ([0, 1, 0], [["/h/A.rtc:out", "/h/C.rtc:out"], ["/h/B.rtc:out"]]))
         with mock.patch.object(recorder.ports, "label", lambda port: "/h/D.rtc:out"), self.assertRaises(errors.Failed):
-            channels.add(mock.Mock(properties={"dataport.data_type": "IDL:RTC/TimedDouble:1.0"}), "one")
+            loop.run(channels.add(mock.Mock(properties={"dataport.data_type": "IDL:RTC/TimedDouble:1.0"}), "one"))
+
+    def record(self, work, out, feed=None):
+        """Have a Recorder write to a Writer until feed(), a coroutine, ends, or it is done."""
+        async def main():
+            work.writer = out
+            async with loop.background(work.run()):
+                await (feed() if feed else work.done.wait(60))
+            await work.close()
+        loop.run(main())
 
     def test_a_slow_disk_costs_messages_not_time(self):
         """The sender never waits, not even for a disk that writes nothing until all is sent; what does not fit is counted."""
@@ -204,12 +219,14 @@ class Recording(Case):
                 writer.Writer.write(self, messages)
 
         work = recorder.Recorder()
-        work.start(Slow(self.name, CHANNELS, START))
-        take = work.box.taker(0)
-        for _ in range(400):
-            take(message)
-        sent.set()
-        work.close()
+
+        async def feed():
+            take = work.box.taker(0)
+            for _ in range(400):
+                take(message)
+                await loop.sleep(0)
+            sent.set()
+        self.record(work, Slow(self.name, CHANNELS, START), feed)
         self.assertEqual(work.count + sum(work.box.dropped.values()), 400)
         self.assertGreater(work.box.dropped[0], 0)
         self.assertEqual(len(self.read()[1]), work.count)
@@ -219,9 +236,7 @@ class Recording(Case):
         work = recorder.Recorder(3)
         for _ in range(5):
             work.box.put(1, message_of(b"abc"))
-        work.start(writer.Writer(self.name, CHANNELS, START))
-        self.assertTrue(work.done.wait(60))
-        work.close()
+        self.record(work, writer.Writer(self.name, CHANNELS, START))
         self.assertEqual([entry.channel for entry in self.read()[1]], [1, 1, 1])
 
     def test_the_same_value_twice(self):
@@ -232,21 +247,31 @@ class Recording(Case):
         for channel in range(2):
             for second in (0, 0, 1, 1, 1, 2):
                 work.box.put(channel, message_of(struct.pack("<III", second, 0, 7)))
-        work.start(writer.Writer(self.name, CHANNELS, START))
-        work.close()
+        self.record(work, writer.Writer(self.name, CHANNELS, START), lambda: loop.sleep(0.01))
         self.assertEqual((work.count, work.repeated), (12, 2))
 
-    def test_a_bug_is_no_success(self):
-        """Whatever ends the thread that writes, the recording ends with an error."""
-        class Broken(writer.Writer):
+    def test_a_disk_that_is_full(self):
+        """It is done at once, and closing says why."""
+        class Full(writer.Writer):
             def write(self, messages):
-                sys.exit("broken")  # the only exception that a thread does not report
+                raise OSError(errno.ENOSPC, "No space left on device")
 
         work = recorder.Recorder()
-        work.start(Broken(self.name, CHANNELS, START))
-        self.assertTrue(work.done.wait(60))
-        with self.assertRaises(RuntimeError):
-            work.close()
+        work.box.put(0, message_of(b"abc"))
+        with self.assertRaisesRegex(OSError, "No space left"):
+            self.record(work, Full(self.name, CHANNELS, START))
+        self.assertEqual(work.count, 0)
+
+    def test_a_bug_is_no_success(self):
+        """Whatever ends what writes, the recording ends with an error."""
+        class Broken(writer.Writer):
+            def write(self, messages):
+                raise LookupError("broken")
+
+        work = recorder.Recorder()
+        work.box.put(0, message_of(b"abc"))
+        with self.assertRaises(LookupError):
+            self.record(work, Broken(self.name, CHANNELS, START))
 
 
 def message_of(data):

@@ -10,10 +10,11 @@ import processes
 import random_values
 import worlds
 from rtshell_lite import errors, path
-from rtshell_lite.corba import omni, orb
+from rtshell_lite.corba import omniorb, orb
 from rtshell_lite.giop import descriptors, fixed_size, idl
 from rtshell_lite.data import datatypes, values
 from rtshell_lite.data.idl import tokens
+from rtshell_lite.net import loop
 from rtshell_lite.robot import ports
 
 try:
@@ -70,7 +71,7 @@ class Standard(unittest.TestCase):
 
     def test_beside_omniorb(self):
         """The same bytes, except padding, and the same values, in both byte orders."""
-        omni.start()
+        omniorb.start()
         rng, count = random.Random(1), 0
         for name, typecode in self.every():
             if "WChar" in name:
@@ -87,7 +88,7 @@ class Standard(unittest.TestCase):
         self.assertGreater(count, 400)
 
     def test_wide_characters_as_omniorb_writes_them(self):
-        omni.start()
+        omniorb.start()
         for name, data in (("TimedWChar", "日"), ("TimedWCharSeq", ["日", "x"])):
             value = getattr(RTC, name)(RTC.Time(1, 2), data)
             for little in (True, False):
@@ -142,7 +143,7 @@ class Named(unittest.TestCase):
         self.assertEqual(types.named("Mine.Reading").id, "IDL:Mine/Reading:1.0")
         self.assertEqual(types.named("Reading").name, "Mine.Reading")
         self.assertEqual(types.named("Mine::I::Mode").name, "Mine.I.Mode")
-        self.assertEqual(types.of_port(a_port("Reading")).name, "Mine.Reading")
+        self.assertEqual(loop.run(types.of_port(a_port("Reading"))).name, "Mine.Reading")
         self.assertEqual(types.named("RTC.TimedLong").id, "IDL:RTC/TimedLong:1.0")
         found = values.Expression('Mine.Reading(5, ["x"])', types).value()
         self.assertEqual(values.text(found), "(a=5, from=['x'])")
@@ -208,6 +209,7 @@ class Named(unittest.TestCase):
         data = kind.encode(made.value())
         self.assertEqual(values.text(kind.decode(data)).partition(" place_=")[2], "(position=(x=1.0, y=2.0), heading=3.0)"
                          " state=GRIPPER_STATE_OPEN axes=[[1.0, 2.0, 3.0]] it=(width=5.0) color=CF_RGB")
+        loop.run(start_omniorb())
         theirs = omniORB.cdrMarshal(sys.modules["User"]._tc_All, kind.decode(data), True)
         self.assertEqual(len(theirs), len(data))  # octets between values may be anything
         self.assertEqual(values.text(kind.decode(theirs)), values.text(kind.decode(data)))
@@ -217,8 +219,12 @@ class Named(unittest.TestCase):
         for type_id in ("any", "", "IDL:Their/Type:1.0"):
             one = a_port(type_id)
             with self.assertRaises(errors.NoSuch) as caught:
-                datatypes.Types().of_port(one._replace(node=Node))
+                loop.run(datatypes.Types().of_port(one._replace(node=Node)))
             self.assertIn("--raw", str(caught.exception))
+
+
+async def start_omniorb():
+    omniorb.start()
 
 
 class Node:
@@ -240,7 +246,7 @@ class Offered(unittest.TestCase):
         return datatypes.Type(descriptors.adopted(typecode._d, orb.descriptor))
 
     def test_typecodes(self):
-        the_orb = omni.start()
+        the_orb = omniorb.start()
         inner = the_orb.create_struct_tc("IDL:T/Inner:1.0", "Inner", [CORBA.StructMember("x", CORBA.TC_double, None)])
         outer = the_orb.create_struct_tc("IDL:T/Outer:1.0", "Outer", [
             CORBA.StructMember("tm", RTC._tc_Time, None), CORBA.StructMember("data", the_orb.create_sequence_tc(0, inner), None)])
@@ -251,7 +257,7 @@ class Offered(unittest.TestCase):
             self.assertEqual(values.text(one.decode(one.encode(value))), "[2.000000000] [(x=1.0)]")
 
     def test_hostile_typecodes(self):
-        the_orb = omni.start()
+        the_orb = omniorb.start()
         for typecode, reason in (
                 (the_orb.create_struct_tc("IDL:T/S:1.0", "S", [CORBA.StructMember("__class__", CORBA.TC_long, None)]), "identifier"),
                 (the_orb.create_struct_tc("IDL:T/S:1.0", "S", []), "needs members"),
@@ -277,7 +283,7 @@ class OfPorts(unittest.TestCase):
         world = worlds.World("linked", "--flavour", flavour)
         self.addCleanup(world.close)
         where = path.parse("/127.0.0.1:%d/test.host_cxt/ConsoleIn0.rtc:out" % worlds.Server.port)
-        return ports.find([where])[0]
+        return loop.run(ports.find([where]))[0]
 
     def renamed(self, port):
         return port._replace(properties=dict(port.properties, **{"dataport.data_type": "IDL:Their/Own:1.0"}))
@@ -285,12 +291,12 @@ class OfPorts(unittest.TestCase):
     def test_types(self):
         for flavour in ("cpp11", "java"):
             port = self.port(flavour)
-            self.assertEqual(datatypes.Types().of_port(port).name, "RTC.TimedLong")
-            found = datatypes.Types().of_port(self.renamed(port))
+            self.assertEqual(loop.run(datatypes.Types().of_port(port)).name, "RTC.TimedLong")
+            found = loop.run(datatypes.Types().of_port(self.renamed(port)))
             self.assertEqual(values.text(found.decode(b"\1\0\0\0\2\0\0\0\3\0\0\0")), "[1.000000002] 3")
         port = self.port("cpp2")
         with self.assertRaises(errors.NoSuch) as caught:
-            datatypes.Types().of_port(self.renamed(port))
+            loop.run(datatypes.Types().of_port(self.renamed(port)))
         self.assertRegex(str(caught.exception), r"ConsoleIn0.rtc:out: no such data type known: IDL:Their/Own:1.0; name its IDL")
 
 

@@ -8,7 +8,8 @@ from unittest import mock
 
 import worlds
 from rtshell_lite import errors, path
-from rtshell_lite.corba import lanes, orb
+from loops import asynchronous, wait_for
+from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import (components, connections, finding, here, limits, profile, rates, references, remedies, servers, started,
                                  waiting)
 from rtshell_lite.robot import component, places, ports, snapshot, tree
@@ -16,14 +17,13 @@ from rtshell_lite.xmlprofile import model
 
 
 class Mounts(unittest.TestCase):
-    def test_a_stopped_rtmount_does_not_hold_the_main_thread(self):
-        """Where the ORB needs no threads, too: nothing interrupts the kernel's question."""
+    def test_a_stopped_rtmount_does_not_hold_the_loop(self):
+        """Nothing interrupts the kernel's question."""
         stopped = threading.Event()
         self.addCleanup(stopped.set)
-        with mock.patch.object(lanes, "session", lanes.Session(0.2)), mock.patch.object(lanes, "loop", list), \
-                mock.patch.object(here.kernel, "mounted", lambda: ["/robot"]), \
+        with mock.patch.object(here.kernel, "mounted", lambda: ["/robot"]), \
                 mock.patch.object(here.kernel, "is_stale", lambda place: stopped.wait(worlds.LIMIT)):
-            self.assertEqual(here._mounts(), [])
+            self.assertEqual(wait_for(here._mounts(), 0.2), [])
 
 
 class Connections(unittest.TestCase):
@@ -31,7 +31,7 @@ class Connections(unittest.TestCase):
         node = tree.Node(path.parse("/localhost/In0.rtc"), "component", None)
         connector = ports.Connector("one", "out_in", [None, None], [])
         port = ports.Port(node, "In0.out", "DataOutPort", {}, [], [connector], None, None)
-        finding, = connections._troubles(connections.Link(snapshot.Snapshot(node), port, connector), {})
+        finding, = wait_for(connections._troubles(connections.Link(snapshot.Snapshot(node), port, connector), {}))
         self.assertEqual(finding, ("fail", "connection", "/localhost/In0.rtc:out", "connection out_in has an end that is nothing (nil)",
                                    "rtdis -i one /localhost/In0.rtc:out"))
 
@@ -44,9 +44,10 @@ class Connections(unittest.TestCase):
         ends = {ref: places.End(ref, port._replace(ref=ref, connectors=[]), None) for ref in ("near", "far")}
         asked = []
         with mock.patch.multiple(connections.orb, identity=str, same=str.__eq__), mock.patch.object(
-                connections.places, "ask", lambda refs, joining: asked.extend(refs) or [port, errors.Silent("far", "no answer")]):
-            self.assertEqual(len(connections._troubles(link, ends)), 1)
-            self.assertEqual(connections._again(link, ends), link)
+                connections.places, "ask", asynchronous(
+                    lambda refs, joining: asked.extend(refs) or [port, errors.Silent("far", "no answer")])):
+            self.assertEqual(len(wait_for(connections._troubles(link, ends))), 1)
+            self.assertEqual(wait_for(connections._again(link, ends)), link)
         self.assertEqual((asked, ends["far"].port), (["near", "far"], None))
 
     def test_a_connection_that_is_made_again_with_another_end(self):
@@ -56,8 +57,8 @@ class Connections(unittest.TestCase):
         port = ports.Port(node, "In0.out", "Port", {}, [], [before], "near", None)
         ends = {"near": places.End("near", port, None), "far1": places.End("far1", None, errors.Silent("far1", "no answer"))}
         with mock.patch.multiple(connections.orb, identity=str, same=str.__eq__), mock.patch.object(
-                connections.places, "ask", lambda refs, joining: [port._replace(connectors=[after]) for _ in refs]):
-            self.assertIsNone(connections._again(connections.Link(snapshot.Snapshot(node), port, before), ends))
+                connections.places, "ask", asynchronous(lambda refs, joining: [port._replace(connectors=[after]) for _ in refs])):
+            self.assertIsNone(wait_for(connections._again(connections.Link(snapshot.Snapshot(node), port, before), ends)))
 
     def test_what_one_end_does_not_have(self):
         there = ports.Connector("one", "c", [], [("x", "1")])
@@ -109,8 +110,8 @@ class Waiting(unittest.TestCase):
     def test_not_for_its_own_process(self):
         def node(name, number):
             return mock.Mock(path=path.parse("/d/" + name), endpoint=("198.51.100.1", number))
-        with mock.patch.object(waiting, "_sockets", lambda endpoint: set()):
-            found = waiting.culprits(mock.Mock(node=node("A", 1)), [node("B", 1), node("C", 2), node("D", 2)])
+        with mock.patch.object(waiting, "_sockets", asynchronous(lambda endpoint: set())):
+            found = wait_for(waiting.culprits(mock.Mock(node=node("A", 1)), [node("B", 1), node("C", 2), node("D", 2)]))
         self.assertEqual(found, (["/d/C"], False))
 
 
@@ -136,8 +137,9 @@ class Profile(unittest.TestCase):
         listed = model.Component(id="", path_uri="localhost/In0.rtc", instance_name="In0", execution_contexts=[context])
         for rate, number in ((30.0003, 0), (29.99, 0), (31.0, 1)):
             owned = [component.Context(0, None, "Periodic", rate, True, None, (), ())]
-            with self.subTest(rate=rate), mock.patch("rtshell_lite.system.capture.look", return_value=[owned]):
-                self.assertEqual(len(profile._rates(mock.Mock(components=[listed]))), number)
+            with self.subTest(rate=rate), mock.patch(
+                    "rtshell_lite.system.capture.look", asynchronous(lambda *_: [owned])):
+                self.assertEqual(len(wait_for(profile._rates(mock.Mock(components=[listed])))), number)
 
 
 class Here(unittest.TestCase):
@@ -153,7 +155,7 @@ class Here(unittest.TestCase):
         self.assertEqual((finding.level, finding.check), ("fail", "ORB"))
 
     def test_addresses_of_name_servers(self):
-        self.assertEqual([here.fault(address) for address in ("robot1:2810", "robot1,robot2", "a b")],
+        self.assertEqual([wait_for(here.fault(address)) for address in ("robot1:2810", "robot1,robot2", "a b")],
                          [""] + 2 * ["several are separated by semicolons"])
 
 
@@ -161,13 +163,13 @@ class NameServers(unittest.TestCase):
     """Faults that omniNames does not have."""
 
     def stopped(self, check, answer):
-        def call(*_):
+        async def call(*_):
             if isinstance(answer, Exception):
                 raise answer
             return answer
         with mock.patch.object(orb, "call", call), mock.patch.object(orb, "endpoint", lambda ref: ("robot1", 2809)):
             with self.assertRaises(servers._Stop) as caught:
-                check("/robot1", None)
+                wait_for(check("/robot1", None))
         return caught.exception.finding.message
 
     def test_what_it_may_answer(self):
@@ -201,9 +203,9 @@ class ManyFindings(unittest.TestCase):
                                          "/robot/A2.rtc and 2997 more")
 
     def test_a_process_that_was_not_asked_does_not_hang(self):
-        node = tree.Node(path.parse("/robot/A0.rtc"), "silent", None, errors.Silent("/robot/A0.rtc", lanes.NO_TIME))
+        node = tree.Node(path.parse("/robot/A0.rtc"), "silent", None, errors.Silent("/robot/A0.rtc", session.NO_TIME))
         visit = servers.Visit(None, [], [], [], {("robot", 4000): None}, None, "")
-        self.assertEqual(references._silent(visit, node, [("robot", 4000)], "robot:4000").message, "slow: " + lanes.NO_TIME)
+        self.assertEqual(wait_for(references._silent(visit, node, [("robot", 4000)], "robot:4000")).message, "slow: " + session.NO_TIME)
 
     def test_failures_come_first_and_like_warnings_are_one(self):
         words = remedies.words("slow", host="robot")

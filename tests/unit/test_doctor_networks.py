@@ -8,7 +8,8 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import errors, path
-from rtshell_lite.corba import lanes
+from loops import asynchronous, wait_for
+from rtshell_lite.corba import session
 from rtshell_lite.doctor import addresses, limits, managers, networks, references, remedies, waiting
 from rtshell_lite.robot import tree
 
@@ -22,18 +23,18 @@ class Published(unittest.TestCase):
     def setUp(self):
         own = {"10.77.0.1", "172.17.0.1", "127.0.0.1"}
         for patch in (mock.patch.object(networks, "_networks", lambda: LAN), mock.patch.object(addresses, "is_own", own.__contains__),
-                      mock.patch.object(addresses, "resolve", lambda host: [host])):
+                      mock.patch.object(addresses, "resolve", asynchronous(lambda host: [host]))):
             patch.start()
             self.addCleanup(patch.stop)
 
     def misled(self, published, homes, elsewhere=""):
         with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)]):
-            found = networks.misled("reference", "/robot/A0.rtc", None, homes, elsewhere)
+            found = wait_for(networks.misled("reference", "/robot/A0.rtc", None, homes, elsewhere))
         return found and (found.level, found.message)
 
     def certain(self, published, homes):
         with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)]):
-            return networks.is_certain(None, homes)
+            return wait_for(networks.is_certain(None, homes))
 
     def test_nothing_against_it(self):
         for published, homes in (("127.0.0.1", ["127.0.0.1"]), ("10.77.0.2", ["10.77.0.2"]), ("10.77.0.3", ["10.77.0.2"]),
@@ -51,7 +52,8 @@ class Published(unittest.TestCase):
 
     def test_who_is_outside(self):
         with mock.patch.object(networks.orb, "addresses", lambda ref: [(ref, 4000)]):
-            self.assertEqual([networks.outside(["", "127.0.0.1", "10.77.0.9"]), networks.outside(["", "localhost", "172.17.0.1"])],
+            asked = ["", "127.0.0.1", "10.77.0.9"], ["", "localhost", "172.17.0.1"]
+            self.assertEqual([wait_for(networks.outside(refs)) for refs in asked],
                              ["10.77.0.9", ""])
 
     def test_another_network(self):
@@ -66,7 +68,7 @@ class Published(unittest.TestCase):
         self.assertIsNone(self.misled("fe80::1%eth0", ["10.77.0.2"]))
 
     def test_a_name_that_means_this_host(self):
-        with mock.patch.object(addresses, "resolve", lambda host: ["10.77.0.1"] if host == "desk" else [host]):
+        with mock.patch.object(addresses, "resolve", asynchronous(lambda host: ["10.77.0.1"] if host == "desk" else [host])):
             self.assertFalse(self.certain("desk", ["10.77.0.2"]))
             self.assertTrue(self.certain("desk", ["10.77.0.1"]))
 
@@ -80,18 +82,20 @@ class Published(unittest.TestCase):
     def test_who_is_apart(self):
         for published, apart in (("172.17.0.1", True), ("10.77.0.3", False), ("8.8.8.8", True), ("", False)):
             with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)] if published else []):
-                self.assertEqual(networks.is_apart(None, ["10.77.0.2"]), apart, published)
+                self.assertEqual(wait_for(networks.is_apart(None, ["10.77.0.2"])), apart, published)
 
     def silent(self, published, failure, answered=()):
         """What is said of an object that publishes an address, bound at 10.77.0.2, when a connection ends so; whether to delete it."""
         node = tree.Node(path.parse("/robot/A0.rtc"), "silent", None, errors.Silent("/robot/A0.rtc", "no answer within 1s"))
         visit = mock.Mock(probes={(published, 4000): failure}, addresses=["10.77.0.2"])
         with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)]), \
-                mock.patch.object(lanes, "_answered", {other: time.monotonic() for other in answered}), \
-                mock.patch.object(lanes, "name_servers", {("10.77.0.3", 2809)}), \
-                mock.patch.object(addresses, "arrives", lambda where: True), \
-                mock.patch.object(addresses, "speaks_otherwise", lambda where: False):
-            found = references._silent(visit, node, [(published, 4000)], published + ":4000")
+                mock.patch.object(session.Session, "answered", {other: time.monotonic() for other in answered}), \
+                mock.patch.object(addresses, "arrives", asynchronous(lambda where: True)), \
+                mock.patch.object(addresses, "speaks_otherwise", asynchronous(lambda where: False)):
+            async def silent():
+                session.current().name_servers.add(("10.77.0.3", 2809))
+                return await references._silent(visit, node, [(published, 4000)], published + ":4000")
+            found = wait_for(silent())
         return found.message, "rtdel" in found.remedy
 
     def test_why_an_object_is_silent(self):
@@ -116,9 +120,9 @@ class BelowManagers(unittest.TestCase):
         manager = tree.Node(path.parse("/robot/manager.mgr"), "manager", None)
         slave = tree.Node(path.parse("/robot/manager.mgr/slave0"), "zombie", None, errors.ConnectionRefused("/a"))
         with mock.patch.object(networks.orb, "addresses", lambda ref: [("127.0.0.1", 4000)]), \
-                mock.patch.object(networks, "homes_of", lambda ref: ["10.77.0.2"]), \
+                mock.patch.object(networks, "homes_of", asynchronous(lambda ref: ["10.77.0.2"])), \
                 mock.patch.object(addresses, "is_own", lambda address: False):
-            finding, = managers._troubles(manager, ([slave], [], False))
+            finding, = wait_for(managers._troubles(manager, ([slave], [], False)))
         self.assertEqual(finding.message, "lists a slave that publishes 127.0.0.1:4000, which means this host, not its own")
         self.assertNotIn("restart", finding.remedy)
 
@@ -132,31 +136,31 @@ class Arrival(unittest.TestCase):
             given.append(seconds)
             raise ConnectionRefusedError(errno.ECONNREFUSED, "refused")
         with mock.patch.object(addresses.socket, "create_connection", create_connection), self.assertRaises(errors.ConnectionRefused):
-            addresses.connect(["198.51.100.1", "198.51.100.2"], 4000)
-        self.assertTrue(0 < given[1] <= given[0] <= lanes.session.timeout, given)
+            wait_for(addresses.connect(["198.51.100.1", "198.51.100.2"], 4000), 3.0)
+        self.assertTrue(0 < given[1] <= given[0] <= 3.0, given)
 
     def test_nobody_listens(self):
         with socket.socket() as bound:
             bound.bind(("127.0.0.1", 0))
-            self.assertFalse(addresses.arrives(bound.getsockname()))
-        addresses.arrives.cache_clear()
+            self.assertFalse(wait_for(addresses.arrives(bound.getsockname())))
+        addresses.forget()
 
     def test_a_process_that_hangs_takes_what_is_sent(self):
         with socket.socket() as listening:
             listening.bind(("127.0.0.1", 0))
             listening.listen(1)
-            self.assertTrue(addresses.arrives(listening.getsockname()))
-        addresses.arrives.cache_clear()
+            self.assertTrue(wait_for(addresses.arrives(listening.getsockname())))
+        addresses.forget()
 
     def test_another_protocol(self):
         """A server that waits for the end of a line is no hung process; one that hangs says nothing to that, either."""
         for line, found in ((b"HTTP/1.0 400 Bad request\r\n", True), (b"GIOP\1\2\1\4", False), (b"", False)):
-            with socket.socket() as listening, mock.patch.object(lanes.session, "timeout", 0.6):
+            with socket.socket() as listening:
                 listening.bind(("127.0.0.1", 0))
                 listening.listen(1)
                 serving = threading.Thread(target=self.answer_a_line, args=(listening, line))
                 serving.start()
-                self.assertIs(addresses.speaks_otherwise(listening.getsockname()), found, line)
+                self.assertIs(wait_for(addresses.speaks_otherwise(listening.getsockname()), 0.6), found, line)
                 serving.join()
         addresses.forget()
 
@@ -170,20 +174,19 @@ class Arrival(unittest.TestCase):
                 connection.recv(1)  # until the other end has given up
 
     def test_what_is_lost(self):
-        with mock.patch.object(addresses, "_unacknowledged", lambda connection: 1), mock.patch.object(lanes.session, "timeout", 0.1), \
-                socket.socket() as listening:
+        with mock.patch.object(addresses, "_unacknowledged", lambda connection: 1), socket.socket() as listening:
             listening.bind(("127.0.0.1", 0))
             listening.listen(1)
             where = listening.getsockname()
             silent = errors.Silent("/a", "no answer within 1s")
-            self.assertTrue(remedies.is_of_network(silent, where))
-            self.assertEqual(remedies.of_silence(silent, where, "/a").name, "network")
-        addresses.arrives.cache_clear()
+            self.assertTrue(wait_for(remedies.is_of_network(silent, where), 0.1))
+            self.assertEqual(wait_for(remedies.of_silence(silent, where, "/a"), 0.1).name, "network")
+        addresses.forget()
 
     def test_blame(self):
         for e, name in ((errors.Unreachable("/a", "connection lost"), "network"), (errors.ConnectionRefused("/a"), "restart"),
-                        (errors.Refused("/a", "CORBA.UNKNOWN"), "restart"), (errors.Silent("/a", lanes.NO_TIME), "more time")):
-            self.assertEqual(remedies.of_silence(e, ("198.51.100.1", 4000), "/a").name, name, e)
+                        (errors.Refused("/a", "CORBA.UNKNOWN"), "restart"), (errors.Silent("/a", session.NO_TIME), "more time")):
+            self.assertEqual(wait_for(remedies.of_silence(e, ("198.51.100.1", 4000), "/a")).name, name, e)
 
 
 class Shortages(unittest.TestCase):
@@ -194,13 +197,13 @@ class Shortages(unittest.TestCase):
 
     def test_a_connection_that_fails_here(self):
         for number, what in ((errno.EMFILE, "files"), (errno.EADDRNOTAVAIL, "ports"), (errno.ENOBUFS, "memory")):
-            with mock.patch.object(lanes.session, "shortage", None):
-                lanes.note_shortage(OSError(number, ""), "10.77.0.2")
-                self.assertEqual(lanes.session.shortage.args[0], what)
-        with mock.patch.object(lanes.session, "shortage", None):
-            lanes.note_shortage(OSError(errno.ECONNREFUSED, ""), "10.77.0.2")
-            lanes.note_shortage(OSError(errno.EADDRNOTAVAIL, ""), "::1")
-            self.assertIsNone(lanes.session.shortage)
+            now = session.Session()
+            now.note_shortage(OSError(number, ""), "10.77.0.2")
+            self.assertEqual(now.shortage.args[0], what)
+        now = session.Session()
+        now.note_shortage(OSError(errno.ECONNREFUSED, ""), "10.77.0.2")
+        now.note_shortage(OSError(errno.EADDRNOTAVAIL, ""), "::1")
+        self.assertIsNone(now.shortage)
 
 
 class Waiting(unittest.TestCase):
@@ -210,7 +213,7 @@ class Waiting(unittest.TestCase):
                 each.bind(("127.0.0.1", 0))
                 each.listen(1)
             with socket.create_connection(called.getsockname()):
-                ends = {one[1] for one in waiting._called_by(waiting._sockets(calling.getsockname()))}
+                ends = {one[1] for one in waiting._called_by(wait_for(waiting._sockets(calling.getsockname())))}
             self.assertIn(called.getsockname()[1], ends)
             self.assertNotIn(other.getsockname()[1], ends)
 

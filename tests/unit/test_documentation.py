@@ -12,6 +12,7 @@ import unittest
 import transcripts
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+PART = 3  # one in so many of its tests in a short run
 ONCE = "what is written does not depend on the Python"
 
 

@@ -7,16 +7,17 @@ import time
 import unittest
 
 import worlds
+import giop_peers
 from giop_peers import CLOSE, Peer, answer
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb
+from rtshell_lite.corba import orb
 from rtshell_lite.giop import descriptors, fixed_size, idl
 from rtshell_lite.corba.iiop import calls, client, connections
 from rtshell_lite.giop import marshal, messages, operations, references
 
 try:
     import omniORB
-    from rtshell_lite.corba import omni
+    from rtshell_lite.corba import omniorb
 except ImportError:
     omniORB = None
 
@@ -78,20 +79,15 @@ class References(unittest.TestCase):
         self.assertIs(client.narrow(one, "RTM.Manager").profiles, one.profiles)
 
 
-class Calls(unittest.TestCase):
+class Calls(giop_peers.Calls):
     """_non_existent of an object at a peer that does this and that."""
-
-    def setUp(self):
-        before = lanes.session
-        lanes.session = lanes.Session(2)
-        self.addCleanup(setattr, lanes, "session", before)
 
     def ask(self, *answers, times=1):
         self.peer = Peer(*answers)
         self.addCleanup(self.peer.close)
         ref = client.from_url("w", f"corbaloc::127.0.0.1:{self.peer.port}/x")
         for _ in range(times):
-            found = client.invoke(orb.Call("w", ref, "_non_existent"))
+            found = self.wait_for(orb.call("w", ref, "_non_existent"))
         return found
 
     def test_answers(self):
@@ -123,7 +119,7 @@ class Calls(unittest.TestCase):
         profiles = [references.at("127.0.0.1", port, key).profiles[0] for port, key in (
             (dead.getsockname()[1], b"here"), (peer.port, b"there"))]
         for _ in range(2):
-            client.invoke(orb.Call("w", references.Reference(b"", tuple(profiles)), "_non_existent"))
+            self.wait_for(orb.call("w", references.Reference(b"", tuple(profiles)), "_non_existent"))
             self.assertIn(b"there", peer.last)
 
     def test_a_process_that_was_started_again(self):
@@ -131,12 +127,11 @@ class Calls(unittest.TestCase):
         self.peer = Peer(answer(1, bytes(4)), answer(1, bytes(4)))
         self.addCleanup(self.peer.close)
         ref = client.narrow(client.from_url("w", f"corbaloc::127.0.0.1:{self.peer.port}/x"), "RTC.RTObject")
-        exit_it = orb.Call("w", ref, "exit")
-        client.invoke(exit_it)
+        self.wait_for(orb.call("w", ref, "exit"))
         connection, = connections._idle[ref.address[1:3]]
         self.peer.connection.shutdown(socket.SHUT_RDWR)
         select.select([connection.wanted()[0]], [], [], 5)
-        self.assertEqual(str(client.invoke(exit_it)), "RTC_OK")
+        self.assertEqual(str(self.wait_for(orb.call("w", ref, "exit"))), "RTC_OK")
 
     def test_connections_that_peers_have_closed_are_not_kept(self):
         self.ask(answer(1))
@@ -188,7 +183,7 @@ class Calls(unittest.TestCase):
         self.assertEqual(target.asked, 1)
 
     def test_deadlines(self):
-        lanes.session = lanes.Session(0.3)
+        self.session.timeout = 0.3
         start = time.monotonic()
         with self.assertRaises(errors.Silent):
             self.ask(b"GIOP")
@@ -200,7 +195,7 @@ class Calls(unittest.TestCase):
             peer = Peer(answer(1, struct.pack("<h", mode), messages.NEEDS_ADDRESSING_MODE), answer(2, b"\1"))
             self.addCleanup(peer.close)
             ref = client.from_url("w", f"corbaloc::127.0.0.1:{peer.port}/x")
-            self.assertIs(client.invoke(orb.Call("w", ref, "_non_existent")), True)
+            self.assertIs(self.wait_for(orb.call("w", ref, "_non_existent")), True)
             self.assertEqual(peer.last[20:24], struct.pack("<HH", mode, 0))
             profile = ref.profiles[0][1]
             where = 24 if mode == messages.PROFILE else 24 + 4 + 8 + 4  # after the index, the empty type, the count
@@ -215,7 +210,7 @@ class Calls(unittest.TestCase):
             first = client.from_url("w", "corbaloc::127.0.0.1:%d/x" % bound.getsockname()[1])
             second = client.from_url("w", f"corbaloc::127.0.0.1:{peer.port}/x")
             both = references.Reference(b"", first.profiles + second.profiles)
-            self.assertIs(client.invoke(orb.Call("w", both, "_non_existent")), True)
+            self.assertIs(self.wait_for(orb.call("w", both, "_non_existent")), True)
 
     def test_hostile_references(self):
         """Such that other ORBs end from are not taken, let alone sent on."""
@@ -256,11 +251,11 @@ class Calls(unittest.TestCase):
             bound.bind(("127.0.0.1", 0))
             ref = client.from_url("w", "corbaloc::127.0.0.1:%d/x" % bound.getsockname()[1])
             with self.assertRaises(errors.ConnectionRefused):
-                client.invoke(orb.Call("w", ref, "_non_existent"))
+                self.wait_for(orb.call("w", ref, "_non_existent"))
 
 
 @unittest.skipIf(omniORB is None, "needs omniORBpy")
-class Beside(unittest.TestCase):
+class Beside(giop_peers.Calls):
     """The same answers of mocks by both ORBs."""
 
     @classmethod
@@ -276,14 +271,14 @@ class Beside(unittest.TestCase):
         self.addCleanup(world.close)
         ref = references.from_text(worlds.Server.orb.object_to_string(world.component("ConsoleIn0")))
         component = client.narrow(ref, "OpenRTM.DataFlowComponent")
-        ours = client.invoke(orb.Call("w", component, "get_component_profile"))
+        ours = self.wait_for(orb.call("w", component, "get_component_profile"))
         theirs = world.component("ConsoleIn0").get_component_profile()
         for name in ("instance_name", "type_name", "vendor", "category"):
             self.assertEqual(getattr(ours, name), getattr(theirs, name))
-        self.assertEqual(client.properties(ours.properties), omni.properties(theirs.properties))
+        self.assertEqual(client.properties(ours.properties), omniorb.properties(theirs.properties))
         port = ours.port_profiles[0]
-        self.assertEqual(client.properties(port.properties), omni.properties(theirs.port_profiles[0].properties))
-        self.assertEqual(client.address(port.port_ref), omni.address(theirs.port_profiles[0].port_ref))
+        self.assertEqual(client.properties(port.properties), omniorb.properties(theirs.port_profiles[0].properties))
+        self.assertEqual(client.address(port.port_ref), omniorb.address(theirs.port_profiles[0].port_ref))
 
     def test_user_exceptions(self):
         world = worlds.World("two")
@@ -291,7 +286,7 @@ class Beside(unittest.TestCase):
         root = client.narrow(client.from_url("w", "corbaloc::127.0.0.1:%d/NameService" % worlds.Server.port), "CosNaming.NamingContext")
         name = [idl.struct("CosNaming.NameComponent")("nobody", "")]
         with self.assertRaises(errors.Refused) as caught:
-            client.invoke(orb.Call("w", root, "resolve", name))
+            self.wait_for(orb.call("w", root, "resolve", name))
         self.assertEqual(caught.exception.name, "NotFound")
 
 

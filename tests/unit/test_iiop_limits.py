@@ -11,8 +11,9 @@ from unittest import mock
 
 from giop_peers import Calls, Peer, Script, answer
 from rtshell_lite import errors
-from rtshell_lite.corba import hosts, lanes, orb
+from rtshell_lite.corba import hosts, orb, session
 from rtshell_lite.giop import cdr, descriptors
+from rtshell_lite.net import loop
 from rtshell_lite.corba.iiop import client, connections
 from rtshell_lite.giop import marshal, messages, operations
 
@@ -46,27 +47,27 @@ class Time(Calls):
         async def ask():
             for number in range(10):
                 if number == 3:
-                    lanes.session.end = time.monotonic() - 1
+                    self.session.end = time.monotonic() - 1
                 try:
-                    asked.append(await orb.Call("w", peer.ref, "_non_existent"))
+                    asked.append(await orb.call("w", peer.ref, "_non_existent"))
                 except errors.Silent as e:
                     asked.append(e.why)
         self.run_tasks((peer.ref, ask))
-        self.assertEqual(asked, [False] * 3 + [lanes.NO_TIME] * 7)
+        self.assertEqual(asked, [False] * 3 + [session.NO_TIME] * 7)
 
     def test_one_late_forward_is_none_too_many(self):
         """A name server gets many questions at once, and each of its answers restarts the clock of all."""
-        lanes.session.timeout = 0.5
+        self.session.timeout = 0.5
         body = bytearray(24)
         marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(body, self.script_of(lambda number: answer(number)).ref)
         names = Slowly(lambda number: answer(number, bytes(body[24:]), messages.FORWARD))
         self.addCleanup(names.close)
         begun = time.monotonic()
         self.assertEqual(self.run_tasks(*[self.asking(client.narrow(names.ref, "CosNaming.NamingContext"))] * 12), [False] * 12)
-        self.assertGreater(time.monotonic() - begun, 2 * lanes.session.timeout)
+        self.assertGreater(time.monotonic() - begun, 2 * self.session.timeout)
 
     def test_forwards_take_no_longer_than_three_answers(self):
-        lanes.session.timeout = 0.6
+        self.session.timeout = 0.6
         body = bytearray(24)
 
         def play(pending):
@@ -80,7 +81,7 @@ class Time(Calls):
         marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(body, peer.ref)
         begun = time.monotonic()
         with self.assertRaisesRegex(errors.Unreachable, "forwarded again and again|no answer"):
-            client.invoke(orb.Call("w", peer.ref, "_non_existent"))
+            self.wait_for(orb.call("w", peer.ref, "_non_existent"))
         self.assertLess(time.monotonic() - begun, 2.4)  # eight forwards took 3.2
 
 
@@ -99,27 +100,27 @@ class Connections(Calls):
         stale = []
         for _ in range(3):
             one = connections.Connection(endpoint)
-            one.waits_for, one.has_answered, one._ways = None, True, None
+            one.waits_for, one.has_answered, one._candidates = None, True, None
             one._socket, far = _socket.socketpair()
             stale.append((one, far))
         connections._idle[endpoint] = [one for one, _ in stale]
         with mock.patch.object(connections.Connection, "is_idle", lambda self: True):  # nobody has told us
             for _, far in stale:
                 far.close()
-            self.assertIs(client.invoke(orb.Call("w", ref, "_non_existent")), False)
+            self.assertIs(self.wait_for(orb.call("w", ref, "_non_existent")), False)
         self.assertEqual(peer.asked, 1)
 
     def test_files_that_idle_ones_use(self):
         first, second = [self.script_of(lambda number: answer(number)) for _ in range(2)]
-        client.invoke(orb.Call("w", first.ref, "_non_existent"))
+        self.wait_for(orb.call("w", first.ref, "_non_existent"))
 
         def scarce(*args):
             if connections._idle.get(first.ref.address[1:3]):
                 raise OSError(errno.EMFILE, "Too many open files")
             return _socket.socket(*args)
         with mock.patch.object(connections, "_socket", types.SimpleNamespace(**dict(vars(_socket), socket=scarce))):
-            self.assertIs(client.invoke(orb.Call("w", second.ref, "_non_existent")), False)
-        self.assertIsNone(lanes.session.shortage)
+            self.assertIs(self.wait_for(orb.call("w", second.ref, "_non_existent")), False)
+        self.assertIsNone(self.session.shortage)
 
 
 class Names(Calls):
@@ -131,7 +132,7 @@ class Names(Calls):
 
     def test_few_are_looked_up_at_a_time(self):
         """Each takes a thread, and a hostile name server gives thousands."""
-        lanes.session.timeout = 0.5
+        self.session.timeout = 0.5
         free, most = threading.Event(), []
 
         def hanging(host, port, family, kind, protocol, flags):
@@ -146,12 +147,12 @@ class Names(Calls):
             free.set()
             while hosts._looking_up:
                 time.sleep(0.01)
-        self.assertEqual({error.why for error in found}, {lanes.no_answer(0.5)})
+        self.assertEqual({error.why for error in found}, {session.no_answer(0.5)})
         self.assertLessEqual(max(most) - before, hosts.MOST)
 
     def test_a_dead_host_with_many_processes(self):
         """Its name is looked up once, and others are looked up beside it."""
-        lanes.session.timeout = 1.0
+        self.session.timeout = 1.0
         free, asked = threading.Event(), []
         self.addCleanup(free.set)
         peer = self.script_of(lambda number: answer(number))
@@ -171,14 +172,14 @@ class Names(Calls):
         with mock.patch.object(hosts._socket, "getaddrinfo", found):
             values = self.run_tasks(*map(self.asking, refs))
         self.assertIs(values.pop(), False)
-        self.assertEqual({error.why for error in values}, {lanes.no_answer(1.0)})
+        self.assertEqual({error.why for error in values}, {session.no_answer(1.0)})
         self.assertEqual(sorted(asked), [b"off.example", b"on.example"])
 
     def test_out_of_threads(self):
         """It costs the name, not all that is asked."""
         peer = self.script_of(lambda number: answer(number))
         ref = client.from_url("w", "corbaloc::robot.example:1/x")
-        with mock.patch.object(lanes, "start", side_effect=errors.Shortage("threads", "no more")):
+        with mock.patch.object(loop, "start_thread", side_effect=errors.Shortage("threads", "no more")):
             lost, found = self.run_tasks(self.asking(ref), self.asking(peer.ref))
         self.assertIs(found, False)
         self.assertIn("out of threads here: no more", lost.why)

@@ -14,6 +14,8 @@ from rtshell_lite.corba import hosts, orb
 from rtshell_lite.corba.iiop import calls, client, connections
 from rtshell_lite.giop import messages
 
+PART = 3  # one in so many of its tests in a short run
+
 
 class Loop(Calls):
     """Many calls at once on this thread."""
@@ -30,7 +32,7 @@ class Loop(Calls):
         done, peer = [], self.script(play)
 
         async def ask():
-            return await orb.Call("w", peer.ref, "_non_existent")
+            return await orb.call("w", peer.ref, "_non_existent")
 
         values = self.run_tasks(*[(peer.ref, ask)] * 10)
         self.assertEqual(values, [True, False] * 5)
@@ -48,7 +50,7 @@ class Loop(Calls):
         context = client.narrow(peer.ref, "CosNaming.NamingContext")
 
         async def ask():
-            return await orb.Call("w", context, "_non_existent")
+            return await orb.call("w", context, "_non_existent")
 
         self.assertEqual(self.run_tasks(*[(peer.ref, ask)] * 30), [False] * 30)
 
@@ -70,7 +72,7 @@ class Loop(Calls):
         peer = self.script(play)
 
         async def ask():
-            return await orb.Call("w", peer.ref, "_non_existent")
+            return await orb.call("w", peer.ref, "_non_existent")
 
         self.assertEqual(self.run_tasks(*[(peer.ref, ask)] * 2), [False, True])
 
@@ -80,7 +82,7 @@ class Loop(Calls):
 
         async def outcome(interface, operation):
             try:
-                return await orb.Call("w", client.narrow(peer.ref, interface), operation)
+                return await orb.call("w", client.narrow(peer.ref, interface), operation)
             except errors.Unreachable as e:
                 return e.why
 
@@ -147,7 +149,7 @@ class Loop(Calls):
 
             async def ask():
                 try:
-                    return await orb.Call("w", client.narrow(peer.ref, "RTC.RTObject"), "exit")
+                    return await orb.call("w", client.narrow(peer.ref, "RTC.RTObject"), "exit")
                 finally:
                     ended.append(time.monotonic() - start)
 
@@ -195,15 +197,15 @@ class Loop(Calls):
         ref = client.narrow(peer.ref, "RTC.RTObject")
 
         async def twice():
-            await orb.Call("w", ref, "exit")
-            return await orb.Call("w", ref, "exit")
+            await orb.call("w", ref, "exit")
+            return await orb.call("w", ref, "exit")
 
         value, = self.run_tasks((ref, twice))
         self.assertEqual((value.why, asked), ("connection lost", [2]))
 
     def test_what_was_given_up_before_there_was_a_connection_is_not_sent(self):
         connection = connections.Connection(("127.0.0.1", self.script_of(answer).ref.address.port))
-        request = calls.Request(orb.Call("w", client.from_url("w", "corbaloc::127.0.0.1:1/x"), "_non_existent"), None)
+        request = calls.Request(orb.Call("w", client.from_url("w", "corbaloc::127.0.0.1:1/x"), "_non_existent", (), None), None)
         connection.send(request)
         connection.give_up(1)
         connection.send(request)
@@ -220,7 +222,7 @@ class Loop(Calls):
         peer = self.script(lambda pending: answer(pending.pop(0)[0]) if pending else None)
 
         async def ask(operation, *args):
-            return await orb.Call("w", peer.ref, operation, *args)
+            return await orb.call("w", peer.ref, operation, *args)
         wrong, right = self.run_tasks((peer.ref, lambda: ask("_is_a", "a\0b")), (peer.ref, lambda: ask("_non_existent")))
         self.assertIsInstance(wrong, errors.Refused)
         self.assertIs(right, False)
@@ -240,7 +242,7 @@ class Loop(Calls):
         losses, peer = [], self.script(play)
 
         async def ask():
-            return await orb.Call("w", peer.ref, "_non_existent")
+            return await orb.call("w", peer.ref, "_non_existent")
 
         self.assertEqual(self.run_tasks((peer.ref, ask)), [False])
         self.assertEqual(self.run_tasks(*[(peer.ref, ask)] * 3), [False] * 3)
@@ -270,7 +272,7 @@ class Loop(Calls):
         slow, here = [client.from_url("w", f"corbaloc::{host}:{peer.ref.address.port}/x") for host in ("slow.example", "localhost")]
 
         async def ask(ref):
-            return await orb.Call("w", ref, "_non_existent")
+            return await orb.call("w", ref, "_non_existent")
 
         values = self.run_tasks((slow, lambda: ask(slow)), (here, lambda: ask(here)))
         go_on.set()

@@ -6,10 +6,12 @@ import unittest
 
 from giop_peers import Calls, answer
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, orb, tasks
+from rtshell_lite.corba import orb, session
 from rtshell_lite.giop import descriptors
-from rtshell_lite.corba.iiop import client
+from rtshell_lite.net import loop
 from rtshell_lite.giop import marshal, messages
+
+PART = 3  # one in so many of its tests in a short run
 
 
 class Silence(Calls):
@@ -17,7 +19,7 @@ class Silence(Calls):
 
     def test_a_silent_process_that_another_forwards_to(self):
         """It is the one that is not asked again; who forwarded lives."""
-        lanes.session = lanes.Session(0.5)
+        self.session = session.Session(0.5)
         silent = self.script(lambda pending: None)
         body = bytearray(24)
         marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(body, silent.ref)
@@ -27,14 +29,14 @@ class Silence(Calls):
             for value in found:
                 self.assertEqual((type(value), value.why), (errors.Unreachable, "no answer within 0.5s"))
         with self.assertRaises(errors.Unreachable) as caught:
-            client.invoke(orb.Call("w", forwarding.ref, "_non_existent"))
+            self.wait_for(orb.call("w", forwarding.ref, "_non_existent"))
         self.assertNotIsInstance(caught.exception, errors.Silent)
-        self.assertEqual(list(lanes.session.silent), [silent.ref.address[1:3]])
+        self.assertEqual(list(self.session.silent), [silent.ref.address[1:3]])
         self.assertLess(time.monotonic() - start, 1.4)
 
     def test_questions_that_were_never_sent_show_no_silence(self):
         """Those that wait for their turn behind a hung process fail, and do not take with them what was sent since."""
-        lanes.session = lanes.Session(1)
+        self.session = session.Session(1)
         begun = time.monotonic()
 
         def play(pending):
@@ -49,8 +51,8 @@ class Silence(Calls):
         peer = self.script(play)
 
         async def late():
-            await tasks.Sleep(1.25)
-            return await orb.Call("w", peer.ref, "_non_existent")
+            await loop.sleep(1.25)
+            return await orb.call("w", peer.ref, "_non_existent")
 
         values = self.run_tasks(*[self.asking(peer.ref)] * 4 + [(peer.ref, late)] * 8)
         self.assertEqual([type(value) for value in values[:4]], [errors.Silent] * 4)
@@ -58,7 +60,7 @@ class Silence(Calls):
 
     def test_answers_that_came_while_we_were_stopped(self):
         """More than is taken in one round."""
-        lanes.session = lanes.Session(0.5)
+        self.session = session.Session(0.5)
         peer = self.script_of(lambda number: answer(number, b"\0" + bytes(9000)))
         values = self.run_tasks(*[self.asking(peer.ref)] * 4, self.blocking(0.2, 1.5))
         self.assertEqual(values, [False] * 4 + ["blocked"])
@@ -66,14 +68,14 @@ class Silence(Calls):
     def blocking(self, before, seconds):
         """A job that blocks the thread for so long, as a stop of the process does."""
         async def block():
-            await tasks.Sleep(before)
+            await loop.sleep(before)
             time.sleep(seconds)
             return "blocked"
         return self.script_of(answer).ref, block
 
     def test_answers_that_come_while_a_task_blocks(self):
         """They are taken before anybody is given up."""
-        lanes.session = lanes.Session(1)
+        self.session = session.Session(1)
 
         def at_once(pending):
             replies = b"".join(answer(number) for number, _ in pending)
@@ -89,19 +91,19 @@ class Silence(Calls):
         refs = iter([one.ref, third.ref])
 
         async def block():
-            await orb.Call("w", next(refs), "_non_existent")
+            await orb.call("w", next(refs), "_non_existent")
             blocking.set()
             time.sleep(1.5)
             return "blocked"
 
         async def ask():
-            return await orb.Call("w", other.ref, "_non_existent")
+            return await orb.call("w", other.ref, "_non_existent")
 
         values = self.run_tasks((one.ref, block), (third.ref, block), (other.ref, ask))
         self.assertEqual(values, ["blocked", "blocked", False])
 
     def test_one_hung_object_costs_itself(self):
-        lanes.session = lanes.Session(0.5)
+        self.session = session.Session(0.5)
 
         def play(pending):
             replies = b"".join(answer(number) for number, operation in pending if operation == b"_non_existent")
@@ -111,46 +113,46 @@ class Silence(Calls):
         peer = self.script(play)
 
         async def hang():
-            await orb.Call("w", peer.ref, "_is_a", "x")
+            await orb.call("w", peer.ref, "_is_a", "x")
 
         async def ask():
             for _ in range(20):
-                await tasks.Sleep(0.02)
-                await orb.Call("w", peer.ref, "_non_existent")
+                await loop.sleep(0.02)
+                await orb.call("w", peer.ref, "_non_existent")
             return "answered"
 
         hung, *others = self.run_tasks((peer.ref, hang), *[(peer.ref, ask)] * 8)
         self.assertIsInstance(hung, errors.Silent)
         self.assertEqual(others, ["answered"] * 8)
-        self.assertEqual(lanes.session.silent, {})
+        self.assertEqual(self.session.silent, {})
 
     def test_a_hung_process_costs_one_timeout(self):
-        lanes.session = lanes.Session(0.3)
+        self.session = session.Session(0.3)
         silent, lively = self.script(lambda pending: None), self.script(lambda pending: answer(pending[-1][0]) if pending else None)
 
         async def ask_silent():
-            await orb.Call("w", silent.ref, "_non_existent")
+            await orb.call("w", silent.ref, "_non_existent")
 
         async def ask():
-            return await orb.Call("w", lively.ref, "_non_existent")
+            return await orb.call("w", lively.ref, "_non_existent")
 
         async def ask_both():
             try:
-                await orb.Call("w", silent.ref, "_non_existent")
+                await orb.call("w", silent.ref, "_non_existent")
             except errors.Unreachable as e:
-                return type(e), await orb.Call("w", lively.ref, "_non_existent")
+                return type(e), await orb.call("w", lively.ref, "_non_existent")
 
         start = time.monotonic()
         values = self.run_tasks(*[(silent.ref, ask_silent)] * 50, (lively.ref, ask), (lively.ref, ask_both))
         self.assertLess(time.monotonic() - start, 3)  # it would be 3.9 s with one for each four of the questions
         self.assertEqual({type(value) for value in values[:50]}, {errors.Silent})
         self.assertEqual(values[50:], [False, (errors.Unreachable, False)])
-        self.assertIn(silent.ref.address[1:3], lanes.session.silent)
+        self.assertIn(silent.ref.address[1:3], self.session.silent)
         self.assertIsInstance(self.run_tasks((silent.ref, ask_silent))[0], errors.Silent)  # not asked again so soon
 
     def test_a_process_that_hangs_after_some_answers_costs_one_timeout(self):
         """Answers that came while a request waited for its turn are no sign of life after it was sent."""
-        lanes.session = lanes.Session(3)
+        self.session = session.Session(3)
         hung = [False]
 
         def play(pending):
@@ -163,7 +165,7 @@ class Silence(Calls):
         peer = self.script(play)
 
         async def ask():
-            return await orb.Call("w", peer.ref, "_non_existent")
+            return await orb.call("w", peer.ref, "_non_existent")
 
         start = time.monotonic()
         values = self.run_tasks(*[(peer.ref, ask)] * 100)
@@ -172,17 +174,17 @@ class Silence(Calls):
 
     def test_the_end_of_the_session(self):
         peer = self.script(lambda pending: None)
-        lanes.session.end = time.monotonic() + 0.2
+        self.session.end = time.monotonic() + 0.2
 
         async def ask():
-            await orb.Call("w", peer.ref, "_non_existent")
+            await orb.call("w", peer.ref, "_non_existent")
 
-        self.assertEqual([value.why for value in self.run_tasks((peer.ref, ask), (peer.ref, ask))], [lanes.NO_TIME] * 2)
-        self.assertEqual(lanes.session.silent, {})
+        self.assertEqual([value.why for value in self.run_tasks((peer.ref, ask), (peer.ref, ask))], [session.NO_TIME] * 2)
+        self.assertEqual(self.session.silent, {})
 
     def test_fragments_without_end(self):
         """They do not keep us from others, nor from giving up."""
-        lanes.session = lanes.Session(0.5)
+        self.session = session.Session(0.5)
         whole = answer(1)
         crumb = b"GIOP\1\2\3\7" + struct.pack("<II", 6, 1) + b"ab"
         endless, other = self.script(lambda pending: pending and (whole[:6] + b"\3" + whole[7:] + crumb * 2000000)), self.script_of(answer)

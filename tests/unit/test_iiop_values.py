@@ -14,7 +14,7 @@ from rtshell_lite.giop import allowance, marshal, operations, typecodes
 try:
     import omniORB
     from omniORB import CORBA
-    from rtshell_lite.corba import omni
+    from rtshell_lite.corba import omniorb
     from mock_components.idl import RTC
 except ImportError:
     omniORB = None
@@ -50,7 +50,7 @@ class Values(unittest.TestCase):
     """An any as omniORB writes it."""
 
     def setUp(self):
-        self.orb = omni.start()
+        self.orb = omniorb.start()
 
     def read(self, typecode, value, little=True):
         data = omniORB.cdrMarshal(CORBA.TC_any, CORBA.Any(typecode, value), little)

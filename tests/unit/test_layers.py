@@ -8,15 +8,18 @@ import unittest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
+PART = 5  # one in so many of its tests in a short run
 ONCE = "it reads the source: one Python is enough"
 
 # Files and packages of rtshell_lite import from those before them, never from those after them.
-ORDER = """__init__ start errors interrupts text files path idl_stubs giop corba options cli
-           robot data xmlprofile datalog system events views mount top doctor shell api __main__ bin""".split()
+ORDER = """__init__ start errors notes text files path idl_stubs giop net corba options
+           robot data xmlprofile datalog system events views mount top doctor shell api cli __main__ bin""".split()
 OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only, like stubs
 PRINTING = ("bin", "__main__.py", "cli.py", "options.py", "system/reports.py")
-CATCH_ALL = ("cli.py", "corba/lanes.py", "corba/pool.py", "corba/tasks.py", "corba/iiop/loop.py", "corba/iiop/server.py", "mount/asking.py",
-             "mount/server.py", "mount/streams.py")
+CATCH_ALL = ("cli.py", "api.py", "net/loop.py", "corba/omniorb.py", "corba/iiop/server.py", "mount/attempt.py",
+             "mount/server.py")
+DOORS = ("cli.py", "api.py", "shell/prompt.py")  # where a loop is entered
+THREADS = ("net/loop.py", "corba/omniorb.py", "corba/answers.py")  # which may import threading; the last has data of each thread
 
 
 def below(directory):
@@ -130,6 +133,47 @@ class Layers(unittest.TestCase):
         self.assertEqual([(path, lines) for path, lines in wrong if lines], [])
 
 
+class OneColour(unittest.TestCase):
+    """What may ask a peer is a coroutine; nothing else waits."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.trees = {path: parsed(path) for path in below("rtshell_lite") + below("bin")}
+
+    def uses(self, module, attribute):
+        """(path, line) of each use of an attribute of a module."""
+        return [(path, node.lineno) for path, tree in self.trees.items() for node in walk(tree)
+                if isinstance(node, ast.Attribute) and node.attr == attribute and isinstance(node.value, ast.Name)
+                and node.value.id == module]
+
+    def test_nobody_sleeps(self):
+        self.assertEqual(self.uses("time", "sleep"), [])
+
+    def test_threads_have_few_homes(self):
+        wrong = [(path, dotted) for path, tree in self.trees.items() for dotted, _ in imports(tree)
+                 if dotted.split(".")[0] in ("threading", "queue", "asyncio", "concurrent") and not is_in(path, THREADS)]
+        self.assertEqual(wrong, [])
+        started = [path for path, _ in self.uses("loop", "start_thread")]
+        self.assertLessEqual(set(started), {"rtshell_lite/" + path for path in (
+            "cli.py", "api.py", "corba/hosts.py", "corba/omniorb.py", "doctor/limits.py", "datalog/recorder.py")})
+
+    def test_loops_have_few_doors(self):
+        wrong = [(path, line) for path, line in self.uses("loop", "run") if not is_in(path, DOORS)]
+        self.assertEqual(wrong, [])
+
+    def test_coroutines_are_awaited(self):
+        """A call of a coroutine function of the same file that stands alone does nothing."""
+        wrong = []
+        for path, tree in self.trees.items():
+            own = {node.name for node in walk(tree) if isinstance(node, ast.AsyncFunctionDef) and not node.decorator_list}
+            own -= {node.name for node in walk(tree) if isinstance(node, ast.FunctionDef)}
+            for node in walk(tree):
+                value = node.value if isinstance(node, ast.Expr) else None
+                if isinstance(value, ast.Call) and own_name(value.func) in own:
+                    wrong.append((path, node.lineno))
+        self.assertEqual(wrong, [])
+
+
 class Rules(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -159,7 +203,7 @@ class Rules(unittest.TestCase):
             for node in walk(tree):
                 if isinstance(node, ast.ExceptHandler):
                     catch_all = node.type is not None and names(node.type) & {"Exception", "BaseException"}
-                    free = path.startswith(("tests", "mock_components")) or is_in(path, CATCH_ALL)
+                    free = path.startswith(("tests", "mock_components")) or is_in(path, CATCH_ALL) or raises_again(node)
                     if node.type is None or catch_all and not free:
                         yield node.lineno
         self.check(faults)
@@ -168,6 +212,21 @@ class Rules(unittest.TestCase):
     def test_syntax_of_3_6(self):
         for path in self.trees:
             ast.parse(source(path), path, feature_version=(3, 6))
+        self.check(lambda path, tree: [node.lineno for node in walk(tree) if isinstance(node, ast.JoinedStr)
+                                       and any(isinstance(inner, ast.Await) for inner in ast.walk(node))])
+
+
+def own_name(function):
+    """`name` of a call of name(…) or self.name(…), else None."""
+    if isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name) and function.value.id == "self":
+        return function.attr
+    return getattr(function, "id", None)
+
+
+def raises_again(handler):
+    """Whether an exception goes on after its handler."""
+    last = handler.body[-1]
+    return isinstance(last, ast.Raise) and last.exc is None
 
 
 def names(node):

@@ -11,6 +11,7 @@ except ImportError:
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
+from rtshell_lite.net import loop
 from rtshell_lite.robot import manager
 
 
@@ -50,9 +51,12 @@ class Argument(unittest.TestCase):
         for most, reason in (("0", "a wrong argument, or its own initialisation failed"),
                              ("10", "a wrong argument, its max_instance of 10 is reached, or its own initialisation failed")):
             factories = [{"implementation_id": "Motor", "max_instance": most}, {"implementation_id": "Sensor"}]
-            with mock.patch.object(manager, "modules", lambda node, operation: factories):
-                self.assertEqual(manager._why_not(None, "Motor?a=1"), reason)
-                self.assertEqual(manager._why_not(None, "Arm"), "no factory Arm; there are: Motor, Sensor")
+
+            async def modules(node, operation):
+                return factories
+            with mock.patch.object(manager, "modules", modules):
+                self.assertEqual(loop.run(manager._why_not(None, "Motor?a=1")), reason)
+                self.assertEqual(loop.run(manager._why_not(None, "Arm")), "no factory Arm; there are: Motor, Sensor")
 
 
 if __name__ == "__main__":

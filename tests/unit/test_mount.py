@@ -1,15 +1,14 @@
 """rtmount without a kernel: messages as octets, names of files, questions that are shared."""
-import os
-import signal
+import errno
 import struct
-import threading
 import time
 import unittest
 from unittest import mock
 
-from rtshell_lite import errors
-from rtshell_lite.corba import lanes
-from rtshell_lite.mount import asking, kernel, nodes, server, streams, wire
+from rtshell_lite import errors, notes
+from rtshell_lite.corba import session
+from rtshell_lite.mount import cache, kernel, nodes, openfile, server, streams, wire
+from rtshell_lite.net import loop
 from rtshell_lite.path import Name
 
 
@@ -20,52 +19,8 @@ def packed(opcode, body=b"", unique=7, node=1):
 class Systems(unittest.TestCase):
     def test_those_that_are_not_linux(self):
         with mock.patch("sys.platform", "darwin"), self.assertRaises(errors.Failed) as caught:
-            kernel.check("/")
+            loop.run(kernel.check("/"))
         self.assertEqual(str(caught.exception), "rtmount: works on Linux only")
-
-
-class Ended(Exception):
-    pass
-
-
-class Signals(unittest.TestCase):
-    """A server that waits for a request ends at once, also if the signal reaches another of its threads, or comes just before."""
-
-    def setUp(self):
-        before = signal.signal(signal.SIGUSR1, self.end)
-        self.addCleanup(signal.signal, signal.SIGUSR1, before)
-        self.ours, self.theirs = os.pipe()
-        self.addCleanup(os.close, self.ours)
-        self.addCleanup(os.close, self.theirs)
-
-    def end(self, number, frame):
-        raise Ended()
-
-    def test_one_that_reaches_another_thread(self):
-        def strike():
-            time.sleep(0.05)  # usually the main thread waits by then; if not, nothing changes
-            signal.pthread_kill(threading.get_ident(), signal.SIGUSR1)
-        safety = threading.Timer(20, os.write, (self.theirs, b"!"))
-        safety.start()
-        thread = threading.Thread(target=strike)
-        begun = time.monotonic()
-        with self.assertRaises(Ended), server.Waiting(self.ours) as waiting:
-            thread.start()
-            waiting.wait()
-        thread.join()
-        safety.cancel()
-        self.assertLess(time.monotonic() - begun, 10)
-
-    def test_requests_and_signals_that_mean_nothing(self):
-        signal.signal(signal.SIGUSR1, lambda number, frame: None)
-        with server.Waiting(self.ours) as waiting:
-            for _ in range(3):
-                os.kill(os.getpid(), signal.SIGUSR1)
-                waiting.wait()
-            os.write(self.theirs, b"!")
-            waiting.wait()
-        self.assertEqual(os.read(self.ours, 1), b"!")
-        self.assertEqual(signal.set_wakeup_fd(-1), -1)
 
 
 class Wire(unittest.TestCase):
@@ -83,7 +38,7 @@ class Wire(unittest.TestCase):
         self.assertEqual((asked.opcode, asked.unique, asked.node, asked.pid), (wire.LOOKUP, 7, 1, 4711))
         self.assertEqual(wire.names(asked.body), ["a.rtc"])
 
-    def test_what_is_no_request(self):
+    def test_other_octets_are_no_request(self):
         for data in (b"", b"x" * 39, packed(wire.LOOKUP) + b"x"):
             self.assertRaises(ValueError, wire.request, data)
 
@@ -142,161 +97,430 @@ class Names(unittest.TestCase):
         self.assertEqual(list(nodes.unique(["a", "a", "b", "a", "a~2"])), ["a", "a~2", "b", "a~3", "a~2~2"])
 
 
-class Feeds(unittest.TestCase):
+class Case(unittest.TestCase):
+    """What runs on a loop, in a Group `self.tasks`."""
+
+    def run_in_group(self, function):
+        """The result of function(), a coroutine function; what it has begun is cancelled then."""
+        async def run():
+            self.tasks = loop.Group()
+            async with self.tasks:
+                try:
+                    return await function()
+                finally:
+                    self.tasks.cancel()
+        return loop.run(run(), session=session.Session(60))
+
+
+async def settle():
+    """Let all other tasks go on until they wait."""
+    for _ in range(10):
+        await loop.sleep(0.002)
+
+
+class Feeds(Case):
     """Lines that come from a component, given to those who read at the moment."""
 
-    def setUp(self):
-        self.todo, self.served = [], []
-        changes = mock.Mock(start=lambda key, function, most: self.todo.append(function))
-        self.feed = streams.Feed(mock.Mock(changes=changes, streams=set()), "values", self.begin)
-
-    def begin(self, publish):
+    async def follow(self, publish):
         """A connection, which gives a last line as it is closed."""
+        self.connections += 1
         publish(lambda: "first")
-        return mock.Mock(close=lambda: publish(lambda: "last"))
+        try:
+            await self.end.wait()
+        finally:
+            publish(lambda: "last")
+            await self.closed
+        raise errors.Failed("connection", "lost")
+
+    def prepare(self):
+        self.connections, self.served, self.errors = 0, [], []
+        self.end, self.closed = loop.Bell(), loop.Wait()
+        self.feed = streams.Feed(mock.Mock(tasks=self.tasks), self.follow)
 
     def reader(self):
-        reader = mock.Mock(put=self.served.append)
+        reader = mock.Mock(put=self.served.append, end=self.errors.append)
         self.feed.attach(reader)
         return reader
 
-    def settle(self):
-        self.todo.pop(0)()
+    def test_a_reader_that_comes_as_a_connection_ends_gets_the_lines_of_the_next(self):
+        async def check():
+            self.prepare()
+            first = self.reader()
+            await settle()
+            self.feed.detach(first)
+            await settle()
+            self.reader()
+            await settle()
+            self.assertEqual((self.served, self.connections), (["first"], 1))
+            self.closed.done()
+            await settle()
+            self.assertEqual((self.served, self.connections), (["first", "first"], 2))
+        self.run_in_group(check)
 
-    def test_who_comes_as_a_connection_ends_gets_the_lines_of_the_next(self):
-        first = self.reader()
-        self.settle()
-        self.feed.detach(first)
-        with mock.patch.object(self.feed, "close", lambda close=self.feed.close: (self.reader(), close())):
-            self.settle()
-        self.assertEqual(self.served, ["first"])
-        self.settle()
-        self.assertEqual(self.served, ["first", "first"])
+    def test_a_reader_that_comes_before_that_shares_the_connection(self):
+        async def check():
+            self.prepare()
+            self.closed.done()
+            first = self.reader()
+            await settle()
+            self.feed.detach(first)
+            second = self.reader()
+            await settle()
+            self.feed.detach(second)
+            await settle()
+            self.assertEqual((self.served, self.connections), (["first"], 1))
+        self.run_in_group(check)
 
-    def test_who_comes_before_that_shares_the_connection(self):
-        first = self.reader()
-        self.settle()
-        self.feed.detach(first)
-        self.reader()
-        self.settle()
-        self.settle()
-        self.feed.close()
-        self.assertEqual(self.served, ["first", "last"])
+    def test_its_failure_is_that_of_its_readers_and_the_next_one_connects(self):
+        async def check():
+            self.prepare()
+            self.closed.done()
+            self.reader()
+            await settle()
+            self.end.ring()
+            await settle()
+            self.assertEqual(list(map(str, self.errors)), ["connection: lost"])
+            self.reader()
+            await settle()
+            self.assertEqual((self.connections, len(self.errors)), (2, 1))
+        self.run_in_group(check)
 
 
-class Asking(unittest.TestCase):
-    """Thousands of requests need few threads and few questions."""
+class Streams(Case):
+    """Lines wait for a reader, or the reader for a line."""
 
-    def setUp(self):
-        self.failures = []
-        self.crew, self.kept = asking.Crew(self.failures.append), asking.Kept()
-        self.gate, self.calls = threading.Event(), []
+    def prepare(self, limit=None):
+        self.mount = mock.Mock(tasks=self.tasks)
+        return streams.StreamFile(self.mount, mock.Mock(), "values", limit)
 
-    def source(self, seconds, endpoint="peer"):
-        def ask():
-            self.calls.append(endpoint)
-            self.gate.wait(60)
-            return len(self.calls)
-        return asking.Source(self.crew, self.kept, lambda: (endpoint, endpoint), ask, seconds)
+    def test_pieces_of_lines(self):
+        async def check():
+            stream = self.prepare()
+            stream.put("1234567")
+            stream.put("8")
+            self.assertEqual([await stream.read(0, 4) for _ in range(3)], [b"1234", b"567\n", b"8\n"])
+        self.run_in_group(check)
 
-    def answers(self, source, count):
-        """Want the value `count` times, then let the peer answer; the values."""
-        values, came = [], threading.Semaphore(0)
+    def test_readers_wait(self):
+        async def check():
+            stream, came = self.prepare(), []
 
-        def take(value):
-            values.append(value)
-            came.release()
+            async def read():
+                came.append(await stream.read(0, 100))
+            for _ in range(3):
+                self.tasks.start(read())
+            await settle()
+            stream.put("a")
+            await settle()
+            self.assertEqual(came, [b"a\n"])
+            stream.put("b")
+            stream.put("c")
+            await settle()
+            self.assertEqual(sorted(came), [b"a\n", b"b\n", b"c\n"])
+        self.run_in_group(check)
+
+    def test_a_limit(self):
+        async def check():
+            stream = self.prepare(1)
+            stream.put("a")
+            self.assertFalse(stream.wants_more())
+            self.assertEqual([await stream.read(0, 100) for _ in range(2)], [b"a\n", b""])
+        self.run_in_group(check)
+
+    def test_a_failure_comes_after_the_lines(self):
+        async def check():
+            stream = self.prepare()
+            stream.put("a")
+            stream.end(errors.Failed("port", "gone"))
+            self.assertEqual(await stream.read(0, 100), b"a\n")
+            with self.assertRaises(errors.Failed):
+                await stream.read(0, 100)
+        self.run_in_group(check)
+
+    def test_lines_for_a_slow_reader_are_bounded(self):
+        async def check():
+            stream = self.prepare()
+            for number in range(10):
+                stream.put(str(number) * (streams.ROOM // 4))
+            self.assertEqual((await stream.read(0, 2)), b"77")
+            self.mount.complain.assert_called_once_with("values: lines are dropped: they come faster than they are read")
+        self.run_in_group(check)
+
+
+class Answers(Case):
+    """Thousands of requests need few questions."""
+
+    def prepare(self, seconds, ask=None):
+        """A CachedAnswer: how often it has been asked; it is answered when `self.gate` is open."""
+        self.cache, self.gate, self.calls = cache.Cache(self.tasks), loop.Wait(), 0
+        return cache.CachedAnswer(self.cache, lambda: ("peer", "peer"), ask or self.ask, seconds)
+
+    async def ask(self):
+        self.calls += 1
+        number = self.calls
+        while not self.gate.is_over:
+            await loop.sleep(0.001)
+        return number
+
+    async def answers(self, answer, count):
+        """The values of so many who want it at the same time."""
+        values = []
+
+        async def get():
+            try:
+                values.append(await answer.get())
+            except Exception as e:
+                values.append(e)
         for _ in range(count):
-            source.want(take)
-        self.gate.set()
-        for _ in range(count):
-            self.assertTrue(came.acquire(timeout=60))
+            self.tasks.start(get())
+        await settle()
+        self.gate.done()
+        while len(values) < count:
+            await loop.sleep(0.001)
         return values
 
     def test_those_who_wait_share_the_answer(self):
-        self.assertEqual(set(self.answers(self.source(60), 1000)), {1})
+        async def check():
+            self.assertEqual(set(await self.answers(self.prepare(60), 1000)), {1})
+        self.run_in_group(check)
 
-    def test_what_is_not_believed_is_asked_after_the_request_came(self):
-        values = self.answers(self.source(0), 1000)
-        self.assertLessEqual(len(self.calls), lanes.LANES + 1)
-        self.assertGreater(max(values), 1)
+    def test_one_that_is_not_believed_is_asked_after_the_request_came(self):
+        async def check():
+            values = await self.answers(self.prepare(0), 1000)
+            self.assertEqual([values.count(1), values.count(2)], [1, 999])
+        self.run_in_group(check)
 
     def test_nothing_is_believed_that_was_asked_before_a_change(self):
-        source = self.source(60)
-        came = threading.Event()
-        source.want(lambda value: came.set())
-        while not self.calls:
-            pass
-        self.kept.expire()
-        self.gate.set()
-        came.wait(60)
-        self.assertFalse(source.is_fresh())
-        self.assertEqual(self.answers(source, 1), [2])
-        self.assertTrue(source.is_fresh())
+        async def check():
+            answer = self.prepare(60)
+            self.tasks.start(answer.get())
+            await settle()
+            self.cache.expire()
+            self.assertEqual(await self.answers(answer, 10), [2] * 10)
+            self.assertTrue(answer.is_fresh())
+            self.cache.expire()
+            self.assertFalse(answer.is_fresh())
+            answer.expire()
+            self.assertEqual(await self.answers(answer, 1), [3])
+        self.run_in_group(check)
+
+    def test_nothing_is_believed_that_expired_as_it_was_asked(self):
+        async def check():
+            answer = self.prepare(60)
+            self.tasks.start(answer.get())
+            await settle()
+            answer.expire()
+            self.gate.done()
+            await loop.sleep(0.01)
+            self.assertFalse(answer.is_fresh())
+        self.run_in_group(check)
 
     def test_values_are_freed(self):
-        source = self.source(0.05)
-        self.assertEqual(self.answers(source, 1), [1])
-        while source.value is not None:
-            self.kept.sweep()
-        self.assertFalse(source.is_fresh())
+        async def check():
+            answer = self.prepare(0.05)
+            self.assertEqual(await self.answers(answer, 1), [1])
+            self.cache.sweep()
+            self.assertEqual(answer._value, 1)
+            while answer._value is not None:
+                await loop.sleep(0.01)
+                self.cache.sweep()
+            self.assertFalse(answer.is_fresh())
+            self.assertEqual(self.cache._kept, [])
+        self.run_in_group(check)
 
     def test_a_bug_leaves_nobody_waiting(self):
-        source = asking.Source(self.crew, self.kept, lambda: ("peer", "peer"), lambda: 1 / 0, 0)
-        self.assertIsInstance(self.answers(source, 1)[0], ZeroDivisionError)
+        async def fail():
+            return 1 / 0
 
-    def test_jobs_of_one_key_are_few_and_in_order(self):
-        running, most, done, lock = [0], [0], [], threading.Lock()
-        finished = threading.Event()
+        async def check():
+            for value in await self.answers(self.prepare(0, fail), 3):
+                self.assertIsInstance(value, ZeroDivisionError)
+        self.run_in_group(check)
 
-        def job(number):
-            with lock:
-                running[0] += 1
-                most[0] = max(most[0], running[0])
-            done.append(number)
-            with lock:
-                running[0] -= 1
-            if len(done) == 500:
-                finished.set()
-        for number in range(500):
-            self.crew.start("key", lambda number=number: job(number), most=1)
-        self.assertTrue(finished.wait(60))
-        self.assertEqual((most[0], done), (1, list(range(500))))
+    def test_a_silent_process_is_not_asked_again_at_once(self):
+        async def check():
+            answer = self.prepare(0)
+            session.current().fall_silent("peer", "no answer", 0)
+            value, = await self.answers(answer, 1)
+            self.assertEqual((str(value), self.calls), ("peer: no answer", 0))
+        self.run_in_group(check)
 
-    def test_every_job_is_done_whatever_their_order(self):
-        done = threading.Semaphore(0)
+    def test_a_reader_that_goes_away_takes_no_answer_from_others(self):
+        async def check():
+            answer = self.prepare(60)
+            first = self.tasks.start(answer.get())
+            await settle()
+            first.cancel()
+            self.assertEqual(await self.answers(answer, 2), [1, 1])
+        self.run_in_group(check)
 
-        def start(base):
-            for number in range(1000):
-                self.crew.start((base + number) % 7, done.release)
-        starting = [threading.Thread(target=start, args=(base,)) for base in range(4)]
-        for thread in starting:
-            thread.start()
-        for _ in range(4000):
-            self.assertTrue(done.acquire(timeout=60))
-        self.assertEqual(self.failures, [])
 
-    def test_a_job_that_fails_ends_no_thread(self):
-        done = threading.Event()
-        for _ in range(10):
-            self.crew.start("key", lambda: 1 / 0)
-        self.crew.start("key", done.set)
-        self.assertTrue(done.wait(60))
-        while len(self.failures) < 10:
-            time.sleep(0.001)
+class Sessions(unittest.TestCase):
+    """A mount of a week meets thousands of processes."""
 
-    def test_threads_are_bounded(self):
-        before = threading.active_count()
-        for number in range(2000):
-            self.crew.start(number, lambda: self.gate.wait(60), most=1)
-        self.assertLessEqual(threading.active_count() - before, asking.MOST)
-        self.gate.set()
+    def test_old_ones_are_forgotten(self):
+        now = session.Session(0.01)
+        with mock.patch.object(session.Session, "answered", {}), mock.patch.object(session, "MOST_ANSWERED", 10):
+            for port in range(100):
+                now.fall_silent(("host", port), "no answer", time.monotonic())
+                now.answered["host", port] = port
+            self.assertEqual(len(now.silent), 100)
+            time.sleep(0.02)
+            now.sweep()
+            self.assertEqual((now.silent, sorted(now.answered)), ({}, [("host", port) for port in range(90, 100)]))
 
-    def test_lanes(self):
-        for _ in range(100):
-            self.crew.start("peer", lambda: self.gate.wait(60))
-        self.assertLessEqual(self.crew._threads, lanes.LANES)
-        self.gate.set()
+
+class Served(Case):
+    """A Server whose kernel is a pair of pipes: the requests are given to it, the replies kept in `self.replies`."""
+
+    def prepare(self):
+        self.mount = nodes.Mount("/m", 1.0)
+        self.tasks = self.mount.tasks
+        self.replies, self.server = [], None
+        self.root = Top(self.mount)
+        self.server = server.Server(self.mount, self.root, None, lambda: None)
+        patch = mock.patch("os.write", lambda fd, data: self.replies.append(struct.unpack_from("=IiQ", data)[1:] + (data[16:],)))
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def ask(self, unique, opcode, body=b"", node=1):
+        self.server._handle(wire.request(packed(opcode, body, unique, node)))
+
+    def run_in_group(self, function):
+        async def run():
+            self.prepare()
+            async with self.tasks:
+                await function()
+                self.tasks.cancel()
+        return loop.run(run(), session=session.Session(60))
+
+    def opened(self, unique=1):
+        """The number of a handle of the file `slow`."""
+        handle = self.server._handles.setdefault(unique, openfile.OpenFile(self.root.file))
+        self.assertIs(self.server._handles[unique], handle)
+        return unique
+
+    def read(self, unique, handle):
+        self.ask(unique, wire.READ, struct.pack("=QQIIQII", handle, 0, 100, wire.LOCK_OWNER, 0, 0, 0))
+
+    def write(self, unique, handle, data):
+        self.ask(unique, wire.WRITE, struct.pack("=QQIIQII", handle, 0, len(data), 0, 0, 0, 0) + data)
+
+    def test_a_reader_waits_while_others_are_answered(self):
+        async def check():
+            self.read(7, self.opened())
+            await settle()
+            self.ask(8, wire.GETATTR)
+            self.assertEqual([(error, unique) for error, unique, _ in self.replies], [(0, 8)])
+            self.root.file.gate.done()
+            await settle()
+            self.assertEqual(self.replies[1:], [(0, 7, b"text")])
+            self.assertEqual(self.server._pending, {})
+        self.run_in_group(check)
+
+    def test_an_interrupted_reader_is_free_at_once_and_only_it(self):
+        async def check():
+            self.read(7, self.opened(1))
+            self.read(8, self.opened(2))
+            await settle()
+            before = len(self.tasks.tasks)
+            self.ask(9, wire.INTERRUPT, struct.pack("=Q", 7))
+            self.assertEqual(self.replies, [(-errno.EINTR, 7, b"")])
+            await settle()
+            self.assertEqual(len(self.tasks.tasks), before - 1)
+            self.root.file.gate.done()
+            await settle()
+            self.assertEqual(self.replies[1:], [(0, 8, b"text")])
+        self.run_in_group(check)
+
+    def test_changes_are_made_one_at_a_time_in_order_and_to_their_end(self):
+        async def check():
+            handle = self.opened()
+            for unique in range(10, 15):
+                self.write(unique, handle, b"%d\n" % unique)
+            await settle()
+            self.assertEqual(self.root.file.stored, ["begin 10"])
+            self.ask(9, wire.INTERRUPT, struct.pack("=Q", 10))
+            self.root.file.gate.done()
+            await settle()
+            self.assertEqual(self.root.file.stored, [f"{what} {number}" for number in range(10, 15) for what in ("begin", "end")])
+            self.assertEqual(self.replies, [(-errno.EINTR, 10, b"")] + [(0, number, wire.written(3)) for number in range(11, 15)])
+            self.assertEqual(self.mount._changes, {})
+        self.run_in_group(check)
+
+    def test_a_bug_ends_one_request_only(self):
+        async def check():
+            self.root.file.text = None
+            self.root.file.gate.done()
+            self.read(7, self.opened())
+            self.ask(8, wire.OPEN, b"", 4711)
+            self.ask(9, 1000)
+            await settle()
+            self.assertEqual([(error, unique) for error, unique, _ in self.replies],
+                             [(-errno.ENOENT, 8), (-errno.ENOSYS, 9), (-errno.EIO, 7)])
+            self.assertIn("internal error: AttributeError", self.mount.errors[0])
+        self.run_in_group(check)
+
+    def test_nodes_that_nobody_heard_of_are_forgotten(self):
+        async def check():
+            self.ask(7, wire.LOOKUP, b"slow\0")
+            await settle()
+            self.assertEqual(len(self.server.nodes), 2)
+            self.ask(0, wire.FORGET, struct.pack("=Q", 1), self.root.file.id)
+            self.assertEqual(list(self.server.nodes), [wire.ROOT])
+            with mock.patch("os.write", side_effect=OSError(errno.ENOENT, "")):
+                self.ask(8, wire.LOOKUP, b"slow\0")
+                await settle()
+            self.assertEqual((list(self.server.nodes), self.root.known), ([wire.ROOT], {}))
+        self.run_in_group(check)
+
+
+class Slow(nodes.File):
+    """A file that is read and written when `gate` is open."""
+
+    def __init__(self, above, name):
+        super().__init__(above, name)
+        self.gate, self.text, self.stored = loop.Wait(), "text", []
+
+    async def content(self):
+        while not self.gate.is_over:
+            await loop.sleep(0.001)
+        return self.text
+
+    async def store(self, text):
+        self.stored.append("begin " + text)
+        while not self.gate.is_over:
+            await loop.sleep(0.001)
+        self.stored.append("end " + text)
+
+
+class Top(nodes.Directory):
+    path, where = "", "/m"
+
+    def __init__(self, mount):
+        super().__init__(None, "")
+        self.mount = mount
+        self.file = Slow(self, "slow")
+
+    async def find(self, name):
+        return self.file
+
+
+class Failures(unittest.TestCase):
+    """What libraries remark is kept for DIR/errors; in the foreground it is reported, too."""
+
+    def test_remarks(self):
+        async def check():
+            heard = []
+            mount = nodes.Mount("/m", 1.0, listener=lambda kind, what: heard.append((kind, what)))
+            mount.hear(notes.DETAIL, "deleted")
+            mount.hear(notes.NOTE, "polled")
+            mount.hear(notes.FAILURE, errors.Failed("port", "gone\n"))
+            mount.fail(ValueError("a bug"))
+            self.assertEqual(list(mount.errors), ["polled\n", "port: gone\\x0a\n", "internal error: ValueError: a bug\n"])
+            self.assertEqual(heard, [(notes.DETAIL, "deleted"), (notes.NOTE, "polled"), (notes.FAILURE, "port: gone\\x0a"),
+                                     (notes.FAILURE, "internal error: ValueError: a bug")])
+        loop.run(check())
 
 
 if __name__ == "__main__":

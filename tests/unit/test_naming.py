@@ -4,6 +4,7 @@ from unittest import mock
 
 from rtshell_lite import errors, path
 from rtshell_lite.giop import ior
+from rtshell_lite.net import loop
 from rtshell_lite.robot import naming, node, tree
 
 
@@ -13,14 +14,16 @@ class Server:
     def __init__(self, name):
         self.name = name
 
-    def call(self, operation, *_):
+    async def call(self, operation, *_):
         raise errors.Refused("/localhost", "CosNaming.NamingContext." + self.name, self.name)
 
 
 class Unbinding(unittest.TestCase):
     def unbound(self, refusal):
-        with mock.patch.object(tree, "resolve", lambda _: Server(refusal)), mock.patch.object(naming.orb, "naming_name", list):
-            return naming._unbind(path.parse("/localhost/a.host_cxt/Gone0.rtc"), False)
+        async def resolve(_):
+            return Server(refusal)
+        with mock.patch.object(tree, "resolve", resolve), mock.patch.object(naming.orb, "naming_name", list):
+            return loop.run(naming._unbind(path.parse("/localhost/a.host_cxt/Gone0.rtc"), False))
 
     def test_a_name_that_has_gone_since_it_was_looked_at(self):
         with self.assertRaises(errors.NotFound) as caught:
@@ -37,7 +40,7 @@ class Listing(unittest.TestCase):
     def failure(self, refusal):
         server = node.Node(path.parse("/localhost"), "server", None)
         with mock.patch.object(node.Node, "call", Server(refusal).call), self.assertRaises(errors.Error) as caught:
-            node.bound(server)
+            loop.run(node.bound(server))
         return type(caught.exception)
 
     def test_a_process_that_is_no_name_server(self):
@@ -49,7 +52,7 @@ class Listing(unittest.TestCase):
 
     def test_a_component_has_no_names_below_it(self):
         with self.assertRaises(errors.WrongKind) as caught:
-            tree.children(node.Node(path.parse("/localhost/a.rtc"), "component", None))
+            loop.run(tree.children(node.Node(path.parse("/localhost/a.rtc"), "component", None)))
         self.assertEqual(str(caught.exception), "/localhost/a.rtc: not a directory (it is a component)")
 
 

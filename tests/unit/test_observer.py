@@ -1,13 +1,13 @@
 """What components tell observers, and what we make of it: if this fails, rtwatch shows words of the wire, or the wrong ones."""
-import threading
 import time
 import unittest
 from unittest import mock
 
 from rtshell_lite import errors, path
-from rtshell_lite.corba import lanes
+from rtshell_lite.corba.session import Session
 from rtshell_lite.events import watch
 from rtshell_lite.events.observer import Record, event
+from rtshell_lite.net import loop
 
 
 class Hints(unittest.TestCase):
@@ -47,15 +47,18 @@ class Hints(unittest.TestCase):
 class Names(unittest.TestCase):
     def names(self, *paths):
         """What lines of these components begin with; None for one that is not there."""
-        def on_components(wanted, begin):
-            return [begin(mock.Mock(path=each, endpoint=("h", 1))) if each.names else errors.NotFound(str(each)) for each in wanted]
+        async def on_components(wanted, begin):
+            return [await begin(mock.Mock(path=each, endpoint=("h", 1))) if each.names else errors.NotFound(str(each))
+                    for each in wanted]
 
-        def begin(watched, node):
+        async def begin(watched, node):
             watched.node = node
-        with mock.patch.object(watch.tree, "on_components", on_components), mock.patch.object(watch.lanes, "start"), \
-                mock.patch.object(watch.Watched, "begin", begin):
-            results = watch.Watch(watch.Event, None).start([path.parse(each) for each in paths])
-        return [getattr(result, "name", None) for result in results]
+
+        async def start():
+            async with watch.Watch(watch.Events(watch.KINDS)) as watching:
+                return await watching.start([path.parse(each) for each in paths])
+        with mock.patch.object(watch.tree, "on_components", on_components), mock.patch.object(watch.Watched, "begin", begin):
+            return [getattr(result, "name", None) for result in loop.run(start())]
 
     def test_those_that_share_one_are_called_by_their_paths(self):
         self.assertEqual(self.names("/h/a.cxt/Arm0.rtc", "/h", "/h/b.cxt/Arm0.rtc", "/h/b.cxt/Hand0.rtc"),
@@ -66,43 +69,70 @@ class Waiting(unittest.TestCase):
     def test_what_waits_to_be_printed_has_few_megabytes(self):
         """Who reads may have stopped, and records may be long."""
         said = []
-        watching = watch.Watch(watch.Records("NORMAL", []), said.append)
-        watching.watched = [mock.Mock()]
-        with mock.patch.object(watch, "MOST_CHARACTERS", 3000):
+
+        async def fill():
+            watching = watch.Watch(watch.Records("NORMAL", []), said.append)
+            watching.watched = [mock.Mock()]
             for _ in range(3):
                 watching.put(watching.watched[0], Record(1.0, "arm", "INFO", "x" * 1000))
-            self.assertEqual(len(list(watching.follow(2, 5, mock.Mock()))), 2)
+            self.assertEqual([len(batch) async for batch in watching.follow(2, 5)], [2])
             watching.put(watching.watched[0], Record(2.0, "arm", "INFO", "x" * 2000))
-            (_, record), = watching.follow(1, 5, mock.Mock())
-        self.assertEqual(record.time, 2.0)
+            return [record.time async for batch in watching.follow(1, 5) for _, record in batch]
+        with mock.patch.object(watch, "MOST_CHARACTERS", 3000):
+            self.assertEqual(loop.run(fill()), [2.0])
         self.assertIn("1 lines dropped", said[0])
+
+    def test_no_more_are_taken_than_wanted_and_none_after_the_end(self):
+        async def follow():
+            watching = watch.Watch(watch.Records("NORMAL", []), self.fail)
+            watching.watched = [mock.Mock(where="/h")]
+            for number in range(3):
+                watching.put(watching.watched[0], Record(number, "arm", "INFO", ""))
+            numbers = [record.time async for batch in watching.follow(1, 5) for _, record in batch]
+            with self.assertRaisesRegex(errors.Failed, "2 of 9 within 0.1s"):
+                async for batch in watching.follow(9, 0.1):
+                    numbers += [record.time for _, record in batch]
+            return numbers
+        self.assertEqual(loop.run(follow()), [0, 1, 2])
 
 
 class Ending(unittest.TestCase):
-    def test_each_component_is_asked_to_forget_us_however_late_a_processor_is_free(self):
-        watching, asked = watch.Watch(watch.Events(watch.KINDS), self.fail), [threading.Event() for _ in range(3)]
-        for number, event_of_it in enumerate(asked):
-            watching.remember(mock.Mock(node=mock.Mock(endpoint=("h", number)), where="/h", detach=event_of_it.set))
-        with mock.patch.object(watch, "HURRY", 0), mock.patch.object(watch, "STARTING", 60):
-            watching.close(hurried=True)
-        for event_of_it in asked:
-            self.assertTrue(event_of_it.wait(60))
+    def end(self, detach, endpoints, silent=()):
+        """End a watch of components in these processes, of which some are known to be silent, as Ctrl-C does; returns what is noted."""
+        notes, session = [], Session(60)
+        session.silent.update((endpoint, (time.monotonic(), "no answer within 60s")) for endpoint in silent)
+
+        async def watched():
+            async with watch.Watch(watch.Events(watch.KINDS), notes.append) as watching:
+                for endpoint in endpoints:
+                    node = mock.Mock(endpoint=endpoint)
+                    watching.subscriptions.append(mock.Mock(node=node, where="/h", detach=lambda node=node: detach(node)))
+                raise KeyboardInterrupt
+        with self.assertRaises(KeyboardInterrupt):
+            loop.run(watched(), session=session)
+        return notes
+
+    def test_each_component_is_asked_to_forget_us_however_little_time_there_is(self):
+        asked = []
+
+        async def detach(node):
+            asked.append(node.endpoint)
+            await loop.sleep(0.01)
+        with mock.patch.object(watch, "HURRY", 0):
+            self.end(detach, range(100))
+        self.assertEqual(sorted(asked), list(range(100)))
 
     def test_one_that_is_slow_is_not_waited_for(self):
         """Nor are those of a process that is silent, which are not asked."""
-        watching, free, notes = watch.Watch(watch.Events(watch.KINDS), lambda line: notes.append(line)), threading.Event(), []
-        self.addCleanup(free.set)
-        before = lanes.session
-        lanes.session = lanes.Session(60)
-        self.addCleanup(setattr, lanes, "session", before)
-        lanes.session.silent["silent"] = time.monotonic(), "no answer within 60s"
-        for endpoint in ("slow", "silent") + ("slow",) * 20:
-            watching.remember(mock.Mock(node=mock.Mock(endpoint=endpoint), where="/h", detach=lambda: free.wait(40)))
+        asked = []
+
+        async def detach(node):
+            asked.append(node.endpoint)
+            await loop.sleep(40)
         begun = time.monotonic()
-        with mock.patch.object(watch, "STARTING", 60):
-            watching.close(hurried=True)
+        self.end(detach, ["slow", "silent"] + 20 * ["slow"], ["silent"])
         self.assertLess(time.monotonic() - begun, 30)
-        self.assertIsNone(lanes.session.end)
+        self.assertEqual(set(asked), {"slow"})
 
 
 if __name__ == "__main__":

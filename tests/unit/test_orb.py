@@ -9,7 +9,8 @@ except ImportError:
     omniORB = None
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes, omni, orb
+from rtshell_lite.corba import omniorb, orb, session
+from rtshell_lite.net import loop
 
 
 class Missing(unittest.TestCase):
@@ -24,20 +25,20 @@ class Failures(unittest.TestCase):
     def reason(self, failure, seconds=None):
         from omniORB import CORBA
         raised = getattr(CORBA, failure)(0, CORBA.COMPLETED_NO)
-        with mock.patch.object(omni.answers, "invoke", side_effect=raised), mock.patch.object(omniORB, "setClientCallTimeout"), \
-                self.assertRaises(errors.Error) as caught:
-            omni.invoke(orb.Call("/robot/a.rtc", mock.Mock(), "get_profile", seconds=seconds))
+        address = mock.Mock(return_value=("IDL:x:1.0", "robot", 1, b"x"))
+        with mock.patch.object(omniorb.answers, "invoke", side_effect=raised), mock.patch.object(omniORB, "setClientCallTimeout"), \
+                mock.patch.object(omniorb, "address", address), mock.patch.object(omniorb, "_deadline", 3.0), \
+                mock.patch.object(orb, "_orb", omniorb), self.assertRaises(errors.Error) as caught:
+            loop.run(orb.call("/robot/a.rtc", mock.Mock(), "get_profile", seconds=seconds), session=session.Session(3.0))
         return str(caught.exception)
 
     def test_silence_is_as_long_as_was_waited(self):
-        self.addCleanup(setattr, lanes.session, "timeout", lanes.session.timeout)
-        lanes.session.timeout = 3.0
         for seconds, waited in ((None, "3s"), (2, "3s"), (10, "10s")):
             self.assertEqual(self.reason("TIMEOUT", seconds), "/robot/a.rtc: no answer within " + waited)
 
     def test_nothing_is_asked_of_nothing(self):
         with self.assertRaisesRegex(errors.Garbled, "^/robot/a.rtc: garbled answer .nothing in place of the object that has get_profile"):
-            orb.Call("/robot/a.rtc", None, "get_profile")
+            loop.run(orb.call("/robot/a.rtc", None, "get_profile"))
 
     def test_kinds(self):
         self.assertEqual(self.reason("OBJECT_NOT_EXIST"), "/robot/a.rtc: zombie (the name is bound, but its object is gone)")

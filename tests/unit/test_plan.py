@@ -11,6 +11,8 @@ from rtshell_lite import errors  # noqa: E402
 from rtshell_lite.system import capture, plan  # noqa: E402
 from rtshell_lite.xmlprofile import model  # noqa: E402
 
+PART = 2  # one in so many of its tests in a short run
+
 
 def component(name, required=True, contexts=("0",), members=(), type_name="T"):
     return model.Component(

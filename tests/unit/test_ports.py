@@ -3,6 +3,7 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import errors, path
+from rtshell_lite.net import loop
 from rtshell_lite.robot import connectors, ports
 
 PY2 = {"dataport.dataflow_type": "push,pull,duplex", "dataport.interface_type": "corba_cdr,direct",
@@ -213,14 +214,14 @@ class Disconnecting(Case):
         """
         asked, script = [], list(answers)
 
-        def wait(call):
-            asked.append(call.operation if call.ref == "A.out" else f"{call.operation} {call.ref}")
+        async def call(where, ref, operation, *args):
+            asked.append(operation if ref == "A.out" else f"{operation} {ref}")
             answer = script.pop(0)
             if isinstance(answer, Exception):
                 raise answer
             return answer
-        with mock.patch("rtshell_lite.corba.orb.Call.wait", wait):
-            connectors.disconnect(out(), ports.Connector("id", "n", list(ends), []))
+        with mock.patch("rtshell_lite.corba.orb.call", call):
+            loop.run(connectors.disconnect(out(), ports.Connector("id", "n", list(ends), [])))
         self.assertEqual(script, [])
         return asked
 

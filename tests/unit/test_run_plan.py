@@ -8,11 +8,13 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspa
 import worlds  # noqa: E402
 from mock_components import asking  # noqa: E402
 from rtshell_lite import errors  # noqa: E402
-from rtshell_lite.corba import lanes  # noqa: E402
+from rtshell_lite.corba import session  # noqa: E402
+from rtshell_lite.net import loop  # noqa: E402
 from rtshell_lite.robot import transitions, tree  # noqa: E402
 from rtshell_lite.system import capture, plan, run_plan  # noqa: E402
 from rtshell_lite.xmlprofile import model  # noqa: E402
 
+PART = 8  # one in so many of its tests in a short run
 ONCE = "plans are the same for every Python"
 NAMES = ["Clusterer0", "Controller0", "Hokuyo_AIST0", "Motor0", "Sensor0"]
 ASKED = ["get_ports", "get_component_profile", "get_owned_contexts", "get_context_handle",
@@ -45,9 +47,7 @@ class Sweep(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.world = worlds.World("robot")
-        lanes.session.timeout, cls.timeout = TIMEOUT, lanes.session.timeout
-        worlds.omniORB.setClientCallTimeout(int(1000 * TIMEOUT))  # or calls that hang would use up the connections
-        cls.profile = capture.capture([tree.parse("/127.0.0.1:%d" % worlds.Server.port)]).profile
+        cls.profile = loop.run(capture.capture([tree.parse("/127.0.0.1:%d" % worlds.Server.port)])).profile
         assert [each.instance_name for each in cls.profile.components] == NAMES
         targets = [model.Condition(sequence=number, target=model.TargetExecutionContext(
             component_id=each.id, instance_name=each.instance_name, id="0"))
@@ -56,8 +56,6 @@ class Sweep(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
-        lanes.session.timeout = cls.timeout
-        worlds.omniORB.setClientCallTimeout(8000)
         cls.world.close()
 
     def ctl(self, *words):
@@ -70,19 +68,24 @@ class Sweep(unittest.TestCase):
 
     def start(self):
         """{name: outcome}; None where the checks found a failure, and nothing was to be changed."""
-        told = Reported()
-        run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, transitions.ACTIVATE, told)
-        if run.check(self.profile):
-            return None
-        run.carry_out()
-        return told.outcomes
+        async def start():
+            run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, transitions.ACTIVATE, reported)
+            if await run.check(self.profile):
+                return None
+            await run.carry_out()
+            return reported.outcomes
+        reported = Reported()
+        return loop.run(start(), session=session.Session(TIMEOUT))
 
     def stop(self):
-        told = Reported()
-        run = run_plan.Run(plan.make(self.profile, "deactivation", "a.xml", False).actions, transitions.DEACTIVATE, told)
-        run.find(self.profile)
-        run.carry_out()
-        return told.outcomes
+        async def stop():
+            actions = plan.make(self.profile, "deactivation", "a.xml", False).actions
+            run = run_plan.Run(actions, transitions.DEACTIVATE, reported)
+            await run.find(self.profile)
+            await run.carry_out()
+        reported = Reported()
+        loop.run(stop(), session=session.Session(TIMEOUT))
+        return reported.outcomes
 
     def compare(self, outcomes, reached, before):
         """Check that every outcome agrees with the state of the mock."""
@@ -97,7 +100,6 @@ class Sweep(unittest.TestCase):
 
     def forget(self):
         self.ctl("reset")
-        lanes.session.silent.clear()
 
     def sweep(self, operation, kind):
         for nth in range(1, 20):
@@ -138,11 +140,13 @@ class Sweep(unittest.TestCase):
             def ended(self, result):
                 Reported.ended(self, result)
                 raise errors.Usage("as a bug would")
-        told = Broken()
-        run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, transitions.ACTIVATE, told)
-        run.check(self.profile)
+
+        async def start():
+            run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, transitions.ACTIVATE, Broken())
+            await run.check(self.profile)
+            await run.carry_out()
         with self.assertRaises(errors.Usage):
-            run.carry_out()
+            loop.run(start(), session=session.Session(TIMEOUT))
         self.forget()
         self.stop()
 

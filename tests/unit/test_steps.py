@@ -3,6 +3,7 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import errors
+from rtshell_lite.net import loop
 from rtshell_lite.robot import configuration, ports
 from rtshell_lite.system import apply, compare, connect_steps, restore, steps
 from rtshell_lite.xmlprofile import model
@@ -14,26 +15,42 @@ class Site:
     where, required, found = "/localhost/a.rtc", True, None
 
 
+class Configuration:
+    """Counts what it is asked to do."""
+
+    def __init__(self):
+        self.activated, self.stored = [], []
+
+    def set(self, set_id, with_hidden=False):
+        return set_id, with_hidden
+
+    async def activate(self, set_id):
+        self.activated.append(set_id)
+
+    async def store(self, values, within):
+        self.stored.append((values, within))
+
+
 class ActiveSet(unittest.TestCase):
     def setUp(self):
-        self.step, self.after = steps.Active(Site(), "fast"), mock.Mock(active="fast")
+        self.step, self.after = steps.Active(Site(), "fast"), mock.Mock(active="fast", configuration=Configuration())
 
     def test_the_set_that_was_active_before_is_active_again(self):
-        self.step.undo([mock.Mock(active="slow")], [self.after])
-        self.after.configuration.activate.assert_called_once_with("slow")
+        loop.run(self.step.undo([mock.Mock(active="slow")], [self.after]))
+        self.assertEqual(self.after.configuration.activated, ["slow"])
 
     def test_where_none_was_active_none_can_be(self):
         with self.assertRaises(errors.Refused) as caught:
-            self.step.undo([mock.Mock(active="")], [self.after])
+            loop.run(self.step.undo([mock.Mock(active="")], [self.after]))
         self.assertIn("had no active configuration set before", str(caught.exception))
-        self.after.configuration.activate.assert_not_called()
+        self.assertEqual(self.after.configuration.activated, [])
 
     def test_files_name_a_default_set_of_components_that_have_none(self):
         step = steps.Active(Site(), "default")
         for sets in ([], [configuration.Set("__widget__", "", {}, False)]):
-            self.assertTrue(step.is_done([steps.Configured(sets, "", None)]))
+            self.assertTrue(loop.run(step.is_done([steps.Configured(sets, "", None)])))
         with self.assertRaises(errors.NoSuch):
-            self.step.is_done([steps.Configured([], "", None)])
+            loop.run(self.step.is_done([steps.Configured([], "", None)]))
 
 
 class Values(unittest.TestCase):
@@ -54,10 +71,10 @@ class Values(unittest.TestCase):
         self.assertEqual(self.differences({"a": "1"}, "fast", "fast"), [])
 
     def test_hidden_ones_are_set_back_too(self):
-        now, before = mock.Mock(), steps.Configured([configuration.Set("__widget__", "", {"a": "1", "b": "2"}, False)], "", None)
-        steps.Values(Site(), "__widget__", {"a": "3"}).undo([before], [now])
-        now.configuration.set.assert_called_once_with("__widget__", with_hidden=True)
-        now.configuration.store.assert_called_once_with({"a": "1"}, now.configuration.set.return_value)
+        now = mock.Mock(configuration=Configuration())
+        before = steps.Configured([configuration.Set("__widget__", "", {"a": "1", "b": "2"}, False)], "", None)
+        loop.run(steps.Values(Site(), "__widget__", {"a": "3"}).undo([before], [now]))
+        self.assertEqual(now.configuration.stored, [({"a": "1"}, ("__widget__", True))])
 
 
 class Connections(unittest.TestCase):
@@ -67,12 +84,17 @@ class Connections(unittest.TestCase):
             self.assertIs(connect_steps.Connect._obstacle(mock.Mock(), ["a:out", "b:in"]), differ)
 
     def test_one_that_was_removed_is_made_again_between_the_ends_that_live(self):
-        step = connect_steps.Disconnect(model.DataPortConnector(connector_id="id"), [(mock.Mock(), "out"), (mock.Mock(), "in")], {"id"})
+        ends = [(mock.Mock(), "out"), (mock.Mock(), "in")]
+        step = connect_steps.Disconnect(model.DataPortConnector(connector_id="id"), ends, {"id"})
         removed = ports.Connector("id", "name", [], [("dataport.dataflow_type", "push"), ("dataport.corba_cdr.inport_ior", "IOR:00")])
-        with mock.patch.object(connect_steps.connectors, "connect") as connect:
+        connected = []
+
+        async def connect(*args):
+            connected.append(args)
+        with mock.patch.object(connect_steps.connectors, "connect", connect):
             step.having = lambda at: [(at[0], removed)] if at == ["a:out", "b:in"] else []
-            step.undo(["a:out", "b:in", errors.Gone("c:in")], ["a:out", "b:in"])
-        connect.assert_called_once_with(["a:out", "b:in"], "name", "id", {"dataport.dataflow_type": "push"})
+            loop.run(step.undo(["a:out", "b:in", errors.Gone("c:in")], ["a:out", "b:in"]))
+        self.assertEqual(connected, [(["a:out", "b:in"], "name", "id", {"dataport.dataflow_type": "push"})])
 
 
 class Rates(unittest.TestCase):
@@ -83,7 +105,7 @@ class Rates(unittest.TestCase):
         contexts = [model.ExecutionContext(id=number, kind=kind, rate=rate) for number, kind, rate in wanted]
         site = mock.Mock(where="/localhost/a.rtc", required=True, error=None, component=mock.Mock(execution_contexts=contexts),
                          found=mock.Mock(owned=[mock.Mock(handle=5, rate=1000.0)]))
-        return [(outcome.step.handle, outcome.step.index, outcome.status) for outcome in restore._rates(site)]
+        return [(outcome.step.handle, outcome.step.index, outcome.status) for outcome in loop.run(restore._rates(site))]
 
     def test_its_own(self):
         self.assertEqual(self.rates(("5", "PERIODIC", 1000.0)), [(5, 0, apply.ALREADY)])

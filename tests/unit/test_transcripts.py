@@ -11,6 +11,7 @@ import unittest
 import processes
 import transcripts
 
+PART = 3  # one in so many of its tests in a short run
 SETTING = transcripts.Setting()
 
 

@@ -4,6 +4,7 @@ from unittest import mock
 
 from rtshell_lite.data import writing
 from rtshell_lite.data.writing import SETTLE, Audience, Backlog, Cycle
+from rtshell_lite.net import loop
 
 
 class Filling(unittest.TestCase):
@@ -89,9 +90,15 @@ class Rest(unittest.TestCase):
     def slept(self, rate, waiting=0.0, since=0.0, taken=1):
         """How long a writer waits that has written so many seconds ago, while values wait in the buffer."""
         writer = mock.Mock(unanswered=0, taken=taken, last=100.0 - since, backlog=mock.Mock(rate=rate, waiting=waiting))
-        with mock.patch.object(writing.time, "monotonic", lambda: 100.0), mock.patch.object(writing.time, "sleep") as sleep:
-            self.assertTrue(writing.Writer.is_at_rest(writer))
-        return sum(call[0][0] for call in sleep.call_args_list)
+        slept = []
+
+        async def sleep(seconds):
+            slept.append(seconds)
+        with mock.patch.object(writing.time, "monotonic", lambda: 100.0), mock.patch.object(writing.loop, "sleep", sleep):
+            with self.assertRaises(StopIteration) as ended:  # it awaits nothing else
+                writing.Writer.is_at_rest(writer).send(None)
+        self.assertTrue(ended.exception.value)
+        return sum(slept)
 
     def test_until_the_reader_has_read(self):
         for expected, found in ((0.15, self.slept(10.0)), (0.05, self.slept(10.0, since=0.1)), (0.03, self.slept(100.0, 3.0)),
@@ -106,9 +113,14 @@ class Readers(unittest.TestCase):
     def look(self, *cycles):
         """(why a component does not read, at which rate it does) with these contexts: (state, running, rate)."""
         audience = Audience(mock.Mock(path="/localhost/a.rtc"), "/localhost/a.rtc:in")
-        audience._cycles = lambda: [Cycle(index, rate, state, running) for index, (state, running, rate) in enumerate(cycles)]
-        audience._rate = lambda ref: ref
-        return audience.look(), audience.rate
+
+        async def known():
+            return [Cycle(index, rate, state, running) for index, (state, running, rate) in enumerate(cycles)]
+
+        async def rate_of(ref):
+            return ref
+        audience._cycles, audience._rate = known, rate_of
+        return loop.run(audience.look()), audience.rate
 
     def test_an_active_one_reads_in_the_fastest_context_that_runs(self):
         self.assertEqual(self.look(("Active", True, 100.0), ("Active", True, 500.0), ("Active", True, None)), (None, 500.0))

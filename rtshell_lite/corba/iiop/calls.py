@@ -4,7 +4,7 @@ from _socket import gaierror
 from struct import error as StructError
 
 from rtshell_lite import errors
-from rtshell_lite.corba import failures, lanes
+from rtshell_lite.corba import failures, session
 from rtshell_lite.giop import descriptors, idl, ior
 from rtshell_lite.corba.iiop import connections
 from rtshell_lite.giop import allowance, marshal, messages, operations
@@ -22,16 +22,16 @@ class Request:
     ref        whom it is sent to: another object than at first where that has forwarded it
     seconds    how long its answer may take
     sent       time.monotonic() when it was sent
-    again      how often it has been sent again, as a connection was lost, here or by the peer, that may have begun it
+    retried    how often it has been sent again, as a connection was lost, here or by the peer, that may have begun it
     """
 
-    __slots__ = ("call", "resume", "ref", "operation", "seconds", "sent", "again", "_forwards", "_spent", "_mode")
+    __slots__ = ("call", "resume", "ref", "operation", "seconds", "sent", "retried", "_forwards", "_spent", "_mode")
 
     def __init__(self, call, resume):
         self.call, self.resume, self.ref = call, resume, call.ref
         self.operation = operations.operation(call.ref.interface, call.operation)
-        self.seconds = max(call.seconds or 0, lanes.session.timeout)
-        self.sent, self.again, self._forwards, self._spent, self._mode = None, 0, 0, 0.0, messages.KEY
+        self.seconds = max(call.seconds or 0, session.current().timeout)
+        self.sent, self.retried, self._forwards, self._spent, self._mode = None, 0, 0, 0.0, messages.KEY
 
     @property
     def endpoint(self):
@@ -39,12 +39,12 @@ class Request:
         return self.ref.address[1:3]
 
     @property
-    def asks(self):
+    def is_idempotent(self):
         """True if it changes nothing."""
         return failures.may_repeat(self.call.operation)
 
     @property
-    def most(self):
+    def max_reply(self):
         """Octets that its reply may have."""
         return messages.HEADER + messages.LARGEST if self.operation.carries_data else messages.LARGE
 
@@ -72,14 +72,14 @@ class Request:
         value = error = None
         allowance.begin()
         try:
-            if len(data) > self.most:
-                raise ValueError(f"more than {self.most} octets")
+            if len(data) > self.max_reply:
+                raise ValueError(f"more than {self.max_reply} octets")
             if status == messages.NO_EXCEPTION:
                 value = _values(self.operation.results[little], data, at)
             elif status == messages.SYSTEM_EXCEPTION:
                 name, label = _system_exception(data, at, little)
-                if name == "COMM_FAILURE" and self.asks and not self.again:  # the peer has lost a connection of its own
-                    self.again = 1
+                if name == "COMM_FAILURE" and self.is_idempotent and not self.retried:  # the peer has lost a connection of its own
+                    self.retried = 1
                     return True
                 error = failures.system(str(self.call.where), name, label)
             elif status == messages.USER_EXCEPTION:
@@ -131,7 +131,7 @@ class Request:
         if isinstance(e, gaierror):
             return errors.Unreachable(where, errors.NO_USABLE_ADDRESS)
         if isinstance(e, OSError):
-            lanes.note_shortage(e, self.ref.address.host)
+            session.current().note_shortage(e, self.ref.address.host)
             return errors.Unreachable(where, "cannot be reached" + (f" ({e.strerror})" if e.strerror else ""))
         if isinstance(e, ior.BadReference):  # the answer can be read; it costs what the reference is bound to, not who sent it
             return errors.Garbled(where, str(e))

@@ -1,15 +1,15 @@
-"""Our own ORB, as orb.py needs it: references, and values as texts; loop.py makes the calls, server.py has servants."""
+"""Our own ORB, as orb.py needs it: references, and values as texts; peers.py makes the calls, server.py has servants."""
 import re
 import sys
 
 from rtshell_lite import errors
-from rtshell_lite.giop import descriptors, idl, ior
-from rtshell_lite.giop import references
-from rtshell_lite.corba.iiop.loop import in_turn as loop, invoke  # noqa: F401: orb.py calls them
+from rtshell_lite.giop import descriptors, idl, ior, references
+from rtshell_lite.corba.iiop.peers import invoke  # noqa: F401: orb.py calls it
 from rtshell_lite.path import split_address
 from rtshell_lite.text import from_wire, to_wire
 
 HEEDED = ("endPoint", "endPointPublish")  # settings of omniORB
+ANSWERS_AT_ONCE = True  # see orb.answers_at_once
 _STRUCTURES = (descriptors.STRUCT, descriptors.UNION, descriptors.EXCEPTION)
 _MINORS = {"": 2, "1.0": 0, "1.1": 1, "1.2": 2}  # of GIOP, by the version in a corbaloc
 

@@ -9,26 +9,27 @@ import struct
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import hosts, lanes
+from rtshell_lite.corba import hosts, session
 from rtshell_lite.giop import messages
 
 PIECE = 16384  # octets received at a time: buffers of more are slow to allocate
 AT_A_TIME = 64  # pieces of one connection; then others have their turn, too
+IN_FLIGHT = 4  # calls to a process at a time: real-time threads keep their period, and omniORB has 5 connections
 MOST_STRAYS = 100  # replies of one connection that nobody waits for
 _AT_ONCE = _socket.MSG_DONTWAIT
 SWEEP = 10.0  # seconds between two looks for idle connections that the peer has closed
-_idle = {}  # {endpoint: [Connection]} for the next calls, at most one for each lane
+_idle = {}  # {endpoint: [Connection]} for the next calls, at most IN_FLIGHT
 _swept = time.monotonic()
 _spoken = {}  # {endpoint: the x of GIOP 1.x}, for peers that did not understand a later one
 of_one_reply = set()  # endpoints of peers that close the connection after each reply, as far as is known
 
 
 class Closed(Exception):
-    """The peer has closed the connection; `untouched`: it says that it has begun nothing of what it was asked."""
+    """The peer has closed the connection; `not_started`: it says that it has begun nothing of what it was asked."""
 
-    def __init__(self, untouched=False):
+    def __init__(self, not_started=False):
         super().__init__()
-        self.untouched = untouched
+        self.not_started = not_started
 
 
 def kept(endpoint):
@@ -86,10 +87,10 @@ class Connection:
         self.end = None
         self._number, self._given_up, self._strays = 0, set(), 0
         self._version, self._via = (1, _spoken.get(endpoint, 2)), endpoint  # the latest GIOP to speak; where it is connected
-        self._socket, self._ways, self._error = None, self._all_ways(others), None
+        self._socket, self._candidates, self._error = None, self._all_candidates(others), None
         self._out, self._not_begun = bytearray(), {}  # what is to be sent; requests until there is a connection, by number
         self._pieces, self._have, self._need = [], 0, messages.HEADER
-        self._unwanted = 0  # octets to come, the rest of a message that is too long
+        self._to_discard = 0  # octets to come, the rest of a message that is too long
         self._fragments = messages.Fragments()
 
     @property
@@ -107,7 +108,7 @@ class Connection:
 
     # ---- connecting ----
 
-    def _all_ways(self, others):
+    def _all_candidates(self, others):
         """The places to connect with, as of getaddrinfo, one after the other; None while a name is looked up."""
         for host, port in itertools.chain([self.endpoint], _lazily(others)):
             look_up = hosts.LookUp(host)
@@ -128,7 +129,7 @@ class Connection:
             if not code:
                 return self._connected()
             self._failed(code)
-        for way in self._ways:
+        for way in self._candidates:
             if way is None:
                 return
             code = self._begun_with(*way)
@@ -159,8 +160,8 @@ class Connection:
 
     def _connected(self):
         self._socket.setblocking(True)
-        _limit(self._socket, lanes.TICK)
-        self.waits_for, self._ways = None, None  # the latter holds the first request, and so its answer
+        _limit(self._socket, session.TICK)
+        self.waits_for, self._candidates = None, None  # the latter holds the first request, and so its answer
         if self._via != self.endpoint:  # where objects may have other keys
             self._not_begun = {number: self.requests[number].octets(number, self._version, self._via) for number in self._not_begun}
         self._out += b"".join(self._not_begun.values())
@@ -223,7 +224,7 @@ class Connection:
         """All requests that wait for replies, likewise."""
         return [self.give_up(number) for number in list(self.requests)]
 
-    def untouched(self):
+    def not_started(self):
         """The requests that the peer has not begun, when it says so as it closes: none whose reply has begun to come."""
         begun = self._fragments.begun
         return set() if None in begun else {request for number, request in self.requests.items() if number not in begun}
@@ -236,7 +237,7 @@ class Connection:
         _, minor = self._version
         if isinstance(end, messages.Misunderstood):
             older = end.minor
-        elif isinstance(end, Closed) and not end.untouched and not self._pieces and self.endpoint not in lanes.last_answers():
+        elif isinstance(end, Closed) and not end.not_started and not self._pieces and self.endpoint not in session.current().answered:
             older = minor - 1
         else:
             return False
@@ -250,7 +251,7 @@ class Connection:
     # ---- receiving ----
 
     def replies(self, may_wait):
-        """The whole replies that have come, as octets; may wait for lanes.TICK. What ends the connection is noted in `end`."""
+        """The whole replies that have come, as octets; may wait for session.TICK. What ends the connection is noted in `end`."""
         found = []
         try:
             for _ in range(AT_A_TIME):
@@ -272,7 +273,7 @@ class Connection:
 
         Of one that is longer than any that is waited for, no more is taken than shows that.
         """
-        if self._unwanted:
+        if self._to_discard:
             piece = self._wanted(piece)
             if not piece:
                 return
@@ -287,24 +288,24 @@ class Connection:
             if self._have < size:
                 self._pieces, self._need = [data], size
                 return
-            rest, self._unwanted = data[size:], whole - size
-            if self._unwanted:
+            rest, self._to_discard = data[size:], whole - size
+            if self._to_discard:
                 rest = self._wanted(rest)
             self._pieces, self._have, self._need = [rest] if rest else [], len(rest), messages.HEADER
             self._message(data[:size] if size < len(data) else data, found)
 
     def _wanted(self, octets):
         """These octets, but those that are unwanted."""
-        dropped = min(self._unwanted, len(octets))
-        self._unwanted -= dropped
+        dropped = min(self._to_discard, len(octets))
+        self._to_discard -= dropped
         return octets[dropped:]
 
     def _most(self, number=None):
         """Octets that the reply to a request may have; None is any request. Raises Garbled where there was none."""
         if number is None:
-            return max((request.most for request in self.requests.values()), default=messages.LARGE)
+            return max((request.max_reply for request in self.requests.values()), default=messages.LARGE)
         if number in self.requests:
-            return self.requests[number].most
+            return self.requests[number].max_reply
         if number not in self._given_up:
             raise messages.Garbled("a reply to another request")
         return messages.LARGE
@@ -314,7 +315,7 @@ class Connection:
         if kind == messages.REPLY and not data[6] & messages.MORE:  # most are whole
             return found.append(data)
         if kind == messages.CLOSE:
-            raise Closed(untouched=True)
+            raise Closed(not_started=True)
         if kind == messages.ERROR:
             raise messages.Misunderstood(data[5])
         if kind not in (messages.REPLY, messages.FRAGMENT):
@@ -322,6 +323,10 @@ class Connection:
         whole = self._fragments.joined(data, self._most)
         if whole is not None:
             found.append(whole)
+
+    def has_begun(self):
+        """Whether a reply has begun to come that is not whole yet."""
+        return bool(self._pieces or self._to_discard or self._fragments.begun)
 
     # ---- ending ----
 
@@ -338,8 +343,8 @@ class Connection:
     def leave(self):
         """Keep it for the next call to its process, or close it."""
         waiting = _idle.setdefault(self.endpoint, [])
-        is_clean = not (self.end or self.requests or self._given_up or self._out or self._pieces or self._unwanted or self._fragments.begun)
-        if self.has_answered and is_clean and len(waiting) < lanes.LANES:
+        is_clean = not (self.end or self.requests or self._given_up or self._out or self.has_begun())
+        if self.has_answered and is_clean and len(waiting) < IN_FLIGHT:
             waiting.append(self)
         else:
             self.close()

@@ -1,4 +1,4 @@
-"""Our objects that components call, with our own ORB: one thread serves all who connect, and none of them can block it.
+"""Our objects that components call, with our own ORB: the loop serves all who connect, and none of them can block it.
 
 Who connects may send anything. So a message takes memory as it comes, not as it is announced; who never completes one, asks for
 nothing, or takes no answers, is closed after a while, or as soon as others need the room. A connection that has called a servant
@@ -7,16 +7,15 @@ keeps its place, and is served first; of others there is a limit for each addres
 import binascii
 import os
 import re
-import selectors
+import select
 import socket
 import struct
-import threading
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import lanes
-from rtshell_lite.giop import idl
-from rtshell_lite.giop import allowance, messages, operations, references, requests
+from rtshell_lite.corba import session
+from rtshell_lite.giop import allowance, idl, messages, operations, references, requests
+from rtshell_lite.net import loop
 
 MOST = 500  # connections
 MOST_OF_ADDRESS = 200  # of them that have called no servant yet
@@ -28,30 +27,26 @@ LONGEST_KEPT = 2048  # octets before its arguments up to which a request is kept
 ROOM = 4096  # octets that a connection can receive before it has sent any
 UNFINISHED, IDLE = 60.0, 180.0  # seconds until a connection is closed within a message, or between two; omniORB's is the same
 SWEEP = 5.0  # seconds between two looks for those
+PAUSE = 1.0  # seconds until connections are accepted again, where too many have come, or there are no files left
 _ENDPOINT = re.compile(r"giop:tcp:(\[[^]]*\]|[^:,]*):(\d{0,5})(?:,|\Z)")
-
-_server = None
-_starting = threading.Lock()
 
 
 def serve(servant):
-    """Let others call a servant: the stringified reference to it, and a function that ends that. Raises Usage.
+    """Let others call a servant while the loop of this thread runs: the stringified reference to it, and a function that ends that.
 
-    The reference has no host unless the user has set one.
+    The reference has no host unless the user has set one. Raises Usage.
     """
-    global _server
-    with _starting:
-        if _server is None:
-            made = Server(*_setting("endPoint"))
-            lanes.start(made.run)
-            _server = made
+    here = loop.current()
+    if here.server is None:
+        here.server = Server(here, *_setting("endPoint"))
+    server = here.server
     key = binascii.hexlify(os.urandom(12))
     type_id = idl.id_of(servant.interface)
-    _server.objects[key] = servant, type_id
+    server.objects[key] = servant, type_id
     own_host, _ = _setting("endPoint")
     host, port = _setting("endPointPublish")
-    profiles = references.at(host or own_host, port or _server.port, key).profiles
-    return references.Reference(type_id.encode(), profiles).text(), lambda: _server.objects.pop(key, None)
+    profiles = references.at(host or own_host, port or server.port, key).profiles
+    return references.Reference(type_id.encode(), profiles).text(), lambda: server.objects.pop(key, None)
 
 
 def _setting(name):
@@ -143,48 +138,46 @@ class Caller:
 class Server:
     """Listens, and serves `objects`, {key: (servant, id of its interface)}. Raises Usage where it cannot listen."""
 
-    def __init__(self, host, port):
-        self.objects, self.callers, self.swept = {}, set(), 0.0
-        self.second, self.new, self.is_open = time.monotonic(), 0, True  # since when new connections are counted; how many
+    def __init__(self, of, host, port):
+        self.loop, self.session = of, session.current()
+        self.objects, self.callers = {}, set()
+        self.second, self.new = time.monotonic(), 0  # since when new connections are counted; how many
         self.listening = _listening(host, port)
         self.port = self.listening.getsockname()[1]
-        self.selector = selectors.DefaultSelector()
-        self.selector.register(self.listening, selectors.EVENT_READ)
+        self._listen()
+        of.call_later(SWEEP, self.sweep)
+        of.at_end.append(self.end)
 
-    def run(self):
-        """Serve for ever."""
-        while True:
-            events = [event for event, _ in self.selector.select(SWEEP if self.may_accept() else 1)]
-            for event in sorted(events, key=_comes_later):
-                if event.data is None:
-                    self.accept()
-                elif event.data in self.callers:
-                    self.attend(event.data, event.events == selectors.EVENT_WRITE)
-            self.sweep()
+    def end(self):
+        """Take no calls any more."""
+        for caller in list(self.callers):
+            self.close(caller)
+        self.listening.close()
 
-    def may_accept(self):
-        """Whether new connections are accepted in this second; the selector looks for them only then."""
-        now = time.monotonic()
-        if now - self.second >= 1:
-            self.second, self.new = now, 0
-        may = self.new < MOST_NEW
-        if may and not self.is_open:
-            self.selector.register(self.listening, selectors.EVENT_READ)
-        if self.is_open and not may:
-            self.selector.unregister(self.listening)
-        self.is_open = may
-        return may
+    def _listen(self):
+        self.loop.watch(self.listening.fileno(), select.POLLIN, self.accept)
+
+    def _pause(self):
+        """Accept no connections for a moment."""
+        self.loop.unwatch(self.listening.fileno())
+        self.loop.call_later(PAUSE, self._listen)
 
     def accept(self):
         """Take a new connection; where there is no room, one that has called no servant gives its place, or the new one."""
+        now = time.monotonic()
+        if now - self.second >= 1:
+            self.second, self.new = now, 0
         self.new += 1
+        if self.new > MOST_NEW:
+            self._pause()
+            return
         try:
             connection, (host, *_) = self.listening.accept()
         except (BlockingIOError, ConnectionError):
             return  # gone already
         except OSError:  # out of files
             if not self.turn_away(self.strangers()):
-                time.sleep(lanes.TICK)
+                self._pause()
             return
         beside = self.strangers(host)
         if len(beside) >= MOST_OF_ADDRESS:
@@ -199,10 +192,24 @@ class Server:
             pass
         caller = Caller(connection, host)
         self.callers.add(caller)
-        self.selector.register(connection, selectors.EVENT_READ, caller)
+        self._watch(caller)
+
+    def _watch(self, caller):
+        """Have the loop call when a connection can go on: those that have called a servant are attended first."""
+        may_send = bool(caller.out)
+
+        def go_on():
+            if caller.has_called:
+                self.attend(caller, may_send)
+            else:
+                self.loop.post(self.attend, caller, may_send)
+        self.loop.unwatch(caller.socket.fileno())
+        self.loop.watch(caller.socket.fileno(), select.POLLOUT if may_send else select.POLLIN, go_on)
 
     def attend(self, caller, may_send):
         """Read from a connection or write to it, and answer what is complete while answers can leave."""
+        if caller not in self.callers:  # closed a moment ago
+            return
         try:
             if may_send:
                 caller.send()
@@ -226,7 +233,7 @@ class Server:
         except (OSError, EOFError, MemoryError):
             return self.close(caller)
         if caller in self.callers and may_send != bool(caller.out):
-            self.selector.modify(caller.socket, selectors.EVENT_WRITE if caller.out else selectors.EVENT_READ, caller)
+            self._watch(caller)
 
     def make_room(self):
         """Take memory from who does not use it, and close who has not completed a message for longest, until all is within the limit."""
@@ -245,16 +252,14 @@ class Server:
         """Close the one of some connections that has completed no message for longest; False if there are none."""
         if not callers:
             return False
-        lanes.session.turned_away += 1
+        self.session.turned_away += 1
         self.close(min(callers, key=lambda caller: caller.since))
         return True
 
     def sweep(self):
         """Close the connections that nobody uses, and those that somebody abuses."""
+        self.loop.call_later(SWEEP, self.sweep)
         now = time.monotonic()
-        if now - self.swept < SWEEP:
-            return
-        self.swept = now
         for caller in list(self.callers):
             if now - caller.since > (UNFINISHED if caller.is_unfinished() else IDLE):
                 self.close(caller)
@@ -263,10 +268,10 @@ class Server:
         """Close a connection with a last word: that what has not been answered has not been begun, or was not understood."""
         if caller in self.callers:
             self.callers.discard(caller)
-            self.selector.unregister(caller.socket)
+            self.loop.unwatch(caller.socket.fileno())
         try:
             if not caller.out:
-                caller.socket.send(requests.word(last, caller.minor))
+                caller.socket.send(messages.whole(last, minor=caller.minor))
         except OSError:
             pass
         caller.socket.close()
@@ -325,11 +330,6 @@ class Server:
 
 
 _ASKED = ("_is_a", "_non_existent")  # which need no servant
-
-
-def _comes_later(event):
-    """False for a connection that has called a servant: it is attended first."""
-    return event.data is None or not event.data.has_called
 
 
 def _result(servant, interface, operation, arguments):

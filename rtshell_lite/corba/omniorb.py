@@ -1,25 +1,31 @@
-"""omniORB, as orb.py needs it: its settings, references, calls with a deadline, CORBA exceptions as errors."""
+"""omniORB, as orb.py needs it: its settings, references, calls with a deadline, CORBA exceptions as errors.
+
+Its calls cannot be interrupted: threads make them, and wake the loop.
+"""
+import collections
 import os
 import sys
 import threading
+import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import answers, failures, lanes, stubs
+from rtshell_lite.corba import answers, failures, session, stubs
 from rtshell_lite.giop import idl, ior
+from rtshell_lite.net import loop
 from rtshell_lite.text import from_wire, printable, to_wire
 
 PROBING = 4  # a host has a quarter of the timeout to refuse a connection
 CONNECTIONS = 5  # omniORB opens at most so many to one process (maxGIOPConnectionPerServer)
-
-loop = None  # calls of omniORB cannot be interrupted: threads make them
+IN_FLIGHT = 4  # calls to a process at a time, each on a thread
+HANDOVER = 5.0  # s that a caller of a servant waits at most for the loop
 
 HEEDED = None  # all settings of omniORB
+ANSWERS_AT_ONCE = False
 
-shared = False  # True: others in this process may use the ORB, too; deadlines are set for our references only
-_own = set()  # type: set  # (host, port) at which this process itself serves objects, once one of them has been asked
 _of_one_reply = set()  # type: set  # (host, port) of processes that have closed connections of ours after a reply
 _started = None  # the ORB, once there is one
 _deadline = None  # s, the deadline that it was given
+_session = None  # the Session of the command that runs
 _starting = threading.RLock()
 
 
@@ -27,25 +33,35 @@ _starting = threading.RLock()
 
 def start():
     """The ORB of this process, made at the first call. Raises MissingOmniORB, Usage (bad RTCTREE_ORB_ARGS)."""
-    global _started, _deadline
+    global _started, _deadline, _session
+    if loop.current() is None and _started is not None:  # a thread of ours asks for it
+        return _started
     with _starting:
+        _session = session.current()
         if _started is None:
             _started = _make_orb()
-            _deadline = lanes.session.timeout
-        elif _deadline != lanes.session.timeout and not shared:  # another command of rtsh, with a --timeout of its own
-            _deadline = lanes.session.timeout
+            _deadline = session.current().timeout
+        elif _deadline != session.current().timeout:  # another command of rtsh, with a --timeout of its own
+            _deadline = session.current().timeout
             _set_deadline()
     return _started
+
+
+def is_installed():
+    """Whether omniORBpy can be imported."""
+    try:
+        stubs.import_omniorb()
+    except errors.MissingOmniORB:
+        return False
+    return True
 
 
 def _make_orb():
     CORBA = stubs.import_omniorb()
     stubs.register()
     arguments = ["rtshell_lite", "-ORBtraceLevel", "0", "-ORBverifyObjectExistsAndType", "0",
-                 "-ORBgiopMaxMsgSize", str(32 << 20)]
-    if not shared:
-        arguments += ["-ORBclientCallTimeOutPeriod", _milliseconds(lanes.session.timeout),
-                      "-ORBclientConnectTimeOutPeriod", _milliseconds(lanes.session.timeout)]
+                 "-ORBgiopMaxMsgSize", str(32 << 20), "-ORBclientCallTimeOutPeriod", _milliseconds(session.current().timeout),
+                 "-ORBclientConnectTimeOutPeriod", _milliseconds(session.current().timeout)]
     own = [a for a in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if a]
     try:
         return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
@@ -63,8 +79,8 @@ def version():
 
 def _set_deadline():
     import omniORB
-    omniORB.setClientCallTimeout(int(_milliseconds(lanes.session.timeout)))
-    omniORB.setClientConnectTimeout(int(_milliseconds(lanes.session.timeout)))
+    omniORB.setClientCallTimeout(int(_milliseconds(_deadline)))
+    omniORB.setClientConnectTimeout(int(_milliseconds(_deadline)))
 
 
 def _milliseconds(seconds):
@@ -96,13 +112,13 @@ def from_text(where, text):
 
 
 def to_text(ref):
-    """The stringified IOR of a reference."""
+    """The stringified IOR of a reference, on any thread."""
     return start().object_to_string(ref)
 
 
 def address(ref):
     """What the IOR of a reference says, an ior.Address."""
-    return ior.address(start().object_to_string(ref))
+    return ior.address(to_text(ref))
 
 
 def narrow(ref, interface):
@@ -120,66 +136,193 @@ def same(one, other):
 
 # ---- calls ----------------------------------------------------------------------------------------------------
 
-def invoke(call):
-    """The result of an orb.Call, with a deadline of its `seconds` where that is more than the timeout."""
+async def invoke(call):
+    """The result of an orb.Call; raises what orb.call raises."""
+    here = loop.current()
+    queues = here.peers
+    if queues is None:
+        here.make_bell()
+        queues = here.peers = {}
+    endpoint = address(call.ref)[1:3]
+    queue = queues.get(endpoint)
+    if queue is None:
+        queue = queues[endpoint] = _Queue(here, endpoint)
+    item = _Item(call, queue.session)
+    queue.add(item)
+    try:
+        return await item.wait
+    finally:
+        if not item.wait.is_over:
+            queue.withdraw(item)
+
+
+class _Item:
+    """An orb.Call on its way: `begun` (time.monotonic()) when a thread has taken it, and `wait` for its outcome."""
+
+    __slots__ = ("call", "seconds", "has_answered", "begun", "wait", "is_withdrawn")
+
+    def __init__(self, call, now):
+        self.call, self.seconds = call, max(call.seconds or 0, now.timeout)
+        self.has_answered = self.is_withdrawn = False
+        self.begun, self.wait = None, loop.Wait()
+
+
+class _Queue:
+    """What one process is asked, by IN_FLIGHT threads at most. The first silence fails the rest."""
+
+    def __init__(self, of, endpoint):
+        self.loop, self.session, self.endpoint = of, session.current(), endpoint
+        self.waiting, self.open = collections.deque(), set()
+        self._threads, self._checking = 0, None
+
+    def add(self, item):
+        """Have a call made. Raises Shortage where there is no thread for it."""
+        item.has_answered = self.endpoint in self.session.answered
+        self.waiting.append(item)
+        self.open.add(item)
+        self._start()
+        if self._checking is None:
+            self._checking = self.loop.call_later(session.TICK, self._check)
+
+    def withdraw(self, item):
+        """Nobody waits for the result of a call any more; it is not made, if it has not been begun."""
+        self.open.discard(item)
+        item.is_withdrawn = True
+
+    def _start(self):
+        if self.waiting and self._threads < IN_FLIGHT:
+            self._threads += 1
+            _Worker.give(self)
+
+    def work(self):
+        """Make calls until none waits; on a thread."""
+        while True:
+            try:
+                item = self.waiting.popleft()
+            except IndexError:
+                break
+            if item.is_withdrawn:
+                continue
+            item.begun = time.monotonic()
+            value = error = None
+            try:
+                value = _made(item)
+            except BaseException as e:
+                error = e
+            self.loop.post(self._end, item, value, error)
+            if isinstance(error, errors.Silent):  # the loop decides whether the others are to be asked
+                break
+        self.loop.post(self._leave)
+
+    def _leave(self):
+        self._threads -= 1
+        self._start()
+
+    def _end(self, item, value, error):
+        self.open.discard(item)
+        if item.wait.is_over:  # given up before
+            return
+        if isinstance(error, errors.Silent):
+            self.session.fall_silent(self.endpoint, error.why, item.begun)
+            self._check_rest()
+        elif error is None or isinstance(error, errors.Refused):
+            self.session.has_answered(self.endpoint)
+        item.wait.end(value, error)
+
+    # ---- what does not come ----
+
+    def _check(self):
+        """Give up what omniORB does not, such as the look-up of a name."""
+        self._checking = None
+        now, is_over = time.monotonic(), self.session.is_over()
+        for item in list(self.open):
+            if item.begun is None:
+                continue
+            if is_over:
+                self._give_up(item, session.NO_TIME)
+            elif now - item.begun > item.seconds + session.GRACE:
+                self.session.fall_silent(self.endpoint, session.no_answer(item.seconds), item.begun)
+                self._give_up(item, session.no_answer(item.seconds))
+        self._check_rest()
+        if self.open:
+            self._checking = self.loop.call_later(session.TICK, self._check)
+
+    def _check_rest(self):
+        """Fail what waits for a process that has been found silent."""
+        silence = session.NO_TIME if self.session.is_over() else self.session.silence(self.endpoint)
+        while silence:
+            try:
+                item = self.waiting.popleft()
+            except IndexError:
+                return
+            self._give_up(item, silence)
+
+    def _give_up(self, item, why):
+        self.open.discard(item)
+        item.wait.failed(errors.Silent(str(item.call.where), why))
+
+
+class _Worker:
+    """A thread that makes the calls of one _Queue after another."""
+
+    _idle = []  # type: list
+
+    def __init__(self):
+        self._queue, self._begin = None, threading.Lock()
+        self._begin.acquire()
+        loop.start_thread(self._run)
+
+    @classmethod
+    def give(cls, queue):
+        """Let an idle worker, or a new one, make the calls of a queue. Raises Shortage."""
+        worker = cls._idle.pop() if cls._idle else cls()
+        worker._queue = queue
+        worker._begin.release()
+
+    def _run(self):
+        while True:
+            self._begin.acquire()
+            self._queue.work()
+            self._queue = None
+            self._idle.append(self)
+
+
+def _made(item):
+    """The result of a call, made on this thread, with a deadline of its `seconds` where that is more than the timeout."""
     from omniORB import CORBA
-    where, ref, operation, args, seconds = call.where, call.ref, call.operation, call.args, call.seconds
-    longer = seconds if seconds and seconds > lanes.session.timeout else None
-    if longer or shared:
+    call = item.call
+    where, ref, operation, args = call.where, call.ref, call.operation, call.args
+    if item.seconds > _deadline:
         import omniORB
-        omniORB.setClientCallTimeout(ref, int(_milliseconds(longer or lanes.session.timeout)))
+        omniORB.setClientCallTimeout(ref, int(_milliseconds(item.seconds)))
     try:
         if not failures.may_repeat(operation) and address(ref)[1:3] in _of_one_reply:
             _use_up_connections(ref)
         try:
-            return _answer(where, ref, operation, args)
+            return answers.invoke(where, ref, operation, args)
         except CORBA.COMM_FAILURE as e:
-            if lanes.in_lane() and not lanes.has_answered():
+            if not item.has_answered:
                 _check_version(str(where), address(ref)[1:3])
-            return _asked_again(e, where, ref, operation, args)
+            return _asked_again(e, item)
     except CORBA.Exception as e:
-        raise _error(str(where), e, max(seconds or 0, lanes.session.timeout), ref)
+        raise _error(str(where), e, item.seconds, ref)
 
 
-def _answer(where, ref, operation, args):
-    """The checked answer; from an object of this very process, which omniORB calls without octets, the plain one."""
-    from omniORB import CORBA
-    if _own and address(ref)[1:3] in _own:
-        return getattr(ref, operation)(*args)
-    try:
-        return answers.invoke(where, ref, operation, args)
-    except CORBA.BAD_PARAM as e:  # a peer may say that, too
-        if not (shared and _label(e) == "BAD_PARAM_WrongPythonType" and failures.may_repeat(operation) and _is_own(ref)):
-            raise
-    _own.add(address(ref)[1:3])
-    return getattr(ref, operation)(*args)
-
-
-def _is_own(ref):
-    """Whether a reference leads to where this process listens."""
-    from omniORB import CORBA
-    try:
-        poa = start().resolve_initial_references("RootPOA")
-        own = address(poa.create_reference(CORBA.Object._NP_RepositoryId))
-    except CORBA.SystemException:  # it cannot listen
-        return False
-    return bool(own.host) and own[1:3] == address(ref)[1:3]
-
-
-def _asked_again(failure, where, ref, operation, args):
+def _asked_again(failure, item):
     """The result of a question whose answer was lost: it is asked again, once for each connection that may be an old one.
 
     rtsh keeps connections. When a process ends, or is restarted at the same port, all of them are lost, and each shows it only
     when it is next used. Changes are not repeated: they may have been made.
     """
     from omniORB import CORBA
-    for _ in range(CONNECTIONS if failures.may_repeat(operation) and lanes.has_answered() else 0):
+    call = item.call
+    for _ in range(CONNECTIONS if failures.may_repeat(call.operation) and item.has_answered else 0):
         try:
-            answer = answers.invoke(where, ref, operation, args)
+            answer = answers.invoke(call.where, call.ref, call.operation, call.args)
         except CORBA.COMM_FAILURE as e:
             failure = e
         else:
-            _of_one_reply.add(address(ref)[1:3])
+            _of_one_reply.add(address(call.ref)[1:3])
             return answer
     raise failure
 
@@ -204,7 +347,7 @@ def _check_version(where, endpoint):
     from rtshell_lite.giop import messages
     for minor in (2, 1, 0):
         try:
-            with socket.create_connection(endpoint, lanes.session.timeout / PROBING) as probe:
+            with socket.create_connection(endpoint, _deadline / PROBING) as probe:
                 probe.sendall(messages.request(1, (1, minor), messages.KEY, b"\1\0\0\0?", "_non_existent", ()))
                 head = probe.recv(messages.HEADER)
         except (OSError, ValueError):
@@ -221,7 +364,7 @@ def _error(where, e, seconds, ref):
     from omniORB import CORBA
     label = _label(e)
     if isinstance(e, CORBA.TIMEOUT):
-        return errors.Silent(where, lanes.no_answer(seconds))
+        return errors.Silent(where, session.no_answer(seconds))
     if isinstance(e, CORBA.TRANSIENT) and label.endswith("ConnectFailed"):
         return _not_connected(where, address(ref)[1:3])
     if isinstance(e, CORBA.TRANSIENT) and label.endswith("NoUsableProfile"):
@@ -238,12 +381,12 @@ def _not_connected(where, endpoint):
     """
     import socket
     try:
-        socket.create_connection(endpoint, lanes.session.timeout / PROBING).close()
+        socket.create_connection(endpoint, _deadline / PROBING).close()
     except ConnectionRefusedError:
         pass
     except (OSError, ValueError) as e:  # the latter: no name of a host
-        if isinstance(e, OSError):
-            lanes.note_shortage(e, endpoint[0])
+        if isinstance(e, OSError) and _session is not None:
+            _session.note_shortage(e, endpoint[0])
         why = getattr(e, "strerror", None)
         return errors.Unreachable(where, "cannot be reached" + (f" ({why})" if why else ""))
     return errors.ConnectionRefused(where)
@@ -270,10 +413,34 @@ def serve(servant):
     except CORBA.INITIALIZE:  # only now omniORB begins to listen
         raise errors.Usage(errors.BAD_ENDPOINT)
     made = stubs.skeleton(servant.interface)()
-    vars(made).update((operation, getattr(servant, operation)) for operation in made._omni_op_d)
+    here = loop.current()
+    here.make_bell()
+    vars(made).update((operation, _on_loop(here, getattr(servant, operation))) for operation in made._omni_op_d)
     number = poa.activate_object(made)
     poa._get_the_POAManager().activate()
     return orb.object_to_string(poa.id_to_reference(number)), lambda: poa.deactivate_object(number)
+
+
+def _on_loop(of, method):
+    """A function for threads of omniORB that has the loop call a method of a servant, and waits for what that returns."""
+    def called(*args):
+        box, done = [], threading.Lock()
+        done.acquire()
+        if of.is_closed:
+            from omniORB import CORBA
+            raise CORBA.OBJECT_NOT_EXIST(0, CORBA.COMPLETED_NO)
+
+        def call():
+            try:
+                box.append(method(*args))
+            finally:
+                done.release()
+        of.post(call)
+        if not done.acquire(timeout=HANDOVER) or not box:
+            from omniORB import CORBA
+            raise CORBA.UNKNOWN(0, CORBA.COMPLETED_MAYBE)
+        return box[0]
+    return called
 
 
 # ---- values ---------------------------------------------------------------------------------------------------

@@ -25,12 +25,12 @@ def parse(words, formatters=False):
     return targets
 
 
-def find(targets):
+async def find(targets):
     """A Found, or an errors.Error, for each Target, in parallel.
 
     A port's name may contain a dot, and NAME follows a dot: the longer port name is tried first.
     """
-    listed = tree.on_components([target.path.object() for target in targets], ports.ports)
+    listed = await tree.on_components([target.path.object() for target in targets], ports.ports)
     return [known if isinstance(known, errors.Error) else _named(target, known) for target, known in zip(targets, listed)]
 
 

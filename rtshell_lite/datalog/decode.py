@@ -1,4 +1,4 @@
-"""What the entries of a log mean: the data types of its channels, their values, and their bytes for a port."""
+"""The entries of a log, decoded: the data types of its channels, their values, and their bytes for a port."""
 import struct
 import time
 

@@ -1,0 +1,341 @@
+"""The processes that are asked: who may be sent what and when, what has been silent for too long, what a lost connection means.
+
+At most connections.IN_FLIGHT requests are on their way to a process, any number to a name server. The first silence of a process
+fails the rest of what it is asked.
+"""
+import collections
+import functools
+import time
+from struct import error as StructError
+
+from rtshell_lite import errors
+from rtshell_lite.corba import session
+from rtshell_lite.corba.iiop import calls, connections
+from rtshell_lite.giop import messages
+from rtshell_lite.net import loop
+
+LOOK = 0.005  # seconds between looks at whether the address of a host has been found
+MOST_RETRIED = 2  # times that a question is asked again as a connection was lost by which others were answered
+NAMING = "IDL:omg.org/CosNaming/"  # interfaces of name servers begin so
+
+
+async def invoke(call):
+    """The result of an orb.Call; raises what orb.call raises."""
+    here = loop.current()
+    peers = here.peers
+    if peers is None:
+        peers = here.peers = Peers(here)
+    wait = loop.Wait()
+    request = calls.Request(call, wait.end)
+    endpoint = request.endpoint
+    peers.submit(request)
+    try:
+        return await wait
+    except errors.Silent as e:
+        if request.endpoint != endpoint:  # the silence of whom it was forwarded to says nothing about this one
+            raise errors.Unreachable(*e.args)
+        raise
+    finally:
+        if not wait.is_over:
+            peers.withdraw(request)
+
+
+class _Peer:
+    """One process: what is asked of it, and the connection with it."""
+
+    def __init__(self, endpoint):
+        self.endpoint = endpoint
+        self.heard = time.monotonic()
+        self.moved_on = 0.0  # when the request that had waited for longest was answered
+        self.waiting = collections.deque()  # calls.Requests that are not on their way
+        self.connection, self.watched = None, (None, 0)  # what the loop looks for
+
+    def may_send(self):
+        """Whether the first that waits may be sent now.
+
+        At each answer, not two at every second one: a peer without TCP_NODELAY sends the second when the first is acknowledged, by the
+        next request or 40 ms later.
+        """
+        if self.endpoint in connections.of_one_reply:
+            return not self.connection.requests
+        return len(self.connection.requests) < connections.IN_FLIGHT or _is_naming(self.waiting[0])
+
+    def needs_connection(self):
+        """Whether the first that waits must not be lost again with a connection that the peer may close after its reply."""
+        if self.connection is None or self.endpoint not in connections.of_one_reply:
+            return False
+        request = self.waiting[0]
+        is_used_up = self.connection.has_answered and not self.connection.requests
+        return is_used_up and (not request.is_idempotent or request.retried > 1)
+
+    def overdue(self, now):
+        """Give up the requests that have waited too long, and return them.
+
+        A name server gets many at once, so each of its answers restarts the clock of all. Another process may do
+        one request after the other: the clock of the next one starts when the one before is answered.
+        """
+        late = []
+        for number, request in self.connection.requests.items():
+            begun = self.heard if _is_naming(request) else self.moved_on
+            if now - max(request.sent, begun) > request.seconds:
+                late.append(number)
+        return [self.connection.give_up(number) for number in late]
+
+    def unanswered(self, found_silent, timeout):
+        """Give up the questions that were on their way when it was found silent, and return them: they would cost one more timeout.
+
+        A request that changes something keeps its time, and so does one that may take longer than others.
+        """
+        vain = [number for number, request in self.connection.requests.items()
+                if request.sent < found_silent and request.is_idempotent and request.seconds <= timeout]
+        return [self.connection.give_up(number) for number in vain]
+
+
+def _is_naming(request):
+    return request.ref.interface.startswith(NAMING)
+
+
+class Peers:
+    """What one loop has under way with the processes that are asked by it.
+
+    All is sent just before the loop waits, in one piece for each process.
+    """
+
+    def __init__(self, of):
+        self.loop, self.session, self.known = of, session.current(), {}
+        self._changed = set()  # peers to which requests may be sent
+        self._asked = set()  # peers with requests under way
+        self._watches = 0  # connections that the loop watches
+        self._checking = None  # the Timer of the next look for what has waited too long
+        self._tick = min(session.TICK, self.session.timeout / 10)
+        of.before_waiting.append(self._send_all)
+        of.at_end.append(self._leave_all)
+        of.on_return = self._restart_clocks
+
+    def peer(self, endpoint):
+        """The _Peer of a process."""
+        return self.known.get(endpoint) or self.known.setdefault(endpoint, _Peer(endpoint))
+
+    def submit(self, request):
+        """Have a request sent."""
+        request.sent = None
+        peer = self.peer(request.endpoint)
+        peer.waiting.append(request)
+        self._changed.add(peer)
+
+    def withdraw(self, request):
+        """Nobody waits for the result of a request any more; it is not sent, if it has not been."""
+        peer = self.peer(request.endpoint)
+        if request in peer.waiting:
+            peer.waiting.remove(request)
+            return
+        if peer.connection is None:
+            return
+        for number, other in list(peer.connection.requests.items()):
+            if other is request:
+                peer.connection.give_up(number)
+                self._changed.add(peer)
+        if not peer.connection.requests:
+            self._asked.discard(peer)
+
+    # ---- sending ----
+
+    def _send_all(self):
+        while self._changed:
+            self._send(self._changed.pop())
+        self.loop.alone, self.loop.idle = None, self._watches - 1
+        if len(self._asked) == 1:
+            peer, = self._asked
+            if peer.connection is not None and peer.connection.is_quiet:
+                self.loop.alone = functools.partial(self._take, peer, True)
+
+    def _send(self, peer):
+        """Send requests to a process, as many as it may get."""
+        try:
+            while peer.waiting:
+                if peer.needs_connection():
+                    self._unwatch(peer)
+                    peer.connection.close()
+                    peer.connection = None
+                if peer.connection is None:
+                    self._connect(peer)
+                if not peer.may_send():
+                    break
+                self._asked.add(peer)
+                peer.connection.send(peer.waiting.popleft())
+            if peer.connection is not None:
+                peer.connection.flush()
+                self._watch(peer)
+        except OSError as e:
+            self._lose(peer, e)
+        if self._asked and self._checking is None:
+            self._checking = self.loop.call_later(self._tick, self._check)
+
+    def _connect(self, peer):
+        peer.connection = connections.kept(peer.endpoint)
+        if peer.connection is None:
+            peer.connection = connections.Connection(peer.endpoint, peer.waiting[0].others)
+            self._go_on_connecting(peer)
+
+    def _go_on_connecting(self, peer):
+        connection = peer.connection
+        connection.go_on()
+        if connection.waits_for == "address":
+            self.loop.call_later(LOOK, lambda: self._look_for_address(peer, connection))
+
+    def _look_for_address(self, peer, connection):
+        if peer.connection is connection and connection.waits_for == "address":
+            self._take(peer, False)
+
+    def _watch(self, peer):
+        """Have the loop call when the connection of a peer can go on."""
+        wanted = peer.connection.wanted()
+        if wanted == peer.watched:
+            return
+        self._unwatch(peer)
+        fd, events = wanted
+        if fd is not None:
+            self.loop.watch(fd, events, functools.partial(self._take, peer, False))
+            self._watches += peer.watched[0] is None
+            peer.watched = wanted
+
+    def _unwatch(self, peer):
+        fd, _ = peer.watched
+        if fd is not None:
+            self.loop.unwatch(fd)
+            self._watches -= 1
+        peer.watched = (None, 0)
+
+    # ---- what comes ----
+
+    def _take(self, peer, may_wait):
+        connection = peer.connection
+        if connection is None:  # lost a moment ago
+            return
+        try:
+            if connection.waits_for:
+                self._go_on_connecting(peer)
+            else:
+                for data in connection.replies(may_wait):
+                    self._reply(peer, data)
+                if connection.end:
+                    raise connection.end
+                if not connection.requests and connection.has_begun():  # nobody waits for this reply, and it may have no end
+                    self._drop(peer)
+                    return
+                connection.flush()
+            self._watch(peer)
+        except (OSError, connections.Closed, ValueError, StructError) as e:
+            self._lose(peer, e)
+
+    def _reply(self, peer, data):
+        """Take a whole reply. Raises Garbled, struct.error."""
+        number, status, little, at = messages.reply(data)
+        if peer.connection.is_stray(number):
+            return
+        if number == next(iter(peer.connection.requests), None):
+            peer.moved_on = time.monotonic()
+        request = peer.connection.answered(number)
+        if not peer.connection.requests:
+            self._asked.discard(peer)
+        self.session.has_answered(peer.endpoint)
+        peer.heard = self.session.answered[peer.endpoint]
+        self._changed.add(peer)
+        if request is None or not request.answered(status, data, at, little):
+            return
+        silence = None if request.endpoint == peer.endpoint else self.session.silence(request.endpoint)
+        if silence:  # of who it has been forwarded to
+            request.resume(None, errors.Silent(str(request.call.where), silence))
+        else:
+            self.submit(request)
+
+    def _lose(self, peer, e):
+        """A connection has failed, or was never made: what was asked by it is asked again, where that does no harm, or fails."""
+        connection = self._drop(peer)
+        lost = list(connection.requests.values())
+        if connection.waits_for:
+            lost += peer.waiting
+            peer.waiting.clear()
+        is_cut = isinstance(e, (connections.Closed, ConnectionResetError, BrokenPipeError))
+        not_started = connection.not_started() if getattr(e, "not_started", False) else ()
+        if is_cut:
+            connections.forget(peer.endpoint)  # the others are no better, where the peer has been started again
+            if connection.has_answered and not not_started:
+                connections.of_one_reply.add(peer.endpoint)
+        is_older = connection.may_speak_older(e)
+        for request in lost:
+            if is_older and request.is_idempotent:
+                peer.waiting.append(request)
+            elif is_cut and connection.has_answered and self._may_repeat(request, request in not_started):
+                peer.waiting.append(request)
+            else:
+                request.failed(connections.Closed() if is_cut else e)
+        if not peer.waiting:  # a loop that runs for long meets many
+            self.known.pop(peer.endpoint, None)
+
+    def _drop(self, peer):
+        """Close the connection with a peer, and return it."""
+        connection, peer.connection = peer.connection, None
+        self._unwatch(peer)
+        connection.close()
+        self._asked.discard(peer)
+        self._changed.add(peer)
+        return connection
+
+    @staticmethod
+    def _may_repeat(request, is_not_started):
+        """Whether a request whose connection was lost may be sent again; a change may not, unless the peer says that it has not begun."""
+        if is_not_started:
+            return True
+        request.retried += 1
+        return request.is_idempotent and request.retried <= MOST_RETRIED
+
+    # ---- what does not come ----
+
+    def _check(self):
+        """Fail what has waited too long."""
+        self._checking = None
+        now = time.monotonic()
+        for peer in list(self._asked):
+            self._check_one(peer, now)
+        if self._asked:
+            self._checking = self.loop.call_later(self._tick, self._check)
+
+    def _check_one(self, peer, now):
+        is_over = self.session.is_over()
+        if is_over:
+            failed, why = peer.connection.give_up_all(), session.NO_TIME
+        else:
+            failed, why = peer.overdue(now), None
+        for request in failed:
+            silence = why or session.no_answer(request.seconds)
+            if not is_over:
+                self.session.fall_silent(peer.endpoint, silence, request.sent)
+            request.resume(None, errors.Silent(str(request.call.where), silence))
+        silence = session.NO_TIME if is_over else self.session.silence(peer.endpoint)
+        if silence:  # as those may have shown
+            self._fail_rest(peer, silence)
+        if not peer.connection.requests:
+            self._asked.discard(peer)
+        self._changed.add(peer)
+
+    def _fail_rest(self, peer, silence):
+        found_silent, _ = self.session.silent.get(peer.endpoint, (0, None))
+        failed = peer.unanswered(found_silent, self.session.timeout) + list(peer.waiting)
+        peer.waiting.clear()
+        for request in failed:
+            request.resume(None, errors.Silent(str(request.call.where), silence))
+
+    def _restart_clocks(self, seconds):
+        """We were away for so long: nobody was silent meanwhile."""
+        for peer in self._asked:
+            peer.heard += seconds
+            peer.moved_on += seconds
+            for request in peer.connection.requests.values():
+                request.sent += seconds
+
+    def _leave_all(self):
+        """End the connections, or leave them for later calls."""
+        for peer in self.known.values():
+            if peer.connection is not None:
+                peer.connection.leave()

@@ -1,0 +1,76 @@
+"""Which of the objects in a mounted tree live: all are asked, but no listing waits for one that hangs."""
+import time
+
+from rtshell_lite.corba import orb
+from rtshell_lite.mount.attempt import attempt
+from rtshell_lite.net import loop
+from rtshell_lite.robot import tree
+
+PATIENCE = 0.2  # seconds that a listing waits; later answers are for the next one
+ASKED = ("component", "manager", "unsure")
+UNKNOWN = None, None, 0  # kind, error, until when that is believed
+
+
+class Liveness:
+    """What objects have turned out to be, believed for `ttl` seconds; before that, what their references say.
+
+    They are asked in the loop.Group `tasks`; fail(exception) is called at a bug.
+    """
+
+    def __init__(self, tasks, ttl, fail):
+        self._tasks, self._ttl, self._fail = tasks, ttl, fail
+        self._known = {}  # by identity: (kind, error, until)
+        self._asked = {}  # by identity: since when, time.monotonic()
+        self._bells = set()  # of the listings that wait
+
+    async def check(self, nodes):
+        """`tree.check_alive`, for a few tenths of a second at most; what does not answer keeps its kind."""
+        objects = {orb.identity(node.ref): node for node in nodes if node.kind in ASKED and node.error is None}
+        self._ask(objects)
+        end, bell = time.monotonic() + PATIENCE, loop.Bell()
+        self._bells.add(bell)
+        try:
+            while self._is_worth_waiting(objects) and await bell.wait(end - time.monotonic()):
+                pass
+        finally:
+            self._bells.discard(bell)
+        return [self._classified(node) for node in nodes]
+
+    def _ask(self, objects):
+        now, groups = time.monotonic(), {}
+        for identity, node in objects.items():
+            _, _, until = self._known.get(identity, UNKNOWN)
+            if identity not in self._asked and until < now:
+                self._asked[identity] = now
+                groups.setdefault(node.endpoint, []).append((identity, node))
+        for group in groups.values():
+            self._tasks.start(self._ask_process(group))
+
+    def _is_worth_waiting(self, objects):
+        late = time.monotonic() - PATIENCE
+        return any(self._asked.get(identity, late) > late for identity in objects)
+
+    async def _ask_process(self, group):
+        answers, error = await attempt(tree.check_alive([node for _, node in group]))
+        until = time.monotonic() + self._ttl
+        for (identity, _), answer in zip(group, answers or ()):
+            self._known[identity] = answer.kind, answer.error, until
+        for identity, _ in group:
+            del self._asked[identity]
+        for bell in self._bells:
+            bell.ring()
+        if error is not None:
+            self._fail(error)
+
+    def _classified(self, node):
+        if node.kind not in ASKED or node.error is not None:
+            return node
+        kind, error, until = self._known.get(orb.identity(node.ref), UNKNOWN)
+        if until < time.monotonic() or kind in (node.kind, "silent"):
+            return node
+        return tree.Node(node.path, kind, node.ref, error)
+
+    def sweep(self):
+        """Free what is believed no longer."""
+        now = time.monotonic()
+        self._known = {identity: known for identity, known in self._known.items() if known[2] >= now}

@@ -1,0 +1,1 @@
+"""What everything waits on: one loop for tasks, timers, sockets, threads and signals."""

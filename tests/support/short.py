@@ -1,0 +1,61 @@
+"""What tests/run without arguments runs: the same every time, in 3 to 5 minutes on two quiet cores.
+
+Each transcript under one shell and with one ORB, some of those about failures, and of a test module that says PART = N one in
+N tests.
+"""
+import os
+import zlib
+
+import transcripts
+
+OF_FAILURES = 3  # one in so many of the transcripts about failures
+OF_OMNIORB = 4  # one in so many transcripts is played with omniORB, the others with our own ORB
+BEGINNING = """Each transcript under one shell and with one ORB, a part of the long test modules: 3 to 5 minutes on two quiet cores.
+A word runs what has it in its name (tests/run rtls), --all everything; --help says more."""
+
+
+def choose(wanted):
+    """Choose the short run and say so, unless the user has chosen (`wanted`)."""
+    os.environ.pop("RTSHELL_SHORT", None)
+    if not wanted:
+        os.environ["RTSHELL_SHORT"] = "1"
+        print(BEGINNING, flush=True)
+
+
+def is_chosen():
+    """Whether this is the short run."""
+    return "RTSHELL_SHORT" in os.environ
+
+
+def part(source):
+    """Which tests of a module have their turn, as report.py takes it; "" for all. `source` is the module's file."""
+    if not is_chosen():
+        return ""
+    with open(source, encoding="utf-8") as file:
+        return next((line.split()[2] for line in file if line.startswith("PART =")), "")
+
+
+def orbs():
+    """What transcripts are played with: each ORB in a short run (None: the one that commands choose), else the user's."""
+    return [None, "omniorb"] if is_chosen() and "RTSHELL_ORB" not in os.environ else [os.environ.get("RTSHELL_ORB")]
+
+
+def at_once(processors, measures=False):
+    """How many jobs run at once, for they wait more than they compute: half as many of those that measure times.
+
+    Parts are short; whole modules, for which there is a limit of time, hinder each other.
+    """
+    number = (4 if is_chosen() else 2) * processors
+    return number // 2 if measures else number
+
+
+def has_turn(path, shell, orb):
+    """Is a transcript played so?"""
+    if not is_chosen():
+        return True
+    number = zlib.crc32(os.path.basename(path).encode())
+    known, turns = sorted(transcripts.SHELLS), orbs()[-1:] + (OF_OMNIORB - 1) * orbs()[:1]
+    number, chosen_shell = divmod(number, len(known))
+    number, chosen_orb = divmod(number, len(turns))
+    is_meant = number % OF_FAILURES == 0 or not path.endswith(("-faults.t", "-failures.t"))
+    return is_meant and shell == known[chosen_shell] and orb == turns[chosen_orb]

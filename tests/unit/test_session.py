@@ -1,0 +1,152 @@
+"""Many calls at once by omniORB's threads: hung peers cost one timeout together, live ones do not wait for them."""
+import threading
+import time
+import types
+import unittest
+from unittest import mock
+
+from rtshell_lite import errors
+from rtshell_lite.corba import omniorb, orb, session
+from rtshell_lite.net import loop
+
+TIMEOUT = 0.4
+
+
+class Calls(unittest.TestCase):
+    """Calls of references that are pairs of an endpoint and a function, which a thread calls in place of omniORB."""
+
+    def setUp(self):
+        session.Session.answered.clear()
+        self.session, self.release = session.Session(TIMEOUT), threading.Event()
+        self.addCleanup(self.release.set)
+        for name, fake in (("_made", lambda item: item.call.ref[1]()), ("address", lambda ref: ("", ref[0], 1, b""))):
+            patched = mock.patch.object(omniorb, name, fake)
+            patched.start()
+            self.addCleanup(patched.stop)
+        orbs = mock.patch.object(orb, "_orb", types.SimpleNamespace(invoke=omniorb.invoke, address=omniorb.address))
+        orbs.start()
+        self.addCleanup(orbs.stop)
+
+    def gather(self, *refs):
+        """What calls of all these come to, each in the task of its process."""
+        async def ask(ref):
+            return await orb.call(ref[0], ref, "get")
+        return loop.run(orb.each(refs, ask), session=self.session)
+
+    def ask(self, ref):
+        return loop.run(orb.call(ref[0], ref, "get"), session=self.session)
+
+    def silent(self):
+        """A function of a process that does not answer until the test ends."""
+        self.release.wait(30)
+        raise errors.Silent("x", "no answer")
+
+    def test_values_come_in_order(self):
+        self.assertEqual(self.gather(*[(f"p{i % 3}", lambda i=i: i) for i in range(100)]), list(range(100)))
+
+    def test_no_calls(self):
+        self.assertEqual(self.gather(), [])
+
+    def test_live_peers_answer_beside_hung_and_dead_ones(self):
+        def refuse():
+            raise errors.ConnectionRefused("x")
+        refs = [("hung", self.silent)] * 200 + [("dead", refuse)] * 50 + [(f"live{i}", lambda i=i: i) for i in range(30)]
+        start = time.monotonic()
+        values = self.gather(*refs)
+        spent = time.monotonic() - start
+        self.assertEqual({type(value) for value in values[:200]}, {errors.Silent})
+        self.assertEqual({type(value) for value in values[200:250]}, {errors.ConnectionRefused})
+        self.assertEqual(values[250:], list(range(30)))
+        self.assertGreaterEqual(spent, TIMEOUT)
+        self.assertLess(spent, 5)  # one timeout; it would be 20 s with one for each thread of hung calls
+
+    def test_the_first_silence_fails_the_rest_of_its_process(self):
+        asked = []
+
+        def fall_silent():
+            asked.append(1)
+            raise errors.Silent("x", "no answer")
+        values = self.gather(*[("p", fall_silent)] * 50)
+        self.assertEqual({type(value) for value in values}, {errors.Silent})
+        self.assertLessEqual(len(asked), omniorb.IN_FLIGHT)
+
+    def test_at_most_four_calls_are_in_flight_to_one_process(self):
+        under_way, most = [], []
+
+        def call():
+            under_way.append(1)
+            most.append(len(under_way))
+            self.release.wait(0.002)
+            under_way.pop()
+        self.gather(*[("p", call)] * 60)
+        self.assertLessEqual(max(most), 4)
+
+    def test_a_silent_process_is_not_asked_again_at_once(self):
+        self.gather(("p", self.silent))
+        start = time.monotonic()
+        self.assertIsInstance(self.gather(("p", lambda: 1))[0], errors.Silent)
+        while time.monotonic() - start < TIMEOUT + 0.05:
+            self.release.wait(0.05)
+        self.assertEqual(self.gather(("p", lambda: 1)), [1])  # but later, when it may be back
+
+    def test_silence_elsewhere_is_not_held_against_this_process(self):
+        async def outer(ref):
+            return await orb.call("other", ("other", self.silent), "get")
+        values = loop.run(orb.each([("p", None)], outer), session=self.session)
+        self.assertIs(type(values[0]), errors.Unreachable)
+        self.assertEqual(self.ask(("p", lambda: 1)), 1)
+
+    def test_a_process_that_answers_others_is_not_silent(self):
+        def answer():
+            self.release.wait(TIMEOUT / 2)
+            return 1
+        values = self.gather(("p", self.silent), *[("p", answer)] * 3)
+        self.assertEqual(values[1:], [1, 1, 1])
+        self.assertIsInstance(values[0], errors.Silent)
+        self.assertEqual(self.session.silent, {})
+
+    def test_a_bug_is_not_taken_for_a_failure_of_the_peer(self):
+        with self.assertRaises(KeyError):
+            self.gather(("p", lambda: {}["x"]))
+
+    def test_nobody_is_asked_when_all_time_is_up(self):
+        """If this fails, commands with a limit in time exceed it when peers are slow but answer."""
+        self.session.end = time.monotonic() + 0.2
+        start = time.monotonic()
+        values = self.gather(*[("slow", lambda: self.release.wait(0.1))] * 200)
+        self.assertLess(time.monotonic() - start, 3)  # without the limit it would be 5 s
+        self.assertEqual(values[-1].why, session.NO_TIME)
+
+    def test_what_nobody_waits_for_is_not_begun(self):
+        begun = []
+
+        async def main():
+            async with loop.Group() as group:
+                for number in range(20):
+                    group.start(orb.call("p", ("p", lambda: begun.append(1) or self.release.wait(0.2)), "get"))
+                await loop.sleep(0.05)
+                group.cancel()
+        loop.run(main(), session=self.session)
+        self.release.wait(0.5)
+        self.assertLessEqual(len(begun), omniorb.IN_FLIGHT)
+
+
+class Servants(unittest.TestCase):
+    def test_they_are_called_on_the_loop(self):
+        """And a fault of theirs costs the one call."""
+        def method(value):
+            called.append(threading.current_thread())
+            return 10 // value
+        called = []
+
+        async def main():
+            here = loop.current()
+            here.make_bell()
+            function = omniorb._on_loop(here, method)
+            return await loop.on_thread(function, 5)
+        self.assertEqual(loop.run(main()), 2)
+        self.assertEqual(called, [threading.main_thread()])
+
+
+if __name__ == "__main__":
+    unittest.main()
