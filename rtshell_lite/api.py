@@ -1,19 +1,22 @@
-"""rtshell_lite for programs: launch scripts, test suites, analysers of data. docs/library.md compares it with rtctree and rtsprofile.
+"""rtshell_lite for programs: launch scripts, test suites, analysers of data. docs/library.md compares it with
+rtctree and rtsprofile.
 
     from rtshell_lite import api
 
-    motor = api.component("/localhost/robot.host_cxt/Motor0.rtc", wait=30)
-    with api.connected("/localhost/robot.host_cxt/Sensor0.rtc:out", motor.path + ":in", subscription_type="flush"):
+    motor = api.component("/localhost/robot.host_cxt/Motor0.rtc", wait=30) with
+    api.connected("/localhost/robot.host_cxt/Sensor0.rtc:out", motor.path + ":in", subscription_type="flush"):
         motor.activate(wait=5)
         print(api.next_value(motor.path + ":out", timeout=2).data)
 
-What is defined here keeps its names, arguments and meanings; more may be added. All other modules may change with any version.
+What is defined here keeps its names, arguments and meanings; more may be added. All other modules may change
+with any version.
 
-Paths are those of the commands; relative ones start at RTCSH_CWD. Failures are errors.Error, with `where` (the object) and
-`why`; every remote call has a deadline (`set_timeout`). Functions may be called from any thread, also in a program that is a
-component itself: its ORB, signals and threads are left alone. Rare remarks go to stderr, such as that a peer's answer was too
-long.
+Paths are those of the commands; relative ones start at RTCSH_CWD. Failures are errors.Error, with `where`
+(the object) and `why`; every remote call has a deadline (`set_timeout`). Functions may be called from any
+thread, also in a program that is a component itself: its ORB, signals and threads are left alone. Rare
+remarks go to stderr, such as that a peer's answer was too long.
 """
+
 import collections
 import contextlib
 import functools
@@ -27,21 +30,42 @@ from rtshell_lite.corba.session import Session
 from rtshell_lite.errors import Error
 from rtshell_lite.net import loop
 
-__all__ = ["Component", "Error", "Port", "capture", "check", "component", "components", "connect", "connected", "disconnect",
-           "dump_profile", "load_profile", "next_value", "restore", "send", "set_timeout", "values"]
+__all__ = [
+    "Component",
+    "Error",
+    "Port",
+    "capture",
+    "check",
+    "component",
+    "components",
+    "connect",
+    "connected",
+    "disconnect",
+    "dump_profile",
+    "load_profile",
+    "next_value",
+    "restore",
+    "send",
+    "set_timeout",
+    "values",
+]
 
 POLL = 0.2  # seconds between two looks
 
-# A port: its path, its type (DataInPort, DataOutPort, CorbaPort, Port), a dict, and the ids of its connections.
+# A port: its path, its type (DataInPort, DataOutPort, CorbaPort, Port), a dict, and the ids of its
+# connections.
 Port = collections.namedtuple("Port", "path type properties connections")
 
 _session = Session()
 
 
 def _report(kind, what):
-    """The listener of notes.py; unless the program says otherwise, Python prints what is logged so on stderr."""
+    """The listener of notes.py; unless the program says otherwise,
+    Python prints what is logged so on stderr.
+    """
     if kind != notes.DETAIL:
         import logging
+
         logging.getLogger("rtshell_lite").warning("%s", text.safe(str(what)))
 
 
@@ -50,16 +74,24 @@ notes.listener = notes.listener or _report
 
 def _plain(function):
     """A coroutine function as a plain one, which runs on a loop of its own."""
+
     @functools.wraps(function)
     def run(*args, **more):
         return loop.run(function(*args, **more), _signals(), _session, as_guest=True)
+
     return run
 
 
 def _signals():
-    """What the program's own handlers of signals raise, see loop.run: they run, but never in the middle of a call."""
+    """What the program's own handlers of signals raise, see loop.run:
+    they run, but never in the middle of a call.
+    """
     found = {number: signal.getsignal(number) for number in range(1, signal.NSIG)}
-    return {number: functools.partial(_raised, number, handler) for number, handler in found.items() if callable(handler)}
+    return {
+        number: functools.partial(_raised, number, handler)
+        for number, handler in found.items()
+        if callable(handler)
+    }
 
 
 def _raised(number, handler):
@@ -77,7 +109,8 @@ def set_timeout(seconds):
     _session.timeout = float(seconds)
 
 
-# ---- components -----------------------------------------------------------------------------------------------
+# ---- components --------------------------------------------------------------------------------------------
+
 
 class Component:
     """The component at a path. Each use looks it up, so that it may be restarted meanwhile."""
@@ -90,6 +123,7 @@ class Component:
 
     async def _node(self):
         from rtshell_lite.robot import tree
+
         return await tree.component(self.path)
 
     @property
@@ -97,16 +131,21 @@ class Component:
     async def state(self):
         """Created, Inactive, Active, Error or Unknown."""
         from rtshell_lite.robot import component
+
         return await component.state(await self._node())
 
     @_plain
     async def activate(self, wait=None, context=None):
-        """Activate it, as rtact does; `wait`: how many seconds to wait at most until it is Active; `context`: as -e of rtact."""
+        """Activate it, as rtact does; `wait`: how many seconds to wait at most until it is Active;
+        `context`: as -e of rtact.
+        """
         await self._change("ACTIVATE", wait, context)
 
     @_plain
     async def deactivate(self, wait=None, context=None):
-        """Deactivate it, as rtdeact does: in all its execution contexts, or in the one with the number `context`."""
+        """Deactivate it, as rtdeact does: in all its execution contexts,
+        or in the one with the number `context`.
+        """
         await self._change("DEACTIVATE", wait, context)
 
     @_plain
@@ -116,6 +155,7 @@ class Component:
 
     async def _change(self, name, wait, context):
         from rtshell_lite.robot import transitions
+
         await transitions.change(await self._node(), getattr(transitions, name), context, wait)
 
     @_plain
@@ -127,7 +167,9 @@ class Component:
     async def configure(self, values, set_id=None):
         """Set values (a dict of texts) in a configuration set (default: the active one)."""
         found = await self._configuration()
-        await found.store({name: str(value) for name, value in values.items()}, found.set(set_id, with_hidden=True))
+        await found.store(
+            {name: str(value) for name, value in values.items()}, found.set(set_id, with_hidden=True)
+        )
 
     @_plain
     async def activate_set(self, set_id):
@@ -136,25 +178,36 @@ class Component:
 
     async def _configuration(self):
         from rtshell_lite.robot import configuration
+
         return await configuration.of(await self._node())
 
     @_plain
     async def ports(self):
         """Its Ports, a list."""
         from rtshell_lite.robot import ports
-        return [Port(ports.label(port), port.type, dict(port.properties), [connector.id for connector in port.connectors])
-                for port in await ports.ports(await self._node())]
+
+        return [
+            Port(
+                ports.label(port),
+                port.type,
+                dict(port.properties),
+                [connector.id for connector in port.connectors],
+            )
+            for port in await ports.ports(await self._node())
+        ]
 
 
 @_plain
 async def component(path, wait=0.0):
     """The Component at a path, once it is there and alive, for which it has `wait` seconds."""
     from rtshell_lite.robot import tree
-    found, end = Component(path), time.monotonic() + wait
+
+    found = Component(path)
+    end = time.monotonic() + wait
     while True:
-        node, = await tree.at_each([paths.parse(found.path)], tree.component)
+        (node,) = await tree.at_each([paths.parse(found.path)], tree.component)
         if not isinstance(node, Error):
-            node, = await tree.check_alive([node])
+            (node,) = await tree.check_alive([node])
             node = node.error or node
         if not isinstance(node, Error):
             return found
@@ -165,18 +218,23 @@ async def component(path, wait=0.0):
 
 @_plain
 async def components(top="/"):
-    """The Components at and below a path, a list. What does not answer is left out; if that leaves none, the first failure is raised."""
+    """The Components at and below a path, a list.
+    What does not answer is left out; if that leaves none, the first failure is raised.
+    """
     from rtshell_lite.system import capture
+
     nodes, _, failures, _ = await capture.components([paths.parse(top)])
     if failures and not nodes:
         raise failures[0]
     return [Component(str(node.path)) for node in nodes]
 
 
-# ---- connections ----------------------------------------------------------------------------------------------
+# ---- connections -------------------------------------------------------------------------------------------
+
 
 async def _found(*words):
     from rtshell_lite.robot import ports
+
     wanted = [paths.parse(word) for word in words]
     for path in wanted:
         if path.port is None:
@@ -193,8 +251,11 @@ def _properties(given):
 
 @_plain
 async def connect(one, other, **properties):
-    """Connect two ports and return the id of the connection. Properties without a dot belong to `dataport`: data_type="…"."""
+    """Connect two ports and return the id of the connection.
+    Properties without a dot belong to `dataport`: data_type="…".
+    """
     from rtshell_lite.robot import connectors
+
     return (await connectors.connect(await _found(one, other), given=_properties(properties))).id
 
 
@@ -202,8 +263,12 @@ async def connect(one, other, **properties):
 async def disconnect(one, other=None):
     """Remove the connections of two ports, or all of one; returns how many there were."""
     from rtshell_lite.robot import connectors, ports
+
     found = await _found(*[path for path in (one, other) if path is not None])
-    removed = ports.joining(found) if other is not None else found[0].connectors
+    if other is not None:
+        removed = ports.joining(found)
+    else:
+        removed = found[0].connectors
     for connector in removed:
         await connectors.disconnect(found[0], connector)
     return len(removed)
@@ -223,10 +288,13 @@ def connected(one, other, **properties):
 async def _connect(one, other, properties):
     """The port `one` and its connector with the other, which does not stay if Ctrl-C strikes meanwhile."""
     from rtshell_lite.robot import connectors
-    ends, made = await _found(one, other), []
+
+    ends = await _found(one, other)
+    made = []
 
     async def connect():
         made.append(await connectors.connect(ends, given=_properties(properties)))
+
     try:
         await loop.finish(connect())
     except BaseException:
@@ -239,21 +307,25 @@ async def _connect(one, other, properties):
 @_plain
 async def _disconnect(port, connector):
     from rtshell_lite.robot import connectors
+
     await loop.finish(connectors.disconnect(port, connector))
 
 
-# ---- data -----------------------------------------------------------------------------------------------------
+# ---- data --------------------------------------------------------------------------------------------------
+
 
 async def _type(port, idl):
     from rtshell_lite.data import datatypes
+
     return await datatypes.Types(idl=idl).load().of_port(port)
 
 
 def values(port, timeout=None, idl=(), **properties):
-    """Yield the values that an out port sends, from its connection at the first one on; the end of the generator removes that.
+    """Yield the values that an out port sends, from its connection at the first one on; the end of the
+    generator removes that.
 
-    A value has its IDL members as attributes: value.tm.sec, value.data. Raises errors.Unreachable when none comes for `timeout`
-    seconds. `idl` are files with types that are not standard ones.
+    A value has its IDL members as attributes: value.tm.sec, value.data. Raises errors.Unreachable when none
+    comes for `timeout` seconds. `idl` are files with types that are not standard ones.
     """
     feed = _Feed()
     try:
@@ -271,7 +343,9 @@ def next_value(port, timeout=5.0, idl=(), **properties):
 
 
 class _Feed:
-    """The values of an out port. They are received on a thread of its own, so that the component need not wait for the program."""
+    """The values of an out port. They are received on a thread of its own,
+    so that the component need not wait for the program.
+    """
 
     def __init__(self):
         self._loop = self._task = self._failure = None
@@ -327,13 +401,16 @@ class _Feed:
 
     async def _receive(self, port, idl, properties):
         from rtshell_lite.data import inbox, reading
+
         here = loop.current()
         here.make_bell()
-        self._task, self._loop = here.running, here
+        self._task = here.running
+        self._loop = here
         if self._is_ending:
             return
-        found, = await _found(port)
-        self._type, box = await _type(found, idl), inbox.Inbox()
+        (found,) = await _found(port)
+        self._type = await _type(found, idl)
+        box = inbox.Inbox()
         async with reading.Reader(found, box.taker(0), properties=properties) as reader:
             self._where = reader.where
             self._tell()
@@ -354,14 +431,18 @@ async def _values_in(box, reader):
 
 @_plain
 async def send(port, value, idl=(), anyway=False):
-    """Send a value to an in port and wait until the component can have read it. A member `tm` that is left out is the present.
+    """Send a value to an in port and wait until the component can have read it. A member `tm` that is left
+    out is the present.
 
-    The value is one of its type, a dict of its members, or what its member `data` is to be: 42. Raises errors.Failed for a
-    component that does not read now (unless `anyway`), errors.Unread when it stops doing so, BadValue.
+    The value is one of its type, a dict of its members, or what its member `data` is to be: 42. Raises
+    errors.Failed for a component that does not read now (unless `anyway`), errors.Unread when it stops doing
+    so, BadValue.
     """
     from rtshell_lite.data import values as data_values, writing
-    found, = await _found(port)
-    type, now = await _type(found, idl), divmod(int(time.time() * 1e9), 10 ** 9)
+
+    (found,) = await _found(port)
+    type = await _type(found, idl)
+    now = divmod(int(time.time() * 1e9), 10**9)
     built = data_values.build(type.descriptor, value, type.name, now=now)
     async with writing.Writer(found, {}, "rtshell_lite", anyway) as writer:
         await writer.put(type.encode(built, writer.little), writer.little)
@@ -370,12 +451,16 @@ async def send(port, value, idl=(), anyway=False):
         raise writer.failure
 
 
-# ---- systems --------------------------------------------------------------------------------------------------
+# ---- systems -----------------------------------------------------------------------------------------------
+
 
 @_plain
 async def capture(*tops):
-    """The RtsProfile of all that runs below these paths (default: all name servers). Raises the first failure."""
+    """The RtsProfile of all that runs below these paths (default: all name servers).
+    Raises the first failure.
+    """
     from rtshell_lite.system import capture as capturing
+
     found = await capturing.capture([paths.parse(top) for top in tops], all_components=True)
     if found.failures:
         raise found.failures[0]
@@ -384,11 +469,13 @@ async def capture(*tops):
 
 @_plain
 async def restore(profile, create=False, manager=None, rollback=False):
-    """Bring the running system to a profile, as rtresurrect does; raises the first failure of what the profile requires.
+    """Bring the running system to a profile, as rtresurrect does; raises the first failure of what the
+    profile requires.
 
     `create`: let managers create what is missing, that at the path `manager` where the profile names none.
     """
     from rtshell_lite.system import apply, restore as restoring
+
     outcomes = await restoring.restoring(profile, restoring.Options(create, manager, False))
     await apply.carry_out(outcomes, rollback)
     for outcome in outcomes:
@@ -398,9 +485,12 @@ async def restore(profile, create=False, manager=None, rollback=False):
 
 @_plain
 async def check(profile, state="Active", extra=False):
-    """How the running system differs from a profile, as lines of text; [] where it does not. See rtcheck. Raises ValueError."""
+    """How the running system differs from a profile, as lines of text; [] where it does not. See rtcheck.
+    Raises ValueError.
+    """
     from rtshell_lite.robot import component
     from rtshell_lite.system import compare
+
     if state not in component.STATES:
         raise ValueError(f"not one of {', '.join(component.STATES)}: {state!r}")
     result = await compare.compare(profile, state, extra=extra)
@@ -410,8 +500,11 @@ async def check(profile, state="Active", extra=False):
 
 
 def load_profile(name):
-    """The RtsProfile (xmlprofile.model.RtsProfile) in a file, XML or YAML. Raises errors.BadProfile, OSError."""
+    """The RtsProfile (xmlprofile.model.RtsProfile) in a file, XML or YAML.
+    Raises errors.BadProfile, OSError.
+    """
     from rtshell_lite.system import capture as capturing
+
     return capturing.read(name)
 
 
@@ -419,6 +512,7 @@ def dump_profile(profile, name, form="xml"):
     """Write a profile to a file, as xml or yaml, whole or not at all. Raises OSError, ValueError."""
     from rtshell_lite import files
     from rtshell_lite.xmlprofile import rtsprofile
+
     if form not in (rtsprofile.XML, rtsprofile.YAML):
         raise ValueError(f"not xml or yaml: {form!r}")
     files.write(name, rtsprofile.dump(profile, form))

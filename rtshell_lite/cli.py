@@ -2,6 +2,7 @@
 
 Libraries print nothing: what they remark (notes.py) is printed here.
 """
+
 import _signal  # see start.py
 import errno
 import io
@@ -22,12 +23,15 @@ MISNAMED = {"RTCSH_NAMESERVERS": "RTCTREE_NAMESERVERS", "RTSH_CWD": "RTCSH_CWD"}
 _quiet = _verbose = False
 
 
-# ---- running a command ----------------------------------------------------------------------------------------
+# ---- running a command -------------------------------------------------------------------------------------
+
 
 def main(arguments, run, doc, argv=None):
-    """Run one command and exit: `arguments(parser)` declares its options, `run(args)` does the work and returns the exit status.
+    """Run one command and exit: `arguments(parser)` declares its options, `run(args)` does the work and
+    returns the exit status.
 
-    `run` is a coroutine function where it asks peers: then Ctrl-C, SIGTERM and SIGHUP arrive at what it awaits.
+    `run` is a coroutine function where it asks peers: then Ctrl-C, SIGTERM and SIGHUP arrive at what it
+    awaits.
     """
     _prepare_streams()
     notes.listener = _hear
@@ -46,7 +50,9 @@ class Ended(BaseException):
 
 
 def command(arguments, run, doc, argv):
-    """Run one command in this process, named by sys.argv[0], and return its exit status. Raises KeyboardInterrupt, Ended."""
+    """Run one command in this process, named by sys.argv[0], and return its exit status.
+    Raises KeyboardInterrupt, Ended.
+    """
     before = _quiet, _verbose
     try:
         args = options.parser(arguments, doc, os.path.basename(sys.argv[0])).parse_args(argv)
@@ -72,6 +78,7 @@ def command(arguments, run, doc, argv):
     except Exception as e:
         if os.environ.get("RTSHELL_DEBUG"):
             import traceback
+
             traceback.print_exc()
         complain(f"internal error: {type(e).__name__}: {e} (RTSHELL_DEBUG=1 shows where)")
         return 70
@@ -79,20 +86,25 @@ def command(arguments, run, doc, argv):
         _settle(*before)  # the settings of rtsh, if it runs this command
 
 
-SIGNALS = {_signal.SIGINT: KeyboardInterrupt,  # type: dict
-           _signal.SIGTERM: lambda: Ended(128 + _signal.SIGTERM),
-           _signal.SIGHUP: lambda: Ended(128 + _signal.SIGHUP)}
+SIGNALS = {  # type: dict
+    _signal.SIGINT: KeyboardInterrupt,
+    _signal.SIGTERM: lambda: Ended(128 + _signal.SIGTERM),
+    _signal.SIGHUP: lambda: Ended(128 + _signal.SIGHUP),
+}
 
 
 def unwind_when_ended():
-    """Let SIGTERM and SIGHUP run the `finally` clauses of plain code, as Ctrl-C does; where peers are asked, they do so anyway.
+    """Let SIGTERM and SIGHUP run the `finally` clauses of plain code, as Ctrl-C does; where peers are asked,
+    they do so anyway.
 
     Only the first counts: a closing terminal and systemd send both.
     """
+
     def end(number, frame):
         for other in (_signal.SIGTERM, _signal.SIGHUP):
             _signal.signal(other, _signal.SIG_IGN)
         raise SIGNALS[number]()
+
     for number in (_signal.SIGTERM, _signal.SIGHUP):
         if _signal.getsignal(number) == _signal.SIG_DFL:  # nohup ignores SIGHUP
             _signal.signal(number, end)
@@ -100,7 +112,8 @@ def unwind_when_ended():
 
 def _settle(quiet, verbose):
     global _quiet, _verbose
-    _quiet, _verbose = quiet, verbose
+    _quiet = quiet
+    _verbose = verbose
     notes.begin()
 
 
@@ -125,7 +138,9 @@ def _prepare_streams():
     if sys.stdout is None:
         sys.stdout = _Closed()
     else:
-        sys.stdout = io.TextIOWrapper(sys.stdout.buffer, "utf-8", "backslashreplace", line_buffering=sys.stdout.isatty())
+        sys.stdout = io.TextIOWrapper(
+            sys.stdout.buffer, "utf-8", "backslashreplace", line_buffering=sys.stdout.isatty()
+        )
     if sys.stderr is not None:
         sys.stderr = io.TextIOWrapper(sys.stderr.buffer, "utf-8", "backslashreplace", line_buffering=True)
 
@@ -138,7 +153,9 @@ def _opened_nothing():
 
 
 def _leave(status):
-    """Exit at once: a thread that waits for a hung peer must not keep the process alive (and the ORB's shutdown takes 6 ms)."""
+    """Exit at once: a thread that waits for a hung peer must not keep the process alive (and the ORB's
+    shutdown takes 6 ms).
+    """
     os._exit(_flushed(status))
 
 
@@ -153,6 +170,7 @@ def _leave_soon(status):
     def flush():
         found.append(_flushed(status))
         done.release()
+
     loop.start_thread(flush)
     done.acquire(timeout=FLUSH_LIMIT)
     os._exit(found[0] if found else status)
@@ -168,7 +186,8 @@ def _flushed(status):
     return status
 
 
-# ---- output that others must not wait for ---------------------------------------------------------------------
+# ---- output that others must not wait for ------------------------------------------------------------------
+
 
 async def write(output):
     """Print a text while other tasks go on: its reader may be slow, or have stopped."""
@@ -176,10 +195,13 @@ async def write(output):
 
 
 def write_here(output):
-    """Print a text on a thread of its own: past sys.stdout, as the lock of its buffer must not be held when the command ends."""
-    fd, rest = sys.stdout.fileno(), memoryview(output.encode("utf-8", "backslashreplace"))
+    """Print a text on a thread of its own:
+    past sys.stdout, as the lock of its buffer must not be held when the command ends.
+    """
+    fd = sys.stdout.fileno()
+    rest = memoryview(output.encode("utf-8", "backslashreplace"))
     while rest:
-        rest = rest[os.write(fd, rest):]
+        rest = rest[os.write(fd, rest) :]
 
 
 async def reader_leaves():
@@ -193,14 +215,18 @@ async def reader_leaves():
     raise BrokenPipeError(errno.EPIPE, "nobody reads the output")
 
 
-# ---- talking on stderr ----------------------------------------------------------------------------------------
+# ---- talking on stderr -------------------------------------------------------------------------------------
+
 
 def complain(what):
     """Print a failure as one line on stderr; returns its exit status."""
     status = getattr(what, "status", 1)
     if isinstance(what, OSError):
         why = what.strerror or str(what)  # a timeout has no strerror
-        what = f"{text.printable(str(what.filename))}: {why}" if what.filename else why
+        if what.filename:
+            what = f"{text.printable(str(what.filename))}: {why}"
+        else:
+            what = why
     _say(str(what))
     return status
 
@@ -248,8 +274,13 @@ def _failed_action(error):
     say(f"Action failed: {error}")
 
 
-_PRINTERS = {notes.NOTE: note, notes.DETAIL: detail, notes.PROGRESS: _progress, notes.FAILED_ACTION: _failed_action,
-             notes.FAILURE: complain}
+_PRINTERS = {
+    notes.NOTE: note,
+    notes.DETAIL: detail,
+    notes.PROGRESS: _progress,
+    notes.FAILED_ACTION: _failed_action,
+    notes.FAILURE: complain,
+}
 
 
 def report(args, results):

@@ -1,7 +1,7 @@
 """Every failure a command can report: the docstring is the message, `status` the exit status.
 
-The first argument of most, called `where` elsewhere, is the object as the user knows it: a path escaped for the terminal. The
-last says why, without naming a path.
+The first argument of most, called `where` elsewhere, is the object as the user knows it: a path escaped for
+the terminal. The last says why, without naming a path.
 """
 
 NO_USABLE_ADDRESS = "host name not known"  # or no address that the settings of omniORB let us use
@@ -19,17 +19,23 @@ class Error(Exception):
     @property
     def where(self):
         """The object that the message begins with: a path, a file, a type; "" where it names none."""
-        return str(self.args[0]) if self.__doc__.startswith("{}:") else ""
+        if self.__doc__.startswith("{}:"):
+            return str(self.args[0])
+        return ""
 
     @property
     def why(self):
         """What the message says of `where`; all of it where that is ""."""
-        return str(self)[len(self.where) + 1:].lstrip() if self.where else str(self)
+        if self.where:
+            return str(self)[len(self.where) + 1 :].lstrip()
+        return str(self)
 
 
 def split(values):
     """(values that are not Errors, the Errors) of a mixed list."""
-    return [value for value in values if not isinstance(value, Error)], [value for value in values if isinstance(value, Error)]
+    good = [value for value in values if not isinstance(value, Error)]
+    bad = [value for value in values if isinstance(value, Error)]
+    return good, bad
 
 
 class Failed(Error):
@@ -53,16 +59,24 @@ class BadType(Error):
 
 
 class MissingOmniORB(Error):
-    __doc__ = ("omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or install it from the package index "
-               "(jeteve-omniorb; salome-omniorb for Python 3.7) or from OpenRTM-aist's package repository")
+    __doc__ = (
+        "omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or install it from the package index "
+        "(jeteve-omniorb; salome-omniorb for Python 3.7) or from OpenRTM-aist's package repository"
+    )
 
 
 class OnlyOmniORB(Error):
-    """{}: only omniORB knows that, and omniORBpy is not installed (package jeteve-omniorb; salome-omniorb for Python 3.7)"""
+    __doc__ = (
+        "{}: only omniORB knows that, and omniORBpy is not installed "
+        "(package jeteve-omniorb; salome-omniorb for Python 3.7)"
+    )
 
 
 class IncompletePython(Error):
-    """this Python lacks its module {}, which is needed for that; a whole one has it (Debian: python3, not python3-minimal)"""
+    __doc__ = (
+        "this Python lacks its module {}, which is needed for that; "
+        "a whole one has it (Debian: python3, not python3-minimal)"
+    )
 
 
 class Usage(Error):
@@ -170,7 +184,9 @@ class Refused(Error):
     status = 6
 
     def __init__(self, where, why, name=""):
-        """`name` is the CORBA exception's or return code's name, for callers that treat some of them otherwise."""
+        """`name` is the CORBA exception's or return code's name,
+        for callers that treat some of them otherwise.
+        """
         super().__init__(where, why)
         self.name = name
 

@@ -1,9 +1,12 @@
-"""Local files: written whole or not at all, `-` for stdin and stdout, safe in directories that others can write to.
+"""Local files: written whole or not at all, `-` for stdin and stdout, safe in directories that others can
+write to.
 
-In /tmp, say, somebody else may have put a link, or guess a name that we are about to write. So new files are created
-exclusively, under names that cannot be guessed, readable by nobody else until they get the mode of what they replace; and
-links that belong neither to us nor to the directory's owner are not followed, a rule of Linux itself.
+In /tmp, say, somebody else may have put a link, or guess a name that we are about to write. So new files are
+created exclusively, under names that cannot be guessed, readable by nobody else until they get the mode of
+what they replace; and links that belong neither to us nor to the directory's owner are not followed, a rule
+of Linux itself.
 """
+
 import errno
 import os
 import re
@@ -15,14 +18,18 @@ from rtshell_lite.text import printable
 
 LIMIT = 16 << 20  # octets of a file that is read as a whole
 LINKS = 40  # links to links that are followed
-# Names of open descriptors, as the shell passes them for `<(command)`: a pipe is fine there, for it has a writer.
+# Names of open descriptors, as the shell passes them for `<(command)`: a pipe is fine there, for it has a
+# writer.
 _DESCRIPTOR = re.compile(r"(/dev/stdin|/dev/fd/\d+|/proc/(self|\d+)/fd/\d+)\Z")
 
 
-# ---- reading --------------------------------------------------------------------------------------------------
+# ---- reading -----------------------------------------------------------------------------------------------
+
 
 def read(name, limit=LIMIT):
-    """The text of a file (`-`: stdin), with undecodable bytes as surrogate escapes. Raises OSError, errors.Failed when too big."""
+    """The text of a file (`-`: stdin), with undecodable bytes as surrogate escapes.
+    Raises OSError, errors.Failed when too big.
+    """
     if name == "-":
         if sys.stdin is None:
             raise errors.Failed("-", "there is no standard input")
@@ -36,7 +43,9 @@ def read(name, limit=LIMIT):
 
 
 def opened(name):
-    """The file of that name, open for reading bytes. Raises OSError, and errors.Failed for what may block or never end."""
+    """The file of that name, open for reading bytes.
+    Raises OSError, and errors.Failed for what may block or never end.
+    """
     _refuse_endless(name, os.stat(name))  # some devices act as soon as they are opened
     file = open(os.open(name, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb")
     try:
@@ -51,18 +60,29 @@ def opened(name):
 def _refuse_endless(name, status):
     if stat.S_ISDIR(status.st_mode):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name)
-    if stat.S_ISREG(status.st_mode) or _DESCRIPTOR.match(name) or os.path.samestat(status, os.stat(os.devnull)):
+    if (
+        stat.S_ISREG(status.st_mode)
+        or _DESCRIPTOR.match(name)
+        or os.path.samestat(status, os.stat(os.devnull))
+    ):
         return
-    what = "FIFO" if stat.S_ISFIFO(status.st_mode) else "socket" if stat.S_ISSOCK(status.st_mode) else "device"
+    if stat.S_ISFIFO(status.st_mode):
+        what = "FIFO"
+    elif stat.S_ISSOCK(status.st_mode):
+        what = "socket"
+    else:
+        what = "device"
     raise errors.Failed(printable(name), f"a {what}; only files are read by name")
 
 
-# ---- writing --------------------------------------------------------------------------------------------------
+# ---- writing -----------------------------------------------------------------------------------------------
+
 
 def write(name, content):
     """Write text to a file (`-`: stdout), completely or not at all. Raises OSError, errors.Failed.
 
-    Of 60 plain writes that a kill -9 interrupted, 57 left torn files; with a temporary name, fsync and rename, none.
+    Of 60 plain writes that a kill -9 interrupted, 57 left torn files; with a temporary name, fsync and
+    rename, none.
     """
     data = content.encode("utf-8", "surrogateescape")
     if name == "-":
@@ -100,12 +120,17 @@ def destination(name):
     for _ in range(LINKS):
         if not os.path.islink(name):
             folder, base = os.path.split(name)
-            return os.path.realpath(name) if base in ("", ".", "..") else os.path.join(os.path.realpath(folder), base)
+            if base in ("", ".", ".."):
+                return os.path.realpath(name)
+            return os.path.join(os.path.realpath(folder), base)
         folder = os.path.dirname(name)
-        link, above = os.lstat(name), os.stat(folder or ".")
+        link = os.lstat(name)
+        above = os.stat(folder or ".")
         for_all = above.st_mode & stat.S_ISVTX and above.st_mode & stat.S_IWOTH
         if for_all and link.st_uid not in (os.geteuid(), above.st_uid):
-            raise errors.Failed(printable(name), "a link that somebody else has put there; remove it or write elsewhere")
+            raise errors.Failed(
+                printable(name), "a link that somebody else has put there; remove it or write elsewhere"
+            )
         name = os.path.join(folder, os.readlink(name))
     raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), name)
 
@@ -116,7 +141,9 @@ def is_special(target):
 
 
 def open_special(target, buffering=-1):
-    """A device or a FIFO, open for writing. Raises OSError, and errors.Failed for a disk and for a FIFO without a reader."""
+    """A device or a FIFO, open for writing.
+    Raises OSError, and errors.Failed for a disk and for a FIFO without a reader.
+    """
     if stat.S_ISBLK(os.stat(target).st_mode):
         raise errors.Failed(printable(target), "a disk; only files are written by name")
     try:
@@ -130,9 +157,11 @@ def open_special(target, buffering=-1):
 
 
 class Temporary:
-    """A new file beside `target`, open for appending as `file`, that replaces it when complete. Raises OSError.
+    """A new file beside `target`, open for appending as `file`, that replaces it when complete. Raises
+    OSError.
 
-    Names are unique: of two processes that write to one target at a time, the last one wins, and the file is whole.
+    Names are unique: of two processes that write to one target at a time, the last one wins, and the file is
+    whole.
     """
 
     def __init__(self, target, buffering=-1):
@@ -150,7 +179,8 @@ class Temporary:
 
     def _mode(self):
         try:
-            old, new = os.stat(self.target), os.fstat(self.file.fileno())
+            old = os.stat(self.target)
+            new = os.fstat(self.file.fileno())
         except FileNotFoundError:
             return 0o666 & ~umask()
         mode = stat.S_IMODE(old.st_mode) & 0o777
@@ -172,13 +202,18 @@ class Temporary:
 
 
 def create(path, mode=0o666, buffering=-1):
-    """A new file, open for appending. Raises FileExistsError for whatever has that name, even a broken link."""
-    fd = os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC, mode)
+    """A new file, open for appending. Raises FileExistsError for whatever has that name,
+    even a broken link.
+    """
+    fd = os.open(
+        path, os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC, mode
+    )
     return open(fd, "ab", buffering)
 
 
 def umask():
     """The permissions that new files of this process do not get."""
-    mask = os.umask(0o077)  # it can only be read by setting it; meanwhile other threads create files that are more private
+    # it can only be read by setting it; meanwhile other threads create files that are more private
+    mask = os.umask(0o077)
     os.umask(mask)
     return mask

@@ -1,15 +1,20 @@
 """What libraries remark; cli.py, rtmount or a program decides what becomes of it.
 
-    notes.note("…")      a remark
-    notes.detail("…")    what was done, for --verbose
-    notes.progress("…")  what begins now
-    notes.fail(e)        a failure, an errors.Error, an OSError or a line; returns its exit status
+notes.note("…")      a remark
+notes.detail("…")    what was done, for --verbose
+notes.progress("…")  what begins now
+notes.fail(e)        a failure, an errors.Error, an OSError or a line; returns its exit status
 """
+
 import sys
 
 from rtshell_lite import errors
 
-NOTE, DETAIL, PROGRESS, FAILED_ACTION, FAILURE = "note", "detail", "progress", "failed action", "failure"
+NOTE = "note"
+DETAIL = "detail"
+PROGRESS = "progress"
+FAILED_ACTION = "failed action"
+FAILURE = "failure"
 
 listener = None  # function(kind, what), or None: nobody listens
 _left_out = set()  # type: set  # lines already reported by left_out()
@@ -36,7 +41,9 @@ def action_failed(error):
 
 
 def reading(name, what):
-    """Remark that a command waits for what the user types, if it reads the file `name` from a terminal (`-`)."""
+    """Remark that a command waits for what the user types,
+    if it reads the file `name` from a terminal (`-`).
+    """
     if name == "-" and sys.stdin is not None and sys.stdin.isatty():
         note(f"reading {what} from standard input; Ctrl-D ends it")
 
@@ -80,10 +87,14 @@ class Tally:
     """Results for several objects: failures are reported at once, the exit status sums them up."""
 
     def __init__(self):
-        self.done, self.statuses, self.reported = 0, set(), set()
+        self.done = 0
+        self.statuses = set()
+        self.reported = set()
 
     def add(self, value):
-        """Count one result: an errors.Error is reported and counted as failed, anything else as done. Returns True if done."""
+        """Count one result: an errors.Error is reported and counted as failed, anything else as done.
+        Returns True if done.
+        """
         if isinstance(value, errors.Error):
             if str(value) not in self.reported:  # a name server that is down fails all paths alike
                 fail(value)
@@ -101,4 +112,6 @@ class Tally:
         """0 when nothing failed, the failures' own status when all failed alike, else 5."""
         if not self.statuses:
             return 0
-        return self.statuses.pop() if not self.done and len(self.statuses) == 1 else errors.Partial.status
+        if not self.done and len(self.statuses) == 1:
+            return self.statuses.pop()
+        return errors.Partial.status

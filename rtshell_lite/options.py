@@ -1,4 +1,5 @@
 """The command line: its parser, and the options that commands share."""
+
 import argparse
 import os
 import re
@@ -16,7 +17,8 @@ EXIT_STATUSES = """exit status:
   129 SIGHUP, 143 SIGTERM"""
 
 
-# ---- reading it ----------------------------------------------------------------------------------------------
+# ---- reading it --------------------------------------------------------------------------------------------
+
 
 class Parser(argparse.ArgumentParser):
     """argparse with options anywhere, negative numbers as arguments, no abbreviations, and our errors."""
@@ -32,10 +34,11 @@ class Parser(argparse.ArgumentParser):
     def unfinished(self, words):
         """Where the first words of a command line lead, for completion.
 
-        Returns the words that are not options, the option whose value comes next (or None), and whether `--` ended the options.
-        Raises Usage for an unknown option.
+        Returns the words that are not options, the option whose value comes next (or None), and whether `--`
+        ended the options. Raises Usage for an unknown option.
         """
-        positional, rest = [], list(words)
+        positional = []
+        rest = list(words)
         while rest:
             word = rest.pop(0)
             if word == "--":
@@ -44,14 +47,19 @@ class Parser(argparse.ArgumentParser):
                 positional.append(word)
                 continue
             last = not rest
-            action = self._option_string_actions.get(self._option(word, rest)[-1])  # None when its value is in the same word
+            # None when its value is in the same word
+            action = self._option_string_actions.get(self._option(word, rest)[-1])
             if last and action and action.nargs != 0:
                 return positional, action, False
         return positional, None, False
 
     def _sorted(self, argv):
-        """Separate options with their values from the other words; argparse itself cannot mix them on all Pythons."""
-        options, words, rest = [], [], list(argv)
+        """Separate options with their values from the other words;
+        argparse itself cannot mix them on all Pythons.
+        """
+        options = []
+        words = []
+        rest = list(argv)
         while rest:
             word = rest.pop(0)
             if word == "--":
@@ -69,11 +77,15 @@ class Parser(argparse.ArgumentParser):
         return word.startswith("-") and word != "-"
 
     def _option(self, word, rest):
-        """One option, with its value, which may be taken from `rest`, as words that every Python's argparse reads; -lR is split."""
+        """One option, with its value, which may be taken from `rest`,
+        as words that every Python's argparse reads; -lR is split.
+        """
         if word.startswith("--"):
             name, equals, _ = word.partition("=")
             action = self._known(name, word)
-            return [word] if equals else self._with_value(word, action, rest, "=")
+            if equals:
+                return [word]
+            return self._with_value(word, action, rest, "=")
         action = self._known(word[:2], word)
         if len(word) == 2:
             return self._with_value(word, action, rest, "")
@@ -93,29 +105,54 @@ class Parser(argparse.ArgumentParser):
             return [word]
         # --wait PATH, --shell PATH: a word that cannot be the option's value is left alone
         if action.nargs == "?":
-            fits = rest[0] in action.choices if action.choices else re.match(r"\.?[0-9]+\.?[0-9]*$", rest[0])
+            if action.choices:
+                fits = rest[0] in action.choices
+            else:
+                fits = re.match(r"\.?[0-9]+\.?[0-9]*$", rest[0])
             if not fits:
                 return [word]
         value = rest.pop(0)
-        return [word + glue + value] if value.startswith("-") else [word, value]  # argparse takes -n -5 for two options
+        # argparse takes -n -5 for two options
+        if value.startswith("-"):
+            return [word + glue + value]
+        return [word, value]
 
 
 def parser(arguments, doc, prog):
     """The parser of the command called `prog`, whose file has these `arguments` and this docstring."""
     summary, _, details = doc.strip().partition("\n\n")
-    parser = Parser(prog=prog, description=summary, add_help=False,
-                    epilog=(details + "\n\n" if details else "") + EXIT_STATUSES, formatter_class=_formatter)
+    parser = Parser(
+        prog=prog,
+        description=summary,
+        add_help=False,
+        epilog=(details + "\n\n" if details else "") + EXIT_STATUSES,
+        formatter_class=_formatter,
+    )
     arguments(parser)
     taken = parser._option_string_actions  # rtcryo has a -v of its own
-    parser.add_argument(*[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
-                        help="report on stderr what is done")
+    parser.add_argument(
+        *[o for o in ("-v", "--verbose") if o not in taken],
+        action="store_true",
+        dest="verbose",
+        help="report on stderr what is done",
+    )
     parser.add_argument("-q", "--quiet", action="store_true", help="no notes on stderr, errors only")
     if "--timeout" in taken:  # how long rtprint, rtinject and rtlog run
         parser.set_defaults(timeout=_default_timeout())
     else:
-        parser.add_argument("--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
-                            help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)")
-    parser.add_argument("--version", action=_Version, nargs=0, help="show the version, with -v those of Python and the ORB; exit")
+        parser.add_argument(
+            "--timeout",
+            type=seconds,
+            metavar="SECONDS",
+            default=_default_timeout(),
+            help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)",
+        )
+    parser.add_argument(
+        "--version",
+        action=_Version,
+        nargs=0,
+        help="show the version, with -v those of Python and the ORB; exit",
+    )
     parser.add_argument("-h", "--help", action="help", help="show this and exit")
     return parser
 
@@ -125,6 +162,7 @@ class _Version(argparse.Action):
         print(__version__)
         if namespace.verbose:
             from rtshell_lite.corba import orb
+
             print("Python %d.%d.%d, %s" % (*sys.version_info[:3], orb.version()))
         parser.exit()
 
@@ -134,17 +172,23 @@ class _Help(argparse.RawDescriptionHelpFormatter):
 
     def _fill_text(self, text, width, indent):
         import textwrap
+
         lines = []
         for paragraph in text.split("\n\n"):
             block = paragraph.split("\n")
             for line in block if any(line.startswith(" ") for line in block) else [" ".join(block)]:
-                further = " " * (len(line) - len(line.lstrip()) + 2) if line.startswith(" ") else ""
+                if line.startswith(" "):
+                    further = " " * (len(line) - len(line.lstrip()) + 2)
+                else:
+                    further = ""
                 if len(line) > width and re.search(r"\S {2,}\S", line):  # the remark goes below
                     above, line = re.split(r"(?<=\S) {2,}", line, 1)
                     further = " " * 8
                     lines.append(above)
                     line = further + line
-                lines += textwrap.wrap(line, width, subsequent_indent=further, break_on_hyphens=False, break_long_words=False)
+                lines += textwrap.wrap(
+                    line, width, subsequent_indent=further, break_on_hyphens=False, break_long_words=False
+                )
             lines.append("")
         return "\n".join(lines[:-1])
 
@@ -175,10 +219,12 @@ def seconds(value):
 
 def one_of(*words):
     """An option type that accepts these words; argparse's own message differs from one Python to the next."""
+
     def check(word):
         if word not in words:
             raise argparse.ArgumentTypeError(f"not one of {', '.join(words)}: {text.printable(word)}")
         return word
+
     check.words = words  # for completion
     return check
 
@@ -186,14 +232,17 @@ def one_of(*words):
 def state(word):
     """An option type: a state of a component, in any case."""
     if word.lower() not in state.words:
-        raise argparse.ArgumentTypeError(f"no such state: {text.printable(word)}{text.candidates(word, state.words)}")
+        raise argparse.ArgumentTypeError(
+            f"no such state: {text.printable(word)}{text.candidates(word, state.words)}"
+        )
     return word
 
 
 state.words = [name.lower() for name in text.STATES]  # for completion
 
 
-# ---- options that commands share ------------------------------------------------------------------------------
+# ---- options that commands share ---------------------------------------------------------------------------
+
 
 def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
     """The positional arguments `paths`; completion.py reads from `metavar` what they are."""
@@ -211,24 +260,40 @@ def command(args, known):
         return
     if args.path in known:
         raise errors.Usage(f"the path comes first: {text.shell_word(args.command)} {args.path} …")
-    raise errors.Usage(f"no such command: {text.printable(args.command)}{text.candidates(args.command, known)}")
+    raise errors.Usage(
+        f"no such command: {text.printable(args.command)}{text.candidates(args.command, known)}"
+    )
 
 
 def execution_context(parser):
     """-e: which execution context."""
-    parser.add_argument("-e", "--exec-context", "--exec_context", type=int, metavar="N",
-                        help="only in the execution context N, counted from 0 over its own, then those of others (see rtec)")
+    parser.add_argument(
+        "-e",
+        "--exec-context",
+        "--exec_context",
+        type=int,
+        metavar="N",
+        help="only in the execution context N, counted from 0 over its own, then those of others (see rtec)",
+    )
 
 
 def wait(parser, what):
     """--wait[=SECONDS]: args.wait is None, or how long to wait."""
-    parser.add_argument("--wait", nargs="?", type=seconds, const=5.0, metavar="SECONDS",
-                        help=f"wait until {what}, at most SECONDS (default: 5)")
+    parser.add_argument(
+        "--wait",
+        nargs="?",
+        type=seconds,
+        const=5.0,
+        metavar="SECONDS",
+        help=f"wait until {what}, at most SECONDS (default: 5)",
+    )
 
 
 def dry_run(parser):
     """--dry-run."""
-    parser.add_argument("--dry-run", action="store_true", help="print what would be done, as commands, and change nothing")
+    parser.add_argument(
+        "--dry-run", action="store_true", help="print what would be done, as commands, and change nothing"
+    )
 
 
 def json_output(parser):
@@ -238,14 +303,26 @@ def json_output(parser):
 
 def null(parser):
     """-0."""
-    parser.add_argument("-0", "--null", action="store_true", help="full paths, each ended by a NUL byte (for xargs -0)")
+    parser.add_argument(
+        "-0", "--null", action="store_true", help="full paths, each ended by a NUL byte (for xargs -0)"
+    )
 
 
 def profile_file(parser):
-    """The RtsProfile that a command works with: args.file, - for stdin, args.form (see `profile_form`), args.map."""
-    parser.add_argument("file", nargs="?", default="-", metavar="FILE", help="an RtsProfile in XML or YAML (default: stdin)")
-    parser.add_argument("-m", "--map", action="append", default=[], metavar="OLD=NEW",
-                        help="where things are now (see rtresurrect); may be repeated")
+    """The RtsProfile that a command works with:
+    args.file, - for stdin, args.form (see `profile_form`), args.map.
+    """
+    parser.add_argument(
+        "file", nargs="?", default="-", metavar="FILE", help="an RtsProfile in XML or YAML (default: stdin)"
+    )
+    parser.add_argument(
+        "-m",
+        "--map",
+        action="append",
+        default=[],
+        metavar="OLD=NEW",
+        help="where things are now (see rtresurrect); may be repeated",
+    )
     profile_form(parser, "the file is")
 
 
@@ -255,21 +332,32 @@ def profile_form(parser, verb):
     parser.add_argument("-y", "--yaml", action="store_const", dest="form", const="yaml", help=f"{verb} YAML")
 
 
-# ---- options of commands that send or receive data -----------------------------------------------------------
+# ---- options of commands that send or receive data ---------------------------------------------------------
+
 
 def duration(parser, help):
     """-t/--timeout SECONDS as in rtshell: args.duration, infinite where not given or negative.
 
     Only RTSHELL_TIMEOUT then says how long a peer may stay silent.
     """
-    parser.add_argument("-t", "--timeout", dest="duration", type=_duration, default=FOREVER, metavar="SECONDS", help=help)
+    parser.add_argument(
+        "-t", "--timeout", dest="duration", type=_duration, default=FOREVER, metavar="SECONDS", help=help
+    )
 
 
 def limits(parser, what):
     """-n and -t: args.number, below 0 where not given, and args.duration, infinite where not given."""
-    parser.add_argument("-n", "--number", type=int, default=-1, metavar="N", help=f"end after N {what} (default: never)")
-    parser.add_argument("-t", dest="duration", type=_duration, default=FOREVER, metavar="SECONDS",
-                        help=f"end after SECONDS; status 1 when there were fewer than N {what}")
+    parser.add_argument(
+        "-n", "--number", type=int, default=-1, metavar="N", help=f"end after N {what} (default: never)"
+    )
+    parser.add_argument(
+        "-t",
+        dest="duration",
+        type=_duration,
+        default=FOREVER,
+        metavar="SECONDS",
+        help=f"end after SECONDS; status 1 when there were fewer than N {what}",
+    )
 
 
 def _duration(value):
@@ -303,30 +391,65 @@ def _positive(value, wanted):
 
 def types(parser, *path_options):
     """Where data types come from: args.modules, args.python_path, args.idl, args.include; all lists."""
-    parser.add_argument("-m", "--mod", action="append", default=[], dest="modules", metavar="MODULE",
-                        help="Python module with data types, made by omniidl; may be repeated")
-    parser.add_argument(*path_options, action="append", default=[], dest="python_path", metavar="DIR",
-                        help="where Python modules are; may be repeated")
-    parser.add_argument("--idl", action="append", default=[], metavar="FILE", help="IDL file with data types; may be repeated")
-    parser.add_argument("-I", "--include", action="append", default=[], metavar="DIR",
-                        help="where #include of IDL files looks; may be repeated")
+    parser.add_argument(
+        "-m",
+        "--mod",
+        action="append",
+        default=[],
+        dest="modules",
+        metavar="MODULE",
+        help="Python module with data types, made by omniidl; may be repeated",
+    )
+    parser.add_argument(
+        *path_options,
+        action="append",
+        default=[],
+        dest="python_path",
+        metavar="DIR",
+        help="where Python modules are; may be repeated",
+    )
+    parser.add_argument(
+        "--idl", action="append", default=[], metavar="FILE", help="IDL file with data types; may be repeated"
+    )
+    parser.add_argument(
+        "-I",
+        "--include",
+        action="append",
+        default=[],
+        metavar="DIR",
+        help="where #include of IDL files looks; may be repeated",
+    )
 
 
 def properties(parser):
     """--property KEY=VALUE: args.properties, a list of words for `pairs`."""
-    parser.add_argument("--property", action="append", default=[], metavar="KEY=VALUE", dest="properties",
-                        help="a property of the connection, as with rtcon -p; may be repeated")
+    parser.add_argument(
+        "--property",
+        action="append",
+        default=[],
+        metavar="KEY=VALUE",
+        dest="properties",
+        help="a property of the connection, as with rtcon -p; may be repeated",
+    )
 
 
 def delivery(parser):
     """--linger and --anyway: args.linger, seconds or None, and args.anyway."""
-    parser.add_argument("--linger", type=_linger, metavar="SECONDS",
-                        help="stay connected at most SECONDS after the last value (default: until all can have been read)")
-    parser.add_argument("--anyway", action="store_true", help="send even to a component that will not read the values now")
+    parser.add_argument(
+        "--linger",
+        type=_linger,
+        metavar="SECONDS",
+        help="stay connected at most SECONDS after the last value (default: until all can have been read)",
+    )
+    parser.add_argument(
+        "--anyway", action="store_true", help="send even to a component that will not read the values now"
+    )
 
 
 def _linger(value):
-    return 0.0 if value == "0" else seconds(value)
+    if value == "0":
+        return 0.0
+    return seconds(value)
 
 
 def pairs(words):

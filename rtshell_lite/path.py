@@ -1,10 +1,12 @@
 r"""Paths of the RTC Tree: how they are parsed and spelt.
 
-/SERVER/CONTEXT.kind/…/NAME.kind:PORT, where SERVER is host, host:2809 or [::1]:2809. A name is split into id and kind at its
-last dot, as in OpenRTM. `.`, `..` and a working directory (RTCSH_CWD) work as in a file system. A backslash makes the next
-character an ordinary one (`\/ \: \. \\`), \xHH \uHHHH \UHHHHHHHH name a character by its code, and \e is an empty name.
-Spelling a path (`str`) and parsing it again gives the same path.
+/SERVER/CONTEXT.kind/…/NAME.kind:PORT, where SERVER is host, host:2809 or [::1]:2809. A name is split into id
+and kind at its last dot, as in OpenRTM. `.`, `..` and a working directory (RTCSH_CWD) work as in a file
+system. A backslash makes the next character an ordinary one (`\/ \: \. \\`), \xHH \uHHHH \UHHHHHHHH name a
+character by its code, and \e is an empty name. Spelling a path (`str`) and parsing it again gives the same
+path.
 """
+
 import collections
 import os
 import re
@@ -13,7 +15,8 @@ from rtshell_lite import errors
 from rtshell_lite.text import is_plain, printable, typed, unescaped
 
 DEFAULT_PORT = 2809
-SCHEMES = "http://", "https://", "ws://", "wss://"  # name servers behind HTTP: the rest of the path follows a '#'
+# name servers behind HTTP: the rest of the path follows a '#'
+SCHEMES = ("http://", "https://", "ws://", "wss://")
 PROTOCOLS = ("iiop", "ssliop", "diop", "shmiop", "htiop")
 
 
@@ -128,10 +131,11 @@ def _cut(text, separator):
     """Split at every unescaped `separator`; the pieces stay escaped."""
     if "\\" not in text:
         return text.split(separator)
-    pieces, start = [], 0
+    pieces = []
+    start = 0
     for character in re.finditer(r"\\.|.", text, re.DOTALL):
         if character.group() == separator:
-            pieces.append(text[start:character.start()])
+            pieces.append(text[start : character.start()])
             start = character.end()
     return pieces + [text[start:]]
 
@@ -156,13 +160,21 @@ def _server(element, text):
 
 
 def split_address(address):
-    """(host, TCP port) of `host`, `host:port`, `[v6]`, `[v6]:port`; the port is None where it is not a TCP port."""
-    bracket = address.find("]") + 1 if address.startswith("[") else 0
+    """(host, TCP port) of `host`, `host:port`, `[v6]`, `[v6]:port`;
+    the port is None where it is not a TCP port.
+    """
+    if address.startswith("["):
+        bracket = address.find("]") + 1
+    else:
+        bracket = 0
     host, colon, port = address[bracket:].partition(":")
     is_number = port and len(port) <= 5 and not port.strip("0123456789")
     if bracket and host or colon and not is_number:
         return address, None
-    number = int(port) if colon else DEFAULT_PORT
+    if colon:
+        number = int(port)
+    else:
+        number = DEFAULT_PORT
     return address[:bracket] + host, number if 0 < number < 65536 else None
 
 

@@ -1,4 +1,7 @@
-"""Text as people see it: off the wire and back, terminal-safe and reversible, in columns, in colour, as JSON."""
+"""Text as people see it: off the wire and back, terminal-safe and reversible, in columns, in colour,
+as JSON.
+"""
+
 import itertools
 import os
 import re
@@ -6,8 +9,7 @@ import sys
 
 from rtshell_lite import errors
 
-
-# ---- the wire -------------------------------------------------------------------------------------------------
+# ---- the wire ----------------------------------------------------------------------------------------------
 
 _is_ascii = getattr(str, "isascii", lambda s: all(c < "\x80" for c in s))  # missing in Python 3.6
 
@@ -15,8 +17,8 @@ _is_ascii = getattr(str, "isascii", lambda s: all(c < "\x80" for c in s))  # mis
 def from_wire(s):
     """Turn a string that a peer sent into text.
 
-    Almost every ORB declares its UTF-8 bytes to be Latin-1. Bytes that are not UTF-8 become surrogate escapes, which `to_wire`
-    turns back. Text beyond Latin-1 has been decoded by the ORB.
+    Almost every ORB declares its UTF-8 bytes to be Latin-1. Bytes that are not UTF-8 become surrogate
+    escapes, which `to_wire` turns back. Text beyond Latin-1 has been decoded by the ORB.
     """
     if _is_ascii(s):
         return s
@@ -27,15 +29,21 @@ def from_wire(s):
 
 
 def typed(s):
-    """A word of a command line as text. Before Python 3.7, the C locale leaves it bytes, as surrogate escapes."""
+    """A word of a command line as text. Before Python 3.7, the C locale leaves it bytes,
+    as surrogate escapes.
+    """
     try:
-        return s if _is_ascii(s) else s.encode("utf-8", "surrogateescape").decode("utf-8", "surrogateescape")
+        if _is_ascii(s):
+            return s
+        return s.encode("utf-8", "surrogateescape").decode("utf-8", "surrogateescape")
     except UnicodeEncodeError:  # other surrogates, which no command line has
         return s
 
 
 def to_wire(s):
-    """Turn text into the string that a peer expects: the reverse of `from_wire`. Raises Usage for a lone surrogate."""
+    """Turn text into the string that a peer expects: the reverse of `from_wire`.
+    Raises Usage for a lone surrogate.
+    """
     if _is_ascii(s):
         return s
     try:
@@ -44,19 +52,22 @@ def to_wire(s):
         raise errors.Usage(f"{printable(s)}: not text that can be sent")
 
 
-# ---- the terminal ---------------------------------------------------------------------------------------------
+# ---- the terminal ------------------------------------------------------------------------------------------
 
 MARKS = 4  # combining marks that may follow one another: Vietnamese has 2, Hebrew and Tibetan 3 or 4
-# Invisible characters that Python calls printable: fillers of Hangul, Braille, music, Khmer and Khitan, joiners of marks, and
-# variation selectors.
-_BLANK = ("[\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180f\u2800\u3164\ufe00-\ufe0f\uffa0\U00016fe4\U0001d159"
-          "\U000e0000-\U000e0fff]")
+# Invisible characters that Python calls printable: fillers of Hangul, Braille, music, Khmer and Khitan,
+# joiners of marks, and variation selectors.
+_BLANK = (
+    "[\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180f\u2800\u3164\ufe00-\ufe0f\uffa0\U00016fe4\U0001d159"
+    "\U000e0000-\U000e0fff]"
+)
 
 
 def printable(s):
     """`s` with everything escaped that harms a terminal or is invisible; `unescaped` reads it back.
 
-    That is: controls, characters that draw nothing, marks without a base character, and more than MARKS on one character.
+    That is: controls, characters that draw nothing, marks without a base character, and more than MARKS on
+    one character.
     """
     if is_plain(s) and "\\" not in s:
         return s
@@ -64,8 +75,12 @@ def printable(s):
 
 
 def safe(s):
-    """`s` with the same characters escaped except backslashes: for lines with parts that are printable already."""
-    return s if is_plain(s) else "".join(c if plain else _escape(c) for c, plain in judged(s))
+    """`s` with the same characters escaped except backslashes:
+    for lines with parts that are printable already.
+    """
+    if is_plain(s):
+        return s
+    return "".join(c if plain else _escape(c) for c, plain in judged(s))
 
 
 def is_plain(s):
@@ -76,17 +91,32 @@ def is_plain(s):
 def judged(s):
     """Each character of `s`, and whether it can be printed as it is."""
     from unicodedata import category
-    marks, base = MARKS, ""  # no base character yet
+
+    # no base character yet
+    marks = MARKS
+    base = ""
     for c in s:
-        kind = category(c) if c >= "\u0300" else ""
+        if c >= "\u0300":
+            kind = category(c)
+        else:
+            kind = ""
         if c in "\ufe0e\ufe0f" and base and not marks and category(base)[0] == "S":
-            marks, plain = 1, True  # a symbol shown as an emoji, or as text
+            # a symbol shown as an emoji, or as text
+            marks = 1
+            plain = True
         elif not c.isprintable() or re.match(_BLANK, c):
-            marks, plain, base = MARKS, False, ""
+            marks = MARKS
+            plain = False
+            base = ""
         elif kind in ("Mn", "Me"):
             marks, plain = marks + 1, marks < MARKS
         else:
-            marks, plain, base = 0 if c != " " else MARKS, True, c
+            if c != " ":
+                marks = 0
+            else:
+                marks = MARKS
+            plain = True
+            base = c
         yield c, plain
 
 
@@ -97,13 +127,19 @@ BEGINNING = 1000  # characters that are shown of a longer text
 
 def cut(s):
     """`s`, or the beginning of one that is too long to read or type, and how much is left out."""
-    return s if len(s) <= LONGEST else f"{s[:BEGINNING]}… ({len(s) - BEGINNING} more characters)"
+    if len(s) <= LONGEST:
+        return s
+    return f"{s[:BEGINNING]}… ({len(s) - BEGINNING} more characters)"
 
 
 def near(word, known):
-    """What a message about a wrong word ends with: the one of the words `known` that resembles it; '' if none does."""
+    """What a message about a wrong word ends with: the one of the words `known` that resembles it;
+    '' if none does.
+    """
     close = closest(word, known)
-    return f"; did you mean {printable(close)}?" if close is not None else ""
+    if close is not None:
+        return f"; did you mean {printable(close)}?"
+    return ""
 
 
 def closest(word, known):
@@ -116,7 +152,9 @@ def closest(word, known):
 
 
 def candidates(word, known):
-    """What a message about a wrong word ends with: the one of the words `known` that resembles it, else the first CHOICES."""
+    """What a message about a wrong word ends with:
+    the one of the words `known` that resembles it, else the first CHOICES.
+    """
     known = list(known)
     choices = ", ".join(map(printable, known[:CHOICES])) + ", …" * (len(known) > CHOICES)
     return near(word, known) or f" (there are: {choices or 'none'})"
@@ -128,15 +166,23 @@ def _escape(c):
         return "\\\\"
     if 0xDC80 <= n <= 0xDCFF:  # a byte that is not UTF-8
         return f"\\x{n - 0xDC00:02x}"
-    return f"\\x{n:02x}" if n < 0x80 else f"\\u{n:04x}" if n < 0x10000 else f"\\U{n:08x}"
+    if n < 0x80:
+        return f"\\x{n:02x}"
+    if n < 0x10000:
+        return f"\\u{n:04x}"
+    return f"\\U{n:08x}"
 
 
 _ESCAPE = r"(?s)\\(?:x([0-9a-fA-F]{2})|u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8})|(.)|$)"
 
 
 def unescaped(s):
-    """The reverse of `printable`; a backslash before punctuation is dropped. Raises ValueError for a bad escape."""
-    return re.sub(_ESCAPE, _meant, s) if "\\" in s else s
+    """The reverse of `printable`; a backslash before punctuation is dropped.
+    Raises ValueError for a bad escape.
+    """
+    if "\\" in s:
+        return re.sub(_ESCAPE, _meant, s)
+    return s
 
 
 def _meant(escape):
@@ -154,10 +200,18 @@ _ESCAPES = r"""\\(?:[\\'"abfnrtv\n]|[0-3][0-7]{0,2}|[4-7][0-7]?(?![0-7])|x[0-9a-
 
 
 def literal(word):
-    """The str or bytes of a Python literal. Raises ValueError, also for bad escapes, of which Python itself only warns."""
+    """The str or bytes of a Python literal.
+    Raises ValueError, also for bad escapes, of which Python itself only warns.
+    """
     import ast
-    prefix = word[:min(word.index(quote) for quote in "'\"" if quote in word)].lower()
-    if "r" not in prefix and "\\" in re.sub(_ESCAPES, "", word) or "b" in prefix and re.search(r"\\[uU]", word):
+
+    prefix = word[: min(word.index(quote) for quote in "'\"" if quote in word)].lower()
+    if (
+        "r" not in prefix
+        and "\\" in re.sub(_ESCAPES, "", word)
+        or "b" in prefix
+        and re.search(r"\\[uU]", word)
+    ):
         raise ValueError("bad escape")
     try:
         return ast.literal_eval(word)
@@ -166,17 +220,23 @@ def literal(word):
 
 
 def shell_word(s):
-    """`s` as one word of a POSIX shell command, printable except newlines, which $(printf) would drop at an end."""
+    """`s` as one word of a POSIX shell command, printable except newlines,
+    which $(printf) would drop at an end.
+    """
     if re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII):
         return s
-    pieces = [(plain, "".join(c for c, _ in piece)) for plain, piece in itertools.groupby(
-        judged(s), lambda pair: pair[1] or pair[0] == "\n")]
+    pieces = [
+        (plain, "".join(c for c, _ in piece))
+        for plain, piece in itertools.groupby(judged(s), lambda pair: pair[1] or pair[0] == "\n")
+    ]
     return "".join(_quoted(piece) if plain else _by_printf(piece) for plain, piece in pieces) or "''"
 
 
 def quoted(s):
     """`s` as one word of a POSIX shell command, raw. (shlex is not in Debian's python3-minimal.)"""
-    return s if re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII) else _quoted(s)
+    if re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII):
+        return s
+    return _quoted(s)
 
 
 def _quoted(s):
@@ -209,7 +269,14 @@ def cells(s):
     if not s or max(s) < "\u0300":
         return len(s)
     import unicodedata
-    return sum(0 if unicodedata.category(c) in ("Mn", "Me") else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in s)
+
+    total = 0
+    for c in s:
+        if unicodedata.east_asian_width(c) in "WF":
+            total += 2
+        elif unicodedata.category(c) not in ("Mn", "Me"):
+            total += 1
+    return total
 
 
 def padded(s, size):
@@ -233,12 +300,16 @@ def columns(words, total, shown=None):
     lines = []
     for start in range(0, len(words), count):
         row = range(start, min(start + count, len(words)))
-        lines.append("  ".join(shown[i] + " " * (wide[i - start] - sizes[i] if i != row[-1] else 0) for i in row))
+        lines.append(
+            "  ".join(shown[i] + " " * (wide[i - start] - sizes[i] if i != row[-1] else 0) for i in row)
+        )
     return lines
 
 
 def table(rows):
-    """Yield lines of `rows` (sequences of str of one length) in left-aligned columns two blanks apart, the last one ragged."""
+    """Yield lines of `rows` (sequences of str of one length) in left-aligned columns two blanks apart,
+    the last one ragged.
+    """
     if not rows:
         return
     sizes = [max(cells(row[i]) for row in rows) for i in range(len(rows[0]) - 1)]
@@ -253,35 +324,53 @@ def pairs(items, indent=""):
     return [indent + padded(name, size) + "  " + value for name, value in items]
 
 
-# ---- colour ---------------------------------------------------------------------------------------------------
+# ---- colour ------------------------------------------------------------------------------------------------
 
 # States of a component; Unknown where its context does not say.
 STATES = ("Active", "Inactive", "Error", "Created", "Unknown")
 
 COLOURS = {
-    "Inactive": "01;34", "Active": "01;32", "Error": "01;37;41", "Unknown": "01;31", "?": "01;31",
-    "Running": "01;32", "directory": "01;34", "zombie": "02;37", "bold": "01", "active set": "01;32",
+    "Inactive": "01;34",
+    "Active": "01;32",
+    "Error": "01;37;41",
+    "Unknown": "01;31",
+    "?": "01;31",
+    "Running": "01;32",
+    "directory": "01;34",
+    "zombie": "02;37",
+    "bold": "01",
+    "active set": "01;32",
 }
 
 
 def colour_wanted():
     """True when stdout is a terminal that wants colour (https://no-color.org, TERM=dumb)."""
-    return bool(sys.stdout and sys.stdout.isatty()
-                and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb")
+    return bool(
+        sys.stdout
+        and sys.stdout.isatty()
+        and not os.environ.get("NO_COLOR")
+        and os.environ.get("TERM") != "dumb"
+    )
 
 
 def painter():
-    """A function paint(word, role=word) that gives `word` the colour of its role, or none where colours are not wanted."""
+    """A function paint(word, role=word) that gives `word` the colour of its role,
+    or none where colours are not wanted.
+    """
     if not colour_wanted():
         return lambda word, role=None: word
 
     def paint(word, role=None):
         code = COLOURS.get(role or word)
-        return f"\x1b[{code}m{word}\x1b[00m" if code else word
+        if code:
+            return f"\x1b[{code}m{word}\x1b[00m"
+        return word
+
     return paint
 
 
-# ---- JSON -----------------------------------------------------------------------------------------------------
+# ---- JSON --------------------------------------------------------------------------------------------------
+
 
 def json_line(value):
     """One object as one line: ASCII, sorted keys. Undecodable bytes are \\udcXX, Python's surrogate escapes.
@@ -289,6 +378,7 @@ def json_line(value):
     NaN and infinities, which a peer may send but JSON lacks, become null.
     """
     import json
+
     try:
         return json.dumps(value, sort_keys=True, ensure_ascii=True, allow_nan=False)
     except ValueError:

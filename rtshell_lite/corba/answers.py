@@ -1,12 +1,14 @@
-"""Answers of peers, checked while omniORB reads them: nothing in them may end our process, or overflow its stack.
+"""Answers of peers, checked while omniORB reads them: nothing in them may end our process, or overflow its
+stack.
 
-Every operation that can return a reference, or a value of any type, is invoked with a descriptor that shows us all
-(ior.guarded). A bad reference or a value nested too deep fails that one call.
+Every operation that can return a reference, or a value of any type, is invoked with a descriptor that shows
+us all (ior.guarded). A bad reference or a value nested too deep fails that one call.
 
-The TypeCodes in an `any`, and the values that they describe, cannot be checked before omniORB reads them. Names in them that
-are not UTF-8, a union whose default index is 0, 100,000 levels, and fixed<65535> end the process; a struct that claims
-0x0fffffff members takes 6 GB.
+The TypeCodes in an `any`, and the values that they describe, cannot be checked before omniORB reads them.
+Names in them that are not UTF-8, a union whose default index is 0, 100,000 levels, and fixed<65535> end the
+process; a struct that claims 0x0fffffff members takes 6 GB.
 """
+
 import functools
 import threading
 
@@ -19,7 +21,9 @@ DEEPEST = 64  # values inside values
 
 
 def invoke(where, ref, operation, args):
-    """The result of an operation, checked by `_taker` and `_holder`. Raises CORBA exceptions, and Garbled for a bad answer."""
+    """The result of an operation, checked by `_taker` and `_holder`.
+    Raises CORBA exceptions, and Garbled for a bad answer.
+    """
     guarded = _guarded(type(ref), operation)  # type: ignore  # a class is hashable
     if guarded is None:
         return getattr(ref, operation)(*args)
@@ -32,7 +36,9 @@ def invoke(where, ref, operation, args):
 
 @functools.lru_cache(maxsize=None)
 def _guarded(objref, operation):
-    """The guarded descriptors of an operation of a class of references; None where nothing in them needs to be guarded."""
+    """The guarded descriptors of an operation of a class of references;
+    None where nothing in them needs to be guarded.
+    """
     try:
         given, returned, raised = stubs.operation(objref._NP_RepositoryId, operation)
     except KeyError:
@@ -40,25 +46,32 @@ def _guarded(objref, operation):
     safe = tuple(ior.guarded(each, _taker, _holder) for each in returned or ())
     failures = {name: ior.guarded(each, _taker, _holder) for name, each in (raised or {}).items()}
     same = all(new is old for new, old in zip(safe, returned or ())) and failures == (raised or {})
-    return None if same else (given, safe, failures or None)
+    if same:
+        return None
+    return (given, safe, failures or None)
 
 
-# fault: why the answer that this thread is reading must not be used. Functions called meanwhile must not raise: omniORB does not
-# expect it.
+# fault: why the answer that this thread is reading must not be used. Functions called meanwhile must not
+# raise: omniORB does not expect it.
 _seen = threading.local()
 
 
 @functools.lru_cache(maxsize=None)
 def _taker(type_id):
-    """A function that makes references of an interface from their octets (see ior.py), nil in place of a bad one."""
+    """A function that makes references of an interface from their octets (see ior.py),
+    nil in place of a bad one.
+    """
     import omniORB
     from omniORB import CORBA, tcInternal
+
     typecode = tcInternal.createTypeCode((tcInternal.tv_objref, type_id, ""))
 
     @functools.lru_cache(maxsize=1024)  # a component is named as the owner of each of its ports
     def made(type_id, *profiles):
         data = ior.octets(type_id, profiles)
-        return omniORB.cdrUnmarshal(typecode, data, 1) if data else None
+        if data:
+            return omniORB.cdrUnmarshal(typecode, data, 1)
+        return None
 
     def take(type_id, profiles):
         try:
@@ -68,23 +81,27 @@ def _taker(type_id):
         except CORBA.SystemException:
             _seen.fault = "a reference that is none"
         return None
+
     return take
 
 
 @functools.lru_cache(maxsize=None)
 def _holder(made):
     """A function that makes a struct of its members, one of them an `any`, and checks how deep that is."""
+
     def hold(name, value):
         if type(value._v) is not str and not _is_shallow(value):  # almost all are texts
             _seen.fault = "%s: values inside values, deeper than %d" % (printable(from_wire(name)), DEEPEST)
             value = None
         return made(name, value)
+
     return hold
 
 
 def _is_shallow(value):
     """True for a value that is not nested too deep to be written. Does not recurse itself."""
     from omniORB import CORBA
+
     level = [value]
     for _ in range(DEEPEST):
         below = []  # type: list

@@ -1,4 +1,5 @@
 """What exceptions that peers raise mean: an errors.Error for each, whichever ORB received it."""
+
 from rtshell_lite import errors
 from rtshell_lite.text import from_wire, printable
 
@@ -25,4 +26,6 @@ def system(where, name, label):
 
 def user(where, name, description):
     """The errors.Error for an exception of the IDL; `description` is its member of that name, or ''."""
-    return errors.Refused(where, name + (": " + printable(from_wire(description)) if description else ""), name=name)
+    return errors.Refused(
+        where, name + (": " + printable(from_wire(description)) if description else ""), name=name
+    )

@@ -1,4 +1,5 @@
 """Where hosts are, by their names."""
+
 import _socket  # which `socket` is made of: that one takes long to import
 
 from rtshell_lite import errors
@@ -12,13 +13,18 @@ _looking_up = {}  # {host: LookUp}
 class LookUp:
     """The places of a host: `found` is a list as of getaddrinfo, an OSError, or None for not yet.
 
-    Names that others resolve may take long, and nothing can interrupt that: once `begin` is called, a thread asks, unless too many
-    are asking already. All who want the same name share it.
+    Names that others resolve may take long, and nothing can interrupt that: once `begin` is called, a thread
+    asks, unless too many are asking already. All who want the same name share it.
     """
 
     def __init__(self, host):
-        self.found = None if host else OSError(0, "no address of IIOP in its reference")
-        self._host, self._asking = host, None  # the latter is the LookUp whose thread asks
+        if host:
+            self.found = None
+        else:
+            self.found = OSError(0, "no address of IIOP in its reference")
+        # the latter is the LookUp whose thread asks
+        self._host = host
+        self._asking = None
         if self.found:
             return
         self._ask(0 if host == "localhost" else _socket.AI_NUMERICHOST)
@@ -54,11 +60,16 @@ class LookUp:
         try:
             self.found = _places(self._host, flags)
         except (OSError, ValueError) as e:  # ValueError: a NUL in it
-            self.found = e if isinstance(e, OSError) else _socket.gaierror(0, str(e))
+            if isinstance(e, OSError):
+                self.found = e
+            else:
+                self.found = _socket.gaierror(0, str(e))
 
 
 def places(host):
-    """The places of a host as of getaddrinfo, [] for one that is not known; the look-up of a name may take long."""
+    """The places of a host as of getaddrinfo, [] for one that is not known;
+    the look-up of a name may take long.
+    """
     try:
         return _places(host)
     except (OSError, ValueError):

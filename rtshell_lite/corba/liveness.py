@@ -1,9 +1,11 @@
 """What a refused connection proves.
 
-On this host, that nothing listens there: the process is gone. Another host may refuse because of a firewall, which answers with
-a reset, or with an ICMP message that the port is unreachable. There, the process counts as gone only while another process of
-that host answers at another port above 1023. A name server does not count: firewalls often let its port alone through.
+On this host, that nothing listens there: the process is gone. Another host may refuse because of a firewall,
+which answers with a reset, or with an ICMP message that the port is unreachable. There, the process counts as
+gone only while another process of that host answers at another port above 1023. A name server does not count:
+firewalls often let its port alone through.
 """
+
 import time
 
 from rtshell_lite import errors
@@ -14,7 +16,9 @@ AT_THE_SAME_TIME = 3  # times the timeout
 
 
 async def is_gone(endpoint):
-    """Whether the process at `endpoint`, (host, port), which has refused a connection, is known to be gone."""
+    """Whether the process at `endpoint`, (host, port), which has refused a connection,
+    is known to be gone.
+    """
     return await is_this_host(endpoint[0]) or bool(_witnesses(endpoint))
 
 
@@ -33,8 +37,15 @@ def _witnesses(endpoint):
     host, port = endpoint
     now = session.current()
     since = time.monotonic() - AT_THE_SAME_TIME * now.timeout
-    return [other for other, when in now.answered.items() if other[0] == host and other[1] not in (port, None)
-            and other[1] > PRIVILEGED and other not in now.name_servers and when >= since]
+    return [
+        other
+        for other, when in now.answered.items()
+        if other[0] == host
+        and other[1] not in (port, None)
+        and other[1] > PRIVILEGED
+        and other not in now.name_servers
+        and when >= since
+    ]
 
 
 async def is_this_host(host):
@@ -48,7 +59,11 @@ async def is_this_host(host):
 def is_own(address):
     """Whether an IP address is one of this host: a UDP socket can be bound there."""
     import socket  # takes long, and few need it
-    family = socket.AF_INET6 if ":" in address else socket.AF_INET
+
+    if ":" in address:
+        family = socket.AF_INET6
+    else:
+        family = socket.AF_INET
     try:
         with socket.socket(family, socket.SOCK_DGRAM) as own:
             own.bind((address.partition("%")[0], 0))

@@ -2,6 +2,7 @@
 
 Its calls cannot be interrupted: threads make them, and wake the loop.
 """
+
 import collections
 import os
 import sys
@@ -22,17 +23,21 @@ HANDOVER = 5.0  # s that a caller of a servant waits at most for the loop
 HEEDED = None  # all settings of omniORB
 ANSWERS_AT_ONCE = False
 
-_of_one_reply = set()  # type: set  # (host, port) of processes that have closed connections of ours after a reply
+# (host, port) of processes that have closed connections of ours after a reply
+_of_one_reply = set()  # type: set
 _started = None  # the ORB, once there is one
 _deadline = None  # s, the deadline that it was given
 _session = None  # the Session of the command that runs
 _starting = threading.RLock()
 
 
-# ---- the ORB --------------------------------------------------------------------------------------------------
+# ---- the ORB -----------------------------------------------------------------------------------------------
+
 
 def start():
-    """The ORB of this process, made at the first call. Raises MissingOmniORB, Usage (bad RTCTREE_ORB_ARGS)."""
+    """The ORB of this process, made at the first call.
+    Raises MissingOmniORB, Usage (bad RTCTREE_ORB_ARGS).
+    """
     global _started, _deadline, _session
     if loop.current() is None and _started is not None:  # a thread of ours asks for it
         return _started
@@ -59,14 +64,27 @@ def is_installed():
 def _make_orb():
     CORBA = stubs.import_omniorb()
     stubs.register()
-    arguments = ["rtshell_lite", "-ORBtraceLevel", "0", "-ORBverifyObjectExistsAndType", "0",
-                 "-ORBgiopMaxMsgSize", str(32 << 20), "-ORBclientCallTimeOutPeriod", _milliseconds(session.current().timeout),
-                 "-ORBclientConnectTimeOutPeriod", _milliseconds(session.current().timeout)]
+    arguments = [
+        "rtshell_lite",
+        "-ORBtraceLevel",
+        "0",
+        "-ORBverifyObjectExistsAndType",
+        "0",
+        "-ORBgiopMaxMsgSize",
+        str(32 << 20),
+        "-ORBclientCallTimeOutPeriod",
+        _milliseconds(session.current().timeout),
+        "-ORBclientConnectTimeOutPeriod",
+        _milliseconds(session.current().timeout),
+    ]
     own = [a for a in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if a]
     try:
         return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
     except CORBA.SystemException as e:
-        where = "RTCTREE_ORB_ARGS: " + printable(";".join(own)) if own else "omniORB.cfg, or a variable ORB…"
+        if own:
+            where = "RTCTREE_ORB_ARGS: " + printable(";".join(own))
+        else:
+            where = "omniORB.cfg, or a variable ORB…"
         raise errors.Usage(f"{where}: not understood by omniORB ({_label(e)})")
 
 
@@ -74,11 +92,13 @@ def version():
     """The version of omniORBpy. Raises MissingOmniORB."""
     stubs.import_omniorb()
     import omniORB
+
     return "omniORBpy " + omniORB.__version__
 
 
 def _set_deadline():
     import omniORB
+
     omniORB.setClientCallTimeout(int(_milliseconds(_deadline)))
     omniORB.setClientConnectTimeout(int(_milliseconds(_deadline)))
 
@@ -87,12 +107,14 @@ def _milliseconds(seconds):
     return str(max(1, int(seconds * 1000)))
 
 
-# ---- references -----------------------------------------------------------------------------------------------
+# ---- references --------------------------------------------------------------------------------------------
+
 
 def from_url(where, url):
     """The reference of a corbaloc or the like; contacts nobody. Raises BadPath."""
     orb = start()
     from omniORB import CORBA
+
     try:
         return orb.string_to_object(to_wire(url))
     except CORBA.SystemException as e:
@@ -100,9 +122,12 @@ def from_url(where, url):
 
 
 def from_text(where, text):
-    """The reference in a stringified IOR that a peer has sent. Raises Unreachable where the text is no reference."""
+    """The reference in a stringified IOR that a peer has sent.
+    Raises Unreachable where the text is no reference.
+    """
     orb = start()
     from omniORB import CORBA
+
     try:
         return orb.string_to_object(ior.checked(text))
     except ValueError as e:
@@ -134,7 +159,8 @@ def same(one, other):
     return bool(one._is_equivalent(other))
 
 
-# ---- calls ----------------------------------------------------------------------------------------------------
+# ---- calls -------------------------------------------------------------------------------------------------
+
 
 async def invoke(call):
     """The result of an orb.Call; raises what orb.call raises."""
@@ -157,23 +183,31 @@ async def invoke(call):
 
 
 class _Item:
-    """An orb.Call on its way: `begun` (time.monotonic()) when a thread has taken it, and `wait` for its outcome."""
+    """An orb.Call on its way: `begun` (time.monotonic()) when a thread has taken it,
+    and `wait` for its outcome.
+    """
 
     __slots__ = ("call", "seconds", "has_answered", "begun", "wait", "is_withdrawn")
 
     def __init__(self, call, now):
-        self.call, self.seconds = call, max(call.seconds or 0, now.timeout)
+        self.call = call
+        self.seconds = max(call.seconds or 0, now.timeout)
         self.has_answered = self.is_withdrawn = False
-        self.begun, self.wait = None, loop.Wait()
+        self.begun = None
+        self.wait = loop.Wait()
 
 
 class _Queue:
     """What one process is asked, by IN_FLIGHT threads at most. The first silence fails the rest."""
 
     def __init__(self, of, endpoint):
-        self.loop, self.session, self.endpoint = of, session.current(), endpoint
-        self.waiting, self.open = collections.deque(), set()
-        self._threads, self._checking = 0, None
+        self.loop = of
+        self.session = session.current()
+        self.endpoint = endpoint
+        self.waiting = collections.deque()
+        self.open = set()
+        self._threads = 0
+        self._checking = None
 
     def add(self, item):
         """Have a call made. Raises Shortage where there is no thread for it."""
@@ -234,7 +268,8 @@ class _Queue:
     def _check(self):
         """Give up what omniORB does not, such as the look-up of a name."""
         self._checking = None
-        now, is_over = time.monotonic(), self.session.is_over()
+        now = time.monotonic()
+        is_over = self.session.is_over()
         for item in list(self.open):
             if item.begun is None:
                 continue
@@ -249,7 +284,10 @@ class _Queue:
 
     def _check_rest(self):
         """Fail what waits for a process that has been found silent."""
-        silence = session.NO_TIME if self.session.is_over() else self.session.silence(self.endpoint)
+        if self.session.is_over():
+            silence = session.NO_TIME
+        else:
+            silence = self.session.silence(self.endpoint)
         while silence:
             try:
                 item = self.waiting.popleft()
@@ -268,14 +306,18 @@ class _Worker:
     _idle = []  # type: list
 
     def __init__(self):
-        self._queue, self._begin = None, threading.Lock()
+        self._queue = None
+        self._begin = threading.Lock()
         self._begin.acquire()
         loop.start_thread(self._run)
 
     @classmethod
     def give(cls, queue):
         """Let an idle worker, or a new one, make the calls of a queue. Raises Shortage."""
-        worker = cls._idle.pop() if cls._idle else cls()
+        if cls._idle:
+            worker = cls._idle.pop()
+        else:
+            worker = cls()
         worker._queue = queue
         worker._begin.release()
 
@@ -288,12 +330,19 @@ class _Worker:
 
 
 def _made(item):
-    """The result of a call, made on this thread, with a deadline of its `seconds` where that is more than the timeout."""
+    """The result of a call, made on this thread,
+    with a deadline of its `seconds` where that is more than the timeout.
+    """
     from omniORB import CORBA
+
     call = item.call
-    where, ref, operation, args = call.where, call.ref, call.operation, call.args
+    where = call.where
+    ref = call.ref
+    operation = call.operation
+    args = call.args
     if item.seconds > _deadline:
         import omniORB
+
         omniORB.setClientCallTimeout(ref, int(_milliseconds(item.seconds)))
     try:
         if not failures.may_repeat(operation) and address(ref)[1:3] in _of_one_reply:
@@ -309,12 +358,14 @@ def _made(item):
 
 
 def _asked_again(failure, item):
-    """The result of a question whose answer was lost: it is asked again, once for each connection that may be an old one.
+    """The result of a question whose answer was lost: it is asked again, once for each connection that may be
+    an old one.
 
-    rtsh keeps connections. When a process ends, or is restarted at the same port, all of them are lost, and each shows it only
-    when it is next used. Changes are not repeated: they may have been made.
+    rtsh keeps connections. When a process ends, or is restarted at the same port, all of them are lost, and
+    each shows it only when it is next used. Changes are not repeated: they may have been made.
     """
     from omniORB import CORBA
+
     call = item.call
     for _ in range(CONNECTIONS if failures.may_repeat(call.operation) and item.has_answered else 0):
         try:
@@ -328,8 +379,11 @@ def _asked_again(failure, item):
 
 
 def _use_up_connections(ref):
-    """Have omniORB notice that all connections to a process have been closed: a change must not be sent by one of these."""
+    """Have omniORB notice that all connections to a process have been closed:
+    a change must not be sent by one of these.
+    """
     from omniORB import CORBA
+
     is_last = False  # of which we know that there is no other, as omniORB has made a new one
     for _ in range(2 * CONNECTIONS):
         try:
@@ -341,27 +395,35 @@ def _use_up_connections(ref):
 
 
 def _check_version(where, endpoint):
-    """Raise Unreachable if a process that has closed the connection to omniORB answers in GIOP 1.0 or 1.1 only."""
+    """Raise Unreachable if a process that has closed the connection to omniORB answers in GIOP 1.0 or 1.1
+    only.
+    """
     import socket
 
     from rtshell_lite.giop import messages
+
     for minor in (2, 1, 0):
         try:
             with socket.create_connection(endpoint, _deadline / PROBING) as probe:
-                probe.sendall(messages.request(1, (1, minor), messages.KEY, b"\1\0\0\0?", "_non_existent", ()))
+                probe.sendall(
+                    messages.request(1, (1, minor), messages.KEY, b"\1\0\0\0?", "_non_existent", ())
+                )
                 head = probe.recv(messages.HEADER)
         except (OSError, ValueError):
             return
         if head[:6] != b"GIOP\1" + bytes([minor]) or head[7:8] != bytes([messages.REPLY]):
             continue
         if minor < 2:
-            raise errors.Unreachable(where, f"speaks GIOP 1.{minor} only, which omniORB does not try; set RTSHELL_ORB=builtin")
+            raise errors.Unreachable(
+                where, f"speaks GIOP 1.{minor} only, which omniORB does not try; set RTSHELL_ORB=builtin"
+            )
         return
 
 
 def _error(where, e, seconds, ref):
     """The errors.Error for a CORBA exception that a call to `ref` raised."""
     from omniORB import CORBA
+
     label = _label(e)
     if isinstance(e, CORBA.TIMEOUT):
         return errors.Silent(where, session.no_answer(seconds))
@@ -375,11 +437,13 @@ def _error(where, e, seconds, ref):
 
 
 def _not_connected(where, endpoint):
-    """The errors.Error for a connection that could not be made: omniORB does not say why, so the kernel is asked.
+    """The errors.Error for a connection that could not be made: omniORB does not say why, so the kernel is
+    asked.
 
     Only a refusal shows that the process is gone. Where its host cannot be reached, it may well live.
     """
     import socket
+
     try:
         socket.create_connection(endpoint, _deadline / PROBING).close()
     except ConnectionRefusedError:
@@ -396,18 +460,23 @@ def _label(e):
     """Short name of a CORBA exception: the minor code's where there is one."""
     import omniORB
     from omniORB import CORBA
+
     if isinstance(e, CORBA.SystemException):
         minor = omniORB.minorCodeToString(e)
         return sys.intern(str(minor) if minor else f"CORBA.{type(e).__name__}")
     return type(e).__name__
 
 
-# ---- servants -------------------------------------------------------------------------------------------------
+# ---- servants ----------------------------------------------------------------------------------------------
+
 
 def serve(servant):
-    """Let others call a servant: the stringified reference to it, and a function that ends that. Raises Usage."""
+    """Let others call a servant: the stringified reference to it, and a function that ends that.
+    Raises Usage.
+    """
     orb = start()
     from omniORB import CORBA
+
     try:
         poa = orb.resolve_initial_references("RootPOA")
     except CORBA.INITIALIZE:  # only now omniORB begins to listen
@@ -415,19 +484,26 @@ def serve(servant):
     made = stubs.skeleton(servant.interface)()
     here = loop.current()
     here.make_bell()
-    vars(made).update((operation, _on_loop(here, getattr(servant, operation))) for operation in made._omni_op_d)
+    vars(made).update(
+        (operation, _on_loop(here, getattr(servant, operation))) for operation in made._omni_op_d
+    )
     number = poa.activate_object(made)
     poa._get_the_POAManager().activate()
     return orb.object_to_string(poa.id_to_reference(number)), lambda: poa.deactivate_object(number)
 
 
 def _on_loop(of, method):
-    """A function for threads of omniORB that has the loop call a method of a servant, and waits for what that returns."""
+    """A function for threads of omniORB that has the loop call a method of a servant,
+    and waits for what that returns.
+    """
+
     def called(*args):
-        box, done = [], threading.Lock()
+        box = []
+        done = threading.Lock()
         done.acquire()
         if of.is_closed:
             from omniORB import CORBA
+
             raise CORBA.OBJECT_NOT_EXIST(0, CORBA.COMPLETED_NO)
 
         def call():
@@ -435,40 +511,64 @@ def _on_loop(of, method):
                 box.append(method(*args))
             finally:
                 done.release()
+
         of.post(call)
         if not done.acquire(timeout=HANDOVER) or not box:
             from omniORB import CORBA
+
             raise CORBA.UNKNOWN(0, CORBA.COMPLETED_MAYBE)
         return box[0]
+
     return called
 
 
-# ---- values ---------------------------------------------------------------------------------------------------
+# ---- values ------------------------------------------------------------------------------------------------
+
 
 def properties(nvlist, only=None):
-    """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to text.
+    """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to
+    text.
 
     `only`: those of this name.
     """
     from omniORB import CORBA
+
     string = CORBA.tk_string  # almost all are; `is`, because == of these takes as long as all the rest
-    return [(sys.intern(from_wire(nv.name)), from_wire(nv.value.value()) if nv.value.typecode().kind() is string
-             else _as_text(nv.value, CORBA)) for nv in nvlist if not only or nv.name == only]
+    return [
+        (
+            sys.intern(from_wire(nv.name)),
+            (
+                from_wire(nv.value.value())
+                if nv.value.typecode().kind() is string
+                else _as_text(nv.value, CORBA)
+            ),
+        )
+        for nv in nvlist
+        if not only or nv.name == only
+    ]
 
 
 def _as_text(value, CORBA):
-    typecode, value = value.typecode(), value.value()
+    typecode = value.typecode()
+    value = value.value()
     kind = typecode.kind()
-    if kind in (CORBA.tk_struct, CORBA.tk_union, CORBA.tk_except):  # the data_value of 1.1, a TimedLong of zeros
+    if kind in (
+        CORBA.tk_struct,
+        CORBA.tk_union,
+        CORBA.tk_except,
+    ):  # the data_value of 1.1, a TimedLong of zeros
         return f"<{from_wire(typecode.id())}>"
     if kind == CORBA.tk_objref:
         return start().object_to_string(value)
-    return str(value) if value is not None else ""
+    if value is not None:
+        return str(value)
+    return ""
 
 
 def descriptor(type_id):
     """The type descriptor that a user's stubs registered with omniORB for a repository id, or None."""
     import omniORB
+
     return omniORB.typeMapping.get(type_id)
 
 
@@ -478,7 +578,10 @@ def descriptor_in(nvlist, name):
 
 
 def nvlist(pairs):
-    """(name, value) texts as an SDOPackage::NVList of strings, the one type that every implementation accepts."""
+    """(name, value) texts as an SDOPackage::NVList of strings,
+    the one type that every implementation accepts.
+    """
     from omniORB import CORBA
+
     NameValue = idl.struct("SDOPackage.NameValue")
     return [NameValue(to_wire(n), CORBA.Any(CORBA.TC_string, to_wire(v))) for n, v in pairs]

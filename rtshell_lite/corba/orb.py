@@ -1,7 +1,9 @@
 """The one door to an ORB: references, calls with a deadline, failures as errors, lists of properties.
 
-RTSHELL_ORB chooses the ORB behind it: builtin (iiop/) or omniorb (omniorb.py). Unset: our own, but for what only omniORB can do.
+RTSHELL_ORB chooses the ORB behind it: builtin (iiop/) or omniorb (omniorb.py). Unset: our own, but for what
+only omniORB can do.
 """
+
 import os
 
 from rtshell_lite import errors
@@ -15,10 +17,11 @@ _orb = None  # the module of the ORB, omniorb or iiop.client
 
 
 def start(transport=""):
-    """Start the ORB of this process, if it has not been; `transport`: one that has to be known, other than IIOP.
+    """Start the ORB of this process, if it has not been; `transport`: one that has to be known, other than
+    IIOP.
 
-    Raises Usage (bad RTCTREE_ORB_ARGS, RTSHELL_ORB), MissingOmniORB where the user has chosen that, OnlyOmniORB where only
-    omniORB can do what is asked, and is not installed.
+    Raises Usage (bad RTCTREE_ORB_ARGS, RTSHELL_ORB), MissingOmniORB where the user has chosen that,
+    OnlyOmniORB where only omniORB can do what is asked, and is not installed.
     """
     global _orb
     if _orb is None or transport and not loop.current().peers:
@@ -31,10 +34,15 @@ def _chosen(transport=""):
     if name not in ("", "omniorb", "builtin"):
         raise errors.Usage(f"RTSHELL_ORB: {printable(name)}: neither omniorb nor builtin")
     from rtshell_lite.corba.iiop import client
-    needs_it = "" if name else _setting_unknown_to(client) or transport
+
+    if name:
+        needs_it = ""
+    else:
+        needs_it = _setting_unknown_to(client) or transport
     if name != "omniorb" and not needs_it:
         return client
     from rtshell_lite.corba import omniorb
+
     if needs_it and not omniorb.is_installed():
         raise errors.OnlyOmniORB(needs_it)
     return omniorb
@@ -44,8 +52,12 @@ def _setting_unknown_to(client):
     """The first setting in RTCTREE_ORB_ARGS that our own ORB does not heed; '' if there is none."""
     words = [word for word in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if word]
     options = words[::2]
-    unknown = [word for word in options if not (word.startswith("-ORB") and word[len("-ORB"):] in client.HEEDED)]
-    return "RTCTREE_ORB_ARGS: " + printable(unknown[0]) if unknown else ""
+    unknown = [
+        word for word in options if not (word.startswith("-ORB") and word[len("-ORB") :] in client.HEEDED)
+    ]
+    if unknown:
+        return "RTCTREE_ORB_ARGS: " + printable(unknown[0])
+    return ""
 
 
 def version():
@@ -54,16 +66,21 @@ def version():
 
 
 def heeds(option):
-    """Whether the ORB, if there is one, heeds a setting of omniORB, by its name without ORB: clientTransportRule."""
+    """Whether the ORB, if there is one, heeds a setting of omniORB, by its name without ORB:
+    clientTransportRule.
+    """
     return not _orb or _orb.HEEDED is None or option in _orb.HEEDED
 
 
 def answers_at_once():
-    """Whether a servant's answer is sent before anything else happens; with omniORB a thread sends it a moment later."""
+    """Whether a servant's answer is sent before anything else happens;
+    with omniORB a thread sends it a moment later.
+    """
     return (_orb or _chosen()).ANSWERS_AT_ONCE
 
 
-# ---- references -----------------------------------------------------------------------------------------------
+# ---- references --------------------------------------------------------------------------------------------
+
 
 def corbaloc(where, address, key, default_port):
     """The reference of the object `key` at `address` (host, host:port, PROTOCOL:rest); contacts nobody."""
@@ -81,7 +98,9 @@ def corbaloc(where, address, key, default_port):
 
 
 def from_text(where, text):
-    """The reference in a stringified IOR that a peer has sent. Raises Unreachable where the text is no reference."""
+    """The reference in a stringified IOR that a peer has sent.
+    Raises Unreachable where the text is no reference.
+    """
     start()
     return _orb.from_text(where, text)
 
@@ -109,7 +128,9 @@ def same(one, other):
 
 def one_of(ref, known):
     """`known` if it denotes the same object as `ref`, else `ref`: keeping both takes 800 bytes more."""
-    return known if same(ref, known) else ref
+    if same(ref, known):
+        return known
+    return ref
 
 
 def address(ref):
@@ -118,7 +139,9 @@ def address(ref):
 
 
 def addresses(ref):
-    """Every (host, port) that the IOR of `ref` offers, in its order: IIOP profiles and the alternatives named in them."""
+    """Every (host, port) that the IOR of `ref` offers, in its order:
+    IIOP profiles and the alternatives named in them.
+    """
     return ior.addresses(_orb.to_text(ref))
 
 
@@ -141,35 +164,50 @@ def identity(ref):
 def at(ref, host, port):
     """A reference to the object with the key of `ref` in the process at another endpoint; contacts nobody."""
     key = "".join(f"%{octet:02x}" for octet in address(ref).key)
-    return _orb.from_url(host, "corbaloc:iiop:1.2@%s:%d/%s" % ("[%s]" % host if ":" in host else host, port, key))
+    return _orb.from_url(
+        host, "corbaloc:iiop:1.2@%s:%d/%s" % ("[%s]" % host if ":" in host else host, port, key)
+    )
 
 
-# ---- calls ----------------------------------------------------------------------------------------------------
+# ---- calls -------------------------------------------------------------------------------------------------
+
 
 class Call:
-    """A call of `operation` of `ref`; `where`, a Path or text, names the object in errors, `seconds` may be a longer deadline."""
+    """A call of `operation` of `ref`; `where`, a Path or text, names the object in errors,
+    `seconds` may be a longer deadline.
+    """
 
     __slots__ = ("where", "ref", "operation", "args", "seconds")
 
     def __init__(self, where, ref, operation, args, seconds):
-        self.where, self.ref, self.operation, self.args, self.seconds = where, ref, operation, args, seconds
+        self.where = where
+        self.ref = ref
+        self.operation = operation
+        self.args = args
+        self.seconds = seconds
 
 
 async def call(where, ref, operation, *args, seconds=None):
     """The result of `operation` of `ref`; `where`, a Path or text, names the object in errors.
 
-    `seconds` is a longer deadline for an operation that may take its time. Raises Silent, Gone, Unreachable or Refused; made with
-    a nil reference, Garbled: a peer has sent that in place of an object.
+    `seconds` is a longer deadline for an operation that may take its time. Raises Silent, Gone, Unreachable
+    or Refused; made with a nil reference, Garbled: a peer has sent that in place of an object.
 
-    In a task that asks one process, see session.each, the silence of another is raised as Unreachable: it says nothing about the first.
+    In a task that asks one process, see session.each, the silence of another is raised as Unreachable: it
+    says nothing about the first.
     """
     if ref is None:
         raise errors.Garbled(str(where), f"nothing in place of the object that has {operation}")
-    here, place, now = endpoint(ref), loop.current().running.place, session.current()
+    here = endpoint(ref)
+    place = loop.current().running.place
+    now = session.current()
     if now.is_over():
         raise errors.Silent(str(where), session.NO_TIME)
     is_elsewhere = place is not None and here != place
-    silence = None if here == place else now.silence(here)
+    if here == place:
+        silence = None
+    else:
+        silence = now.silence(here)
     if silence:
         raise (errors.Unreachable if is_elsewhere else errors.Silent)(str(where), silence)
     try:
@@ -184,7 +222,8 @@ async def call(where, ref, operation, *args, seconds=None):
 
 
 async def each(refs, function, where=None):
-    """What function(ref) returns for each reference, awaited in parallel: in order, an errors.Error for what failed.
+    """What function(ref) returns for each reference, awaited in parallel: in order, an errors.Error for what
+    failed.
 
     Errors name `where`, or else HOST:PORT of the reference.
     """
@@ -192,11 +231,14 @@ async def each(refs, function, where=None):
 
 
 async def is_alive(where, ref):
-    """True if the object of `ref` exists. Raises Gone if it does not or nobody listens there, Silent, Unreachable."""
+    """True if the object of `ref` exists. Raises Gone if it does not or nobody listens there, Silent,
+    Unreachable.
+    """
     try:
         gone = await call(where, ref, "_non_existent")
     except errors.ConnectionRefused:
         from rtshell_lite.corba import liveness  # few need it
+
         raise await liveness.refusal(where, endpoint(ref))
     if gone:
         raise errors.Gone(str(where))
@@ -204,7 +246,8 @@ async def is_alive(where, ref):
 
 
 def serve(servant):
-    """Let others call a servant (see servants.py): the stringified reference to it, and a function that ends that.
+    """Let others call a servant (see servants.py): the stringified reference to it, and a function that ends
+    that.
 
     Raises what `start` raises, and Usage where nobody can listen as the settings demand.
     """
@@ -212,13 +255,15 @@ def serve(servant):
     return _orb.serve(servant)
 
 
-# ---- values ---------------------------------------------------------------------------------------------------
+# ---- values ------------------------------------------------------------------------------------------------
 
-struct, items = idl.struct, idl.items
+struct = idl.struct
+items = idl.items
 
 
 def properties(nvlist, only=None):
-    """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to text.
+    """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to
+    text.
 
     `only`: those of this name.
     """
@@ -237,6 +282,8 @@ def descriptor_in(nvlist, name):
 
 
 def nvlist(pairs):
-    """(name, value) texts as an SDOPackage::NVList of strings, the one type that every implementation accepts."""
+    """(name, value) texts as an SDOPackage::NVList of strings,
+    the one type that every implementation accepts.
+    """
     start()
     return _orb.nvlist(pairs)

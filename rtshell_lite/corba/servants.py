@@ -2,6 +2,7 @@
 
 A servant is any object with a method for each operation of its `interface`, named as in giop/idl.py.
 """
+
 import os
 import socket
 import struct
@@ -13,8 +14,8 @@ from rtshell_lite.text import printable
 
 
 class InPortCdr:
-    """Receives what an out port pushes by corba_cdr, and passes (nanoseconds since 1970, bytes) to a function, which
-    returns False when it has no room.
+    """Receives what an out port pushes by corba_cdr, and passes (nanoseconds since 1970, bytes) to a
+    function, which returns False when it has no room.
     """
 
     interface = "OpenRTM.InPortCdr"
@@ -24,7 +25,9 @@ class InPortCdr:
         self.done, _, self.full = orb.items("OpenRTM.PortStatus")[:3]
 
     def put(self, data):
-        return self.done if self.take(int(time.time() * 1e9), data) else self.full
+        if self.take(int(time.time() * 1e9), data):
+            return self.done
+        return self.full
 
 
 class DataPushService:
@@ -37,7 +40,9 @@ class DataPushService:
         self.done, _, self.full = orb.items("RTC.PortStatus")[:3]
 
     def push(self, data):
-        return self.done if self.take(int(time.time() * 1e9), data) else self.full
+        if self.take(int(time.time() * 1e9), data):
+            return self.done
+        return self.full
 
 
 RECEIVERS = {"corba_cdr": InPortCdr, "data_service": DataPushService}
@@ -50,8 +55,9 @@ class Served:
         self.reference, self.withdraw = orb.serve(servant)
 
     async def ior(self, peer):
-        """The stringified reference for the process at `peer`, (host, port), with the address of this host that it can reach:
-        an ORB does not know which of them that is. Looks up the peer's name. Raises Silent if that takes too long.
+        """The stringified reference for the process at `peer`, (host, port), with the address of this host
+        that it can reach: an ORB does not know which of them that is. Looks up the peer's name. Raises Silent
+        if that takes too long.
         """
         type_id, host, port, key = ior.address(self.reference)
         if host and _address_given():
@@ -64,7 +70,9 @@ class Served:
 
 def _address_given():
     """True if the user sets what the ORB publishes, for NAT say."""
-    return "ORBendPoint" in os.environ.get("RTCTREE_ORB_ARGS", "") or any(name.startswith("ORBendPoint") for name in os.environ)
+    return "ORBendPoint" in os.environ.get("RTCTREE_ORB_ARGS", "") or any(
+        name.startswith("ORBendPoint") for name in os.environ
+    )
 
 
 def own_address(host, port):
@@ -85,6 +93,7 @@ def own_address(host, port):
 
 def make_ior(type_id, host, port, key):
     """A stringified reference with one IIOP 1.2 profile (CORBA 3.0, 13.6)."""
+
     def octets(data):
         return struct.pack(">L", len(data)) + data
 

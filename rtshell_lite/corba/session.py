@@ -1,4 +1,5 @@
 """How one command asks, and what it has learnt of the processes that it asked."""
+
 import errno
 import os
 import time
@@ -11,29 +12,43 @@ TICK = 0.1  # s between two looks at what has waited too long
 MOST_ANSWERED = 1000  # processes of which a session knows that they have answered
 NO_TIME = "there was no time left to ask it"
 
-_SCARCE = {errno.EMFILE: "files", errno.ENFILE: "files", errno.EADDRNOTAVAIL: "ports", errno.ENOBUFS: "memory",
-           errno.ENOMEM: "memory"}
+_SCARCE = {
+    errno.EMFILE: "files",
+    errno.ENFILE: "files",
+    errno.EADDRNOTAVAIL: "ports",
+    errno.ENOBUFS: "memory",
+    errno.ENOMEM: "memory",
+}
 
 
 class Session:
     """What the tasks of one command share.
 
     timeout      seconds that a peer may stay silent, from --timeout
-    end          time.monotonic() after which no call is begun, or None: set by a command that promises to end in time
+    end          time.monotonic() after which no call is begun, or None: set by a command that promises to end
+                 in time
     slots        each call is made within it, `async with slots:`; None where their number is not limited
-    shortage     the errors.Shortage that made a connection fail on this host, or None: the peer is not to blame
-    silent       {endpoint: (when it was found silent, the words for it)}: it is not asked again for the length of a timeout, so that
-                 the next step of a command, or a question about another component, does not cost one more
+    shortage     the errors.Shortage that made a connection fail on this host, or None: the peer is not to
+                 blame
+    silent       {endpoint: (when it was found silent, the words for it)}: it is not asked again for the
+                 length of a timeout, so that the next step of a command, or a question about another
+                 component, does not cost one more
     turned_away  how many connections to this command were turned away
     name_servers endpoints of name servers, which firewalls often let through
-    answered     {endpoint: when it last answered}, by time.monotonic(); of all commands of this process, which keeps connections
+    answered     {endpoint: when it last answered}, by time.monotonic(); of all commands of this process,
+                 which keeps connections
     """
 
     answered = {}  # type: dict
 
     def __init__(self, timeout=3.0):
-        self.timeout, self.end, self.slots, self.shortage, self.turned_away = timeout, None, None, None, 0
-        self.silent, self.name_servers = {}, set()
+        self.timeout = timeout
+        self.end = None
+        self.slots = None
+        self.shortage = None
+        self.turned_away = 0
+        self.silent = {}
+        self.name_servers = set()
 
     def is_over(self):
         """True when its `end` has passed."""
@@ -45,10 +60,14 @@ class Session:
         if found is None:
             return None
         since, why = found
-        return why if time.monotonic() - since < self.timeout else None
+        if time.monotonic() - since < self.timeout:
+            return why
+        return None
 
     def fall_silent(self, endpoint, why, since):
-        """Fail what the process is asked, unless it has answered others `since`: one object may hang though its process does not."""
+        """Fail what the process is asked, unless it has answered others `since`:
+        one object may hang though its process does not.
+        """
         if self.answered.get(endpoint, 0) <= since:
             self.silent[endpoint] = time.monotonic(), why
 
@@ -58,15 +77,22 @@ class Session:
 
     def sweep(self):
         """Forget what is too old to matter, in a session that lasts."""
-        now, answered = time.monotonic(), self.answered
-        self.silent = {endpoint: found for endpoint, found in self.silent.items() if now - found[0] < self.timeout}
+        now = time.monotonic()
+        answered = self.answered
+        self.silent = {
+            endpoint: found for endpoint, found in self.silent.items() if now - found[0] < self.timeout
+        }
         for endpoint in sorted(answered, key=answered.get, reverse=True)[MOST_ANSWERED:]:
             del answered[endpoint]
 
     def note_shortage(self, e, host):
-        """Note an OSError of a connection to `host` that means that this host, not the other, lacks something."""
+        """Note an OSError of a connection to `host` that means that this host, not the other,
+        lacks something.
+        """
         what = _SCARCE.get(e.errno)
-        if what and not (what == "ports" and ":" in host):  # a host without IPv6 has no address for it, either
+        if what and not (
+            what == "ports" and ":" in host
+        ):  # a host without IPv6 has no address for it, either
             self.shortage = errors.Shortage(what, os.strerror(e.errno))
 
 
@@ -86,22 +112,26 @@ def no_answer(seconds):
 
 
 async def each(items, function, place):
-    """What function(item) returns for each item, awaited in parallel by the process that answers: in order, an errors.Error for
-    what failed.
+    """What function(item) returns for each item, awaited in parallel by the process that answers: in order,
+    an errors.Error for what failed.
 
-    `place(item)` gives (endpoint of that process, or anything hashable; the path of the object, or a text, for errors). The first
-    silence of a process fails what it has not been asked yet.
+    `place(item)` gives (endpoint of that process, or anything hashable; the path of the object, or a text,
+    for errors). The first silence of a process fails what it has not been asked yet.
     """
     items = list(items)
     places = list(map(place, items))
-    return await loop.each(range(len(places)), _attempt(items, function, places), lambda number: places[number][0])
+    return await loop.each(
+        range(len(places)), _attempt(items, function, places), lambda number: places[number][0]
+    )
 
 
 def stream(items, function, place):
     """`each`, but an asynchronous generator that keeps no results."""
     items = list(items)
     places = list(map(place, items))
-    return loop.stream(range(len(places)), _attempt(items, function, places), lambda number: places[number][0])
+    return loop.stream(
+        range(len(places)), _attempt(items, function, places), lambda number: places[number][0]
+    )
 
 
 def _attempt(items, function, places):
@@ -109,15 +139,21 @@ def _attempt(items, function, places):
 
     async def attempt(number):
         endpoint, where = places[number]
-        why = NO_TIME if here.is_over() else here.silence(endpoint)
+        if here.is_over():
+            why = NO_TIME
+        else:
+            why = here.silence(endpoint)
         if why:
             raise errors.Silent(str(where), why)
         return await function(items[number])
+
     return attempt
 
 
 async def on_thread(where, function):
-    """What a function returns that blocks and asks no peer by CORBA, such as the look-up of a name; Silent where that takes too long."""
+    """What a function returns that blocks and asks no peer by CORBA, such as the look-up of a name;
+    Silent where that takes too long.
+    """
     return await loop.race(loop.on_thread(function), _no_answer(where))
 
 

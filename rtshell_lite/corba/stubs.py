@@ -1,7 +1,10 @@
-"""omniORB, and the classes that it needs for OpenRTM's IDL, made of the tables: nothing outside corba/ imports them.
+"""omniORB, and the classes that it needs for OpenRTM's IDL, made of the tables: nothing outside corba/
+imports them.
 
-All that a command uses is made when it is first asked for; classes of references are made at the start, as omniORB looks them up.
+All that a command uses is made when it is first asked for; classes of references are made at the start, as
+omniORB looks them up.
 """
+
 import functools
 import sys
 import types
@@ -9,14 +12,21 @@ import types
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors, idl
 
-STANDARD = ("Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "InterfaceDataTypes_idl", "CameraCommonInterface_idl")
+STANDARD = (
+    "Time_idl",
+    "BasicDataType_idl",
+    "ExtendedDataTypes_idl",
+    "InterfaceDataTypes_idl",
+    "CameraCommonInterface_idl",
+)
 
 
 def import_omniorb():
-    """Import omniORB without `tempfile`, before any other module does; returns its module CORBA. Raises MissingOmniORB.
+    """Import omniORB without `tempfile`, before any other module does; returns its module CORBA. Raises
+    MissingOmniORB.
 
-    Of 18 ms for `import omniORB`, 9 ms are `tempfile`, which only importIDLString uses; we never call that. The empty
-    stand-in leaves sys.modules again, so that others import the real one.
+    Of 18 ms for `import omniORB`, 9 ms are `tempfile`, which only importIDLString uses; we never call that.
+    The empty stand-in leaves sys.modules again, so that others import the real one.
     """
     stand_in = sys.modules.setdefault("tempfile", types.ModuleType("tempfile"))
     try:
@@ -29,11 +39,15 @@ def import_omniorb():
     return CORBA
 
 
-# ---- interfaces -----------------------------------------------------------------------------------------------
+# ---- interfaces --------------------------------------------------------------------------------------------
+
 
 def register():
-    """Let omniORB make references of the interfaces of the tables; those that it knows from elsewhere stay."""
+    """Let omniORB make references of the interfaces of the tables;
+    those that it knows from elsewhere stay.
+    """
     import omniORB
+
     for type_id in idl.INTERFACES:
         omniORB.objrefMapping.setdefault(type_id, interface(type_id))
 
@@ -42,9 +56,14 @@ def register():
 def interface(type_id):
     """The class of references to an interface; it has a method for each operation."""
     from omniORB import CORBA
+
     bases, operations = idl.INTERFACES[type_id]
     methods = {each: _method(type_id, each) for each in operations}
-    return type(idl.name(type_id), tuple(map(interface, bases)) or (CORBA.Object,), {"_NP_RepositoryId": type_id, **methods})
+    return type(
+        idl.name(type_id),
+        tuple(map(interface, bases)) or (CORBA.Object,),
+        {"_NP_RepositoryId": type_id, **methods},
+    )
 
 
 def _method(type_id, name):
@@ -53,17 +72,22 @@ def _method(type_id, name):
 
 @functools.lru_cache(maxsize=None)
 def operation(type_id, name):
-    """How omniORB calls an operation of an interface or of those that it inherits: descriptors of its arguments, of its results
-    (None for oneway), of its exceptions by their ids (None for no exceptions). Raises KeyError.
+    """How omniORB calls an operation of an interface or of those that it inherits: descriptors of its
+    arguments, of its results (None for oneway), of its exceptions by their ids (None for no exceptions).
+    Raises KeyError.
     """
     given, returned, raised = idl.operation(type_id, name)
-    return (tuple(map(idl.descriptor, given)), None if returned is None else tuple(map(idl.descriptor, returned)),
-            {each: _exception(each) for each in raised} or None)
+    return (
+        tuple(map(idl.descriptor, given)),
+        None if returned is None else tuple(map(idl.descriptor, returned)),
+        {each: _exception(each) for each in raised} or None,
+    )
 
 
 @functools.lru_cache(maxsize=None)
 def _exception(type_id):
     from omniORB import CORBA
+
     kind, plain, type_id, name, *members = idl.known(type_id)
     return (kind, type(name, (plain, CORBA.UserException), {}), type_id, name, *members)
 
@@ -77,26 +101,38 @@ def skeleton(name):
 def _skeleton(type_id):
     import omniORB
     from omniORB import PortableServer
-    operations = {each: operation(type_id, each) for above in idl.ancestry(type_id) for each in idl.INTERFACES[above][1]}
-    made = type(idl.name(type_id), tuple(map(_skeleton, idl.INTERFACES[type_id][0])) or (PortableServer.Servant,),
-                {"_NP_RepositoryId": type_id, "_omni_op_d": operations})
+
+    operations = {
+        each: operation(type_id, each) for above in idl.ancestry(type_id) for each in idl.INTERFACES[above][1]
+    }
+    made = type(
+        idl.name(type_id),
+        tuple(map(_skeleton, idl.INTERFACES[type_id][0])) or (PortableServer.Servant,),
+        {"_NP_RepositoryId": type_id, "_omni_op_d": operations},
+    )
     made._omni_skeleton = made
     omniORB.registerSkeleton(type_id, made)
     return made
 
 
-# ---- stubs ----------------------------------------------------------------------------------------------------
+# ---- stubs -------------------------------------------------------------------------------------------------
+
 
 def contents(scope):
-    """What stubs of a module of the IDL hold: {name: class, descriptor (_d_…), TypeCode (_tc_…) or item of an enum}.
+    """What stubs of a module of the IDL hold: {name: class, descriptor (_d_…), TypeCode (_tc_…) or item of an
+    enum}.
 
     `scope` is how their repository ids begin: IDL:RTC/. omniORB gets to know the types.
     """
     import omniORB
+
     found = {}
-    for type_id in [each for table in (idl.TYPES, idl.INTERFACES) for each in table if each.startswith(scope)]:
+    for type_id in [
+        each for table in (idl.TYPES, idl.INTERFACES) for each in table if each.startswith(scope)
+    ]:
         descriptor = idl.descriptor(type_id)
-        name, kind = idl.name(type_id), descriptors.kind(descriptor)
+        name = idl.name(type_id)
+        kind = descriptors.kind(descriptor)
         if kind == descriptors.EXCEPTION:
             descriptor = _exception(type_id)
         if kind == descriptors.ENUM:
@@ -110,22 +146,30 @@ def contents(scope):
 def _class(descriptor, type_id):
     """What bears the name of a type in stubs."""
     import omniORB
+
     kind = descriptors.kind(descriptor)
     if kind == descriptors.OBJECT:
         return interface(type_id)
     if kind == descriptors.ENUM:
         return omniORB.Enum(type_id, descriptors.items(descriptor))
-    return type("Alias", (), {"_NP_RepositoryId": type_id}) if kind == descriptors.ALIAS else descriptors.factory(descriptor)
+    if kind == descriptors.ALIAS:
+        return type("Alias", (), {"_NP_RepositoryId": type_id})
+    return descriptors.factory(descriptor)
 
 
 def lend_standard():
-    """Let a user's stubs import the stubs of the standard IDL files: OpenRTM-aist-Python's if installed, else stand-ins."""
+    """Let a user's stubs import the stubs of the standard IDL files:
+    OpenRTM-aist-Python's if installed, else stand-ins.
+    """
     import importlib.util  # takes long
+
     try:
         import omniORB
     except ImportError:
         return  # the user's stubs will miss it
-    missing = [name for name in STANDARD if name not in sys.modules and importlib.util.find_spec(name) is None]
+    missing = [
+        name for name in STANDARD if name not in sys.modules and importlib.util.find_spec(name) is None
+    ]
     for name in missing:
         sys.modules[name] = types.ModuleType(name)
     for module in ("RTC", "Img") if missing else ():

@@ -1,8 +1,9 @@
 """Turns what a person or a program wrote into a value of a type; errors name the part that does not fit.
 
-What is written consists of numbers, texts, bytes, True and False, lists, dicts (of JSON), a Call (`RTC.Time(1, 2)`), a Word (an
-item of an enum), and values of the type itself.
+What is written consists of numbers, texts, bytes, True and False, lists, dicts (of JSON), a Call
+(`RTC.Time(1, 2)`), a Word (an item of an enum), and values of the type itself.
 """
+
 import base64
 import binascii
 import collections
@@ -10,13 +11,43 @@ import math
 import struct
 
 from rtshell_lite import errors
-from rtshell_lite.giop.descriptors import (ALIAS, ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, INDIRECT, OCTET, RANGES,
-                                           SEQUENCE, STRING, STRUCT, UNION, WCHAR, WSTRING, bound, cases, cases_by_label,
-                                           default_case, discriminator, dotted, element, factory, items, kind, length,
-                                           members, target, type_id, words)
+from rtshell_lite.giop.descriptors import (
+    ALIAS,
+    ARRAY,
+    BOOLEAN,
+    CHAR,
+    DOUBLE,
+    ENUM,
+    FLOAT,
+    INDIRECT,
+    OCTET,
+    RANGES,
+    SEQUENCE,
+    STRING,
+    STRUCT,
+    UNION,
+    WCHAR,
+    WSTRING,
+    bound,
+    cases,
+    cases_by_label,
+    default_case,
+    discriminator,
+    dotted,
+    element,
+    factory,
+    items,
+    kind,
+    length,
+    members,
+    target,
+    type_id,
+    words,
+)
 from rtshell_lite.text import printable
 
-Call = collections.namedtuple("Call", "name positional keywords")  # RTC.Time(1, nsec=2); positional a list, keywords a dict
+# RTC.Time(1, nsec=2); positional a list, keywords a dict
+Call = collections.namedtuple("Call", "name positional keywords")
 Word = collections.namedtuple("Word", "name")  # RTC.GRIPPER_STATE_OPEN
 
 DEEPEST = 100  # values inside values
@@ -26,16 +57,19 @@ NUMBERS = {"NaN": float("nan"), "Infinity": float("inf"), "-Infinity": float("-i
 def build(descriptor, written, where, json=False, now=None):
     """The value of a type for what was `written`; `where` names it in errors: RTC.TimedLong.
 
-    A text for octets is base64 with `json`, else text in UTF-8. `now`, (seconds, nanoseconds), is used for a timestamp that was
-    left out or is the Word {time}; None is 0. Raises BadValue.
+    A text for octets is base64 with `json`, else text in UTF-8. `now`, (seconds, nanoseconds), is used for a
+    timestamp that was left out or is the Word {time}; None is 0. Raises BadValue.
     """
     return _Builder(json, now or (0, 0)).build(descriptor, written, where, DEEPEST)
 
 
 def timed(descriptor):
     """True for the standard timed types: a struct of `tm`, with sec and nsec, and `data`."""
-    return kind(descriptor) == STRUCT and [name for name, _ in members(descriptor)] == ["tm", "data"] and \
-        is_time(members(descriptor)[0][1])
+    return (
+        kind(descriptor) == STRUCT
+        and [name for name, _ in members(descriptor)] == ["tm", "data"]
+        and is_time(members(descriptor)[0][1])
+    )
 
 
 def is_time(descriptor):
@@ -46,10 +80,14 @@ def is_time(descriptor):
 
 class _Builder:
     def __init__(self, json, now):
-        self.json, self.now = json, now
+        self.json = json
+        self.now = now
 
     def build(self, descriptor, written, where, depth):
-        descriptor = target(descriptor) if kind(descriptor) in (ALIAS, INDIRECT) else descriptor
+        if kind(descriptor) in (ALIAS, INDIRECT):
+            descriptor = target(descriptor)
+        else:
+            descriptor = descriptor
         if depth < 0:
             raise errors.BadValue(where, "is nested too deep")
         sort = kind(descriptor)
@@ -58,7 +96,9 @@ class _Builder:
         if sort in (FLOAT, DOUBLE):
             return self._real(descriptor, written, where)
         if sort == BOOLEAN:
-            return bool(written) if isinstance(written, int) and written in (0, 1) else _unfit(descriptor, written, where)
+            if isinstance(written, int) and written in (0, 1):
+                return bool(written)
+            return _unfit(descriptor, written, where)
         if sort in (CHAR, WCHAR):
             return self._character(descriptor, written, where)
         if sort in (STRING, WSTRING):
@@ -80,7 +120,9 @@ class _Builder:
             _unfit(descriptor, written, where)
         low, high = RANGES[kind(descriptor)]
         if not low <= written <= high:
-            raise errors.BadValue(where, "out of range for %s (%d to %d): %s" % (_a(descriptor), low, high, _shown(written)))
+            raise errors.BadValue(
+                where, "out of range for %s (%d to %d): %s" % (_a(descriptor), low, high, _shown(written))
+            )
         return written
 
     def _real(self, descriptor, written, where):
@@ -96,7 +138,10 @@ class _Builder:
         return number
 
     def _character(self, descriptor, written, where):
-        highest = "\xff" if kind(descriptor) == CHAR else "\uffff"
+        if kind(descriptor) == CHAR:
+            highest = "\xff"
+        else:
+            highest = "\uffff"
         if not isinstance(written, str) or len(written) != 1 or written > highest:
             _unfit(descriptor, written, where)
         return written
@@ -106,13 +151,18 @@ class _Builder:
         if not isinstance(written, str):
             _unfit(descriptor, written, where)
         try:
-            size = len(written) if wide else len(written.encode("utf-8", "surrogateescape"))
+            if wide:
+                size = len(written)
+            else:
+                size = len(written.encode("utf-8", "surrogateescape"))
         except UnicodeEncodeError:
             _unfit(descriptor, written, where)
         if "\0" in written:
             raise errors.BadValue(where, f"a {words(descriptor)} holds no NUL")
         if bound(descriptor) and size > bound(descriptor):
-            raise errors.BadValue(where, "longer than %d %s" % (bound(descriptor), "characters" if wide else "bytes of UTF-8"))
+            raise errors.BadValue(
+                where, "longer than %d %s" % (bound(descriptor), "characters" if wide else "bytes of UTF-8")
+            )
         return written
 
     def _item(self, descriptor, written, where):
@@ -138,12 +188,22 @@ class _Builder:
             _unfit(descriptor, written, where)
         count = length(descriptor)
         if count and (len(written) > count if kind(descriptor) == SEQUENCE else len(written) != count):
-            raise errors.BadValue(where, "%d elements, not %s%d" % (
-                len(written), "up to " if kind(descriptor) == SEQUENCE else "", count))
+            raise errors.BadValue(
+                where,
+                "%d elements, not %s%d"
+                % (len(written), "up to " if kind(descriptor) == SEQUENCE else "", count),
+            )
         if isinstance(written, (str, bytes)):
             return written
-        values = [self.build(element(descriptor), part, f"{where}[{i}]", depth - 1) for i, part in enumerate(written)]
-        return bytes(values) if sort == OCTET else "".join(values) if sort == CHAR else values
+        values = [
+            self.build(element(descriptor), part, f"{where}[{i}]", depth - 1)
+            for i, part in enumerate(written)
+        ]
+        if sort == OCTET:
+            return bytes(values)
+        if sort == CHAR:
+            return "".join(values)
+        return values
 
     def _octets(self, written, where):
         if isinstance(written, bytes):
@@ -153,7 +213,9 @@ class _Builder:
                 return base64.b64decode(written.encode("ascii"), validate=True)
             return written.encode("utf-8", "surrogateescape")
         except (binascii.Error, ValueError):
-            raise errors.BadValue(where, f"octets are written as a list of numbers or in base64: {_shown(written)}")
+            raise errors.BadValue(
+                where, f"octets are written as a list of numbers or in base64: {_shown(written)}"
+            )
 
     def _struct(self, descriptor, written, where, depth):
         if is_time(descriptor) and written == Word("{time}"):
@@ -169,8 +231,14 @@ class _Builder:
                 given[name] = Word("{time}")
             if name not in given:
                 raise errors.BadValue(where, f"{name} is missing")
-            values.append(self.build(inner, given[name], f"{where}: {name}" if " " not in where
-                                     else f"{where}.{name}", depth - 1))
+            values.append(
+                self.build(
+                    inner,
+                    given[name],
+                    f"{where}: {name}" if " " not in where else f"{where}.{name}",
+                    depth - 1,
+                )
+            )
         return factory(descriptor)(*values)
 
     def _given(self, descriptor, written, where):
@@ -189,13 +257,17 @@ class _Builder:
         given = {_member(names, name): value for name, value in given.items()}
         unknown = sorted(str(name) for name in given if name not in names)
         if unknown:
-            raise errors.BadValue(where, f"no member {printable(unknown[0])} (its members: {', '.join(names)})")
+            raise errors.BadValue(
+                where, f"no member {printable(unknown[0])} (its members: {', '.join(names)})"
+            )
         return given
 
     def _arguments(self, names, call, where):
         positional = call.positional
         if len(positional) > len(names):
-            raise errors.BadValue(where, f"takes {len(names)} values ({', '.join(names)}), not {len(positional)}")
+            raise errors.BadValue(
+                where, f"takes {len(names)} values ({', '.join(names)}), not {len(positional)}"
+            )
         given = dict(zip(names, positional))
         for name, value in call.keywords.items():
             if _member(names, name) in given:
@@ -204,7 +276,8 @@ class _Builder:
         return given
 
     def _union(self, descriptor, written, where, depth):
-        make, known = factory(descriptor), cases(descriptor)
+        make = factory(descriptor)
+        known = cases(descriptor)
         if isinstance(written, Call):
             if not fits(written.name, descriptor):
                 raise errors.BadValue(where, f"not {_a(descriptor)}: {printable(written.name)}")
@@ -230,14 +303,18 @@ class _Builder:
 def fits(name, descriptor):
     """Whether a name, with or without its modules, can mean this struct or union."""
     parts = [part for part in name.replace("::", ".").split(".") if part]
-    return bool(parts) and dotted(type_id(descriptor)).split(".")[-len(parts):] == parts
+    return bool(parts) and dotted(type_id(descriptor)).split(".")[-len(parts) :] == parts
 
 
 def _member(names, name):
     """The member that a name means; one that is a keyword of Python may begin with _, as in stubs."""
     if name in names or not isinstance(name, str):
         return name
-    return name[1:] if name[:1] == "_" and name[1:] in names else "_" + name if "_" + name in names else name
+    if name[:1] == "_" and name[1:] in names:
+        return name[1:]
+    if "_" + name in names:
+        return "_" + name
+    return name
 
 
 def _unfit(descriptor, written, where, hint=""):
@@ -255,6 +332,10 @@ def _shown(written):
         return printable(written.name)
     if isinstance(written, float) and not math.isfinite(written):
         return str(written)
-    shown = "{…}" if isinstance(written, dict) or hasattr(written, "__dict__") and not hasattr(written, "_n") else repr(
-        written[:10] if isinstance(written, (list, str, bytes)) and len(written) > 10 else written)
+    if isinstance(written, dict) or hasattr(written, "__dict__") and not hasattr(written, "_n"):
+        shown = "{…}"
+    else:
+        shown = repr(
+            written[:10] if isinstance(written, (list, str, bytes)) and len(written) > 10 else written
+        )
     return printable(shown if len(shown) <= 60 else shown[:60] + "…")

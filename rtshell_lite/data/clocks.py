@@ -1,9 +1,12 @@
 """The times in values against this host's clock: whatever compares times is misled where the two differ."""
+
 import struct
 
 from rtshell_lite.data import datatypes
 
-MINUTE, DAY = 60.0, 86400.0  # seconds
+# seconds
+MINUTE = 60.0
+DAY = 86400.0
 APART = 2  # minutes by which clocks differ; less may be the way of a value
 
 
@@ -24,5 +27,8 @@ def difference(received, stamp):
     away = (stamp - received) / MINUTE
     if abs(away) < APART:
         return ""
-    shown = f"{abs(away):.0f} minutes" if abs(away) < DAY / MINUTE else f"{abs(away) * MINUTE / DAY:.1f} days"
+    if abs(away) < DAY / MINUTE:
+        shown = f"{abs(away):.0f} minutes"
+    else:
+        shown = f"{abs(away) * MINUTE / DAY:.1f} days"
     return f"the times in its values are {shown} {'behind' if away < 0 else 'ahead of'} this host's clock"

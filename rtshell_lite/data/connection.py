@@ -5,6 +5,7 @@
 
 However the block ends, the connectors are removed.
 """
+
 import _signal  # see start.py
 import os
 import sys
@@ -19,7 +20,9 @@ INTERFACES = ("corba_cdr", "data_service")  # usable interface types; the first 
 LOOK = 1.0  # seconds between two looks whether a silent port still exists
 
 # That a connector was not removed, why, and when to try again.
-BUSY = "stays, because a call is unanswered and to remove it now could end the component; when it answers again"
+BUSY = (
+    "stays, because a call is unanswered and to remove it now could end the component; when it answers again"
+)
 SILENT = "may stay, because the component does not answer; when it does again"
 REFUSED = "may stay, because the component refused to remove it; to try again"
 
@@ -31,7 +34,9 @@ class Connection:
     flows = ()  # usable data flows
 
     def __init__(self, port, name, properties):
-        self.port, self.where, self.name = port, ports.label(port), name
+        self.port = port
+        self.where = ports.label(port)
+        self.name = name
         self.endpoint = orb.endpoint(port.ref)
         self.user = dict(properties or {})  # the properties that the user asks for
         self.connector = self.failure = None
@@ -64,8 +69,10 @@ class Connection:
         for key in ("dataport.dataflow_type", "dataport.subscription_type"):
             offer = ports.offer_without(self.port, key, requested[key])
             if offer is not None:
-                raise errors.Refused(self.where, "has no %s %s (it has: %s)" % (
-                    key.split(".")[1], printable(requested[key]), offer))
+                raise errors.Refused(
+                    self.where,
+                    "has no %s %s (it has: %s)" % (key.split(".")[1], printable(requested[key]), offer),
+                )
         await loop.finish(self._connect(requested))
         self.little = _little(self.agreed) or await self.is_always_little()
 
@@ -79,16 +86,20 @@ class Connection:
 
     async def requested(self):
         """The dict of properties to connect with."""
-        requested = {"dataport.dataflow_type": self.dataflow, "dataport.interface_type": self.interface,
-                     "dataport.data_type": self.port.properties.get("dataport.data_type", ""),
-                     "dataport.serializer.cdr.endian": "little,big"}
+        requested = {
+            "dataport.dataflow_type": self.dataflow,
+            "dataport.interface_type": self.interface,
+            "dataport.data_type": self.port.properties.get("dataport.data_type", ""),
+            "dataport.serializer.cdr.endian": "little,big",
+        }
         requested.update(await self.defaults())
         requested.update(self.user)
         return requested
 
     async def close(self):
         """Remove the connector. Sets `failure` and `left` when that fails, unless the port is gone."""
-        connector, self.connector = self.connector, None
+        connector = self.connector
+        self.connector = None
         if connector:
             self.left = connector, BUSY
             await self.leave(connector)
@@ -119,11 +130,13 @@ class Connection:
         except errors.Unreachable as e:
             self.failure = self.failure or e
         except errors.Refused as e:
-            self.failure, self.left = self.failure or e, (connector, REFUSED)
+            self.failure = self.failure or e
+            self.left = (connector, REFUSED)
 
     async def give_up(self):
         """Leave the connector: its process was found silent a moment ago, and not asked again."""
-        self.left, self.connector = (self.connector, self.why_left()), None
+        self.left = (self.connector, self.why_left())
+        self.connector = None
         await self.release()
 
     def why_left(self):
@@ -133,15 +146,24 @@ class Connection:
     def report(self, known, unwound):
         """Report a connector that could not be removed, and the command that removes it.
 
-        If `unwound` by an exception, also report a failure other than the `known` one (text): nobody else may do that.
+        If `unwound` by an exception, also report a failure other than the `known` one (text): nobody else may
+        do that.
         """
         if unwound and self.failure and str(self.failure) != known:
             notes.fail(self.failure)
             self.reported = self.failure
         if self.left:
             connector, what = self.left
-            notes.fail("%s: connection %s %s: rtdis -i %s %s" % (
-                self.where, printable(connector.id), what, shell_word(connector.id), shell_word(self.where)))
+            notes.fail(
+                "%s: connection %s %s: rtdis -i %s %s"
+                % (
+                    self.where,
+                    printable(connector.id),
+                    what,
+                    shell_word(connector.id),
+                    shell_word(self.where),
+                )
+            )
 
     def stop(self):
         """Prepare to close: begin what `is_at_rest` waits for."""
@@ -159,16 +181,20 @@ class Connection:
     async def is_there(self, connector):
         """Whether the port has the connector. Raises errors.Error."""
         try:
-            profile = await component.once_more(lambda: orb.call(
-                self.where, self.port.ref, "get_connector_profile", to_wire(connector.id)))
+            profile = await component.once_more(
+                lambda: orb.call(self.where, self.port.ref, "get_connector_profile", to_wire(connector.id))
+            )
         except (errors.Gone, errors.ConnectionRefused) as e:
             raise self.component_ended(e)
         return bool(profile.connector_id)
 
     def component_ended(self, e):
         """The error for a component that was Gone or ConnectionRefused."""
-        return errors.Unreachable(self.where, "the component %s" % (
-            "has ended" if isinstance(e, errors.Gone) else "is gone, and its process too"))
+        return errors.Unreachable(
+            self.where,
+            "the component %s"
+            % ("has ended" if isinstance(e, errors.Gone) else "is gone, and its process too"),
+        )
 
     def lost(self):
         """The message for a connector that someone else has removed."""
@@ -193,7 +219,8 @@ class Connection:
         return False
 
     def remote(self, kinds):
-        """The object that the port published for the connector; `kinds` names its stub class, by interface type.
+        """The object that the port published for the connector; `kinds` names its stub class, by interface
+        type.
 
         Raises Refused when there is none.
         """
@@ -203,24 +230,34 @@ class Connection:
         return orb.narrow(orb.from_text(self.where, ior), kinds[self.interface])
 
     def _interface(self):
-        offered = [word.strip() for word in self.port.properties.get("dataport.interface_type", "").split(",")]
+        offered = [
+            word.strip() for word in self.port.properties.get("dataport.interface_type", "").split(",")
+        ]
         is_any = any(word.lower() in ("any", "") for word in offered)
-        usable = [self.user["dataport.interface_type"]] if "dataport.interface_type" in self.user else INTERFACES
+        if "dataport.interface_type" in self.user:
+            usable = [self.user["dataport.interface_type"]]
+        else:
+            usable = INTERFACES
         for interface in usable:
             if is_any or interface in offered:
                 return interface
-        raise errors.Refused(self.where, f"offers no {' and no '.join(usable)} (it has: {printable(', '.join(offered))})")
+        raise errors.Refused(
+            self.where, f"offers no {' and no '.join(usable)} (it has: {printable(', '.join(offered))})"
+        )
 
 
 def check(user, flows):
-    """Refuse properties that our end of a connection does not support, before any component is asked. Raises Usage.
+    """Refuse properties that our end of a connection does not support, before any component is asked. Raises
+    Usage.
 
     Trying is harmful: some ports list `duplex`, fail to connect, and keep a ghost of the connection for ever.
     """
     for key, usable in (("dataport.dataflow_type", flows), ("dataport.interface_type", INTERFACES)):
         if key in user and user[key].lower() not in usable:
-            raise errors.Usage("%s=%s: this command can only take part in connections with %s" % (
-                key, printable(user[key]), " or ".join(usable)))
+            raise errors.Usage(
+                "%s=%s: this command can only take part in connections with %s"
+                % (key, printable(user[key]), " or ".join(usable))
+            )
 
 
 def _little(properties):
@@ -230,7 +267,8 @@ def _little(properties):
 
 
 class Connections:
-    """Connections that are opened and closed together; a failure affects no other. Regular looks find dead ports.
+    """Connections that are opened and closed together; a failure affects no other. Regular looks find dead
+    ports.
 
     Within the block each has a connector or a `failure`; after it none has a connector.
     """
@@ -241,7 +279,9 @@ class Connections:
         self._hears_stop = self._is_open = False
 
     async def __aenter__(self):
-        self._stop, self._tasks = loop.Bell(), loop.Group()  # the Bell rings at Ctrl-Z
+        # the Bell rings at Ctrl-Z
+        self._stop = loop.Bell()
+        self._tasks = loop.Group()
         self._watching = loop.background(self._watch())
         for connection in self.connections:
             connection.tasks = self._tasks
@@ -264,7 +304,9 @@ class Connections:
                 connection.report(failure, is_unwound)
             turned_away = session.current().turned_away
             if turned_away:
-                notes.left_out(f"{turned_away} connections to this command were turned away, as too many came: values may be missing")
+                notes.left_out(
+                    f"{turned_away} connections to this command were turned away, as too many came: values may be missing"
+                )
 
     async def _close(self):
         if self._hears_stop:
@@ -289,7 +331,8 @@ class Connections:
         await self._tasks.__aexit__(None, None, None)
 
     def step_aside_when_stopped(self):
-        """Leave when Ctrl-Z (SIGTSTP) comes, before this process stops, and connect again when it goes on (SIGCONT).
+        """Leave when Ctrl-Z (SIGTSTP) comes, before this process stops, and connect again when it goes on
+        (SIGCONT).
 
         A stopped process would stop the components that wait for its answers.
         """
@@ -299,12 +342,20 @@ class Connections:
 
     def live(self):
         """The connections that work, or may work again."""
-        return [connection for connection in self.connections if connection.failure is None or
-                connection.connector and isinstance(connection.failure, errors.Silent)]
+        return [
+            connection
+            for connection in self.connections
+            if connection.failure is None
+            or connection.connector
+            and isinstance(connection.failure, errors.Silent)
+        ]
 
     async def _each(self, step, connections):
-        results = await session.each(connections, lambda connection: getattr(connection, step)(),
-                                     lambda connection: (connection.endpoint, connection.where))
+        results = await session.each(
+            connections,
+            lambda connection: getattr(connection, step)(),
+            lambda connection: (connection.endpoint, connection.where),
+        )
         for connection, result in zip(connections, results):
             if isinstance(result, errors.Error):
                 connection.failure = connection.failure or result

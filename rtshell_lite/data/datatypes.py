@@ -1,7 +1,9 @@
 """Data types by name, and their values as bytes.
 
-A type is looked up among the standard types, in the IDL files and compiled stubs that the user names, and in the component.
+A type is looked up among the standard types, in the IDL files and compiled stubs that the user names, and in
+the component.
 """
+
 import importlib
 import struct
 import sys
@@ -22,7 +24,8 @@ class Type:
 
     def __init__(self, descriptor):
         self.descriptor = descriptor
-        self.id, self.name = descriptors.type_id(descriptor), descriptors.name(descriptor)
+        self.id = descriptors.type_id(descriptor)
+        self.name = descriptors.name(descriptor)
         self._codecs = {}
 
     def _codec(self, little):
@@ -33,11 +36,15 @@ class Type:
         return self._codecs[little]
 
     def decode(self, data, little=True):
-        """The value that bytes of a data port hold (CDR from byte 0); bytes after it are ignored. Raises BadData."""
+        """The value that bytes of a data port hold (CDR from byte 0); bytes after it are ignored.
+        Raises BadData.
+        """
         return self.decode_part(data, little)[0]
 
     def decode_part(self, data, little=True):
-        """(value, number of bytes that it takes). More bytes mean another type, or another version of this one."""
+        """(value, number of bytes that it takes).
+        More bytes mean another type, or another version of this one.
+        """
         read, _ = self._codec(little)
         try:
             return read(data, 0)
@@ -62,6 +69,7 @@ class Type:
     def to_bytes(self):
         """The type as bytes, for files that are read without IDL; the reverse of `from_bytes`."""
         import json  # which Debian's python3-minimal lacks, and most commands do not need
+
         return json.dumps(type_json.plain(self.descriptor), separators=(",", ":")).encode("ascii")
 
 
@@ -75,22 +83,29 @@ def check(descriptor, name):
     for where, inner in descriptors.walk(descriptor, name):
         kind = descriptors.kind(inner)
         if kind not in descriptors.VALUES + descriptors.BUILT:
-            raise errors.BadType(where, f"values of {descriptors.words(inner)} cannot be read; look at the bytes (--raw)")
+            raise errors.BadType(
+                where, f"values of {descriptors.words(inner)} cannot be read; look at the bytes (--raw)"
+            )
 
 
-# ---- looking types up -----------------------------------------------------------------------------------------
+# ---- looking types up --------------------------------------------------------------------------------------
+
 
 class Types:
     """The standard types, and those of the user.
 
-    `modules` are names of stubs to import, `path` directories to look in first, `idl` IDL files, `include` directories of
-    files that these include. They are read when a type is not a standard one, and IDL files in any case: what they define
-    counts before the standard type of that name.
+    `modules` are names of stubs to import, `path` directories to look in first, `idl` IDL files, `include`
+    directories of files that these include. They are read when a type is not a standard one, and IDL files in
+    any case: what they define counts before the standard type of that name.
     """
 
     def __init__(self, modules=(), path=(), idl=(), include=()):
-        self.modules, self.path, self.idl, self.include = list(modules), list(path), list(idl), list(include)
-        self._known, self._users = {}, None
+        self.modules = list(modules)
+        self.path = list(path)
+        self.idl = list(idl)
+        self.include = list(include)
+        self._known = {}
+        self._users = None
 
     def load(self):
         """Read the user's files now, so that faults in them are reported first. Raises BadIdl, NoSuch."""
@@ -98,6 +113,7 @@ class Types:
             self._users = {}
             if self.idl:
                 from rtshell_lite.data.idl import parser
+
                 for file in self.idl:
                     self._users.update(parser.parse_file(file, self.include))
             for name in self.modules:
@@ -105,11 +121,15 @@ class Types:
         return self
 
     def scopes(self):
-        """Names of the Python modules in which omniidl puts the user's types, as far as they have been read: Arm, Arm.Joint."""
+        """Names of the Python modules in which omniidl puts the user's types, as far as they have been read:
+        Arm, Arm.Joint.
+        """
         return sorted({".".join(_parts(type_id)[:-1]) or "_GlobalIDL" for type_id in self._users or ()})
 
     def named(self, name):
-        """The Type of a name: TimedLong, RTC.TimedLong, RTC::TimedLong, IDL:RTC/TimedLong:1.0. Raises NoSuch, BadIdl."""
+        """The Type of a name: TimedLong, RTC.TimedLong, RTC::TimedLong, IDL:RTC/TimedLong:1.0.
+        Raises NoSuch, BadIdl.
+        """
         found = self._find(name)
         if found is None:
             raise errors.NoSuch(printable(name) or "''", "data type", REMEDY)
@@ -127,8 +147,13 @@ class Types:
             found = await _offered(port)
         if found is None:
             from rtshell_lite.robot import ports
-            raise errors.NoSuch(ports.label(port), "data type known", "%s; %s" % (
-                printable(name) or "none given", SOURCES if port.type == "DataInPort" else REMEDY))
+
+            raise errors.NoSuch(
+                ports.label(port),
+                "data type known",
+                "%s; %s"
+                % (printable(name) or "none given", SOURCES if port.type == "DataInPort" else REMEDY),
+            )
         return found
 
     def _find(self, name):
@@ -136,7 +161,10 @@ class Types:
             descriptor = standard(name)
             if descriptor is None or self.idl:
                 self.load()
-                own = self._users.get(descriptors.type_id(descriptor)) if descriptor else _best(self._users, name)
+                if descriptor:
+                    own = self._users.get(descriptors.type_id(descriptor))
+                else:
+                    own = _best(self._users, name)
                 descriptor = own or descriptor
             self._known[name] = descriptor and Type(descriptor)
         return self._known[name]
@@ -154,19 +182,27 @@ def standard(name):
     parts = _parts(name)
     if not parts or len(parts) > 2 or len(parts) == 2 and parts[0] not in STANDARD:
         return None
-    return next(filter(None, [idl.known(f"IDL:{module}/{parts[-1]}:1.0") for module in parts[:-1] or STANDARD]), None)
+    return next(
+        filter(None, [idl.known(f"IDL:{module}/{parts[-1]}:1.0") for module in parts[:-1] or STANDARD]), None
+    )
 
 
 def _best(known, name):
-    """The descriptor for a name among `known`, {id: descriptor}: that of the id, or of the only id that ends with the name."""
+    """The descriptor for a name among `known`, {id: descriptor}:
+    that of the id, or of the only id that ends with the name.
+    """
     if name in known:
         return known[name]
     parts = _parts(name)
-    ids = [key for key in known if parts and _parts(key)[-len(parts):] == parts]
+    ids = [key for key in known if parts and _parts(key)[-len(parts) :] == parts]
     same = [key for key in ids if _parts(key) == parts]
     if len(ids) > 1 and len(same) != 1:
-        raise errors.NoSuch(printable(name), "data type for certain", "it may be " + " or ".join(map(printable, sorted(ids))))
-    return known[(same or ids)[0]] if ids else None
+        raise errors.NoSuch(
+            printable(name), "data type for certain", "it may be " + " or ".join(map(printable, sorted(ids)))
+        )
+    if ids:
+        return known[(same or ids)[0]]
+    return None
 
 
 def _imported(name, path):
@@ -177,7 +213,10 @@ def _imported(name, path):
         stubs.lend_standard()
         return importlib.import_module(name)
     except (ImportError, SyntaxError, ValueError) as e:
-        where = " in " + ", ".join(map(printable, path)) if path else ""
+        if path:
+            where = " in " + ", ".join(map(printable, path))
+        else:
+            where = ""
         raise errors.NoSuch(printable(name), "module" + where, printable(str(e)))
     finally:
         sys.path[:] = own
@@ -185,30 +224,45 @@ def _imported(name, path):
 
 def _of_module(module):
     """{id: descriptor} of the types in a module of stubs, those within its interfaces and modules too."""
-    found, scopes, seen = {}, [module], set()
+    found = {}
+    scopes = [module]
+    seen = set()
     while scopes:
         scope = scopes.pop()
         seen.add(id(scope))
         for name, value in list(vars(scope).items()):
             if name.startswith(("_d_", "_ad_")) and isinstance(value, tuple) and descriptors.type_id(value):
                 found.setdefault(descriptors.type_id(value), value)
-            elif id(value) not in seen and (hasattr(value, "_NP_RepositoryId") if isinstance(value, type) else
-                                            getattr(value, "__name__", "").startswith(module.__name__ + ".")):
+            elif id(value) not in seen and (
+                hasattr(value, "_NP_RepositoryId")
+                if isinstance(value, type)
+                else getattr(value, "__name__", "").startswith(module.__name__ + ".")
+            ):
                 scopes.append(value)
-    return {key: descriptors.adopted(value, lambda wanted: found.get(wanted) or orb.descriptor(wanted), classes=True)
-            for key, value in found.items() if descriptors.kind(value) not in (descriptors.OBJECT, descriptors.EXCEPTION)}
+    return {
+        key: descriptors.adopted(
+            value, lambda wanted: found.get(wanted) or orb.descriptor(wanted), classes=True
+        )
+        for key, value in found.items()
+        if descriptors.kind(value) not in (descriptors.OBJECT, descriptors.EXCEPTION)
+    }
 
 
 async def _offered(port):
     """The Type of the value in a port's profile, or None; one more call."""
     from rtshell_lite.robot import ports
+
     profile = await orb.call(ports.label(port), port.ref, "get_port_profile")
     descriptor = orb.descriptor_in(profile.properties, "dataport.data_value")
-    return Type(descriptors.adopted(descriptor, orb.descriptor)) if isinstance(descriptor, tuple) else None
+    if isinstance(descriptor, tuple):
+        return Type(descriptors.adopted(descriptor, orb.descriptor))
+    return None
 
 
 def members(type_id):
-    """[(name, type in words)] of the members of a standard type (`IDL:RTC/TimedLong:1.0`), None for an unknown one."""
+    """[(name, type in words)] of the members of a standard type (`IDL:RTC/TimedLong:1.0`),
+    None for an unknown one.
+    """
     descriptor = standard(type_id)
     if descriptor is None or descriptors.kind(descriptor) != descriptors.STRUCT:
         return None

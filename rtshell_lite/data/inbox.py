@@ -1,4 +1,5 @@
 """A queue of values that have arrived: adding one never blocks; what does not fit is dropped and counted."""
+
 import collections
 
 from rtshell_lite.net import loop
@@ -12,8 +13,10 @@ class Inbox:
     """A bounded queue of (key, Message); `dropped` counts by key what did not fit."""
 
     def __init__(self, most=MOST, most_bytes=MOST_BYTES):
-        self.most, self.most_bytes = most, most_bytes
-        self.waiting, self.bytes = [], 0
+        self.most = most
+        self.most_bytes = most_bytes
+        self.waiting = []
+        self.bytes = 0
         self.in_hand = 0  # bytes that get() has given out last: they take memory, too
         self.dropped = collections.Counter()
         self.arrived = loop.Bell()
@@ -21,7 +24,9 @@ class Inbox:
     def put(self, key, message):
         """Add a value. One always fits, however big."""
         size = len(message.data)
-        if self.waiting and (len(self.waiting) >= self.most or self.in_hand + self.bytes + size > self.most_bytes):
+        if self.waiting and (
+            len(self.waiting) >= self.most or self.in_hand + self.bytes + size > self.most_bytes
+        ):
             self.dropped[key] += 1
             return
         self.waiting.append((key, message))
@@ -34,11 +39,16 @@ class Inbox:
         return lambda message: self.put(key, message)
 
     async def get(self, seconds):
-        """All values so far, as a list in their order; waits up to `seconds` for the first one, then GATHER for more."""
+        """All values so far, as a list in their order;
+        waits up to `seconds` for the first one, then GATHER for more.
+        """
         if seconds:
             if not self.waiting:
                 await self.arrived.wait(seconds)
             await loop.sleep(min(seconds, GATHER))
-        taken, self.waiting, self.arrived = self.waiting, [], loop.Bell()
-        self.in_hand, self.bytes = self.bytes, 0
+        taken = self.waiting
+        self.waiting = []
+        self.arrived = loop.Bell()
+        self.in_hand = self.bytes
+        self.bytes = 0
         return taken

@@ -7,6 +7,7 @@ reads single literals only, for deeply nested text may crash it.
     argument = [identifier "="] value
     literal = number | string | b"bytes" | True | False | NaN | Infinity | null
 """
+
 import re
 import time
 
@@ -42,16 +43,23 @@ class Expression:
         called = isinstance(self.written, Call) and types is not None
         if type is None:
             if not called:
-                raise errors.BadValue(_short(text), "its type is not known; write it as RTC.TimedLong({time}, 42)")
+                raise errors.BadValue(
+                    _short(text), "its type is not known; write it as RTC.TimedLong({time}, 42)"
+                )
             type = types.named(self.written.name)
         elif called and not build_value.fits(self.written.name, build_value.target(type.descriptor)):
-            raise errors.BadValue(types.named(self.written.name).name, f"not the type that is wanted, {type.name}")
+            raise errors.BadValue(
+                types.named(self.written.name).name, f"not the type that is wanted, {type.name}"
+            )
         self.type = type
         self.value(0)
 
     def value(self, now=None):
         """A new value; `now`, seconds since the epoch, replaces {time} and a time that was left out (None: the present)."""
-        now = time.time() if now is None else now
+        if now is None:
+            now = time.time()
+        else:
+            now = now
         stamp = (int(now), int(now % 1 * 1e9))
         return build_value.build(self.type.descriptor, self.written, self.type.name, self.json, stamp)
 
@@ -61,7 +69,11 @@ def parse(text):
     if not re.match(_CALL, text, re.ASCII):
         try:
             import json
-            return json.loads(text, parse_constant=lambda word: build_value.NUMBERS[word], parse_int=_whole), True
+
+            return (
+                json.loads(text, parse_constant=lambda word: build_value.NUMBERS[word], parse_int=_whole),
+                True,
+            )
         except ImportError:  # Debian's python3-minimal lacks it; numbers and the constructor form need none
             pass
         except (ValueError, RecursionError):
@@ -81,6 +93,7 @@ def _whole(word):
 
 def _fault_of(text):
     import json
+
     try:
         json.loads(text, parse_int=_whole)
     except ValueError as e:
@@ -95,22 +108,31 @@ def _short(text):
 
 class _Parser:
     def __init__(self, text):
-        self.text, self.at = text, 0
-        self.match = re.compile(_TOKEN, re.VERBOSE | re.ASCII | re.DOTALL).match  # rtprint need not pay for it
+        self.text = text
+        self.at = 0
+        self.match = re.compile(
+            _TOKEN, re.VERBOSE | re.ASCII | re.DOTALL
+        ).match  # rtprint need not pay for it
         self.advance()
 
     def advance(self):
         """Go to the next token: set its kind, its word, and where it starts."""
         token = self.match(self.text, self.at)
         if token is None:
-            self.kind, self.word = "error", ""
-            self.start = self.at + len(self.text[self.at:]) - len(self.text[self.at:].lstrip())
+            self.kind = "error"
+            self.word = ""
+            self.start = self.at + len(self.text[self.at :]) - len(self.text[self.at :].lstrip())
             raise self.fault("cannot be read")
-        self.kind, self.word = token.lastgroup, token.group(token.lastgroup)
-        self.start, self.at = token.start(token.lastgroup), token.end()
+        self.kind = token.lastgroup
+        self.word = token.group(token.lastgroup)
+        self.start = token.start(token.lastgroup)
+        self.at = token.end()
 
     def fault(self, why):
-        there = _short(self.text[self.start:self.start + 20]) if self.text[self.start:].strip() else "the end"
+        if self.text[self.start :].strip():
+            there = _short(self.text[self.start : self.start + 20])
+        else:
+            there = "the end"
         return errors.BadValue(_short(self.text), f"column {self.start + 1}: {why}: {there}")
 
     def is_mark(self, *marks):
@@ -126,13 +148,21 @@ class _Parser:
     def value(self, depth):
         if depth < 0:
             raise self.fault("nested too deep")
-        kind, word = self.kind, self.word
+        kind = self.kind
+        word = self.word
         if kind == "name":
             return self.named(depth)
         if kind in ("number", "string", "time"):
-            value = TIME if kind == "time" else self.number() if kind == "number" else self.string()
+            if kind == "time":
+                value = TIME
+            elif kind == "number":
+                value = self.number()
+            else:
+                value = self.string()
             self.advance()
-            while kind == "string" and self.kind == "string" and isinstance(value, type(self.string())):  # "a" "b"
+            while (
+                kind == "string" and self.kind == "string" and isinstance(value, type(self.string()))
+            ):  # "a" "b"
                 value += self.string()
                 self.advance()
             return value
@@ -150,7 +180,9 @@ class _Parser:
         try:
             return int(word, 0)
         except ValueError:
-            return int(word) if word.lstrip("+-").isdigit() else float(word)
+            if word.lstrip("+-").isdigit():
+                return int(word)
+            return float(word)
 
     def string(self):
         try:
@@ -169,9 +201,12 @@ class _Parser:
         return Word({"inf": "Infinity", "nan": "NaN", "-inf": "-Infinity"}.get(name, name))
 
     def call(self, name, depth):
-        positional, keywords = [], {}
+        positional = []
+        keywords = {}
         while not self.is_mark(")"):
-            start, kind, word = self.at, self.kind, self.word
+            start = self.at
+            kind = self.kind
+            word = self.word
             if kind == "name" and self.text[start:].lstrip()[:1] == "=":
                 self.advance()
                 self.take("=")

@@ -1,4 +1,5 @@
 """Data ports as rtprint, rtinject and rtlog name them: PATH:PORT[.NAME][#FORMATTER]."""
+
 import collections
 import re
 
@@ -16,8 +17,14 @@ def parse(words, formatters=False):
     """A list of Target for what the user typed; nothing is contacted. Raises Usage, BadPath."""
     targets = []
     for word in words:
-        formatter = re.search(r"(?<!\\)#([\w.]+)\Z", word) if formatters else None
-        text = word[:formatter.start()] if formatter else word
+        if formatters:
+            formatter = re.search(r"(?<!\\)#([\w.]+)\Z", word)
+        else:
+            formatter = None
+        if formatter:
+            text = word[: formatter.start()]
+        else:
+            text = word
         path = paths.parse(text)
         if path.port is None:
             raise errors.Usage(f"{path!s}: no port specified")
@@ -31,15 +38,20 @@ async def find(targets):
     A port's name may contain a dot, and NAME follows a dot: the longer port name is tried first.
     """
     listed = await tree.on_components([target.path.object() for target in targets], ports.ports)
-    return [known if isinstance(known, errors.Error) else _named(target, known) for target, known in zip(targets, listed)]
+    return [
+        known if isinstance(known, errors.Error) else _named(target, known)
+        for target, known in zip(targets, listed)
+    ]
 
 
 def _named(target, known):
-    port, name = ports.named(target.path, known), None
+    port = ports.named(target.path, known)
+    name = None
     if isinstance(port, errors.Error):
         shorter, dot, rest = target.path.port.rpartition(".")
         if dot and re.match(r"\w+\Z", rest):
-            port, name = ports.named(target.path.with_port(shorter), known), rest
+            port = ports.named(target.path.with_port(shorter), known)
+            name = rest
     if isinstance(port, errors.Error):
         return ports.named(target.path, known)
     return Found(port, name, target.formatter, name or target.label)

@@ -4,6 +4,7 @@
 
 writing.py sends to in ports.
 """
+
 import collections
 import sys
 import time
@@ -19,7 +20,9 @@ from rtshell_lite.robot import component, ports
 Message = collections.namedtuple("Message", "received data little")
 
 QUEUE = 4096  # values that the port may queue while writes are counted
-BUFFER, BUFFER_BYTES = 256, 16 << 20  # values, and their bytes, that the port may queue for a slow reader
+# values, and their bytes, that the port may queue for a slow reader
+BUFFER = 256
+BUFFER_BYTES = 16 << 20
 EACH = 200  # bytes that a value takes besides its own
 FEWEST = 4  # values that it may queue however large they are
 GRACE = 0.2  # seconds beyond the timeout that a fetch is waited for
@@ -30,29 +33,38 @@ QUIET = 0.1  # seconds to wait for a last value; after them a connector is no lo
 PERIODS = 4  # of the component, in which it finds out that we have left, and removes the connector itself
 LONGEST = 0.2  # seconds to wait for that, at most: a command ends within 0.3 s of its signal
 LOOKS = 0.005, 0.05  # seconds between two looks whether it has done so, at first and in the end
-SWITCH = 0.0005  # seconds between switches of Python's threads: the thread that prints or writes values must not hold up our answers
+# seconds between switches of Python's threads: the thread that prints or writes values must not hold up our
+# answers
+SWITCH = 0.0005
 
 
 class Reader(Connection):
     """A connector from a DataOutPort that calls deliver(Message), which returns at once, for each value.
 
-    dataflow: "push" (the component calls us), "pull" (we fetch, for components that cannot reach us), None for push where the
-    port offers it. `properties` is a dict of the connector's properties, which override ours; `name` is the connector's name.
+    dataflow: "push" (the component calls us), "pull" (we fetch, for components that cannot reach us), None
+    for push where the port offers it. `properties` is a dict of the connector's properties, which override
+    ours; `name` is the connector's name.
 
-    Removing a push connector may end the component: with the subscription "new" its publisher may be using what is deleted. On
-    this host the component calls us itself, in its own cycle ("flush"): deliver() returns at once. We leave by being no more,
-    and its next call finds that out: OBJECT_NOT_EXIST, upon which it removes the connector between two calls. Over a network a slow
-    link must not slow the component: "new", and the connector is removed right after a value has come.
+    Removing a push connector may end the component: with the subscription "new" its publisher may be using
+    what is deleted. On this host the component calls us itself, in its own cycle ("flush"): deliver() returns
+    at once. We leave by being no more, and its next call finds that out: OBJECT_NOT_EXIST, upon which it
+    removes the connector between two calls. Over a network a slow link must not slow the component: "new",
+    and the connector is removed right after a value has come.
     """
 
-    kind, side, flows = "DataOutPort", "outport", ("push", "pull")
+    kind = "DataOutPort"
+    side = "outport"
+    flows = ("push", "pull")
 
     def __init__(self, port, deliver, dataflow=None, properties=None, name="rtshell_lite"):
         super().__init__(port, name, properties)
         self.deliver = deliver
         offer = ports.offer_without(port, "dataport.dataflow_type", "push")
-        self.dataflow = self.user.get("dataport.dataflow_type", "").lower() or dataflow or ("pull" if offer else "push")
-        self.room, self.heaviest = BUFFER, 0  # values that the port may queue; bytes of the largest one so far
+        self.dataflow = (
+            self.user.get("dataport.dataflow_type", "").lower() or dataflow or ("pull" if offer else "push")
+        )
+        self.room = BUFFER  # values that the port may queue
+        self.heaviest = 0  # bytes of the largest one so far
         self.answered = 0.0  # when the last fetch ended
         self.count = self.seen = 0  # values so far, and at the last look
         self.first = self.last = 0.0  # when the first and the last of them came
@@ -60,16 +72,24 @@ class Reader(Connection):
         self.renew()
 
     def renew(self):
-        self.early, self.early_bytes = [], 0  # values that came before the byte order was known
+        # values that came before the byte order was known
+        self.early = []
+        self.early_bytes = 0
         self.stopped = None  # when it began to leave: no more values are wanted
-        self.ended, self.idle = loop.Bell(), loop.Bell()  # ring then, and when no fetch is under way any more
+        # ring then, and when no fetch is under way any more
+        self.ended = loop.Bell()
+        self.idle = loop.Bell()
         self.idle.ring()
-        self.count_then, self.came = 0, loop.Bell()  # values when it began to leave; rings when another one comes
+        self.count_then = 0  # values when it began to leave
+        self.came = loop.Bell()  # rings when another one comes
 
     async def defaults(self):
         common = {"dataport.buffer.length": str(self.room)}
         if self.dataflow == "pull":
-            return dict(common, **{"dataport.subscription_type": "new", "dataport.buffer.read.empty_policy": "do_nothing"})
+            return dict(
+                common,
+                **{"dataport.subscription_type": "new", "dataport.buffer.read.empty_policy": "do_nothing"},
+            )
         sys.setswitchinterval(SWITCH)
         self.served = servants.Served(servants.RECEIVERS[self.interface](self._take))
         is_near = await liveness.is_this_host(self.endpoint[0])
@@ -77,9 +97,14 @@ class Reader(Connection):
             subscription = "flush"
         else:
             subscription = ports.connection_properties([self.port], {})["dataport.subscription_type"] or "new"
-        return dict(common, **{
-            "dataport.subscription_type": subscription, "dataport.publisher.push_policy": "all",
-            f"dataport.{self.interface}.inport_ior": await self.served.ior(self.endpoint)})
+        return dict(
+            common,
+            **{
+                "dataport.subscription_type": subscription,
+                "dataport.publisher.push_policy": "all",
+                f"dataport.{self.interface}.inport_ior": await self.served.ior(self.endpoint),
+            },
+        )
 
     async def open(self):
         try:
@@ -89,7 +114,8 @@ class Reader(Connection):
             raise
         for received, data in self.early:
             self.deliver(Message(received, data, self.little))
-        self.early, self.early_bytes = None, 0
+        self.early = None
+        self.early_bytes = 0
         if self.dataflow == "pull":
             fetch = fetcher(self)
             self.idle = loop.Bell()
@@ -135,18 +161,24 @@ class Reader(Connection):
             while self.stopped is None:
                 await self._take_next(fetch)
         except errors.Error as e:
-            self.failure = e if self.stopped is None else None
+            if self.stopped is None:
+                self.failure = e
+            else:
+                self.failure = None
         finally:
             self.idle.ring()
 
     async def _take_next(self, fetch):
-        """Fetch a value, or wait POLL seconds when there is none. Raises errors.Error when there will be no more."""
+        """Fetch a value, or wait POLL seconds when there is none.
+        Raises errors.Error when there will be no more.
+        """
         try:
             data = await fetch()
         except errors.Silent as e:
             self.failure = e
             return
-        self.failure, self.answered = None, time.monotonic()
+        self.failure = None
+        self.answered = time.monotonic()
         if data is None:
             await self.ended.wait(POLL)
         else:
@@ -154,14 +186,17 @@ class Reader(Connection):
 
     def stop(self):
         if self.stopped is None:
-            self.stopped, self.count_then = time.monotonic(), self.count
+            self.stopped = time.monotonic()
+            self.count_then = self.count
             self.ended.ring()
         if self._is_flush():
             self._withdraw()
 
     def _is_flush(self):
         """Whether the component calls us in its own cycle."""
-        return self.dataflow == "push" and self.agreed.get("dataport.subscription_type", "").lower() == "flush"
+        return (
+            self.dataflow == "push" and self.agreed.get("dataport.subscription_type", "").lower() == "flush"
+        )
 
     async def leave(self, connector):
         self.stop()
@@ -169,9 +204,15 @@ class Reader(Connection):
             await super().leave(connector)
 
     async def _is_forgotten(self, connector):
-        """Wait until the component has found out that we have left, and has removed the connector. A silent one will."""
-        period = (self.last - self.first) / (self.count - 1) if self.count > 1 else 0
-        end, pause = self.stopped + min(LONGEST, QUIET + PERIODS * period), LOOKS[0]
+        """Wait until the component has found out that we have left, and has removed the connector.
+        A silent one will.
+        """
+        if self.count > 1:
+            period = (self.last - self.first) / (self.count - 1)
+        else:
+            period = 0
+        end = self.stopped + min(LONGEST, QUIET + PERIODS * period)
+        pause = LOOKS[0]
         try:
             while await self.is_there(connector):
                 if time.monotonic() > end:
@@ -182,38 +223,50 @@ class Reader(Connection):
         except errors.Refused:
             return False
         except errors.Unreachable as e:
-            self.left = (connector, SILENT) if isinstance(e, errors.Silent) else None
+            if isinstance(e, errors.Silent):
+                self.left = (connector, SILENT)
+            else:
+                self.left = None
             self.failure = self.failure or e
         return True
 
     async def is_at_rest(self):
         """Wait until the component is not using the connector; False if it goes on using it.
 
-        Removing a connector ends a C++ component that is serving a fetch through it: so wait for the last answer. It may also end
-        one whose publisher is pushing a value (17 of 2,100 removals soon after connecting to C++ 2.1 at 100 Hz): so remove it while
-        the answer to a value is on its way, when the publisher has nothing to do until the next one. Ports are closed a few at a
-        time: all share the wait since stop(), and a value that came before this call is too old.
+        Removing a connector ends a C++ component that is serving a fetch through it: so wait for the last
+        answer. It may also end one whose publisher is pushing a value (17 of 2,100 removals soon after
+        connecting to C++ 2.1 at 100 Hz): so remove it while the answer to a value is on its way, when the
+        publisher has nothing to do until the next one. Ports are closed a few at a time: all share the wait
+        since stop(), and a value that came before this call is too old.
         """
         if self._is_flush():
             return True
         if self.dataflow == "push":
-            quiet = QUIET if self.count == self.count_then else 2 * QUIET
+            if self.count == self.count_then:
+                quiet = QUIET
+            else:
+                quiet = 2 * QUIET
             self.came = loop.Bell()
             has_come = await self.came.wait(self.stopped + quiet - time.monotonic())
             if has_come and not orb.answers_at_once():
                 await loop.sleep(ANSWERING)
             return True
-        if isinstance(self.failure, errors.Silent) or not await self.idle.wait(session.current().timeout + GRACE):
+        if isinstance(self.failure, errors.Silent) or not await self.idle.wait(
+            session.current().timeout + GRACE
+        ):
             return False
         await loop.sleep(self.answered + ANSWERED - time.monotonic())
         return not isinstance(self.failure, errors.Silent)
 
     def why_left(self):
         has_unanswered_fetch = self.dataflow == "pull" and isinstance(self.failure, errors.Silent)
-        return BUSY if has_unanswered_fetch else SILENT
+        if has_unanswered_fetch:
+            return BUSY
+        return SILENT
 
     def is_due(self):
-        seen, self.seen = self.seen, self.count
+        seen = self.seen
+        self.seen = self.count
         if seen != self.count:
             self.failure = None  # it was silent, but values have come
         return self.dataflow != "pull" and seen == self.count or self._is_too_heavy()
@@ -236,8 +289,10 @@ class Reader(Connection):
 
     def lost(self):
         if self.dataflow == "push" and not self.count:
-            return ("the connection has been removed; if the component did that, it cannot reach this machine (pull may do), "
-                    "or its values exceed its ORB's giopMaxMsgSize")
+            return (
+                "the connection has been removed; if the component did that, it cannot reach this machine (pull may do), "
+                "or its values exceed its ORB's giopMaxMsgSize"
+            )
         return super().lost()
 
     async def release(self):
@@ -261,7 +316,10 @@ class Reader(Connection):
 def fetcher(reader):
     """A function that fetches the oldest value of a pull connection as bytes, or None."""
     source = reader.remote({"corba_cdr": "OpenRTM.OutPortCdr", "data_service": "RTC.DataPullService"})
-    operation = "get" if reader.interface == "corba_cdr" else "pull"
+    if reader.interface == "corba_cdr":
+        operation = "get"
+    else:
+        operation = "pull"
 
     async def fetch():
         try:
@@ -274,15 +332,23 @@ def fetcher(reader):
             raise
         if str(status) in ("UNKNOWN_ERROR", "PORT_ERROR"):
             raise errors.Unreachable(reader.where, reader.lost())
-        return data if str(status) == "PORT_OK" else None
+        if str(status) == "PORT_OK":
+            return data
+        return None
+
     return fetch
 
 
 async def count_writes(port, seconds):
-    """(number of values that a component writes to a DataOutPort, in how many seconds), measured for about `seconds`."""
-    async with Reader(port, lambda message: None, "pull", properties={"dataport.buffer.length": str(QUEUE)}) as reader:
+    """(number of values that a component writes to a DataOutPort, in how many seconds),
+    measured for about `seconds`.
+    """
+    async with Reader(
+        port, lambda message: None, "pull", properties={"dataport.buffer.length": str(QUEUE)}
+    ) as reader:
         await loop.sleep(2 * POLL)  # fetch older values first
-        before, start = reader.count, time.monotonic()
+        before = reader.count
+        start = time.monotonic()
         await loop.sleep(seconds)
         if reader.failure:
             raise reader.failure

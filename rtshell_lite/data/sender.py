@@ -1,4 +1,5 @@
 """Sending values to in ports at a rate."""
+
 import math
 import select
 import sys
@@ -23,17 +24,22 @@ class Constant:
 
 
 class Lines:
-    """The values on stdin. Lines after the last one that was asked for are left there: in rtsh they may be commands."""
+    """The values on stdin. Lines after the last one that was asked for are left there:
+    in rtsh they may be commands.
+    """
 
     def __init__(self):
         if sys.stdin is None:
             raise errors.Usage("no -c VALUE, and stdin is closed")
         self._file = sys.stdin.buffer
-        self._number, self._begun = 0, b""  # of the line that was read last; the beginning of the next one
+        self._number = 0  # of the line that was read last
+        self._begun = b""  # the beginning of the next one
         self._at_hand = 0  # octets that can be read without waiting
 
     async def next(self, seconds):
-        """(text of the next value, its line); None when none has come within `seconds`. Raises EOFError, OSError."""
+        """(text of the next value, its line); None when none has come within `seconds`.
+        Raises EOFError, OSError.
+        """
         end = time.monotonic() + seconds
         while True:
             line = await self._next_line(end)
@@ -54,14 +60,16 @@ class Lines:
             part = self._file.read(ahead.find(b"\n") + 1 or len(ahead))
             self._begun += part
             self._at_hand = len(ahead) - len(part)
-        line, self._begun = self._begun, b""
+        line = self._begun
+        self._begun = b""
         if not line:
             raise EOFError
         return line
 
     async def _is_ready(self, seconds):
         """Wait until there is something to read, or the end."""
-        here, bell = loop.current(), loop.Bell()
+        here = loop.current()
+        bell = loop.Bell()
         here.watch(self._file.fileno(), select.POLLIN, bell.ring)
         try:
             return await bell.wait(seconds)
@@ -73,8 +81,12 @@ class Injection:
     """Writers, each with the Type of its port; `sent` counts values."""
 
     def __init__(self, writers, kinds, types):
-        self.writers, self.kinds, self.types = writers, kinds, types
-        self.sent, self.begun, self.ended = 0, 0.0, 0.0
+        self.writers = writers
+        self.kinds = kinds
+        self.types = types
+        self.sent = 0
+        self.begun = 0.0
+        self.ended = 0.0
         self._ready = {}
 
     def checked(self, text, where=None):
@@ -92,7 +104,8 @@ class Injection:
         return expressions
 
     async def run(self, source, number, rate, seconds):
-        """Send what `source` gives, `number` values (-1: all), `rate` Hz, for `seconds`; yields each put's error.
+        """Send what `source` gives, `number` values (-1: all), `rate` Hz, for `seconds`; yields each put's
+        error.
 
         Ends early when no port is left.
         """
@@ -111,26 +124,41 @@ class Injection:
             left = max(due, self.ended + 1 / rate / HURRY) - time.monotonic()
             if left > 0:
                 await loop.sleep(left)
-            until = math.inf if rate == math.inf else due + writing.LATE
+            if rate == math.inf:
+                until = math.inf
+            else:
+                until = due + writing.LATE
             for failure in await self._send(expressions, min(until, end)):
                 yield failure
             now = time.monotonic()
-            due = now if rate == math.inf else due + 1 / rate
+            if rate == math.inf:
+                due = now
+            else:
+                due = due + 1 / rate
             due = max(due, now - writing.LATE)
 
     def live(self):
-        """[(Writer, its index)] to send to: those without a failure, else silent ones, which would delay the others."""
+        """[(Writer, its index)] to send to: those without a failure, else silent ones,
+        which would delay the others.
+        """
         healthy = [(writer, i) for i, writer in enumerate(self.writers) if writer.failure is None]
-        return healthy or [(writer, i) for i, writer in enumerate(self.writers)
-                           if writer.connector and isinstance(writer.failure, errors.Silent)]
+        return healthy or [
+            (writer, i)
+            for i, writer in enumerate(self.writers)
+            if writer.connector and isinstance(writer.failure, errors.Silent)
+        ]
 
     async def _send(self, expressions, until):
         """Send a value to all ports, with the same time, as writing.offer does; returns the errors."""
-        now, live = time.time(), self.live()
+        now = time.time()
+        live = self.live()
         self.ended = time.monotonic()
         self.begun = self.begun or self.ended
         self.sent += 1
-        octets = [(writer, expressions[i].type.encode(expressions[i].value(now), writer.little)) for writer, i in live]
+        octets = [
+            (writer, expressions[i].type.encode(expressions[i].value(now), writer.little))
+            for writer, i in live
+        ]
         failures = await writing.offer(octets, until)
         failed = dict(failures)
         for writer, _ in live:
@@ -146,4 +174,6 @@ class Injection:
 
     def rate(self):
         """The rate that was kept, in Hz; None with fewer than two values."""
-        return (self.sent - 1) / (self.ended - self.begun) if self.sent > 1 and self.ended > self.begun else None
+        if self.sent > 1 and self.ended > self.begun:
+            return (self.sent - 1) / (self.ended - self.begun)
+        return None

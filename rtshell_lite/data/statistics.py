@@ -1,10 +1,14 @@
 """Statistics of the values of a port: rate, gaps, bytes, and what their timestamps say."""
+
 import collections
 import math
 import time
 
-LONG, SHORT = 1.5, 0.5  # times the usual gap between timestamps: in a longer one cycles are absent, a shorter one makes up for one
-PAUSE, PAUSE_LEAST = 20, 10**9  # a gap of so many usual ones, and of at least 1 s, is a pause; the usual gap is then found anew
+# times the usual gap between timestamps: in a longer one cycles are absent, a shorter one makes up for one
+LONG = 1.5
+SHORT = 0.5
+PAUSE = 20  # a gap of so many usual ones, and of at least 1 s, is a pause
+PAUSE_LEAST = 10**9  # the usual gap is then found anew
 FIRST = 10  # gaps from which the usual one is found
 
 
@@ -28,7 +32,9 @@ class Spread:
         self._squares += step * (number - self.mean)
 
     def deviation(self):
-        return math.sqrt(self._squares / self.count) if self.count else None
+        if self.count:
+            return math.sqrt(self._squares / self.count)
+        return None
 
 
 class Stretch:
@@ -36,37 +42,60 @@ class Stretch:
 
     def __init__(self):
         self.count = self.bytes = self.absent = self.disordered = self.repeated = 0
-        self.gaps, self.ages = Spread(), Spread()
+        self.gaps = Spread()
+        self.ages = Spread()
 
     def summary(self, seconds, dropped):
-        """A dict of figures: seconds, values, bytes; None for what is not known. `dropped` values came, but were not counted.
+        """A dict of figures: seconds, values, bytes; None for what is not known. `dropped` values came, but
+        were not counted.
 
         rate        values a second, from the gaps between them
         gap_…       seconds between two values; jitter is the standard deviation
         age_…       seconds from a value's own timestamp to its arrival (negative where clocks differ)
-        missing     values known to be lost: those dropped here. Timestamps cannot show losses: a source that overslept
-                    leaves the same gap
-        absent      values that would fill the long gaps between timestamps, less those that came close after; for ports
-                    that send at regular intervals
-        disordered  values with an earlier timestamp than the value before; repeated: with the same one, or the same value again,
-                    which no other figure counts
+        missing     values known to be lost: those dropped here. Timestamps cannot show losses: a source that
+                    overslept leaves the same gap
+        absent      values that would fill the long gaps between timestamps, less those that came close after;
+                    for ports that send at regular intervals
+        disordered  values with an earlier timestamp than the value before; repeated: with the same one, or
+                    the same value again, which no other figure counts
         """
-        gaps, ages = self.gaps, self.ages
-        return {"seconds": seconds, "values": self.count, "bytes": self.bytes,
-                "rate": 1 / gaps.mean if gaps.mean else None,
-                "gap_min": gaps.least, "gap_mean": gaps.mean, "gap_max": gaps.most, "jitter": gaps.deviation(),
-                "bytes_per_second": self.bytes / seconds if seconds > 0 else None,
-                "age_mean": ages.mean, "age_max": ages.most,
-                "missing": dropped, "dropped": dropped,
-                "absent": self.absent if ages.count else None, "disordered": self.disordered if ages.count else None,
-                "repeated": self.repeated if ages.count else None}
+        gaps = self.gaps
+        ages = self.ages
+        rate = bytes_per_second = absent = disordered = repeated = None
+        if gaps.mean:
+            rate = 1 / gaps.mean
+        if seconds > 0:
+            bytes_per_second = self.bytes / seconds
+        if ages.count:
+            absent = self.absent
+            disordered = self.disordered
+            repeated = self.repeated
+        return {
+            "seconds": seconds,
+            "values": self.count,
+            "bytes": self.bytes,
+            "rate": rate,
+            "gap_min": gaps.least,
+            "gap_mean": gaps.mean,
+            "gap_max": gaps.most,
+            "jitter": gaps.deviation(),
+            "bytes_per_second": bytes_per_second,
+            "age_mean": ages.mean,
+            "age_max": ages.most,
+            "missing": dropped,
+            "dropped": dropped,
+            "absent": absent,
+            "disordered": disordered,
+            "repeated": repeated,
+        }
 
 
 class Flow:
     """The values of one port: those since the last look, and all."""
 
     def __init__(self):
-        self.total, self.recent = Stretch(), Stretch()
+        self.total = Stretch()
+        self.recent = Stretch()
         self.last = self.stamp = None  # the last arrival and the last timestamp, ns
         self.data = None  # bytes of the last value
         self.stamps = self.since = 0  # number and sum of the gaps between timestamps since a pause
@@ -74,12 +103,14 @@ class Flow:
     def add(self, received, data, stamp):
         """Count a value, bytes, that came at `received` with a timestamp or None; both in ns since 1970.
 
-        One that comes twice in a row is counted as repeated only: OpenRTM-aist 2.1 repeats a `put` whose answer was lost.
+        One that comes twice in a row is counted as repeated only: OpenRTM-aist 2.1 repeats a `put` whose
+        answer was lost.
         """
         if stamp and stamp == self.stamp and data == self.data:
             self._count("repeated", 1)
             return
-        self.data, size = data, len(data)
+        self.data = data
+        size = len(data)
         if self.last is not None:
             self._both("gaps", (received - self.last) / 1e9)
         self.last = received
@@ -92,7 +123,8 @@ class Flow:
 
     def look(self):
         """The Stretch since the last look."""
-        recent, self.recent = self.recent, Stretch()
+        recent = self.recent
+        self.recent = Stretch()
         return recent
 
     def _both(self, what, number):
@@ -100,7 +132,11 @@ class Flow:
         getattr(self.recent, what).add(number)
 
     def _order(self, stamp):
-        gap, self.stamp = stamp - self.stamp if self.stamp else None, stamp
+        if self.stamp:
+            gap = stamp - self.stamp
+        else:
+            gap = None
+        self.stamp = stamp
         if gap is None:
             return
         if gap <= 0:
@@ -109,7 +145,10 @@ class Flow:
             self._gap(gap)
 
     def _gap(self, gap):
-        usual = self.since / self.stamps if self.stamps else gap
+        if self.stamps:
+            usual = self.since / self.stamps
+        else:
+            usual = gap
         if gap > max(PAUSE * usual, PAUSE_LEAST):
             self.stamps = self.since = 0
             return
@@ -125,7 +164,7 @@ class Flow:
             setattr(stretch, what, max(0, getattr(stretch, what) + number))
 
 
-# ---- the rate of the last seconds -----------------------------------------------------------------------------
+# ---- the rate of the last seconds --------------------------------------------------------------------------
 
 WINDOW = 2.0  # seconds over which a rate is measured
 LEAST = 0.2  # seconds after which there is a first rate
@@ -138,7 +177,8 @@ class Meter:
     """Counts the values of the port at a path; `reader` is a reading.Reader that delivers to `take`."""
 
     def __init__(self, path, failure=None):
-        self.path, self.failure = path, failure
+        self.path = path
+        self.failure = failure
         self.reader = None
         self._values = self._bytes = 0
         self._looks = collections.deque()  # (when, values, bytes)
@@ -158,4 +198,6 @@ class Meter:
         since, values, size = self._looks[0]
         if failure or now - since < LEAST:
             return Rate(self.path, None, None, failure)
-        return Rate(self.path, (self._values - values) / (now - since), (self._bytes - size) / (now - since), None)
+        return Rate(
+            self.path, (self._values - values) / (now - since), (self._bytes - size) / (now - since), None
+        )

@@ -1,16 +1,30 @@
 """A data type as JSON, for log files: read without IDL or ORB, and checked, for files may be hostile.
 
-    "long"  "string"  ["string", bound]  ["sequence", type, bound]  ["array", type, length]  ["alias", id, name, type]
-    ["struct", id, name, [[member, type], …]]  ["enum", id, name, [item, …]]
-    ["union", id, name, type, index of the default or -1, [[label, member, type], …]]   an enum's label is its item's number
-    ["object", id, name]  ["fixed", digits, scale]   of which no values are read
-    ["see", id]  a struct, union or enum that came before or encloses this
+"long"  "string"  ["string", bound]  ["sequence", type, bound]  ["array", type, length]  ["alias", id, name,
+        type]
+["struct", id, name, [[member, type], …]]  ["enum", id, name, [item, …]]
+["union", id, name, type, index of the default or -1, [[label, member, type], …]]   an enum's label is its
+item's number
+["object", id, name]  ["fixed", digits, scale]   of which no values are read
+["see", id]  a struct, union or enum that came before or encloses this
 """
 
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
-from rtshell_lite.giop.descriptors import (ALIAS, ARRAY, ENUM, FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING,
-                                           kind)
+from rtshell_lite.giop.descriptors import (
+    ALIAS,
+    ARRAY,
+    ENUM,
+    FIXED,
+    INDIRECT,
+    OBJECT,
+    SEQUENCE,
+    STRING,
+    STRUCT,
+    UNION,
+    WSTRING,
+    kind,
+)
 
 LARGEST = 1 << 20  # bytes of the JSON
 _KINDS = {words: kind for kind, words in descriptors.NAMES.items()}
@@ -18,15 +32,21 @@ _KINDS = {words: kind for kind, words in descriptors.NAMES.items()}
 
 def plain(descriptor, seen=None):
     """A descriptor as lists, texts and numbers."""
-    seen = set() if seen is None else seen
+    if seen is None:
+        seen = set()
+    else:
+        seen = seen
     sort = kind(descriptor)
     if not isinstance(descriptor, tuple):
         return descriptors.NAMES[descriptor]
     if sort in (STRING, WSTRING):
         return ["string" if sort == STRING else "wstring", descriptors.bound(descriptor)]
     if sort in (SEQUENCE, ARRAY):
-        return ["sequence" if sort == SEQUENCE else "array", plain(descriptors.element(descriptor), seen),
-                descriptors.length(descriptor)]
+        return [
+            "sequence" if sort == SEQUENCE else "array",
+            plain(descriptors.element(descriptor), seen),
+            descriptors.length(descriptor),
+        ]
     if sort == ALIAS:
         return ["alias", descriptor[1], descriptor[2], plain(descriptors.aliased(descriptor), seen)]
     if sort in (OBJECT, FIXED):
@@ -40,10 +60,23 @@ def plain(descriptor, seen=None):
     if sort == ENUM:
         return ["enum", identifier, descriptor[2], [item._n for item in descriptors.items(descriptor)]]
     if sort == STRUCT:
-        return ["struct", identifier, descriptor[3], [[name, plain(inner, seen)] for name, inner in descriptors.members(descriptor)]]
-    return ["union", identifier, descriptor[3], plain(descriptors.discriminator(descriptor), seen),
-            descriptors.default_index(descriptor),
-            [[getattr(case.label, "_v", case.label), case.member, plain(case.type, seen)] for case in descriptors.cases(descriptor)]]
+        return [
+            "struct",
+            identifier,
+            descriptor[3],
+            [[name, plain(inner, seen)] for name, inner in descriptors.members(descriptor)],
+        ]
+    return [
+        "union",
+        identifier,
+        descriptor[3],
+        plain(descriptors.discriminator(descriptor), seen),
+        descriptors.default_index(descriptor),
+        [
+            [getattr(case.label, "_v", case.label), case.member, plain(case.type, seen)]
+            for case in descriptors.cases(descriptor)
+        ],
+    ]
 
 
 def descriptor(data):
@@ -51,6 +84,7 @@ def descriptor(data):
     if len(data) > LARGEST:
         raise errors.BadType(f"a type of {len(data)} bytes", "too large")
     import json  # which Debian's python3-minimal lacks
+
     try:
         return descriptors.adopted(_raw(json.loads(data.decode("ascii")), {}))
     except errors.BadType as e:
@@ -60,7 +94,8 @@ def descriptor(data):
 
 
 def _raw(part, known):
-    """A descriptor, of which only the kinds of parts are checked. `known` collects complete structs, unions and enums.
+    """A descriptor, of which only the kinds of parts are checked. `known` collects complete structs, unions
+    and enums.
 
     A type within itself becomes an indirection by its id.
     """
@@ -74,6 +109,7 @@ def _string(sort):
     def form(known, bound):
         descriptors.check_length(SEQUENCE, bound)
         return (sort, bound)
+
     return form
 
 
@@ -82,7 +118,9 @@ def _alias(known, identifier, name, target):
 
 
 def _enum(known, identifier, name, items):
-    known[identifier] = descriptors.enum(_text(identifier), descriptors.check_identifier(name), list(map(_text, items)))
+    known[identifier] = descriptors.enum(
+        _text(identifier), descriptors.check_identifier(name), list(map(_text, items))
+    )
     return known[identifier]
 
 
@@ -110,10 +148,16 @@ def _fixed(known, digits, scale):
 
 
 _FORMS = {
-    "string": _string(STRING), "wstring": _string(WSTRING), "alias": _alias, "enum": _enum, "struct": _struct, "union": _union,
+    "string": _string(STRING),
+    "wstring": _string(WSTRING),
+    "alias": _alias,
+    "enum": _enum,
+    "struct": _struct,
+    "union": _union,
     "sequence": lambda known, element, bound: (SEQUENCE, _raw(element, known), bound),
     "array": lambda known, element, length: (ARRAY, _raw(element, known), length),
-    "object": lambda known, identifier, name: (OBJECT, _text(identifier), _text(name)), "fixed": _fixed,
+    "object": lambda known, identifier, name: (OBJECT, _text(identifier), _text(name)),
+    "fixed": _fixed,
     "see": lambda known, identifier: known.get(_text(identifier)) or (INDIRECT, [identifier]),
 }
 

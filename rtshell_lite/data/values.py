@@ -1,8 +1,10 @@
-"""Values of data types: as text, as JSON, as columns; their fields and timestamps; and how a person writes one.
+"""Values of data types: as text, as JSON, as columns; their fields and timestamps; and how a person writes
+one.
 
-A value is what stubs make: structs have attributes, unions _d and _v, items of enums _n and _v; sequences are lists, or bytes
-(of octets) or text (of characters).
+A value is what stubs make: structs have attributes, unions _d and _v, items of enums _n and _v; sequences are
+lists, or bytes (of octets) or text (of characters).
 """
+
 import base64
 import math
 import re
@@ -20,7 +22,8 @@ SCALARS = ((1, "B", "octet"), (2, "h", "short"), (4, "i", "long"), (4, "f", "flo
 SHOWN = 64  # characters of a guessed string
 
 
-# ---- parts of a value -----------------------------------------------------------------------------------------
+# ---- parts of a value --------------------------------------------------------------------------------------
+
 
 def _sort(value):
     if isinstance(value, (str, int, float, bytes)) or value is None:
@@ -28,7 +31,11 @@ def _sort(value):
     if isinstance(value, (list, tuple)):
         return "list"
     members = vars(value)
-    return "enum" if "_n" in members else "union" if "_d" in members else "struct"
+    if "_n" in members:
+        return "enum"
+    if "_d" in members:
+        return "union"
+    return "struct"
 
 
 def _case(union):
@@ -42,7 +49,9 @@ def timestamp(value):
     if not members or list(members) != ["sec", "nsec"]:
         return None
     stamp = members["sec"], members["nsec"]
-    return stamp if isinstance(stamp[0], int) and isinstance(stamp[1], int) else None
+    if isinstance(stamp[0], int) and isinstance(stamp[1], int):
+        return stamp
+    return None
 
 
 def with_timestamp(value, sec, nsec):
@@ -56,14 +65,17 @@ def with_timestamp(value, sec, nsec):
 
 
 def _bounded(function, *args):
-    """The result of a recursive function. Raises BadValue for a value that is nested too deep for Python's stack."""
+    """The result of a recursive function. Raises BadValue for a value that is nested too deep for Python's
+    stack.
+    """
     try:
         return function(*args)
     except RecursionError:
         raise errors.BadValue("the value", "nested too deep to show")
 
 
-# ---- as text --------------------------------------------------------------------------------------------------
+# ---- as text -----------------------------------------------------------------------------------------------
+
 
 def text(value, limit=None):
     """One line for people: `[SEC.NSEC] DATA` for a value with a time, as the rtshell manual promises.
@@ -75,14 +87,19 @@ def text(value, limit=None):
 
 def _line(value, limit):
     if _sort(value) != "struct":
-        return _text(value, limit) if not isinstance(value, str) else printable(value)
+        if not isinstance(value, str):
+            return _text(value, limit)
+        return printable(value)
     members = vars(value)
     stamp = timestamp(value)
     if stamp is None:
         return _text(value, limit)
     if len(members) == 2 and "data" in members:
         data = members["data"]
-        shown = printable(data) if isinstance(data, str) else _text(data, limit)
+        if isinstance(data, str):
+            shown = printable(data)
+        else:
+            shown = _text(data, limit)
     else:
         shown = " ".join(f"{name}={_text(inner, limit)}" for name, inner in members.items() if name != "tm")
     return "[%d.%09d] %s" % (stamp + (shown,))
@@ -99,11 +116,17 @@ def _text(value, limit):
     if sort == "list":
         return f"[{_cut([_text(element, limit) for element in value[:limit]], len(value), limit, ', ', len(value[:limit]))}]"
     if sort == "struct":
-        return "(%s)" % ", ".join("%s=%s" % (name, _text(inner, limit)) for name, inner in vars(value).items())
+        return "(%s)" % ", ".join(
+            "%s=%s" % (name, _text(inner, limit)) for name, inner in vars(value).items()
+        )
     if sort == "union":
         case = _case(value)
-        return f"({case}={_text(value._v, limit)})" if case else f"(_d={_text(value._d, limit)})"
-    return value._n if sort == "enum" else "None"
+        if case:
+            return f"({case}={_text(value._v, limit)})"
+        return f"(_d={_text(value._d, limit)})"
+    if sort == "enum":
+        return value._n
+    return "None"
 
 
 def _cut(shown, size, limit, between, count):
@@ -118,16 +141,24 @@ def _hex(data):
 
 
 def constructor(value):
-    """A value in the form that rtinject reads, RTC.TimedLong(tm=RTC.Time(sec=1, nsec=2), data=42): `Expression` reads it back."""
+    """A value in the form that rtinject reads, RTC.TimedLong(tm=RTC.Time(sec=1, nsec=2), data=42):
+    `Expression` reads it back.
+    """
     return _bounded(_constructor, value)
 
 
 def _constructor(value):
     sort = _sort(value)
     if isinstance(value, float) and not math.isfinite(value):
-        return "NaN" if math.isnan(value) else "Infinity" if value > 0 else "-Infinity"
+        if math.isnan(value):
+            return "NaN"
+        if value > 0:
+            return "Infinity"
+        return "-Infinity"
     if isinstance(value, str):
-        return "'%s'" % "".join(c if plain and c not in "\\'{}" else _escaped(c) for c, plain in judged(value))
+        return "'%s'" % "".join(
+            c if plain and c not in "\\'{}" else _escaped(c) for c, plain in judged(value)
+        )
     if sort == "scalar":
         return repr(value)
     if sort == "list":
@@ -137,18 +168,27 @@ def _constructor(value):
     called = build_value.dotted(type(value)._NP_RepositoryId)
     if sort == "union":
         return f"{called}({', '.join((_constructor(part) for part in (value._d, value._v)[:2 if _case(value) else 1]))})"
-    return "%s(%s)" % (called, ", ".join("%s=%s" % (name, _constructor(inner)) for name, inner in vars(value).items()))
+    return "%s(%s)" % (
+        called,
+        ", ".join("%s=%s" % (name, _constructor(inner)) for name, inner in vars(value).items()),
+    )
 
 
 def _escaped(c):
     n = ord(c)
-    return f"\\x{n:02x}" if n < 256 else f"\\u{n:04x}" if n < 65536 else f"\\U{n:08x}"
+    if n < 256:
+        return f"\\x{n:02x}"
+    if n < 65536:
+        return f"\\u{n:04x}"
+    return f"\\U{n:08x}"
 
 
-# ---- as JSON and in tables ------------------------------------------------------------------------------------
+# ---- as JSON and in tables ---------------------------------------------------------------------------------
+
 
 def json(value):
-    """The value for json.dumps: structs as objects, enums by name, octets in base64, unions as {"_d": label, member: value}.
+    """The value for json.dumps: structs as objects, enums by name, octets in base64, unions as {"_d": label,
+    member: value}.
 
     NaN and the infinities, which JSON lacks, are "NaN", "Infinity" and "-Infinity".
     """
@@ -157,23 +197,37 @@ def json(value):
 
 def _json(value):
     if isinstance(value, float) and not math.isfinite(value):
-        return "NaN" if math.isnan(value) else "Infinity" if value > 0 else "-Infinity"
+        if math.isnan(value):
+            return "NaN"
+        if value > 0:
+            return "Infinity"
+        return "-Infinity"
     if isinstance(value, bytes):
         return base64.b64encode(value).decode("ascii")
     sort = _sort(value)
     if sort == "list":
-        plain = value and (isinstance(value[0], (int, str)) or isinstance(value[0], float) and all(map(math.isfinite, value)))
-        return value if plain else [_json(element) for element in value]
+        plain = value and (
+            isinstance(value[0], (int, str)) or isinstance(value[0], float) and all(map(math.isfinite, value))
+        )
+        if plain:
+            return value
+        return [_json(element) for element in value]
     if sort == "struct":
         return {name: _json(inner) for name, inner in vars(value).items()}
     if sort == "union":
         case = _case(value)
-        return {"_d": _json(value._d), case: _json(value._v)} if case else {"_d": _json(value._d)}
-    return value._n if sort == "enum" else value
+        if case:
+            return {"_d": _json(value._d), case: _json(value._v)}
+        return {"_d": _json(value._d)}
+    if sort == "enum":
+        return value._n
+    return value
 
 
 def flat(value):
-    """[(column, scalar)] for a table: tm.sec, data[0], data.x; octets in hex, enums by name, a union's label as _d."""
+    """[(column, scalar)] for a table: tm.sec, data[0], data.x;
+    octets in hex, enums by name, a union's label as _d.
+    """
     return _bounded(_flat, value, "")
 
 
@@ -184,10 +238,16 @@ def _flat(value, column):
     if sort == "list":
         return [cell for i, element in enumerate(value) for cell in _flat(element, f"{column}[{i}]")]
     if sort in ("struct", "union"):
-        members = vars(value) if sort == "struct" else {"_d": value._d}
+        if sort == "struct":
+            members = vars(value)
+        else:
+            members = {"_d": value._d}
         if sort == "union" and _case(value):
             members[_case(value)] = value._v
-        start = column + "." if column else ""
+        if column:
+            start = column + "."
+        else:
+            start = ""
         return [cell for name, inner in members.items() for cell in _flat(inner, start + name)]
     return [(column, value._n if sort == "enum" else value)]
 
@@ -196,8 +256,11 @@ _STEP = re.compile(r"\.?([A-Za-z_]\w*)|\[(\d{1,9})\]", re.ASCII)
 
 
 def field(value, path):
-    """A part of a value: field(value, "data.points[0].x"). Raises NoSuch, which lists the fields, and BadPath."""
-    at, part = 0, value
+    """A part of a value: field(value, "data.points[0].x").
+    Raises NoSuch, which lists the fields, and BadPath.
+    """
+    at = 0
+    part = value
     while at < len(path):
         step = _STEP.match(path, at)
         if step is None:
@@ -209,32 +272,41 @@ def field(value, path):
 
 def _step(value, step, path):
     name, index = step.groups()
-    sort = "list" if isinstance(value, (bytes, str)) else _sort(value)
+    if isinstance(value, (bytes, str)):
+        sort = "list"
+    else:
+        sort = _sort(value)
     if index is not None:
         if sort == "list" and int(index) < len(value):
             return value[int(index)]
-        there = f"{len(value)} elements" if sort == "list" else "it is no sequence"
+        if sort == "list":
+            there = f"{len(value)} elements"
+        else:
+            there = "it is no sequence"
     elif sort == "struct":
         if name in vars(value):
             return vars(value)[name]
         there = "there are " + ", ".join(vars(value))
     elif sort == "union":
         if name == "_d" or name == _case(value):
-            return value._d if name == "_d" else value._v
+            if name == "_d":
+                return value._d
+            return value._v
         there = f"it holds {_case(value)} now"
     else:
         there = f"{'a sequence' if sort == 'list' else 'a plain value'} has no fields"
     raise errors.NoSuch(printable(path), "field", f"{step.group().lstrip('.')} ({there})")
 
 
-# ---- bytes of an unknown type ---------------------------------------------------------------------------------
+# ---- bytes of an unknown type ------------------------------------------------------------------------------
+
 
 def raw(data, little=True, limit=None):
     """Lines about bytes of an unknown type: their number, a hex dump, and guesses at what they are."""
     lines = [f"{len(data)} bytes"]
     shown = data[:limit]
     for at in range(0, len(shown), 16):
-        row = shown[at:at + 16]
+        row = shown[at : at + 16]
         lines.append(f"{at:08x}  {_hex(row):48} {''.join((chr(b) if 32 <= b < 127 else '.' for b in row))}")
     if len(shown) < len(data):
         lines.append("… %d more" % (len(data) - len(shown)))
@@ -243,21 +315,29 @@ def raw(data, little=True, limit=None):
 
 def _guesses(data, order):
     """Guesses: a time at the start, then numbers of one kind, or text."""
-    guesses, start = [], 0
+    guesses = []
+    start = 0
     if len(data) >= 8:
         sec, nsec = struct.unpack_from(order + "II", data)
-        if nsec < 1000000000 and (946684800 <= sec < 4102444800 or sec == nsec == 0):  # the years 2000 to 2099
+        if nsec < 1000000000 and (
+            946684800 <= sec < 4102444800 or sec == nsec == 0
+        ):  # the years 2000 to 2099
             guesses.append("time %d.%09d" % (sec, nsec))
             start = 8
     size = len(data) - start
     for width, code, words in SCALARS:
-        number = struct.unpack_from(order + code, data, start)[0] if size == width else None
+        if size == width:
+            number = struct.unpack_from(order + code, data, start)[0]
+        else:
+            number = None
         if number is not None and (isinstance(number, int) or number == 0 or 1e-9 < abs(number) < 1e12):
             guesses.append(f"{words} {number!r}")
     if size >= 5:
-        count, = struct.unpack_from(order + "I", data, start)
+        (count,) = struct.unpack_from(order + "I", data, start)
         if count == size - 4 and data[-1:] == b"\0":
-            guesses.append(f"string '{printable(data[start + 4:-1].decode('utf-8', 'surrogateescape')[:SHOWN])}'")
+            guesses.append(
+                f"string '{printable(data[start + 4:-1].decode('utf-8', 'surrogateescape')[:SHOWN])}'"
+            )
         for width, words in ((1, "octets"), (2, "shorts"), (4, "longs or floats"), (8, "doubles")):
             head = start + 4 + (-(start + 4) % width)
             if count and len(data) == head + count * width:

@@ -1,4 +1,5 @@
 """What commands report while they are connected: failures of connections."""
+
 from rtshell_lite import notes
 from rtshell_lite.net import loop
 
@@ -10,7 +11,9 @@ class Watcher:
     """Reports when a connection fails, and when a silent one answers again."""
 
     def __init__(self, connections):
-        self.connections, self.reported = connections, {}  # failures, by connection
+        # failures, by connection
+        self.connections = connections
+        self.reported = {}
 
     async def watch(self):
         """Look again and again."""
@@ -26,7 +29,9 @@ class Watcher:
 
     def _news(self, connection):
         """What is to be reported: (function, its argument)."""
-        where, failure, before = connection.where, connection.failure, self.reported.get(connection)
+        where = connection.where
+        failure = connection.failure
+        before = self.reported.get(connection)
         self.reported[connection] = failure
         yield from self._remarks(connection)
         if failure is not None and str(failure) != str(before):
@@ -42,12 +47,19 @@ class Watcher:
 
     def skip(self):
         """Do not report present failures: they have been."""
-        self.reported.update({connection: connection.failure for connection in self.connections if connection.failure is not None})
+        self.reported.update(
+            {
+                connection: connection.failure
+                for connection in self.connections
+                if connection.failure is not None
+            }
+        )
 
     def count(self, tally, useless=()):
         """Add each connection's failure or success to a Tally; what has been reported is not reported again.
 
-        Those that are `useless` work, but nothing of what came from them could be used: they do not count as done.
+        Those that are `useless` work, but nothing of what came from them could be used: they do not count as
+        done.
         """
         for connection in self.connections:
             _report(self._remarks(connection))

@@ -4,11 +4,13 @@
         await writer.put(data, writer.little)
         await linger(opened.live(), seconds)
 
-A value that a port accepts waits in its buffer. The component reads it in a later cycle, while it is Active and the port has a
-connector; what is unread when the last connector goes is read at the next connection, whoever makes it. The port has one
-buffer for all its connectors, and keeps the length and policy that the last one asked for; asking for a length empties it.
-(Seen with C++ 2.1 and Python 2.1: InPort::isNew, RingBuffer::length.)
+A value that a port accepts waits in its buffer. The component reads it in a later cycle, while it is Active
+and the port has a connector; what is unread when the last connector goes is read at the next connection,
+whoever makes it. The port has one buffer for all its connectors, and keeps the length and policy that the
+last one asked for; asking for a length empties it. (Seen with C++ 2.1 and Python 2.1: InPort::isNew,
+RingBuffer::length.)
 """
+
 import collections
 import math
 import time
@@ -22,7 +24,9 @@ from rtshell_lite.text import shell_word
 
 LENGTH = 8  # values that a port's buffer holds unless a connector has asked for more
 ROOM = 4  # values in the short buffer that several values are sent through
-SLACK = 0.25  # the fraction by which components may execute less often than they claim, where more is not known
+SLACK = (
+    0.25  # the fraction by which components may execute less often than they claim, where more is not known
+)
 SETTLE = 0.1  # seconds to add to a cycle
 UNKNOWN = 1.0  # seconds to wait for a component whose contexts have no rate, but are triggered
 USUAL = 50.0  # Hz, assumed of a component whose rate is not asked for
@@ -31,28 +35,39 @@ REST = 0.2  # seconds that an interrupted command waits, at most, until the last
 LONGEST = 60.0  # seconds to linger at most, unless the user says otherwise
 ANNOUNCED = 2.0  # seconds: a longer wait is announced, with its reason
 TICK = 0.1  # seconds between two looks whether it is worth lingering
-LATE = 1.0  # seconds for which a value that a full buffer has refused is offered again, unless it is to wait for the reader
+# seconds for which a value that a full buffer has refused is offered again, unless it is to wait for the
+# reader
+LATE = 1.0
 STUCK = 5.0  # seconds, and cycles, without any value taken after which a component does not read its port
 PAUSES = 0.001, 0.05  # seconds between two offers of a value, at least and at most
 
-REFUSALS = {"BUFFER_FULL": "its buffer is full", "BUFFER_TIMEOUT": "its buffer stayed full",
-            "PORT_ERROR": "it reports an error of the port", "UNKNOWN_ERROR": "it reports an unknown error"}
+REFUSALS = {
+    "BUFFER_FULL": "its buffer is full",
+    "BUFFER_TIMEOUT": "its buffer stayed full",
+    "PORT_ERROR": "it reports an error of the port",
+    "UNKNOWN_ERROR": "it reports an unknown error",
+}
 
-# An execution context of a component: `index` as in -e, its reference, the component's state in it, whether it runs.
+# An execution context of a component: `index` as in -e, its reference, the component's state in it, whether
+# it runs.
 Cycle = collections.namedtuple("Cycle", "index ref state running")
 
 
-# ---- who reads ------------------------------------------------------------------------------------------------
+# ---- who reads ---------------------------------------------------------------------------------------------
+
 
 class Audience:
     """The component that reads a port: `rate` (Hz) is how often, None where its contexts have none."""
 
     def __init__(self, node, where):
-        self.node, self.where = node, where
+        self.node = node
+        self.where = where
         self.rate = None
 
     async def look(self):
-        """None when the component reads the port; else (why it does not, the commands that change it). Raises errors.Error."""
+        """None when the component reads the port; else (why it does not, the commands that change it).
+        Raises errors.Error.
+        """
         cycles = await self._cycles()
         reading = [cycle for cycle in cycles if cycle.state == "Active" and cycle.running]
         if not reading:
@@ -64,12 +79,20 @@ class Audience:
     async def _cycles(self):
         owned, participating = await component.context_refs(self.node)
         refs = owned + participating
-        running = [await component.or_default(self.node, ref, orb.call(self.node.path, ref, "is_running"), False) for ref in refs]
-        return [Cycle(*fields) for fields in zip(range(len(refs)), refs, await component.states(self.node, refs), running)]
+        running = [
+            await component.or_default(self.node, ref, orb.call(self.node.path, ref, "is_running"), False)
+            for ref in refs
+        ]
+        return [
+            Cycle(*fields)
+            for fields in zip(range(len(refs)), refs, await component.states(self.node, refs), running)
+        ]
 
     async def _rate(self, ref):
         rate = await component.or_default(self.node, ref, orb.call(self.node.path, ref, "get_rate"), 0)
-        return rate if 0 < rate < math.inf else None
+        if 0 < rate < math.inf:
+            return rate
+        return None
 
 
 def _why_not(node, cycles):
@@ -87,27 +110,36 @@ def _why_not(node, cycles):
 
 
 def _option(index):
-    return " -e %d" % index if index else ""
+    if index:
+        return " -e %d" % index
+    return ""
 
 
 class Backlog:
-    """How many values wait in a buffer of this `length` that is read at `rate` (Hz; None where nothing is known).
+    """How many values wait in a buffer of this `length` that is read at `rate` (Hz; None where nothing is
+    known).
 
-    `refuses`: a full buffer refuses values instead of losing the oldest ones. Then all but the last `length` values that it took
-    have been read for certain, and each time that it is full says how fast: the rate that a context claims is only where
-    `rate` begins (1,000 Hz was 470 on a busy computer).
+    `refuses`: a full buffer refuses values instead of losing the oldest ones. Then all but the last `length`
+    values that it took have been read for certain, and each time that it is full says how fast: the rate that
+    a context claims is only where `rate` begins (1,000 Hz was 470 on a busy computer).
     """
 
     def __init__(self, rate, length, refuses=False):
-        self.rate, self.length, self.refuses = rate, length, refuses
+        self.rate = rate
+        self.length = length
+        self.refuses = refuses
         self.waiting = self.lost = self.delay = self._at = 0.0
-        self.taken, self._first, self._last = 0, None, None  # the last two: (moment, values taken) after reads that it was full before
+        # the last two: (moment, values taken) after reads that it was full before
+        self.taken = 0
+        self._first = None
+        self._last = None
         self.longest = 0.0  # seconds between two reads, at most, while it was full
 
     def add(self, now, delay=0.0):
         """The port took a value at `now` (seconds), `delay` after it was sent.
 
-        `delay` is added to what reading takes: a computer that is too busy to answer at once is too busy to read at once.
+        `delay` is added to what reading takes: a computer that is too busy to answer at once is too busy to
+        read at once.
         """
         self.drain(now)
         self.delay = max(self.delay, delay)
@@ -115,7 +147,10 @@ class Backlog:
         self.waiting += 1
         excess = max(0.0, self.waiting - self.length)
         self.waiting -= excess
-        self.lost += 0 if self.refuses else excess
+        if self.refuses:
+            self.lost += 0
+        else:
+            self.lost += excess
 
     def fill(self, now):
         """The buffer refused a value at `now`, because it was full."""
@@ -153,22 +188,29 @@ def _hertz(rate):
     return "%g Hz" % float("%.3g" % rate)
 
 
-# ---- sending --------------------------------------------------------------------------------------------------
+# ---- sending -----------------------------------------------------------------------------------------------
+
 
 class Writer(Connection):
     """A connector to a DataInPort; `put` sends it values. `little` is the byte order that it expects.
 
-    `anyway`: even if the component will not read the values. `several`: more than one value is coming. Then, where nobody else
-    is connected and the user asks for no other, the port is asked for a short buffer that refuses what it has no room for; it gets
-    its usual one back, empty, when the Writer is closed.
+    `anyway`: even if the component will not read the values. `several`: more than one value is coming. Then,
+    where nobody else is connected and the user asks for no other, the port is asked for a short buffer that
+    refuses what it has no room for; it gets its usual one back, empty, when the Writer is closed.
     """
 
-    kind, side, dataflow, flows = "DataInPort", "inport", "push", ("push",)
+    kind = "DataInPort"
+    side = "inport"
+    dataflow = "push"
+    flows = ("push",)
     hint = ", or --anyway"  # for the user, where the component does not read the port
 
     def __init__(self, port, properties=None, name="rtshell_lite", anyway=False, several=False):
         super().__init__(port, name, properties)
-        self.audience = None if anyway else Audience(port.node, self.where)
+        if anyway:
+            self.audience = None
+        else:
+            self.audience = Audience(port.node, self.where)
         self.taken = self.refused = 0
         self.was_connected = self.lingered = self.hurried = False
         self.alone = not port.connectors
@@ -179,8 +221,12 @@ class Writer(Connection):
 
     def _chosen(self):
         """The user's properties of the buffer: length, write.full_policy and the like."""
-        return {key.partition("buffer.")[2]: value for part in ("dataport.buffer.", "dataport.inport.buffer.")
-                for key, value in self.user.items() if key.startswith(part)}
+        return {
+            key.partition("buffer.")[2]: value
+            for part in ("dataport.buffer.", "dataport.inport.buffer.")
+            for key, value in self.user.items()
+            if key.startswith(part)
+        }
 
     def _new_backlog(self, rate):
         if self.is_short:
@@ -193,19 +239,28 @@ class Writer(Connection):
     async def defaults(self):
         defaults = {"dataport.subscription_type": "flush"}
         if self.is_short:
-            defaults.update({"dataport.buffer.length": str(ROOM), "dataport.buffer.write.full_policy": "do_nothing"})
+            defaults.update(
+                {"dataport.buffer.length": str(ROOM), "dataport.buffer.write.full_policy": "do_nothing"}
+            )
         return defaults
 
     async def open(self):
         if self.audience:
             why = await self.audience.look()
             if why:
-                raise errors.Failed(self.where, "%s and would read the values at some later connection; %s first" % why + self.hint)
+                raise errors.Failed(
+                    self.where,
+                    "%s and would read the values at some later connection; %s first" % why + self.hint,
+                )
             self.backlog = self._new_backlog(self.audience.rate)
         await super().open()
-        self.was_connected, self.last = True, time.monotonic()
+        self.was_connected = True
+        self.last = time.monotonic()
         self.sink = self.remote({"corba_cdr": "OpenRTM.InPortCdr", "data_service": "RTC.DataPushService"})
-        self.operation = "put" if self.interface == "corba_cdr" else "push"
+        if self.interface == "corba_cdr":
+            self.operation = "put"
+        else:
+            self.operation = "push"
 
     async def put(self, data, little=True):
         """Send CDR bytes. Raises Refused (buffer full, bad data, wrong byte order), Unreachable, Silent."""
@@ -217,7 +272,8 @@ class Writer(Connection):
             await loop.finish(self._put(data))
 
     async def _put(self, data):
-        begun, self.unanswered = time.monotonic(), True
+        begun = time.monotonic()
+        self.unanswered = True
         try:
             status = str(await orb.call(self.where, self.sink, self.operation, data))
         except errors.Error as e:
@@ -228,14 +284,17 @@ class Writer(Connection):
         self.unanswered = False
         now = time.monotonic()
         if status == "PORT_OK":
-            self.taken, self.last = self.taken + 1, now
+            self.taken = self.taken + 1
+            self.last = now
             self.backlog.add(now, now - begun)
             if self.backlog.lost >= 1:
                 self._hurry("it executes")
             return
         if status == "BUFFER_FULL" and self.backlog.refuses:
             self.backlog.fill(now)
-        raise errors.Refused(self.where, f"{REFUSALS.get(status, 'it did not take the value')} ({status})", name=status)
+        raise errors.Refused(
+            self.where, f"{REFUSALS.get(status, 'it did not take the value')} ({status})", name=status
+        )
 
     def _hurry(self, how):
         """Remark, once, that values come faster than they are read."""
@@ -250,11 +309,15 @@ class Writer(Connection):
         now = time.monotonic()
         patience = max(STUCK, STUCK / (self.backlog.rate or USUAL))
         if now - self.last > patience:
-            self.failure = errors.Unread(self.where, f"it has read nothing for {now - self.last:.1f} s; {self.unread_words()}")
+            self.failure = errors.Unread(
+                self.where, f"it has read nothing for {now - self.last:.1f} s; {self.unread_words()}"
+            )
         return not self.failure and now < until
 
     def refuse(self, refusal):
-        """Count a value that the port has refused for good; returns the errors.Error to report now, or None."""
+        """Count a value that the port has refused for good;
+        returns the errors.Error to report now, or None.
+        """
         self.refused += 1
         if self.failure:
             return None
@@ -267,19 +330,29 @@ class Writer(Connection):
         """The errors.Unread that says how many of several values were refused, or None."""
         if not self.refused or self.refused + self.taken == 1:
             return None
-        why = f": they came faster than it reads them ({_hertz(self.backlog.rate)})" if self.backlog.measured() else ""
-        return errors.Unread(self.where, f"it refused {self.refused} of {self.refused + self.taken} values{why}")
+        if self.backlog.measured():
+            why = f": they came faster than it reads them ({_hertz(self.backlog.rate)})"
+        else:
+            why = ""
+        return errors.Unread(
+            self.where, f"it refused {self.refused} of {self.refused + self.taken} values{why}"
+        )
 
     async def is_at_rest(self):
         """Wait until the component is not using the connector; False if it goes on using it.
 
-        Removing a connector ends a C++ component that is taking a value from us, and may end one that is reading one (2 of 31
-        interrupted rtinjects, at 50 values a second; InPort::read uses the connector without its lock).
+        Removing a connector ends a C++ component that is taking a value from us, and may end one that is
+        reading one (2 of 31 interrupted rtinjects, at 50 values a second; InPort::read uses the connector
+        without its lock).
         """
         if self.taken and not self.unanswered:
-            now, rate = time.monotonic(), self.backlog.rate or USUAL
+            now = time.monotonic()
+            rate = self.backlog.rate or USUAL
             self.backlog.drain(now)
-            waiting = self.backlog.waiting if self.backlog.rate else 0
+            if self.backlog.rate:
+                waiting = self.backlog.waiting
+            else:
+                waiting = 0
             await loop.sleep(min(max(self.last + 1.5 / rate - now, waiting / rate) + READING, REST))
         return not self.unanswered
 
@@ -306,7 +379,10 @@ class Writer(Connection):
         self.backlog.drain(time.monotonic())
         if not self.backlog.waiting and self.backlog.lost < 1:
             return None
-        does = "reads" if self.backlog.measured() else "executes"
+        if self.backlog.measured():
+            does = "reads"
+        else:
+            does = "executes"
         return errors.Unread(self.where, f"it {does} at {_hertz(self.backlog.rate)}; {self.unread_words()}")
 
     def unread_words(self):
@@ -318,7 +394,9 @@ class Writer(Connection):
         return f"it has probably read about {read} of {self.taken} values; the rest is in its buffer, or overwritten"
 
     async def judge(self):
-        """Look, in the end, whether all values have been read. Raises errors.Unread, and what look() raises."""
+        """Look, in the end, whether all values have been read.
+        Raises errors.Unread, and what look() raises.
+        """
         if not self.taken:
             return
         await self.look()
@@ -329,7 +407,10 @@ class Writer(Connection):
         if unread:
             raise unread
         if self.audience and not self.alone:
-            what = "the value" if self.taken == 1 else f"the {self.taken} values"
+            if self.taken == 1:
+                what = "the value"
+            else:
+                what = f"the {self.taken} values"
             self.remark = f"it has probably read {what}: others are connected, and share its buffer"
         self.lingered = True
 
@@ -356,10 +437,11 @@ class Writer(Connection):
 
 
 async def offer(values, until):
-    """Send each of `values`, (Writer, CDR bytes), all at the same time: the failures to report, [(Writer, errors.Error)].
+    """Send each of `values`, (Writer, CDR bytes), all at the same time: the failures to report, [(Writer,
+    errors.Error)].
 
-    What a short buffer has no room for is offered again until `until` (by time.monotonic(), math.inf: as long as the component
-    reads), at half the component's period.
+    What a short buffer has no room for is offered again until `until` (by time.monotonic(), math.inf: as long
+    as the component reads), at half the component's period.
     """
     failures = []
     while values:
@@ -369,7 +451,10 @@ async def offer(values, until):
             if writer.waits_for_room(answer, until):
                 waiting.append((writer, data))
                 continue
-            failure = writer.refuse(answer) if isinstance(answer, errors.Refused) else answer
+            if isinstance(answer, errors.Refused):
+                failure = writer.refuse(answer)
+            else:
+                failure = answer
             if isinstance(failure, errors.Error):
                 failures.append((writer, failure))
         values = waiting
@@ -385,18 +470,32 @@ async def _put(value):
 
 
 async def linger(writers, seconds):
-    """Wait until the components can have read what these Writers sent, or for `seconds` (None: as long as it takes).
+    """Wait until the components can have read what these Writers sent, or for `seconds` (None: as long as it
+    takes).
 
-    The failure of those that cannot have read all, have refused some, or have stopped reading, becomes errors.Unread.
+    The failure of those that cannot have read all, have refused some, or have stopped reading, becomes
+    errors.Unread.
     """
-    begun, needed = time.monotonic(), [_needed(writer, seconds) for writer in writers]
+    begun = time.monotonic()
+    needed = [_needed(writer, seconds) for writer in writers]
     if max(needed, default=0) > ANNOUNCED:
         slowest = writers[needed.index(max(needed))]
-        notes.note(f"{slowest.where}: waiting {max(needed):.1f} s until it has read the values (--linger limits it)")
+        notes.note(
+            f"{slowest.where}: waiting {max(needed):.1f} s until it has read the values (--linger limits it)"
+        )
     while True:  # for those that have not failed meanwhile
-        left = begun - time.monotonic() + max(
-            (seconds for writer, seconds in zip(writers, needed)
-             if writer.failure is None or isinstance(writer.failure, errors.Silent)), default=0)
+        left = (
+            begun
+            - time.monotonic()
+            + max(
+                (
+                    seconds
+                    for writer, seconds in zip(writers, needed)
+                    if writer.failure is None or isinstance(writer.failure, errors.Silent)
+                ),
+                default=0,
+            )
+        )
         if left <= 0:
             break
         await loop.sleep(min(TICK, left))
@@ -416,6 +515,10 @@ def _needed(writer, seconds):
     if not writer.taken:
         return 0
     if writer.backlog.rate is None:
-        return seconds if seconds is not None else UNKNOWN if writer.audience else 0
+        if seconds is not None:
+            return seconds
+        if writer.audience:
+            return UNKNOWN
+        return 0
     writer.backlog.drain(time.monotonic())
     return min(writer.backlog.seconds(), LONGEST if seconds is None else seconds)

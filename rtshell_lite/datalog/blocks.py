@@ -1,9 +1,12 @@
 """The blocks of a log file: kind, length, checksum, body. The package's docstring describes the format."""
+
 import struct
 import zlib
 
 MAGIC = b"\x89RTLOG\r\n"  # like PNG's: not text, and changed by whatever translates line ends
-HEADER, RECORD, INDEX = b"H", b"R", b"I"
+HEADER = b"H"
+RECORD = b"R"
+INDEX = b"I"
 BLOCK = struct.Struct("<cII")  # kind, length of the body, CRC-32 of both and of the body
 ENTRY = struct.Struct("<QqHB")  # number, time of arrival (ns since the epoch), channel, flags
 FOOTER = struct.Struct("<Q8s")  # where the index begins, _END
@@ -40,6 +43,7 @@ def entry(number, received, channel, little, data):
 def text(kind, value, footer_at=None):
     """A block whose body is JSON; that of the index ends with the offset at which the block begins."""
     import json  # which Debian's python3-minimal lacks
+
     body = [json.dumps(value, sort_keys=True).encode("ascii")]
     if footer_at is not None:
         body.append(FOOTER.pack(footer_at, _END))
@@ -84,13 +88,16 @@ def index_position(file, size):
         return None
     file.seek(size - FOOTER.size)
     position, end = FOOTER.unpack(file.read(FOOTER.size))
-    return position if end == _END and position < size else None
+    if end == _END and position < size:
+        return position
+    return None
 
 
 def parsed(body, footer=False):
     """The JSON value of a block's body. Raises Damaged, also for hostile nesting."""
     import json
+
     try:
-        return json.loads((body[:-FOOTER.size] if footer else body).decode("ascii"))
+        return json.loads((body[: -FOOTER.size] if footer else body).decode("ascii"))
     except (ValueError, RecursionError):
         raise Damaged("no JSON in a block of text")

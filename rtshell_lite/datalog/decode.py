@@ -1,4 +1,5 @@
 """The entries of a log, decoded: the data types of its channels, their values, and their bytes for a port."""
+
 import struct
 import time
 
@@ -7,22 +8,29 @@ from rtshell_lite.giop import descriptors
 from rtshell_lite.data import build_value, datatypes, values
 from rtshell_lite.text import printable, safe
 
-FIRST, INSIDE = "first", "inside"  # where a type's timestamp is
+# where a type's timestamp is
+FIRST = "first"
+INSIDE = "inside"
 
 
 class Channels:
     """The channels of a log with their types: those in the file, else those of `types`, a datatypes.Types.
 
-    `unreadable` counts the entries that were shown as bytes because they do not fit their type, or are nested too deep.
+    `unreadable` counts the entries that were shown as bytes because they do not fit their type, or are nested
+    too deep.
     """
 
     def __init__(self, log, types):
-        self.log, self._types = log, types
-        self._known, self._stamped = {}, {}
+        self.log = log
+        self._types = types
+        self._known = {}
+        self._stamped = {}
         self.unreadable = 0
 
     def type(self, number):
-        """The datatypes.Type of a channel, None when it is not known. Raises BadIdl and the like for the user's files."""
+        """The datatypes.Type of a channel, None when it is not known.
+        Raises BadIdl and the like for the user's files.
+        """
         if number not in self._known:
             self._known[number] = type = self._type(self.log.channels[number])
             self._stamped[number] = type and place_of_timestamp(type.descriptor)
@@ -46,7 +54,9 @@ class Channels:
             yield "%d entries are not what their type says, and shown as bytes" % self.unreadable
 
     def value(self, entry):
-        """The value of an entry; None when its type is not known. Raises errors.Failed when it does not fit its type."""
+        """The value of an entry; None when its type is not known.
+        Raises errors.Failed when it does not fit its type.
+        """
         type = self.type(entry.channel)
         if type is None:
             return None
@@ -58,14 +68,18 @@ class Channels:
             raise errors.Failed(self.log.where, "entry %d: %s" % (entry.number, e))
 
     def data(self, entry, little, moment=None):
-        """The CDR of an entry in a byte order. With `moment` (ns), its timestamp moves by the time since it arrived.
+        """The CDR of an entry in a byte order. With `moment` (ns), its timestamp moves by the time since it
+        arrived.
 
-        A timestamp of 0 stays: many components never set theirs. Raises errors.Failed when the entry does not fit its type, or
-        when the type is needed and not known.
+        A timestamp of 0 stays: many components never set theirs. Raises errors.Failed when the entry does not
+        fit its type, or when the type is needed and not known.
         """
         type = self.type(entry.channel)
         stamped = moment is not None and self._stamped[entry.channel]
-        shift = moment - entry.received if stamped else 0
+        if stamped:
+            shift = moment - entry.received
+        else:
+            shift = 0
         if entry.data is not None and entry.little == little:
             if not stamped:
                 return entry.data
@@ -74,8 +88,11 @@ class Channels:
         value = self.value(entry)
         if value is None:
             channel = self.log.channels[entry.channel]
-            raise errors.Failed(self.log.where, "%s: its type %s is not known; %s" % (
-                printable(channel.name), printable(channel.type_id), datatypes.SOURCES))
+            raise errors.Failed(
+                self.log.where,
+                "%s: its type %s is not known; %s"
+                % (printable(channel.name), printable(channel.type_id), datatypes.SOURCES),
+            )
         stamp = values.timestamp(value)
         if stamped and any(stamp):
             value = values.with_timestamp(value, *_moved(stamp, shift))
@@ -88,26 +105,36 @@ def place_of_timestamp(descriptor):
         return None
     for place, (name, type) in enumerate(descriptors.members(descriptor)):
         if name == "tm" and build_value.is_time(type):
-            return INSIDE if place else FIRST
+            if place:
+                return INSIDE
+            return FIRST
     return None
 
 
 def _shifted(data, little, shift):
     """CDR that begins with a timestamp, moved; the rest, which may be an image, is not decoded."""
-    order = "<II" if little else ">II"
+    if little:
+        order = "<II"
+    else:
+        order = ">II"
     if len(data) < 8:
         return data
     stamp = struct.unpack_from(order, data)
-    return struct.pack(order, *_moved(stamp, shift)) + data[8:] if any(stamp) else data
+    if any(stamp):
+        return struct.pack(order, *_moved(stamp, shift)) + data[8:]
+    return data
 
 
 def _moved(stamp, shift):
-    """(seconds, nanoseconds) moved by `shift` ns, with the carry that rtshell forgot, within what RTC::Time can hold."""
-    moment = stamp[0] * 10 ** 9 + stamp[1] + shift
-    return divmod(min(max(moment, 0), (1 << 32) * 10 ** 9 - 1), 10 ** 9)
+    """(seconds, nanoseconds) moved by `shift` ns, with the carry that rtshell forgot,
+    within what RTC::Time can hold.
+    """
+    moment = stamp[0] * 10**9 + stamp[1] + shift
+    return divmod(min(max(moment, 0), (1 << 32) * 10**9 - 1), 10**9)
 
 
-# ---- for people and programs ----------------------------------------------------------------------------------
+# ---- for people and programs -------------------------------------------------------------------------------
+
 
 def summary(log):
     """What is known of a log, as lines in rtshell's layout."""
@@ -129,22 +156,42 @@ def summary(log):
 
 def as_dict(log):
     """The same as fields; times are seconds since the epoch."""
-    channels = [{"name": channel.name, "type": channel.type_id, "sources": list(channel.sources),
-                 "typecode": bool(channel.typecode), "entries": log.counts.get(channel.name, 0)} for channel in log.channels]
-    return {"file": log.where, "form": log.form, "size": log.size, "started": _seconds(log.started),
-            "first": _seconds(log.first), "last": _seconds(log.last), "entries": log.count, "channels": channels,
-            "closed": log.closed, "torn": log.torn, "damaged": log.damaged}
+    channels = [
+        {
+            "name": channel.name,
+            "type": channel.type_id,
+            "sources": list(channel.sources),
+            "typecode": bool(channel.typecode),
+            "entries": log.counts.get(channel.name, 0),
+        }
+        for channel in log.channels
+    ]
+    return {
+        "file": log.where,
+        "form": log.form,
+        "size": log.size,
+        "started": _seconds(log.started),
+        "first": _seconds(log.first),
+        "last": _seconds(log.last),
+        "entries": log.count,
+        "channels": channels,
+        "closed": log.closed,
+        "torn": log.torn,
+        "damaged": log.damaged,
+    }
 
 
 def _seconds(moment):
-    return None if moment is None else moment / 1e9
+    if moment is None:
+        return None
+    return moment / 1e9
 
 
 def date(moment):
     """A time (ns since the epoch) in local time, and as it is; the file may say anything."""
     if moment is None:
         return "none"
-    seconds, rest = divmod(moment, 10 ** 9)
+    seconds, rest = divmod(moment, 10**9)
     try:
         local = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(seconds))
     except (OverflowError, ValueError, OSError):
@@ -174,10 +221,14 @@ def line(channels, entry, limit=None):
 
 
 def _shown(channels, entry, form):
-    """form(value of an entry); None when its type is not known, or the entry does not fit it or is nested too deep."""
+    """form(value of an entry); None when its type is not known,
+    or the entry does not fit it or is nested too deep.
+    """
     try:
         value = channels.value(entry)
-        return None if value is None else form(value)
+        if value is None:
+            return None
+        return form(value)
     except (errors.Failed, errors.BadValue):
         channels.unreadable += 1
         return None
@@ -185,8 +236,14 @@ def _shown(channels, entry, form):
 
 def record(channels, entry):
     """An entry as fields for JSON."""
-    channel, value = channels.log.channels[entry.channel], _shown(channels, entry, values.json)
-    fields = {"number": entry.number, "received": entry.received / 1e9, "port": channel.name, "type": channel.type_id}
+    channel = channels.log.channels[entry.channel]
+    value = _shown(channels, entry, values.json)
+    fields = {
+        "number": entry.number,
+        "received": entry.received / 1e9,
+        "port": channel.name,
+        "type": channel.type_id,
+    }
     if value is not None:
         fields["value"] = value
     elif entry.data is None:
@@ -207,8 +264,13 @@ def _tame(value):
 
 def cells(channels, entry):
     """An entry as [(column, scalar)] for a table."""
-    channel, shown = channels.log.channels[entry.channel], _shown(channels, entry, values.flat)
-    head = [("number", entry.number), ("received", "%d.%09d" % divmod(entry.received, 10 ** 9)), ("port", channel.name)]
+    channel = channels.log.channels[entry.channel]
+    shown = _shown(channels, entry, values.flat)
+    head = [
+        ("number", entry.number),
+        ("received", "%d.%09d" % divmod(entry.received, 10**9)),
+        ("port", channel.name),
+    ]
     if shown is not None:
         return head + shown
     if entry.data is None:
@@ -218,7 +280,11 @@ def cells(channels, entry):
 
 def _flat(value, column):
     if isinstance(value, dict):
-        return [cell for name, part in value.items() for cell in _flat(part, column + "." + name if column else name)]
+        return [
+            cell
+            for name, part in value.items()
+            for cell in _flat(part, column + "." + name if column else name)
+        ]
     if isinstance(value, list):
         return [cell for number, part in enumerate(value) for cell in _flat(part, f"{column}[{number}]")]
     return [(column, value.hex() if isinstance(value, bytes) else value)]

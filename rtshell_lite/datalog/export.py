@@ -1,4 +1,5 @@
 """A log as lines: for people, as JSON, as a table."""
+
 import csv
 import io
 import sys
@@ -12,7 +13,10 @@ LONG = 8  # elements of a sequence that are shown on a terminal
 
 def people(channels):
     """A function that makes a line for people of an entry of a log."""
-    limit = LONG if sys.stdout.isatty() else None
+    if sys.stdout.isatty():
+        limit = LONG
+    else:
+        limit = None
     return lambda entry: decode.line(channels, entry, limit)
 
 
@@ -22,7 +26,9 @@ def json(channels):
 
 
 def table(channels, before):
-    """(first line of a table, a function that makes a row of an entry); `before`: all entries, to find the columns."""
+    """(first line of a table, a function that makes a row of an entry);
+    `before`: all entries, to find the columns.
+    """
     columns = {}
     for entry in before:
         for name, _ in _cells(channels, entry):
@@ -35,6 +41,7 @@ def table(channels, before):
     def row(entry):
         rows.writerow(dict(_cells(channels, entry)))
         return _taken(line)
+
     return _taken(line), row
 
 

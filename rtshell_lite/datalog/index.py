@@ -1,4 +1,5 @@
 """The index of a log: how many records it has, and where some of them begin."""
+
 from rtshell_lite.datalog import blocks
 
 STRIDE = 1 << 20  # octets between two points of the index, at first
@@ -9,8 +10,15 @@ class Index:
     """What is known of the records written so far."""
 
     def __init__(self):
-        self.next, self.first, self.last, self.latest = 0, None, None, None  # next: the number of the next record
-        self.counts, self.headers, self.points, self._stride = {}, [], [], STRIDE
+        # next: the number of the next record
+        self.next = 0
+        self.first = None
+        self.last = None
+        self.latest = None
+        self.counts = {}
+        self.headers = []
+        self.points = []
+        self._stride = STRIDE
 
     count = property(lambda self: sum(self.counts.values()))
 
@@ -24,11 +32,24 @@ class Index:
         if self.first is None:
             self.first = received
         self.last = received
-        self.latest = received if self.latest is None else max(self.latest, received)
+        if self.latest is None:
+            self.latest = received
+        else:
+            self.latest = max(self.latest, received)
         self.next = number + 1
         self.counts[name] = self.counts.get(name, 0) + 1
 
     def block(self, position):
         """The index as the block that is written at `position`."""
-        return blocks.text(blocks.INDEX, {"next": self.next, "first": self.first, "last": self.last,
-                                          "counts": self.counts, "headers": self.headers, "points": self.points}, position)
+        return blocks.text(
+            blocks.INDEX,
+            {
+                "next": self.next,
+                "first": self.first,
+                "last": self.last,
+                "counts": self.counts,
+                "headers": self.headers,
+                "points": self.points,
+            },
+            position,
+        )

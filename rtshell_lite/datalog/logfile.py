@@ -1,4 +1,5 @@
 """Opening a log file, whatever its form."""
+
 import os
 import stat
 
@@ -25,12 +26,16 @@ def load(name, modules=()):
         start = file.read(32)
         if start.startswith(blocks.MAGIC):
             from rtshell_lite.datalog import reader
+
             return reader.Log(file, where, size)
         if start[:1] == b"\x80" or start[:2] in (b"(F", b"(G"):
             from rtshell_lite.datalog import simpkl
+
             return simpkl.Log(file, where, size, modules)
         if is_text(start):
-            raise errors.Failed(where, "a log of text; it is for people, and can be neither played nor inspected")
+            raise errors.Failed(
+                where, "a log of text; it is for people, and can be neither played nor inspected"
+            )
         raise errors.Failed(where, "not a log file" + ("" if size else " (it is empty)"))
     except (errors.Error, OSError):
         file.close()

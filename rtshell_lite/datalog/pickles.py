@@ -1,10 +1,11 @@
 """Reading pickles from untrusted files: this machine makes plain values and records, and calls nothing.
 
-Python's own Unpickler, even with another find_class, calls what it finds, sets attributes, and believes lengths. This one
-knows the opcodes that data needs. A class is only a name; an object is a Record of that name with its attributes. An opcode
-takes at least one octet and makes one small object, and lengths are compared with the file: so memory is bounded by a multiple
-of what is read.
+Python's own Unpickler, even with another find_class, calls what it finds, sets attributes, and believes
+lengths. This one knows the opcodes that data needs. A class is only a name; an object is a Record of that
+name with its attributes. An opcode takes at least one octet and makes one small object, and lengths are
+compared with the file: so memory is bounded by a multiple of what is read.
 """
+
 import codecs
 import struct
 
@@ -23,7 +24,8 @@ class Class:
     """A class that is only a name, `module.name`."""
 
     def __init__(self, module, name):
-        self.module, self.name = module, name
+        self.module = module
+        self.name = name
 
     def __str__(self):
         return f"{self.module}.{self.name}"
@@ -33,28 +35,41 @@ class Record:
     """An object: its Class, and its attributes in `fields`."""
 
     def __init__(self, type):
-        self.type, self.fields = type, {}
+        self.type = type
+        self.fields = {}
 
 
 _MARK = object()
 # What protocols 0 and 1 write for an object, by its names in Python 2; see Machine.reduce.
-_RECONSTRUCTOR, _OBJECT = Class("copy_reg", "_reconstructor"), Class("__builtin__", "object")
-_HELPERS = {("copy_reg", "_reconstructor"): _RECONSTRUCTOR, ("copyreg", "_reconstructor"): _RECONSTRUCTOR,
-            ("__builtin__", "object"): _OBJECT, ("builtins", "object"): _OBJECT}
+_RECONSTRUCTOR = Class("copy_reg", "_reconstructor")
+_OBJECT = Class("__builtin__", "object")
+_HELPERS = {
+    ("copy_reg", "_reconstructor"): _RECONSTRUCTOR,
+    ("copyreg", "_reconstructor"): _RECONSTRUCTOR,
+    ("__builtin__", "object"): _OBJECT,
+    ("builtins", "object"): _OBJECT,
+}
 
 
 class Machine:
-    """Reads successive pickles from a file of `size` octets; `known(module, name)` says which classes may appear."""
+    """Reads successive pickles from a file of `size` octets;
+    `known(module, name)` says which classes may appear.
+    """
 
     def __init__(self, file, size, known):
-        self._file, self._size, self._known = file, size, known
+        self._file = file
+        self._size = size
+        self._known = known
         self.position = 0  # where the next pickle begins
 
     def load(self):
-        """The value of the pickle at `position`, which moves past it. Raises Refused; EOFError at the end of the file."""
+        """The value of the pickle at `position`, which moves past it.
+        Raises Refused; EOFError at the end of the file.
+        """
         if self.position >= self._size:
             raise EOFError
-        self._stack, self._memo = [], {}
+        self._stack = []
+        self._memo = {}
         self._limit = min(self._size, self.position + LARGEST)
         self._file.seek(self.position)
         try:
@@ -111,7 +126,7 @@ class Machine:
         """Take all values above the last mark, and the mark."""
         for i in range(len(self._stack) - 1, -1, -1):
             if self._stack[i] is _MARK:
-                values = self._stack[i + 1:]
+                values = self._stack[i + 1 :]
                 del self._stack[i:]
                 return values
         raise Refused("the opcodes do not fit")
@@ -144,7 +159,9 @@ class Machine:
         self.push(self._read(self._number(form)).decode("utf-8", "surrogatepass"))
 
     def old_string(self, form):
-        """A string of Python 2, which does not distinguish text from octets; read as Latin-1 it is what omniORB calls text."""
+        """A string of Python 2, which does not distinguish text from octets;
+        read as Latin-1 it is what omniORB calls text.
+        """
         self.push(self._read(self._number(form)).decode("latin-1"))
 
     def octets(self, form):
@@ -179,11 +196,14 @@ class Machine:
         elif self._known(module, name):
             self.push(Class(module, name))
         else:
-            raise Refused(f"{printable(module)}.{printable(name)} is none of the classes that a log holds; "
-                          "-m MODULE names a module of your own")
+            raise Refused(
+                f"{printable(module)}.{printable(name)} is none of the classes that a log holds; "
+                "-m MODULE names a module of your own"
+            )
 
     def find_on_stack(self):
-        name, module = self._pop(), self._pop()
+        name = self._pop()
+        module = self._pop()
         if type(name) is not str or type(module) is not str:
             raise Refused("a class without a name")
         self.find(module, name)
@@ -196,7 +216,8 @@ class Machine:
 
     def reduce(self):
         """Call the function with which protocols 0 and 1 make objects, and no other."""
-        arguments, function = self._pop(), self._pop()
+        arguments = self._pop()
+        function = self._pop()
         if function is not _RECONSTRUCTOR:
             raise Refused("a call")
         type, above, state = arguments
@@ -206,7 +227,8 @@ class Machine:
 
     def build(self):
         """Set the attributes of an object."""
-        state, target = self._pop(), self._top()
+        state = self._pop()
+        target = self._top()
         if not isinstance(target, Record) or not isinstance(state, dict) or target.fields:
             raise Refused("attributes without an object")
         target.fields = state  # not copied: a small pickle could ask for many copies
@@ -223,7 +245,8 @@ def _fill(target, values):
 
 
 def _instance(machine):
-    module, name = machine._line(), machine._line()
+    module = machine._line()
+    name = machine._line()
     machine.find(module, name)
     type = machine._pop()
     machine.make(type, machine._to_mark())
@@ -235,7 +258,8 @@ def _old_instance(machine):
 
 
 def _new_instance(machine):
-    arguments, type = machine._pop(), machine._pop()
+    arguments = machine._pop()
+    type = machine._pop()
     machine.make(type, arguments)
 
 
@@ -258,28 +282,60 @@ def _recall(index):
 
 
 _OPERATIONS = {
-    b"\x80": _protocol, b"\x95": _frame, b"(": lambda m: m.push(_MARK),
-    b"0": lambda m: m._stack.pop(), b"1": lambda m: m._to_mark() and None, b"2": lambda m: m.push(m._top()),
-    b"N": lambda m: m.push(None), b"\x88": lambda m: m.push(True), b"\x89": lambda m: m.push(False),
-    b"I": Machine.integer_line, b"L": Machine.integer_line, b"J": lambda m: m.push(m._number("<i")),
-    b"K": lambda m: m.push(m._number("<B")), b"M": lambda m: m.push(m._number("<H")),
-    b"\x8a": lambda m: m.long("<B"), b"\x8b": lambda m: m.long("<I"),
-    b"F": lambda m: m.push(float(m._line())), b"G": lambda m: m.push(m._number(">d")),
-    b"S": Machine.string_line, b"V": Machine.unicode_line,
-    b"U": lambda m: m.old_string("<B"), b"T": lambda m: m.old_string("<i"),
-    b"X": lambda m: m.text("<I"), b"\x8c": lambda m: m.text("<B"), b"\x8d": lambda m: m.text("<Q"),
-    b"C": lambda m: m.octets("<B"), b"B": lambda m: m.octets("<I"), b"\x8e": lambda m: m.octets("<Q"),
+    b"\x80": _protocol,
+    b"\x95": _frame,
+    b"(": lambda m: m.push(_MARK),
+    b"0": lambda m: m._stack.pop(),
+    b"1": lambda m: m._to_mark() and None,
+    b"2": lambda m: m.push(m._top()),
+    b"N": lambda m: m.push(None),
+    b"\x88": lambda m: m.push(True),
+    b"\x89": lambda m: m.push(False),
+    b"I": Machine.integer_line,
+    b"L": Machine.integer_line,
+    b"J": lambda m: m.push(m._number("<i")),
+    b"K": lambda m: m.push(m._number("<B")),
+    b"M": lambda m: m.push(m._number("<H")),
+    b"\x8a": lambda m: m.long("<B"),
+    b"\x8b": lambda m: m.long("<I"),
+    b"F": lambda m: m.push(float(m._line())),
+    b"G": lambda m: m.push(m._number(">d")),
+    b"S": Machine.string_line,
+    b"V": Machine.unicode_line,
+    b"U": lambda m: m.old_string("<B"),
+    b"T": lambda m: m.old_string("<i"),
+    b"X": lambda m: m.text("<I"),
+    b"\x8c": lambda m: m.text("<B"),
+    b"\x8d": lambda m: m.text("<Q"),
+    b"C": lambda m: m.octets("<B"),
+    b"B": lambda m: m.octets("<I"),
+    b"\x8e": lambda m: m.octets("<Q"),
     b"\x96": lambda m: m.octets("<Q"),
-    b"]": lambda m: m.push([]), b"l": lambda m: m.push(m._to_mark()),
-    b"a": lambda m: m.append([m._pop()]), b"e": lambda m: m.append(m._to_mark()),
-    b")": lambda m: m.push(()), b"t": lambda m: m.push(tuple(m._to_mark())),
-    b"\x85": lambda m: m.make_tuple(1), b"\x86": lambda m: m.make_tuple(2), b"\x87": lambda m: m.make_tuple(3),
-    b"}": lambda m: m.push({}), b"d": lambda m: m.make_dict(m._to_mark()),
-    b"s": lambda m: m.set([m._pop(), m._pop()][::-1]), b"u": lambda m: m.set(m._to_mark()),
-    b"p": _remember(lambda m: int(m._line())), b"q": _remember(lambda m: m._number("<B")),
-    b"r": _remember(lambda m: m._number("<I")), b"\x94": _remember(lambda m: len(m._memo)),
-    b"g": _recall(lambda m: int(m._line())), b"h": _recall(lambda m: m._number("<B")),
+    b"]": lambda m: m.push([]),
+    b"l": lambda m: m.push(m._to_mark()),
+    b"a": lambda m: m.append([m._pop()]),
+    b"e": lambda m: m.append(m._to_mark()),
+    b")": lambda m: m.push(()),
+    b"t": lambda m: m.push(tuple(m._to_mark())),
+    b"\x85": lambda m: m.make_tuple(1),
+    b"\x86": lambda m: m.make_tuple(2),
+    b"\x87": lambda m: m.make_tuple(3),
+    b"}": lambda m: m.push({}),
+    b"d": lambda m: m.make_dict(m._to_mark()),
+    b"s": lambda m: m.set([m._pop(), m._pop()][::-1]),
+    b"u": lambda m: m.set(m._to_mark()),
+    b"p": _remember(lambda m: int(m._line())),
+    b"q": _remember(lambda m: m._number("<B")),
+    b"r": _remember(lambda m: m._number("<I")),
+    b"\x94": _remember(lambda m: len(m._memo)),
+    b"g": _recall(lambda m: int(m._line())),
+    b"h": _recall(lambda m: m._number("<B")),
     b"j": _recall(lambda m: m._number("<I")),
-    b"c": lambda m: m.find(m._line(), m._line()), b"\x93": Machine.find_on_stack,
-    b"i": _instance, b"o": _old_instance, b"\x81": _new_instance, b"R": Machine.reduce, b"b": Machine.build,
+    b"c": lambda m: m.find(m._line(), m._line()),
+    b"\x93": Machine.find_on_stack,
+    b"i": _instance,
+    b"o": _old_instance,
+    b"\x81": _new_instance,
+    b"R": Machine.reduce,
+    b"b": Machine.build,
 }

@@ -1,4 +1,5 @@
 """Playing a log to ports: which entries, when each is due, and which port gets which channel."""
+
 import itertools
 import math
 import time
@@ -13,15 +14,20 @@ from rtshell_lite.text import printable
 
 
 class Range:
-    """Which entries of a log are played: from `start` to `end`, both either numbers (`by_index`) or seconds since the epoch.
+    """Which entries of a log are played: from `start` to `end`, both either numbers (`by_index`) or seconds
+    since the epoch.
 
-    None is no limit, and so is an end of -1. As in rtshell, an end by index is a number of entries without a start (or with 0),
-    and the last entry with one.
+    None is no limit, and so is an end of -1. As in rtshell, an end by index is a number of entries without a
+    start (or with 0), and the last entry with one.
     """
 
     def __init__(self, start, end, by_index):
-        self.start, self.by_index = start or None, by_index
-        self.end = None if end == -1 else end
+        self.start = start or None
+        self.by_index = by_index
+        if end == -1:
+            self.end = None
+        else:
+            self.end = end
 
     def entries(self, log):
         """The entries. Raises errors.Failed where there are none."""
@@ -30,7 +36,10 @@ class Range:
         if self.end is None:
             return entries
         if self.by_index:
-            last = int(self.end) if self.start else int(self.end) - 1
+            if self.start:
+                last = int(self.end)
+            else:
+                last = int(self.end) - 1
             return itertools.takewhile(lambda entry: entry.number <= last, entries)
         limit = int(self.end * 1e9)
         if log.first is not None and limit < log.first:
@@ -49,7 +58,14 @@ class Range:
             forms = "from %s until %s", "from %s", "until %s"
         given = tuple(limit for limit in limits if limit is not None)
         if given:
-            yield f"Playing {forms[0 if len(given) == 2 else 1 if self.start is not None else 2] % given}."
+            both, since, until = forms
+            if len(given) == 2:
+                form = both
+            elif self.start is not None:
+                form = since
+            else:
+                form = until
+            yield f"Playing {form % given}."
 
     def _first(self, log):
         if self.start is None:
@@ -57,35 +73,54 @@ class Range:
         if not self.by_index:
             number = log.since(int(self.start * 1e9))
         else:
-            number = int(self.start) if next(log.entries(int(self.start)), None) else None
+            if next(log.entries(int(self.start)), None):
+                number = int(self.start)
+            else:
+                number = None
         if number is None:
             raise errors.Failed(log.where, "the start is after the last entry")
         return number
 
 
 def channel(log, port, name, place):
-    """The number of the channel that is played to a Port: the one called `name`, or the one at that `place` without a name.
+    """The number of the channel that is played to a Port: the one called `name`, or the one at that `place`
+    without a name.
 
     Raises errors.NoSuch; errors.Failed when the types differ.
     """
-    where, names = ports.label(port), [channel.name for channel in log.channels]
-    number = names.index(name) if name in names else place if name is None and place < len(names) else None
+    where = ports.label(port)
+    names = [channel.name for channel in log.channels]
+    if name in names:
+        number = names.index(name)
+    elif name is None and place < len(names):
+        number = place
+    else:
+        number = None
     if number is None:
-        raise errors.NoSuch(where, f"channel in {log.where}", "%s (there are: %s)" % (
-            printable(name or "number %d" % (place + 1)), ", ".join(map(printable, names)) or "none"))
-    recorded, wanted = log.channels[number].type_id, port.properties.get("dataport.data_type", "")
+        raise errors.NoSuch(
+            where,
+            f"channel in {log.where}",
+            "%s (there are: %s)"
+            % (printable(name or "number %d" % (place + 1)), ", ".join(map(printable, names)) or "none"),
+        )
+    recorded = log.channels[number].type_id
+    wanted = port.properties.get("dataport.data_type", "")
     if not ports.same_type(recorded, wanted):
-        raise errors.Failed(where, f"data types differ: {printable(recorded)} in the log, {printable(wanted)} here")
+        raise errors.Failed(
+            where, f"data types differ: {printable(recorded)} in the log, {printable(wanted)} here"
+        )
     return number
 
 
 async def due(entries, rate, cycle=None, seconds=math.inf):
     """The entries, each when it is due: `rate` times as fast as they were recorded, the first at once.
 
-    With `cycle` (seconds) entries are due at multiples of it; after `seconds` there are no more. If the clock was set back while
-    recording, nothing is added.
+    With `cycle` (seconds) entries are due at multiples of it; after `seconds` there are no more. If the clock
+    was set back while recording, nothing is added.
     """
-    begun, last, elapsed = time.monotonic(), None, 0
+    begun = time.monotonic()
+    last = None
+    elapsed = 0
     for entry in entries:
         if last is not None:
             elapsed += max(0, entry.received - last)
@@ -119,8 +154,12 @@ class Playing:
     """A log that is played to ports. Ports that fail are reported and counted in `tally`."""
 
     def __init__(self, channels, anyway):
-        """`channels` are the log's decode.Channels; `anyway`: even to components that will not read the values."""
-        self.channels, self.anyway, self.tally = channels, anyway, notes.Tally()
+        """`channels` are the log's decode.Channels;
+        `anyway`: even to components that will not read the values.
+        """
+        self.channels = channels
+        self.anyway = anyway
+        self.tally = notes.Tally()
         self.sinks = []  # (number of a channel, the writing.Writer of a port that it is played to)
 
     async def find_sinks(self, wanted, properties):
@@ -137,13 +176,15 @@ class Playing:
         log = self.channels.log
         number = channel(log, target.port, target.name, place)
         coming = log.counts.get(log.channels[number].name, 0)
-        self.sinks.append((number, writing.Writer(target.port, properties, "rtlog", self.anyway, several=coming != 1)))
+        self.sinks.append(
+            (number, writing.Writer(target.port, properties, "rtlog", self.anyway, several=coming != 1))
+        )
 
     async def play(self, entries, absolute, linger):
         """Send the entries as they come; with `absolute` their timestamps stay, else they are moved to now.
 
-        Then wait until they can have been read, for `linger` seconds at most (None: as long as it takes). Returns False when all
-        ports had failed before the end.
+        Then wait until they can have been read, for `linger` seconds at most (None: as long as it takes).
+        Returns False when all ports had failed before the end.
         """
         watch = Watcher([writer for _, writer in self.sinks])
         async with connection.Connections(watch.connections) as opened:
@@ -156,15 +197,20 @@ class Playing:
 
     async def _send(self, entries, absolute, opened):
         """Send each entry to the ports of its channel that have not failed."""
-        spare, ended = writing.LATE, time.monotonic()  # seconds by which it may still fall behind; when it began to wait
+        spare = writing.LATE  # seconds by which it may still fall behind
+        ended = time.monotonic()  # when it began to wait
         async for entry in entries:
             live = opened.live()
             if not live:
                 return False
-            able = [writer for writer in live if writer.failure is None] or live  # silent ones would delay the others
+            able = [
+                writer for writer in live if writer.failure is None
+            ] or live  # silent ones would delay the others
             begun = time.monotonic()
             spare = min(writing.LATE, spare + begun - ended)
-            writers = [writer for channel, writer in self.sinks if channel == entry.channel and writer in able]
+            writers = [
+                writer for channel, writer in self.sinks if channel == entry.channel and writer in able
+            ]
             await self._offer(entry, writers, absolute, begun + spare)
             ended = time.monotonic()
             spare -= ended - begun
@@ -172,7 +218,10 @@ class Playing:
 
     async def _offer(self, entry, writers, absolute, until):
         """Send an entry to these Writers."""
-        moment = None if absolute else int(time.time() * 1e9)
+        if absolute:
+            moment = None
+        else:
+            moment = int(time.time() * 1e9)
         values = []
         for writer in writers:
             try:

@@ -1,4 +1,5 @@
 """Reading log files of rtlog's own form: nothing in them is trusted, and everything that is whole is read."""
+
 import bisect
 
 from rtshell_lite import errors
@@ -12,18 +13,27 @@ MOST = 1000  # channels, and sources of a channel: more are hostile
 class Log:
     """An open log, to be used in a `with` statement.
 
-    `channels`; `started` (ns since the epoch), `count`, `first` and `last` (arrival of the first and the last record, or None),
-    `counts` (by channel's name), `torn` (octets of half a record at the end), `closed` (False: recording was killed, or goes
-    on), and `damaged` (records left out), which may grow while entries are read.
+    `channels`; `started` (ns since the epoch), `count`, `first` and `last` (arrival of the first and the last
+    record, or None), `counts` (by channel's name), `torn` (octets of half a record at the end), `closed`
+    (False: recording was killed, or goes on), and `damaged` (records left out), which may grow while entries
+    are read.
     """
 
     form = "rtlog"
 
     def __init__(self, file, where, size):
-        """Read the header, and the index or, where that is missing or wrong, the file. Raises errors.Failed."""
-        self.where, self.size, self.channels = where, size, []
-        self.torn, self.closed, self._damaged = 0, False, set()
-        self._file, self._maps = file, {}  # offset of a header: our numbers of its channels
+        """Read the header, and the index or, where that is missing or wrong, the file.
+        Raises errors.Failed.
+        """
+        self.where = where
+        self.size = size
+        self.channels = []
+        self.torn = 0
+        self.closed = False
+        self._damaged = set()
+        # offset of a header: our numbers of its channels
+        self._file = file
+        self._maps = {}
         self._numbers = {}  # our number of a channel, by its name and type
         file.seek(len(blocks.MAGIC))
         try:
@@ -50,7 +60,10 @@ class Log:
     def entries(self, start=0):
         """The entries from record number `start` on, one by one."""
         point = bisect.bisect_right([number for number, _, _ in self.index.points], start) - 1
-        offset = self.index.points[point][1] if point >= 0 else self._end
+        if point >= 0:
+            offset = self.index.points[point][1]
+        else:
+            offset = self._end
         for _, entry in self._records(offset, self._end):
             if entry.number >= start:
                 yield entry
@@ -76,8 +89,11 @@ class Log:
             yield "%d damaged records are left out" % self.damaged
 
     def scan(self, index):
-        """Put all records into `index`, an Index; returns the offset after the last whole block but the index."""
-        end, index.headers = self._end, sorted(self._maps)
+        """Put all records into `index`, an Index;
+        returns the offset after the last whole block but the index.
+        """
+        end = self._end
+        index.headers = sorted(self._maps)
         for offset, entry in self._records(len(blocks.MAGIC), end):
             index.add(offset, entry.number, entry.received, self.channels[entry.channel].name)
         return end
@@ -86,10 +102,16 @@ class Log:
 
     def _header(self, offset, body):
         """Add a header's channels; returns when recording began."""
-        header, ours = blocks.parsed(body), []
+        header = blocks.parsed(body)
+        ours = []
         try:
             for fields in header["channels"]:
-                channel = Channel(fields["name"], fields["type"], bytes.fromhex(fields["typecode"] or ""), tuple(fields["sources"]))
+                channel = Channel(
+                    fields["name"],
+                    fields["type"],
+                    bytes.fromhex(fields["typecode"] or ""),
+                    tuple(fields["sources"]),
+                )
                 if not all(isinstance(word, str) for word in channel[:2] + channel.sources):
                     raise ValueError("no text")
                 ours.append(self._channel(channel))
@@ -115,9 +137,15 @@ class Log:
         return number
 
     def _records(self, offset, end):
-        """(offset, Entry) of the whole records between two offsets. In the end, self._whole is after the last whole block."""
+        """(offset, Entry) of the whole records between two offsets.
+        In the end, self._whole is after the last whole block.
+        """
         headers = [header for header in sorted(self._maps) if header <= offset]
-        channels, number = self._maps[headers[-1]] if headers else [], -1
+        if headers:
+            channels = self._maps[headers[-1]]
+        else:
+            channels = []
+        number = -1
         while offset < end:
             self._file.seek(offset)  # between two records the caller may read elsewhere
             try:
@@ -154,7 +182,9 @@ class Log:
     # ---- the index ----
 
     def _indexed(self):
-        """(the index at the end of the file, its offset); None where there is none that agrees with the file."""
+        """(the index at the end of the file, its offset);
+        None where there is none that agrees with the file.
+        """
         position = blocks.index_position(self._file, self.size)
         if position is None:
             return None
@@ -172,15 +202,24 @@ class Log:
     def _believed(self, fields, position):
         """The Index of a file, checked. Raises ValueError and whatever wrong types raise."""
         index = Index()
-        index.next, index.first, index.last = fields["next"], fields["first"], fields["last"]
-        index.counts, index.headers, index.points = fields["counts"], fields["headers"], fields["points"]
+        index.next = fields["next"]
+        index.first = fields["first"]
+        index.last = fields["last"]
+        index.counts = fields["counts"]
+        index.headers = fields["headers"]
+        index.points = fields["points"]
         _demand(index.headers[0] == len(blocks.MAGIC) and index.headers == sorted(set(index.headers)))
         _demand(bool(index.points) == bool(index.count) and index.count <= index.next)
         numbers = [point[0] for point in index.points]
         offsets = [point[1] for point in index.points]
         latest = [point[2] for point in index.points[1:]]
         counts = list(index.counts.values())
-        _demand(all(isinstance(number, int) for number in [index.next] + index.headers + counts + numbers + offsets + latest))
+        _demand(
+            all(
+                isinstance(number, int)
+                for number in [index.next] + index.headers + counts + numbers + offsets + latest
+            )
+        )
         _demand(latest == sorted(latest) and all(a < b for a, b in zip(numbers, numbers[1:])))
         _demand(all(0 <= offset < position for offset in index.headers + offsets))
         for offset in index.headers[1:]:
@@ -193,19 +232,29 @@ class Log:
         return index
 
     def _compare(self, index, numbers, offsets, position):
-        """Check that the points are at records of their numbers, and that the last record is the one it names."""
+        """Check that the points are at records of their numbers,
+        and that the last record is the one it names.
+        """
         for number, offset in zip(numbers, offsets):
             self._file.seek(offset)
             _demand(blocks.read_number(self._file, position - offset) == number)
         last = None
         for _, last in self._records(offsets[-1], position):
             pass
-        _demand(last is not None and last.number == index.next - 1 and last.received == index.last and is_moment(index.first))
+        _demand(
+            last is not None
+            and last.number == index.next - 1
+            and last.received == index.last
+            and is_moment(index.first)
+        )
 
     def _scanned(self):
         """(an index made by reading the whole file, the offset after the last whole block)"""
-        index, start = Index(), len(blocks.MAGIC)
-        self.channels, self._maps, self._numbers = [], {}, {}
+        index = Index()
+        start = len(blocks.MAGIC)
+        self.channels = []
+        self._maps = {}
+        self._numbers = {}
         for offset, entry in self._records(start, self.size):
             index.add(offset, entry.number, entry.received, self.channels[entry.channel].name)
         self.torn = self.size - self._whole
@@ -217,7 +266,9 @@ def _entry(body, channels, before):
     number, received, channel, flags = blocks.ENTRY.unpack_from(body)
     if channel >= len(channels) or not before < number < 1 << 62:
         raise blocks.Damaged("a record that cannot be")
-    return Entry(number, received, channels[channel], bool(flags & blocks.LITTLE), body[blocks.ENTRY.size:], None)
+    return Entry(
+        number, received, channels[channel], bool(flags & blocks.LITTLE), body[blocks.ENTRY.size :], None
+    )
 
 
 def _demand(condition):

@@ -2,6 +2,7 @@
 
 What arrives in an inbox.Inbox is written on a thread, so that no sender waits for a disk.
 """
+
 import math
 import time
 
@@ -28,49 +29,69 @@ class Channels:
 
     def __init__(self, known):
         """`known` are datatypes.Types."""
-        self._known, self.found, self.types, self.notes = known, [], [], []
+        self._known = known
+        self.found = []
+        self.types = []
+        self.notes = []
 
     async def add(self, port, name):
         """The number of a Port's channel. Raises errors.Failed when a channel of that NAME has another type."""
-        where, type_id = ports.label(port), port.properties.get("dataport.data_type", "")
+        where = ports.label(port)
+        type_id = port.properties.get("dataport.data_type", "")
         for number, channel in enumerate(self.found):
             if channel.name == name:
                 if not ports.same_type(channel.type_id, type_id):
-                    raise errors.Failed(where, "%s has another data type (%s, %s)" % (
-                        printable(name), printable(channel.type_id), printable(type_id)))
+                    raise errors.Failed(
+                        where,
+                        "%s has another data type (%s, %s)"
+                        % (printable(name), printable(channel.type_id), printable(type_id)),
+                    )
                 channel.sources.append(where)
                 return number
         try:
             type = await self._known.of_port(port)
         except errors.NoSuch:
             type = None
-            self.notes.append(f"{where}: recorded as bytes: {printable(type_id)} is not known; {datatypes.SOURCES}")
+            self.notes.append(
+                f"{where}: recorded as bytes: {printable(type_id)} is not known; {datatypes.SOURCES}"
+            )
         except errors.BadType as e:
             type = None
             self.notes.append(f"{where}: recorded as bytes: {e}")
         self.types.append(type)
-        self.found.append(Channel(name, type.id if type else type_id, type.to_bytes() if type else b"", [where]))
+        if type:
+            self.found.append(Channel(name, type.id, type.to_bytes(), [where]))
+        else:
+            self.found.append(Channel(name, type_id, b"", [where]))
         return len(self.found) - 1
 
 
 class Recorder:
-    """Writes the Messages that arrive in its `box`, whose keys are numbers of channels, with a `writer` (of writer or textlog).
+    """Writes the Messages that arrive in its `box`, whose keys are numbers of channels, with a `writer` (of
+    writer or textlog).
 
-    The Bell `done` rings when `most` messages are written or writing has failed. `count` and `octets` say how many were written,
-    `repeated` how many of these came twice in a row, with the same timestamp: OpenRTM-aist 2.1 repeats a `put` whose answer was lost;
-    `failure` (OSError or None) why writing failed.
+    The Bell `done` rings when `most` messages are written or writing has failed. `count` and `octets` say how
+    many were written, `repeated` how many of these came twice in a row, with the same timestamp: OpenRTM-aist
+    2.1 repeats a `put` whose answer was lost; `failure` (OSError or None) why writing failed.
     """
 
     def __init__(self, most=None, types=()):
-        """`types`: the datatypes.Type of each channel or None, a list that may grow until the first message."""
-        self.box, self._most, self._types = inbox.Inbox(VALUES), most, types
+        """`types`: the datatypes.Type of each channel or None,
+        a list that may grow until the first message.
+        """
+        self.box = inbox.Inbox(VALUES)
+        self._most = most
+        self._types = types
         self.count = self.octets = self.repeated = 0
         self._last = {}  # by channel: the data of the last value
         self.writer = self.failure = None
-        self.done, self._sync_at = loop.Bell(), time.monotonic() + SYNC
+        self.done = loop.Bell()
+        self._sync_at = time.monotonic() + SYNC
 
     async def begin(self, file, channels, begun):
-        """Make the writer: that of a File for Channels, recorded since `begun` (ns since the epoch). Raises as File.writer does."""
+        """Make the writer: that of a File for Channels, recorded since `begun` (ns since the epoch).
+        Raises as File.writer does.
+        """
         self.writer = await loop.on_thread(file.writer, channels, begun)
 
     async def run(self):
@@ -94,7 +115,7 @@ class Recorder:
     async def _write(self, batch):
         batch = [message for message in batch if self._fits(*message)]
         if self._most is not None:
-            batch = batch[:self._most - self.count]
+            batch = batch[: self._most - self.count]
         await self._try(self._append, batch)
 
     async def _try(self, function, *args):
@@ -111,7 +132,9 @@ class Recorder:
         return False
 
     def _append(self, batch):
-        self.writer.write([(channel, message.received, message.little, message.data) for channel, message in batch])
+        self.writer.write(
+            [(channel, message.received, message.little, message.data) for channel, message in batch]
+        )
         self.count += len(batch)
         self.repeated += sum(self._is_repeated(channel, message.data) for channel, message in batch)
         self.octets += sum(len(message.data) for _, message in batch)
@@ -124,20 +147,35 @@ class Recorder:
         last, self._last[channel] = self._last.get(channel), data
         if data != last or not any(data[:TIMESTAMP]):
             return False
-        type = self._types[channel] if channel < len(self._types) else None
+        if channel < len(self._types):
+            type = self._types[channel]
+        else:
+            type = None
         return type is not None and decode.place_of_timestamp(type.descriptor) == decode.FIRST
 
 
-# ---- a recording from beginning to end ------------------------------------------------------------------------
+# ---- a recording from beginning to end ---------------------------------------------------------------------
+
 
 class Limits:
-    """When recording ends: after `entries`, at `until` (seconds since the epoch), after `seconds`; None is never."""
+    """When recording ends: after `entries`, at `until` (seconds since the epoch), after `seconds`;
+    None is never.
+    """
 
     def __init__(self, end, by_index, seconds):
         """`end` is a number of entries (`by_index`) or seconds since the epoch; None and -1 are never."""
-        end = None if end == -1 else end
-        self.entries = int(end) if by_index and end is not None else None
-        self.until = None if by_index else end
+        if end == -1:
+            end = None
+        else:
+            end = end
+        if by_index and end is not None:
+            self.entries = int(end)
+        else:
+            self.entries = None
+        if by_index:
+            self.until = None
+        else:
+            self.until = end
         self.seconds = seconds
 
     def words(self):
@@ -154,37 +192,48 @@ class Limits:
 
 
 class File:
-    """The file to record to: `name`, None for one made from the time; `form`: rtlog, simpkl or text; whether to append."""
+    """The file to record to: `name`, None for one made from the time; `form`: rtlog, simpkl or text;
+    whether to append.
+    """
 
     def __init__(self, name, form, append):
-        self.name, self.form, self.append = name, form, append
+        self.name = name
+        self.form = form
+        self.append = append
 
     def writer(self, channels, begun):
-        """The Writer for these Channels, recorded since `begun` (ns since the epoch). Raises OSError, errors.Failed."""
+        """The Writer for these Channels, recorded since `begun` (ns since the epoch).
+        Raises OSError, errors.Failed.
+        """
         name = self.name
         if name is None:
             name = "rtlog_%d.rtlog" % time.time()
             notes.note(f"recording to {name}")
         if self.form == "text":
             from rtshell_lite.datalog import textlog
+
             return textlog.Writer(name, channels.found, channels.types, self.append)
         if self.form == "simpkl":
             notes.note("simpkl files are only read; recording in rtlog's own form")
         from rtshell_lite.datalog import writer
+
         return writer.Writer(name, channels.found, begun, self.append)
 
 
 async def record(wanted, types, properties, pull, limits, file):
     """Record until a limit is reached or no port is left; returns the exit status.
 
-    `wanted` are port_arguments.Targets, `types` datatypes.Types, `properties` those of the connections; `pull`: values are fetched.
+    `wanted` are port_arguments.Targets, `types` datatypes.Types, `properties` those of the connections;
+    `pull`: values are fetched.
     """
-    tally, channels = notes.Tally(), Channels(types)
+    tally = notes.Tally()
+    channels = Channels(types)
     work = Recorder(limits.entries, channels.types)
     readers = await _readers(wanted, properties, pull, channels, work.box, tally)
     for note in channels.notes:
         notes.note(note)
-    watch, begun = Watcher(readers), int(time.time() * 1e9)
+    watch = Watcher(readers)
+    begun = int(time.time() * 1e9)
     try:
         async with connection.Connections(readers) as opened:
             opened.step_aside_when_stopped()
@@ -196,7 +245,9 @@ async def record(wanted, types, properties, pull, limits, file):
                     await _wait(limits, work, opened)
     finally:
         await loop.finish(_finish(work, watch, tally))
-    return 1 if work.failure else tally.status()
+    if work.failure:
+        return 1
+    return tally.status()
 
 
 async def _readers(wanted, properties, pull, channels, box, tally):
@@ -217,12 +268,20 @@ async def _readers(wanted, properties, pull, channels, box, tally):
 async def _wait(limits, work, opened):
     """Wait for the end of recording, and report what is dropped."""
     end = time.monotonic() + limits.left()
-    reported, due = 0, 0.0
-    while opened.live() and time.monotonic() < end and not await work.done.wait(min(TICK, end - time.monotonic())):
+    reported = 0
+    due = 0.0
+    while (
+        opened.live()
+        and time.monotonic() < end
+        and not await work.done.wait(min(TICK, end - time.monotonic()))
+    ):
         dropped = sum(work.box.dropped.values())
         if dropped > reported and time.monotonic() >= due:
-            reported, due = dropped, time.monotonic() + 1
-            await loop.on_thread(notes.fail, f"{dropped} messages dropped so far: they come faster than they can be written")
+            reported = dropped
+            due = time.monotonic() + 1
+            await loop.on_thread(
+                notes.fail, f"{dropped} messages dropped so far: they come faster than they can be written"
+            )
 
 
 async def _finish(work, watch, tally):
@@ -236,5 +295,7 @@ async def _finish(work, watch, tally):
         notes.fail(f"{dropped} of {dropped + work.count} messages dropped")
         tally.fail(errors.Partial())
     if work.repeated:
-        notes.note(f"{work.repeated} of {work.count} messages came twice: the component repeats a value whose answer it has not got")
+        notes.note(
+            f"{work.repeated} of {work.count} messages came twice: the component repeats a value whose answer it has not got"
+        )
     notes.detail(f"{work.count} messages, {work.octets} octets recorded")

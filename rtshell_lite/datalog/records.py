@@ -1,11 +1,13 @@
 """What a log holds: channels, and entries in them."""
+
 import collections
 
-# A stream in a log: its name for playing, its data type's id, that type as bytes (b"": unknown), the ports it came from.
+# A stream in a log: its name for playing, its data type's id, that type as bytes (b"": unknown), the ports it
+# came from.
 Channel = collections.namedtuple("Channel", "name type_id typecode sources")
 
-# One message: its number, when it arrived (ns since the epoch), its channel's number, and either its CDR and whether that
-# is little-endian, or (simpkl) its `value` of dicts, lists, text and numbers.
+# One message: its number, when it arrived (ns since the epoch), its channel's number, and either its CDR and
+# whether that is little-endian, or (simpkl) its `value` of dicts, lists, text and numbers.
 Entry = collections.namedtuple("Entry", "number received channel little data value")
 
 

@@ -1,8 +1,10 @@
 """Reading the log files that rtshell's rtlog wrote ("simple pickle").
 
-Such a file is a sequence of pickles: (when recording began, list of PortSpec); 256 octets for a CurPos, which is written when
-recording ends; then the entries: (number, EntryTS, (port's name, data), own offset, offset of the one before).
+Such a file is a sequence of pickles: (when recording began, list of PortSpec); 256 octets for a CurPos, which
+is written when recording ends; then the entries: (number, EntryTS, (port's name, data), own offset, offset of
+the one before).
 """
+
 from rtshell_lite import errors, text
 from rtshell_lite.datalog import pickles
 from rtshell_lite.datalog.records import Channel, Entry, is_moment
@@ -17,15 +19,24 @@ _HOMES = {"RTC", "Img", "rtctree", "OpenRTM_aist"}  # the packages that have the
 class Log:
     """An open log, to be used in a `with` statement like reader.Log.
 
-    Its entries have a `value` instead of data: structs as dicts, enumerators by name, octets of Python 2 as text.
+    Its entries have a `value` instead of data: structs as dicts, enumerators by name, octets of Python 2 as
+    text.
     """
 
     form = "simpkl"
 
     def __init__(self, file, where, size, modules=()):
-        """Read the header; `modules` are names of Python modules whose classes may appear. Raises errors.Failed."""
-        self.where, self.size, self._file, self._modules = where, size, file, frozenset(modules)
-        self.torn, self.damaged, self.trouble, self._known_extent = 0, 0, None, None
+        """Read the header; `modules` are names of Python modules whose classes may appear.
+        Raises errors.Failed.
+        """
+        self.where = where
+        self.size = size
+        self._file = file
+        self._modules = frozenset(modules)
+        self.torn = 0
+        self.damaged = 0
+        self.trouble = None
+        self._known_extent = None
         machine = self._machine(0)
         try:
             started, specs = machine.load()
@@ -52,28 +63,41 @@ class Log:
     counts = property(lambda self: self._extent()[3])
 
     def _extent(self):
-        """(number of entries, arrival of the first and the last, numbers by channel), found by reading the whole file."""
+        """(number of entries, arrival of the first and the last, numbers by channel),
+        found by reading the whole file.
+        """
         if self._known_extent is None:
-            count, first, last, counts = 0, None, None, {}
+            count = 0
+            first = None
+            last = None
+            counts = {}
             for entry in self.entries():
-                first = entry.received if count == 0 else first
-                count, last, name = count + 1, entry.received, self.channels[entry.channel].name
+                if count == 0:
+                    first = entry.received
+                else:
+                    first = first
+                count = count + 1
+                last = entry.received
+                name = self.channels[entry.channel].name
                 counts[name] = counts.get(name, 0) + 1
             self._known_extent = count, first, last, counts
         return self._known_extent
 
     def entries(self, start=0):
         """The entries from number `start` on, one by one, up to the first damage; see `notes`."""
-        machine, number = self._machine(self._start), 0
+        machine = self._machine(self._start)
+        number = 0
         while machine.position < self.size:
             offset = machine.position
             try:
                 entry = self._entry(number, machine.load(), machine.position - offset)
             except pickles.Refused as e:
-                self.torn, self.trouble = self.size - offset, str(e)
+                self.torn = self.size - offset
+                self.trouble = str(e)
                 return
             except (TypeError, ValueError, KeyError, AttributeError, OverflowError):
-                self.torn, self.trouble = self.size - offset, "no entry of a log"
+                self.torn = self.size - offset
+                self.trouble = "no entry of a log"
                 return
             if number >= start:
                 yield entry
@@ -102,18 +126,24 @@ class Log:
         if (module, name) in _RTSHELL or (module, name) == ("omniORB", "EnumItem"):
             return True
         parts = module.split(".")
-        if any(".".join(parts[start:]) in self._modules for start in range(len(parts))):  # stubs may be in a package
+        if any(
+            ".".join(parts[start:]) in self._modules for start in range(len(parts))
+        ):  # stubs may be in a package
             return True
         return parts[0] in _HOMES and parts[-1] in _STANDARD
 
     def _entry(self, number, loaded, length):
         _, stamp, (name, data), _, _ = loaded
-        name, fields = _text(name), stamp.fields
+        name = _text(name)
+        fields = stamp.fields
         if name not in self._numbers:
             raise ValueError("of no port in the header")
         received = _moment(fields["_sec"], fields["_nsec"])
-        # A value may refer to its parts many times, and these to theirs: its size is bounded by what was read.
-        return Entry(number, received, self._numbers[name], None, None, _Plain(1000 + 16 * length).value(data, DEEP))
+        # A value may refer to its parts many times, and these to theirs: its size is bounded by what was
+        # read.
+        return Entry(
+            number, received, self._numbers[name], None, None, _Plain(1000 + 16 * length).value(data, DEEP)
+        )
 
 
 def _channel(fields):
@@ -125,7 +155,7 @@ def _moment(seconds, nanoseconds):
     """A time in ns since the epoch. Raises ValueError, OverflowError, TypeError for anything else."""
     if isinstance(seconds, str) or isinstance(nanoseconds, str):  # int() would read them, however long
         raise TypeError("no number")
-    moment = int(seconds) * 10 ** 9 + int(nanoseconds)
+    moment = int(seconds) * 10**9 + int(nanoseconds)
     if not is_moment(moment):
         raise ValueError("no time")
     return moment
@@ -165,7 +195,9 @@ class _Plain:
             self.left -= len(data)
             if self.left < 0:
                 raise pickles.Refused("a value that never ends")
-            return text.from_wire(data) if isinstance(data, str) else data
+            if isinstance(data, str):
+                return text.from_wire(data)
+            return data
         if data is None or isinstance(data, (bool, int, float)):
             return data
         raise pickles.Refused("a value that no message has")

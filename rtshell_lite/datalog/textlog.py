@@ -1,7 +1,8 @@
 """Logs of text, as rtshell's text logger writes them: a line for each message, for people.
 
-    SEC.NSEC<TAB>('PORT', RTC.TimedLong(tm=RTC.Time(sec=1, nsec=2), data=3))
+SEC.NSEC<TAB>('PORT', RTC.TimedLong(tm=RTC.Time(sec=1, nsec=2), data=3))
 """
+
 import os
 import stat
 
@@ -12,14 +13,24 @@ from rtshell_lite.text import printable
 
 
 class Writer:
-    """Writes a log of text, instead of a writer.Writer. `types` are the datatypes.Type of the channels, or None."""
+    """Writes a log of text, instead of a writer.Writer.
+    `types` are the datatypes.Type of the channels, or None.
+    """
 
     def __init__(self, name, channels, types, append=False):
-        self.name, self._names, self._types = name, [channel.name for channel in channels], types
+        self.name = name
+        self._names = [channel.name for channel in channels]
+        self._types = types
         target = files.destination(name)
         special = files.is_special(target)
-        fd = -1 if special else os.open(target, os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o666)
-        self._file = files.open_special(target) if special else open(fd, "ab")
+        if special:
+            fd = -1
+        else:
+            fd = os.open(target, os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o666)
+        if special:
+            self._file = files.open_special(target)
+        else:
+            self._file = open(fd, "ab")
         try:
             writer.lock(self._file, name)
             if stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
@@ -41,7 +52,7 @@ class Writer:
         """Append messages, each (channel number, received, little, data). Raises OSError."""
         try:
             for channel, received, little, data in messages:
-                seconds, nanoseconds = divmod(received, 10 ** 9)
+                seconds, nanoseconds = divmod(received, 10**9)
                 line = f"{seconds}.{nanoseconds:09d}\t({self._names[channel]!r}, {self._spelt(channel, little, data)})\n"
                 self._file.write(line.encode("utf-8", "backslashreplace"))
             self._file.flush()

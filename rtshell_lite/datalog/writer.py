@@ -1,4 +1,5 @@
 """Writing log files."""
+
 import os
 import stat
 
@@ -16,15 +17,32 @@ class Writer:
     def __init__(self, name, channels, begun, append=False):
         """Create the file with its header, or prepare it for appending. Raises errors.Failed, too.
 
-        `begun` is when recording began, ns since the epoch. An old file of that name is replaced when the header of the new one is
-        on the disk.
+        `begun` is when recording began, ns since the epoch. An old file of that name is replaced when the
+        header of the new one is on the disk.
         """
-        self.name, self.channels, self._synced, self._failed = name, channels, True, False
-        self.index, self.end = Index(), 0  # end: offset after the last whole block
-        header = blocks.text(blocks.HEADER, {
-            "created": begun, "program": "rtlog " + __version__,
-            "channels": [{"name": channel.name, "type": channel.type_id, "sources": list(channel.sources),
-                          "typecode": channel.typecode.hex() if channel.typecode else None} for channel in channels]})
+        self.name = name
+        self.channels = channels
+        self._synced = True
+        self._failed = False
+        # end: offset after the last whole block
+        self.index = Index()
+        self.end = 0
+        header = blocks.text(
+            blocks.HEADER,
+            {
+                "created": begun,
+                "program": "rtlog " + __version__,
+                "channels": [
+                    {
+                        "name": channel.name,
+                        "type": channel.type_id,
+                        "sources": list(channel.sources),
+                        "typecode": channel.typecode.hex() if channel.typecode else None,
+                    }
+                    for channel in channels
+                ],
+            },
+        )
         self._file = None
         try:
             self._target = files.destination(name)
@@ -73,7 +91,9 @@ class Writer:
                 temporary.remove()
 
     def _lock(self, file, path):
-        """Lock a file against other recorders. Raises errors.Failed, also when one of them has just replaced it."""
+        """Lock a file against other recorders.
+        Raises errors.Failed, also when one of them has just replaced it.
+        """
         lock(file, self.name)
         if not _is_still(file, path):
             raise errors.Failed(text.printable(self.name), "another rtlog is recording to it")
@@ -91,6 +111,7 @@ class Writer:
 
     def _go_on(self, header):
         from rtshell_lite.datalog import reader
+
         self._file = open(self._target, "r+b", 0)
         lock(self._file, self.name)
         if self._file.read(len(blocks.MAGIC)) != blocks.MAGIC:
@@ -101,8 +122,11 @@ class Writer:
             self._check(old.channels)
             self.end = old.scan(self.index)
             if not self._is_torn(old.torn):
-                raise errors.Failed(text.printable(self.name), "it is damaged %d octets before its end, which would be lost; "
-                                    "record to another file" % old.torn)
+                raise errors.Failed(
+                    text.printable(self.name),
+                    "it is damaged %d octets before its end, which would be lost; "
+                    "record to another file" % old.torn,
+                )
         os.ftruncate(self._file.fileno(), self.end)
         self._file.seek(self.end)
         self.index.headers.append(self.end)
@@ -115,18 +139,30 @@ class Writer:
         if size <= CHUNK or not head.strip(b"\0"):  # file systems leave zeros after a power failure
             return True
         kind, length, _ = blocks.BLOCK.unpack(head)
-        return kind == blocks.RECORD and size - blocks.BLOCK.size <= length <= blocks.ENTRY.size + blocks.LARGEST
+        return (
+            kind == blocks.RECORD and size - blocks.BLOCK.size <= length <= blocks.ENTRY.size + blocks.LARGEST
+        )
 
     def _check(self, old):
         types = {channel.name: channel.type_id for channel in old}
         for channel in self.channels:
             if types.get(channel.name, channel.type_id) != channel.type_id:
-                raise errors.Failed(text.printable(self.name), "%s is of type %s in it, not %s" % (
-                    text.printable(channel.name), text.printable(types[channel.name]), text.printable(channel.type_id)))
+                raise errors.Failed(
+                    text.printable(self.name),
+                    "%s is of type %s in it, not %s"
+                    % (
+                        text.printable(channel.name),
+                        text.printable(types[channel.name]),
+                        text.printable(channel.type_id),
+                    ),
+                )
 
     def write(self, messages):
-        """Append messages, each (channel number, received, little, data), and pass them to the operating system."""
-        parts, size = [], 0
+        """Append messages, each (channel number, received, little, data),
+        and pass them to the operating system.
+        """
+        parts = []
+        size = 0
         for channel, received, little, data in messages:
             block = blocks.entry(self.index.next, received, channel, little, data)
             self.index.add(self.end + size, self.index.next, received, self.channels[channel].name)
@@ -134,7 +170,8 @@ class Writer:
             size += sum(map(len, block))
             if size >= CHUNK:
                 self._put(parts)
-                parts, size = [], 0
+                parts = []
+                size = 0
         self._put(parts)
 
     def _put(self, parts):
@@ -145,7 +182,7 @@ class Writer:
                 size += len(piece)
                 rest = memoryview(piece)
                 while rest:
-                    rest = rest[self._file.write(rest):]
+                    rest = rest[self._file.write(rest) :]
         except OSError as e:
             self._failed = True  # an index would be wrong
             self._cut()
@@ -154,7 +191,9 @@ class Writer:
         self.end += size
 
     def _cut(self):
-        """Remove the part of a chunk that was written to a full disk: the file must end with a whole record."""
+        """Remove the part of a chunk that was written to a full disk:
+        the file must end with a whole record.
+        """
         try:
             os.ftruncate(self._file.fileno(), self.end)
         except OSError:
@@ -198,6 +237,7 @@ def _is_still(file, name):
 def lock(file, name):
     """Lock a file against other recorders, if its file system has locks. Raises errors.Failed."""
     import fcntl
+
     try:
         fcntl.flock(file.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:

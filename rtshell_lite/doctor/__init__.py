@@ -1,1 +1,3 @@
-"""What rtdoctor examines, and the remedies it prints: here, servers, references, components, connections, managers, a profile."""
+"""What rtdoctor examines, and the remedies it prints:
+here, servers, references, components, connections, managers, a profile.
+"""

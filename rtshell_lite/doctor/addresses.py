@@ -1,4 +1,5 @@
 """Host names, addresses and TCP, checked without CORBA: which step towards a peer fails."""
+
 import contextlib
 import errno
 import fcntl
@@ -15,8 +16,12 @@ from rtshell_lite.corba.liveness import is_own, is_this_host  # noqa: F401: chec
 from rtshell_lite.net import loop
 from rtshell_lite.robot.aliases import resolve
 
-SMALL, LARGE = 4, 2000  # octets: LARGE is more than an Ethernet packet holds
-LEAST, PAUSE = 0.2, 0.005  # seconds
+# octets: LARGE is more than an Ethernet packet holds
+SMALL = 4
+LARGE = 2000
+# seconds
+LEAST = 0.2
+PAUSE = 0.005
 
 
 async def connect(addresses, port):
@@ -24,10 +29,12 @@ async def connect(addresses, port):
 
     Raises Unreachable, Silent.
     """
-    where, now = f"{addresses[0]}:{port}", session.current()
+    where = f"{addresses[0]}:{port}"
+    now = session.current()
 
     def attempt():
-        end, failure = time.monotonic() + now.timeout, None
+        end = time.monotonic() + now.timeout
+        failure = None
         for address in addresses:
             try:
                 socket.create_connection((address, port), max(0.001, end - time.monotonic())).close()
@@ -36,6 +43,7 @@ async def connect(addresses, port):
                 now.note_shortage(e, address)
                 failure = failure or e
         raise _error(where, failure, now.timeout)
+
     return await session.on_thread(where, attempt)
 
 
@@ -78,7 +86,8 @@ def _arrives(endpoint, patience):
 
 
 async def loses_large(endpoint):
-    """Whether answers of (host, port), a process that was asked for something large in vain, may be lost on the way.
+    """Whether answers of (host, port), a process that was asked for something large in vain, may be lost on
+    the way.
 
     Its host is another one, and a small question is answered.
     """
@@ -97,7 +106,9 @@ def _answers_small(endpoint, patience):
 
 
 async def speaks_otherwise(endpoint):
-    """Whether what listens at (host, port), which does not answer, speaks another protocol: servers of HTTP wait for the end of a line."""
+    """Whether what listens at (host, port), which does not answer, speaks another protocol:
+    servers of HTTP wait for the end of a line.
+    """
     return await _once(_speaks_otherwise, endpoint)
 
 
@@ -116,10 +127,15 @@ _known = {}  # type: dict  # {(function, endpoint): its answer}
 
 
 async def _once(function, endpoint):
-    """What function(endpoint, seconds that it may wait) returns, on a thread; asked once for each endpoint, until `forget`."""
+    """What function(endpoint, seconds that it may wait) returns, on a thread;
+    asked once for each endpoint, until `forget`.
+    """
     if (function, endpoint) not in _known:
         now = session.current()
-        patience = LEAST if now.is_over() else max(LEAST, now.timeout / 2)
+        if now.is_over():
+            patience = LEAST
+        else:
+            patience = max(LEAST, now.timeout / 2)
         _known[function, endpoint] = await loop.on_thread(function, endpoint, patience)
     return _known[function, endpoint]
 
@@ -131,7 +147,9 @@ def forget():
 
 @contextlib.contextmanager
 def _asked(endpoint, size, patience):
-    """(connection, when to give up): a GIOP question about an object with a key of that size, which nobody has, has been sent."""
+    """(connection, when to give up): a GIOP question about an object with a key of that size,
+    which nobody has, has been sent.
+    """
     key = b"\0" * size
     question = b"GIOP\1\0\1\3" + struct.pack("<III", len(key) + 8, 1, len(key)) + key
     end = time.monotonic() + patience
@@ -144,6 +162,7 @@ def _unacknowledged(connection):
     """How many octets sent have not been acknowledged; 0 if the kernel does not report it."""
     try:
         import termios  # which Debian's python3-minimal lacks
+
         return struct.unpack("i", fcntl.ioctl(connection, termios.TIOCOUTQ, b"\0" * 4))[0]
     except (OSError, ImportError):
         return 0
@@ -176,8 +195,9 @@ def is_loopback(address):
 def why_not_bound(host, port):
     """Why nobody can listen at a host and port of this host now, '' where one can."""
     try:
-        family, kind, protocol, _, address = socket.getaddrinfo(host or None, port, socket.AF_UNSPEC, socket.SOCK_STREAM, 0,
-                                                                socket.AI_PASSIVE)[0]
+        family, kind, protocol, _, address = socket.getaddrinfo(
+            host or None, port, socket.AF_UNSPEC, socket.SOCK_STREAM, 0, socket.AI_PASSIVE
+        )[0]
         with socket.socket(family, kind, protocol) as own:
             own.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
             own.bind(address)

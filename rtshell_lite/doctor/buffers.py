@@ -4,6 +4,7 @@ OpenRTM counts nowhere what an in port has refused (BUFFER_FULL, BUFFER_TIMEOUT)
 components get to know. No value may be sent to find out. So it is concluded from policies, states and rates.
 A component may read several values in a cycle: what is concluded from rates is only probable.
 """
+
 from rtshell_lite.corba import orb
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import warn
@@ -21,13 +22,24 @@ def findings(snapshots):
 
     Only what Active components push is of interest.
     """
-    writers = {orb.identity(port.ref): (snapshot, port) for snapshot in snapshots for port in snapshot.ports
-               if port.type == "DataOutPort"}
+    writers = {
+        orb.identity(port.ref): (snapshot, port)
+        for snapshot in snapshots
+        for port in snapshot.ports
+        if port.type == "DataOutPort"
+    }
     found = []
     for snapshot in snapshots:
         for port in snapshot.ports:
-            policy = refusal(port) if port.type == "DataInPort" and snapshot.states else ""
-            message, cure = _trouble(snapshot, policy, _writers(port, writers)) if policy else ("", None)
+            if port.type == "DataInPort" and snapshot.states:
+                policy = refusal(port)
+            else:
+                policy = ""
+            if policy:
+                message, cure = _trouble(snapshot, policy, _writers(port, writers))
+            else:
+                message = ""
+                cure = None
             if message:
                 found.append(warn("buffer", ports.label(port), f"{message} ({policy})", cure))
     return found
@@ -39,20 +51,28 @@ def refusal(port):
     for connector in port.connectors:
         properties = dict(connector.properties)
         asked = next((properties[key] for key in KEYS if properties.get(key)), asked)
-    return asked if asked in POLICIES else ""
+    if asked in POLICIES:
+        return asked
+    return ""
 
 
 def _writers(port, writers):
     """(Snapshot, Port) of the Active components that push values to an in port."""
-    pushed = [ref for connector in port.connectors for ref in connector.ports if ref is not None
-              and dict(connector.properties).get("dataport.dataflow_type", "push").lower() == "push"]
+    pushed = [
+        ref
+        for connector in port.connectors
+        for ref in connector.ports
+        if ref is not None
+        and dict(connector.properties).get("dataport.dataflow_type", "push").lower() == "push"
+    ]
     known = [writers[orb.identity(ref)] for ref in pushed if orb.identity(ref) in writers]
     return [(snapshot, port) for snapshot, port in known if component.merged(snapshot.states) == "Active"]
 
 
 def _trouble(snapshot, policy, writers):
     """(why values are refused, the Remedy), or ('', None)."""
-    where, rates = shell_word(snapshot.where), _rates(snapshot)
+    where = shell_word(snapshot.where)
+    rates = _rates(snapshot)
     for writer, port in writers:
         name = ports.label(port)
         if not rates:
@@ -64,8 +84,10 @@ def _trouble(snapshot, policy, writers):
         if policy == "block":
             written = max(_rates(writer))  # it would be, if it did not wait
         if max(rates) < ENOUGH * written:
-            message = f"the values of {name} probably find its buffer full ({written:.4g} Hz are written, " \
-                      f"it executes at {max(rates):g} Hz), which {POLICIES[policy]}"
+            message = (
+                f"the values of {name} probably find its buffer full ({written:.4g} Hz are written, "
+                f"it executes at {max(rates):g} Hz), which {POLICIES[policy]}"
+            )
             return message, remedies.words("full buffer", path=where)
     return "", None
 

@@ -1,4 +1,7 @@
-"""Each live component: its ports, execution contexts and states, and whether it knows the name that it is bound by."""
+"""Each live component: its ports, execution contexts and states,
+and whether it knows the name that it is bound by.
+"""
+
 import collections
 
 from rtshell_lite import errors
@@ -22,19 +25,32 @@ async def logs(snapshots, nodes):
     bound = [node for node in nodes if node.kind == "manager"]
     if not broken or not bound:
         return {}
-    slaves = [slave for answer in await tree.on_nodes(bound, tree.slaves) if not isinstance(answer, errors.Error) for slave in answer]
+    slaves = [
+        slave
+        for answer in await tree.on_nodes(bound, tree.slaves)
+        if not isinstance(answer, errors.Error)
+        for slave in answer
+    ]
     ends = {snapshot.node.endpoint for snapshot in broken}
     asked = [node for node in bound + slaves if node.kind == "manager" and node.endpoint in ends]
     files = {}
     for node, settings in zip(asked, await tree.on_nodes(asked, manager.configuration)):
-        settings = {} if isinstance(settings, errors.Error) else dict(settings)
+        if isinstance(settings, errors.Error):
+            settings = {}
+        else:
+            settings = dict(settings)
         if settings.get("logger.enable", "YES").upper() == "YES" and settings.get("logger.file_name"):
             files[node.endpoint] = printable(settings["logger.file_name"])
-    return {snapshot.where: files[snapshot.node.endpoint] for snapshot in broken if snapshot.node.endpoint in files}
+    return {
+        snapshot.where: files[snapshot.node.endpoint]
+        for snapshot in broken
+        if snapshot.node.endpoint in files
+    }
 
 
 async def examined(nodes):
-    """The Snapshot of each component among the Nodes, each object once, however often it is bound, sorted by path.
+    """The Snapshot of each component among the Nodes, each object once, however often it is bound, sorted by
+    path.
 
     If a component fell silent or refused, the rest is missing.
     """
@@ -45,12 +61,18 @@ async def examined(nodes):
     snapshots = [Snapshot(first, others) for first, *others in by_object.values()]
     await ask_all(snapshots, ports=EACH, owned=FULL, participating=FULL, states=FULL, profile=FULL)
     for snapshot in snapshots:
-        snapshot.of_tools = [(port, connector) for port in snapshot.ports for connector in port.connectors if ports.is_of_tool(connector)]
+        snapshot.of_tools = [
+            (port, connector)
+            for port in snapshot.ports
+            for connector in port.connectors
+            if ports.is_of_tool(connector)
+        ]
         snapshot.ports = ports.in_system(snapshot.ports)
     return snapshots
 
 
-# ---- findings -------------------------------------------------------------------------------------------------
+# ---- findings ----------------------------------------------------------------------------------------------
+
 
 async def findings(snapshots, rates, hung, stated=False, logs=None):
     """Findings on all components, sorted by path.
@@ -62,13 +84,17 @@ async def findings(snapshots, rates, hung, stated=False, logs=None):
     """
     found = []
     for snapshot in snapshots:
-        troubles = await _troubles(snapshot, hung, (logs or {}).get(snapshot.where, "")) + rates.get(snapshot.where, [])
+        troubles = await _troubles(snapshot, hung, (logs or {}).get(snapshot.where, "")) + rates.get(
+            snapshot.where, []
+        )
         found += troubles
         if not any(finding.level == "fail" for finding in troubles) and snapshot.error is None:
             found.append(ok("component", snapshot.where, await _summary(snapshot)))
     found.sort(key=lambda finding: finding.path)
     failed = {finding.path for finding in found if finding.level == "fail"}
-    return found if stated else found + started.findings(snapshots, failed)
+    if stated:
+        return found
+    return found + started.findings(snapshots, failed)
 
 
 async def _troubles(snapshot, hung, log):
@@ -81,10 +107,20 @@ async def _troubles(snapshot, hung, log):
 async def _summary(snapshot):
     """Active, claims 1000 Hz, 2 ports, 1 connection, at 127.0.0.1:4000."""
     state = component.merged(snapshot.states)
-    rate = next((f"claims {context.rate:g} Hz" for context in snapshot.contexts if _is_periodic(context)), "not periodic")
+    rate = next(
+        (f"claims {context.rate:g} Hz" for context in snapshot.contexts if _is_periodic(context)),
+        "not periodic",
+    )
     number = len({connector.id for port in snapshot.ports for connector in port.connectors})
-    return ", ".join([state, rate, counted(len(snapshot.ports), "port"), counted(number, "connection"),
-                      "at " + await published(snapshot.node.ref)])
+    return ", ".join(
+        [
+            state,
+            rate,
+            counted(len(snapshot.ports), "port"),
+            counted(number, "connection"),
+            "at " + await published(snapshot.node.ref),
+        ]
+    )
 
 
 async def _stopped_answering(snapshot, hung):
@@ -93,16 +129,32 @@ async def _stopped_answering(snapshot, hung):
         return limits.late("component", snapshot.where)
     if isinstance(e, errors.Silent) and not snapshot.asking:
         message = "not looked at: others of its process hang"
-        return warn("component", snapshot.where, message, remedies.words("others first", path=shell_word(snapshot.where)))
+        return warn(
+            "component",
+            snapshot.where,
+            message,
+            remedies.words("others first", path=shell_word(snapshot.where)),
+        )
     if isinstance(e, errors.Refused) and e.name in ("BAD_OPERATION", "NO_IMPLEMENT"):
         message = "somebody else's: it is registered as a component, but is none"
-        return fail("reference", snapshot.where, message, remedies.words("name of another", path=shell_word(snapshot.where)))
+        return fail(
+            "reference",
+            snapshot.where,
+            message,
+            remedies.words("name of another", path=shell_word(snapshot.where)),
+        )
     if isinstance(e, errors.Silent):
         message = "hangs when asked for " + snapshot.asking
-        paths, known = await waiting.culprits(snapshot, hung) if "port" in snapshot.asking else ([], False)
+        if "port" in snapshot.asking:
+            paths, known = await waiting.culprits(snapshot, hung)
+        else:
+            paths = []
+            known = False
         if paths:  # a port asks the far ends of its connections before it answers
             message += f", {'' if known else 'maybe '}waiting for a far end that does not answer"
-            return fail("component", snapshot.where, message, remedies.words("hung first", paths=" and ".join(paths)))
+            return fail(
+                "component", snapshot.where, message, remedies.words("hung first", paths=" and ".join(paths))
+            )
         elif await remedies.may_be_lost(e, snapshot.node.endpoint):
             message = f"answers small questions, but not when asked for {snapshot.asking}: large packets are lost on the way, perhaps"
         elif session.current().timeout < PATIENT:
@@ -110,19 +162,31 @@ async def _stopped_answering(snapshot, hung):
             patience = remedies.words("more time", path=shell_word(snapshot.where))
             cure = await remedies.of_silence(e, snapshot.node.endpoint, snapshot.where, patience)
             return fail("component", snapshot.where, message, cure)
-        return fail("component", snapshot.where, message, await remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
-    return fail("component", snapshot.where, f"does not report {snapshot.asking} ({reason(e)})",
-                await remedies.of_silence(e, snapshot.node.endpoint, snapshot.where))
+        return fail(
+            "component",
+            snapshot.where,
+            message,
+            await remedies.of_silence(e, snapshot.node.endpoint, snapshot.where),
+        )
+    return fail(
+        "component",
+        snapshot.where,
+        f"does not report {snapshot.asking} ({reason(e)})",
+        await remedies.of_silence(e, snapshot.node.endpoint, snapshot.where),
+    )
 
 
 def _restart(snapshot):
     return remedies.words("restart", port=snapshot.node.endpoint[1])
 
 
-# ---- names ----------------------------------------------------------------------------------------------------
+# ---- names -------------------------------------------------------------------------------------------------
+
 
 def _names(snapshot):
-    """Names that others have bound a component by; its own are in its property naming.names, if it has that."""
+    """Names that others have bound a component by;
+    its own are in its property naming.names, if it has that.
+    """
     if snapshot.profile is None:
         return []
     own = dict(snapshot.profile.properties).get("naming.names", "") or _bound_as(snapshot.node)
@@ -130,7 +194,8 @@ def _names(snapshot):
     known = [node for node in nodes if _bound_as(node) in own.split(",")]
     strange = [node for node in nodes if node not in known]
     if known:
-        message, cure = "the same component as " + str(known[0].path), "name of another"
+        message = "the same component as " + str(known[0].path)
+        cure = "name of another"
     else:
         message = "somebody else's name: this component calls itself " + printable(own)
         cure = "name taken"
@@ -149,52 +214,98 @@ def _bound_as(node):
     return "/".join(name.id + "." + name.kind if name.kind else name.id for name in node.path.names)
 
 
-# ---- ports ----------------------------------------------------------------------------------------------------
+# ---- ports -------------------------------------------------------------------------------------------------
+
 
 def _ports(snapshot):
     found = [_refusing(snapshot, *port) for port in snapshot.refusing]
     message = "had a connection whose far end is dead, and dropped it when asked"
-    return found + [warn("connection", ports.label(port), message, remedies.words("restart far end"))
-                    for port in snapshot.dropped]
+    return found + [
+        warn("connection", ports.label(port), message, remedies.words("restart far end"))
+        for port in snapshot.dropped
+    ]
 
 
 def _refusing(snapshot, number, e, endpoint):
     if isinstance(e, errors.Refused):
-        return fail("port", snapshot.where, f"its port {number} refuses its profile ({reason(e)})", _restart(snapshot))
+        return fail(
+            "port", snapshot.where, f"its port {number} refuses its profile ({reason(e)})", _restart(snapshot)
+        )
     if not isinstance(e, errors.LostMember):
         message = f"cannot tell from here about its port {number}, at {printable(endpoint[0])}:{endpoint[1]} ({reason(e)})"
         return fail("port", snapshot.where, message, remedies.network(endpoint))
-    return fail("port", snapshot.where, f"its port {number} is out of reach: a member of this composite is dead, perhaps",
-                remedies.words("restart composite", port=snapshot.node.endpoint[1]))
+    return fail(
+        "port",
+        snapshot.where,
+        f"its port {number} is out of reach: a member of this composite is dead, perhaps",
+        remedies.words("restart composite", port=snapshot.node.endpoint[1]),
+    )
 
 
-# ---- execution contexts ---------------------------------------------------------------------------------------
+# ---- execution contexts ------------------------------------------------------------------------------------
+
 
 def _contexts(snapshot, log):
     """Errors, and what keeps a component from being executed."""
     if not snapshot.contexts:
-        return [fail("context", snapshot.where, "has no execution context: nothing executes it", _restart(snapshot))]
+        return [
+            fail(
+                "context", snapshot.where, "has no execution context: nothing executes it", _restart(snapshot)
+            )
+        ]
     found = []
     for index, (context, state) in enumerate(zip(snapshot.contexts, snapshot.states)):
         if context.handle is None:
             message = f"its execution context {index} belongs to another component, which does not answer"
-            found.append(warn("context", snapshot.where, message, remedies.words("look at contexts", path=shell_word(snapshot.where))))
+            found.append(
+                warn(
+                    "context",
+                    snapshot.where,
+                    message,
+                    remedies.words("look at contexts", path=shell_word(snapshot.where)),
+                )
+            )
         elif state == "Error":
             message = "in Error" + (f"; its process writes its log to {log}" if log else "")
-            found.append(fail("component", snapshot.where, message,
-                              remedies.command("reset", option=remedies.option(index), path=snapshot.where)))
+            found.append(
+                fail(
+                    "component",
+                    snapshot.where,
+                    message,
+                    remedies.command("reset", option=remedies.option(index), path=snapshot.where),
+                )
+            )
     active = [str(index) for index, state in enumerate(snapshot.states) if state == "Active"]
     if len(active) > 1:
-        message = f"Active in its execution contexts {' and '.join(active)} at once: each that runs executes it"
-        found.append(warn("context", snapshot.where, message, remedies.words("active once", path=shell_word(snapshot.where))))
+        message = (
+            f"Active in its execution contexts {' and '.join(active)} at once: each that runs executes it"
+        )
+        found.append(
+            warn(
+                "context",
+                snapshot.where,
+                message,
+                remedies.words("active once", path=shell_word(snapshot.where)),
+            )
+        )
     alive = [context for context in snapshot.contexts if context.handle is not None]
     if alive and not any(context.running for context in alive):
         message = "its execution context is stopped: nothing executes it"
-        found.append(fail("context", snapshot.where, message, remedies.command("start context", path=snapshot.where)))
+        found.append(
+            fail("context", snapshot.where, message, remedies.command("start context", path=snapshot.where))
+        )
     for index, context in enumerate(snapshot.contexts):
         if _is_periodic(context) and not context.rate > 0:
-            found.append(fail("context", snapshot.where, f"its execution context has a rate of {context.rate:g} Hz",
-                              remedies.command("set rate", option=remedies.option(index), path=snapshot.where, rate=100)))
+            found.append(
+                fail(
+                    "context",
+                    snapshot.where,
+                    f"its execution context has a rate of {context.rate:g} Hz",
+                    remedies.command(
+                        "set rate", option=remedies.option(index), path=snapshot.where, rate=100
+                    ),
+                )
+            )
     return found
 
 

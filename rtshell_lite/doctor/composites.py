@@ -1,4 +1,5 @@
 """Composites with dead members: such a composite ends, or stops, as soon as somebody uses it."""
+
 from rtshell_lite import errors
 from rtshell_lite.corba import liveness, orb, session
 from rtshell_lite.doctor import limits, remedies
@@ -8,8 +9,12 @@ from rtshell_lite.text import printable
 
 
 async def findings(snapshots):
-    """Findings on members that do not answer, of those snapshot.Snapshots that are of composites, sorted by path."""
-    candidates = [snapshot for snapshot in snapshots if snapshot.error is None and _may_be_composite(snapshot)]
+    """Findings on members that do not answer, of those snapshot.Snapshots that are of composites,
+    sorted by path.
+    """
+    candidates = [
+        snapshot for snapshot in snapshots if snapshot.error is None and _may_be_composite(snapshot)
+    ]
     answers = await tree.on_nodes([snapshot.node for snapshot in candidates], composites.owned)
     found = []
     for snapshot, answer in zip(candidates, answers):
@@ -19,17 +24,29 @@ async def findings(snapshots):
                 found.append(limits.late("composite", where))
                 continue
             message = f"does not report its members ({reason(answer)})"
-            found.append(warn("composite", where, message, await remedies.of_silence(answer, snapshot.node.endpoint, where)))
+            found.append(
+                warn(
+                    "composite",
+                    where,
+                    message,
+                    await remedies.of_silence(answer, snapshot.node.endpoint, where),
+                )
+            )
             continue
         for organisation in answer:
-            found += [await _lost(snapshot, name, ref) for name, ref in organisation.members if isinstance(name, errors.Error)]
+            found += [
+                await _lost(snapshot, name, ref)
+                for name, ref in organisation.members
+                if isinstance(name, errors.Error)
+            ]
     return sorted(found, key=lambda finding: finding.path)
 
 
 def _may_be_composite(snapshot):
     """True for a component in whose own context others take part: a composite executes its members."""
-    return bool(snapshot.refusing) or any(context.participants and orb.same(context.owner, snapshot.node.ref)
-                                          for context in snapshot.contexts)
+    return bool(snapshot.refusing) or any(
+        context.participants and orb.same(context.owner, snapshot.node.ref) for context in snapshot.contexts
+    )
 
 
 async def _lost(snapshot, error, ref):
@@ -37,10 +54,18 @@ async def _lost(snapshot, error, ref):
     if error.why == session.NO_TIME:
         return limits.late("composite", snapshot.where)
     if await liveness.shows_death(error, orb.endpoint(ref)):
-        return fail("composite", snapshot.where, "one of its members is dead: nothing answers at " + shown,
-                    remedies.words("restart composite", port=snapshot.node.endpoint[1]))
+        return fail(
+            "composite",
+            snapshot.where,
+            "one of its members is dead: nothing answers at " + shown,
+            remedies.words("restart composite", port=snapshot.node.endpoint[1]),
+        )
     if await remedies.is_of_network(error, orb.endpoint(ref)):
         message = f"cannot tell from here whether its member at {shown} lives ({reason(error)})"
         return warn("composite", snapshot.where, message, remedies.network(orb.endpoint(ref)))
-    return fail("composite", snapshot.where, f"its member at {shown} hangs ({reason(error)})",
-                remedies.words("restart", port=orb.endpoint(ref)[1]))
+    return fail(
+        "composite",
+        snapshot.where,
+        f"its member at {shown} hangs ({reason(error)})",
+        remedies.words("restart", port=orb.endpoint(ref)[1]),
+    )

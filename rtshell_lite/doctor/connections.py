@@ -1,4 +1,5 @@
 """Each connection, seen from all its ends: whether they live, know it and agree on its properties."""
+
 import collections
 
 from rtshell_lite import errors
@@ -20,30 +21,49 @@ async def findings(snapshots):
 
     A connection with trouble is looked at twice: it may just be changing.
     """
-    links, ends = _links(snapshots), await _ends(snapshots)
+    links = _links(snapshots)
+    ends = await _ends(snapshots)
     found = []
     for link in links:
         troubles = await _troubles(link, ends)
         if troubles:
             again = await _again(link, ends)
-            troubles = await _troubles(again, ends) if again else []
+            if again:
+                troubles = await _troubles(again, ends)
+            else:
+                troubles = []
         found += troubles
-    return sorted(found + await _forgotten(snapshots) + _unserved(snapshots), key=lambda finding: finding.path)
+    return sorted(
+        found + await _forgotten(snapshots) + _unserved(snapshots), key=lambda finding: finding.path
+    )
 
 
 async def _forgotten(snapshots):
-    """Findings on connectors of tools that were killed: what they served, as their properties have it, is certainly gone.
+    """Findings on connectors of tools that were killed: what they served, as their properties have it, is
+    certainly gone.
 
     Of a tool that serves nothing, as one that sends, nobody can know whether it still runs.
     """
-    held = [(snapshot, port, connector, ref) for snapshot in snapshots for port, connector in snapshot.of_tools
-            for ref in _served(snapshot, port, connector)]
+    held = [
+        (snapshot, port, connector, ref)
+        for snapshot in snapshots
+        for port, connector in snapshot.of_tools
+        for ref in _served(snapshot, port, connector)
+    ]
     found = []
-    for (snapshot, port, connector, ref), answer in zip(held, await orb.each([ref for *_, ref in held], lambda ref: orb.is_alive("", ref))):
+    for (snapshot, port, connector, ref), answer in zip(
+        held, await orb.each([ref for *_, ref in held], lambda ref: orb.is_alive("", ref))
+    ):
         is_dead = isinstance(answer, errors.Error) and await liveness.shows_death(answer, orb.endpoint(ref))
         if is_dead and await networks.is_certain(ref, await networks.homes_of(snapshot.node.ref)):
-            found.append(warn("connection", ports.label(port), f"connection {_called(connector)} was left by a tool that is gone",
-                              remedies.command("disconnect", id=connector.id, port=ports.label(port))))
+            found.append(
+                warn(
+                    "connection",
+                    ports.label(port),
+                    f"connection {_called(connector)} was left by a tool that is gone",
+                    remedies.command("disconnect", id=connector.id, port=ports.label(port)),
+                )
+            )
     return found
 
 
@@ -51,7 +71,10 @@ def _served(snapshot, port, connector):
     """References in a connector's properties to what is not in the process of the component itself."""
     for _, value in connector.properties:
         try:
-            ref = orb.from_text(ports.label(port), value) if value.startswith("IOR:") else None
+            if value.startswith("IOR:"):
+                ref = orb.from_text(ports.label(port), value)
+            else:
+                ref = None
         except errors.Unreachable:
             continue
         if ref is not None and orb.endpoint(ref) != snapshot.node.endpoint:
@@ -59,24 +82,43 @@ def _served(snapshot, port, connector):
 
 
 def _unserved(snapshots):
-    """Findings on consumers without a connection, for which there is a provider that nobody uses: one of them was started again.
+    """Findings on consumers without a connection, for which there is a provider that nobody uses: one of them
+    was started again.
 
     Only those that have lost a connection, or whose component is Active: others may be on their way.
     """
-    free = [(snapshot, port) for snapshot in snapshots for port in snapshot.ports
-            if port.type == "CorbaPort" and not port.connectors]
+    free = [
+        (snapshot, port)
+        for snapshot in snapshots
+        for port in snapshot.ports
+        if port.type == "CorbaPort" and not port.connectors
+    ]
     found = []
     for snapshot, port in free:
         if port not in snapshot.dropped and component.merged(snapshot.states) != "Active":
             continue
         wanted = {interface.type_name for interface in port.interfaces if interface.polarity == "Required"}
-        fitting = [ports.label(other) for _, other in free for interface in other.interfaces
-                   if interface.polarity == "Provided" and interface.type_name in wanted]
+        fitting = [
+            ports.label(other)
+            for _, other in free
+            for interface in other.interfaces
+            if interface.polarity == "Provided" and interface.type_name in wanted
+        ]
         if fitting:
-            message = f"requires {printable(' and '.join(sorted(wanted)))} and is not connected, though {listed(fitting)} " \
-                      "provides it to nobody"
-            found.append(warn("connection", ports.label(port), message, remedies.words(
-                "connect provider", one=shell_word(ports.label(port)), other=shell_word(fitting[0]))))
+            message = (
+                f"requires {printable(' and '.join(sorted(wanted)))} and is not connected, though {listed(fitting)} "
+                "provides it to nobody"
+            )
+            found.append(
+                warn(
+                    "connection",
+                    ports.label(port),
+                    message,
+                    remedies.words(
+                        "connect provider", one=shell_word(ports.label(port)), other=shell_word(fitting[0])
+                    ),
+                )
+            )
     return found
 
 
@@ -102,7 +144,11 @@ def _refs(connector):
 async def _ends(snapshots):
     """{identity of a port: places.End} of all ports of the components, and of those connected with them."""
     own = [port for snapshot in snapshots for port in snapshot.ports]
-    silent = {snapshot.node.endpoint: snapshot.error for snapshot in snapshots if isinstance(snapshot.error, errors.Silent)}
+    silent = {
+        snapshot.node.endpoint: snapshot.error
+        for snapshot in snapshots
+        if isinstance(snapshot.error, errors.Silent)
+    }
     ends = await places.far_ends(own, silent)
     for port in own:
         ends.setdefault(orb.identity(port.ref), places.End(port.ref, port, None))
@@ -114,12 +160,17 @@ def _name(end):
     if end.port is not None and end.port.node is not None:
         return ports.label(end.port)
     address = orb.at_address(end.ref)
-    return address if end.port is None else f"{printable(end.port.name)} at {address}, bound nowhere,"
+    if end.port is None:
+        return address
+    return f"{printable(end.port.name)} at {address}, bound nowhere,"
 
 
 async def _again(link, ends):
-    """The same Link after its ports were asked again, None when it is gone or has other ends now; updates `ends`."""
-    refs, own = _refs(link.connector), link.port
+    """The same Link after its ports were asked again, None when it is gone or has other ends now;
+    updates `ends`.
+    """
+    refs = _refs(link.connector)
+    own = link.port
     asked = [identity for identity in refs if ends[identity].port is not None]
     joining = dict.fromkeys(asked, {link.connector.id})
     for identity, answer in zip(asked, await places.ask([refs[identity] for identity in asked], joining)):
@@ -128,22 +179,35 @@ async def _again(link, ends):
             ends[identity] = before._replace(port=None, error=answer)
             continue
         ends[identity] = before._replace(port=answer._replace(node=before.port.node))
-        own = ends[identity].port if identity == orb.identity(link.port.ref) else own
+        if identity == orb.identity(link.port.ref):
+            own = ends[identity].port
+        else:
+            own = own
     now = next((connector for connector in own.connectors if connector.id == link.connector.id), None)
-    if now is None or _identities(now) != _identities(link.connector):  # gone, or made again with other ends: just changing
+    if now is None or _identities(now) != _identities(
+        link.connector
+    ):  # gone, or made again with other ends: just changing
         return None
     return Link(link.snapshot, own, now)
 
 
-# ---- what can be wrong ----------------------------------------------------------------------------------------
+# ---- what can be wrong -------------------------------------------------------------------------------------
+
 
 async def _troubles(link, ends):
     """Findings on one Link."""
-    where, connector = ports.label(link.port), link.connector
+    where = ports.label(link.port)
+    connector = link.connector
     undo = remedies.command("disconnect", id=connector.id, port=where)
     if None in connector.ports:
-        return [fail("connection", where, f"connection {_called(connector)} has an end that is nothing (nil)", undo)]
-    others = [ends[identity] for identity, ref in _refs(connector).items() if not orb.same(ref, link.port.ref)]
+        return [
+            fail(
+                "connection", where, f"connection {_called(connector)} has an end that is nothing (nil)", undo
+            )
+        ]
+    others = [
+        ends[identity] for identity, ref in _refs(connector).items() if not orb.same(ref, link.port.ref)
+    ]
     found = []
     for end in others:
         if end.port is None:
@@ -164,7 +228,8 @@ def _called(connector):
 
 def _redo(link, others):
     """The Remedy that connects all ends again as this one knows it; words where an end has no path."""
-    where, connector = ports.label(link.port), link.connector
+    where = ports.label(link.port)
+    connector = link.connector
     if any(end.port is None or end.port.node is None for end in others):
         return remedies.reconnect(connector.id, where, None)
     given = {key: value for key, value in connector.properties if key in SETTLED}
@@ -176,7 +241,9 @@ async def _lost(link, where, end, undo):
     """The far end of a connection does not answer."""
     if end.error.why == session.NO_TIME:
         return limits.late("connection", where)
-    name, endpoint, homes = _name(end), orb.endpoint(end.ref), await networks.homes_of(link.snapshot.node.ref)
+    name = _name(end)
+    endpoint = orb.endpoint(end.ref)
+    homes = await networks.homes_of(link.snapshot.node.ref)
     misled = await networks.misled("connection", where, end.ref, homes)
     if misled and misled.level == "fail":
         return misled._replace(message="the far end of a connection " + misled.message)
@@ -186,18 +253,26 @@ async def _lost(link, where, end, undo):
         message = f"cannot tell from here whether the far end of a connection, at {name}, lives ({reason(end.error)})"
         return fail("connection", where, message, remedies.network(endpoint))
     message = f"the far end of a connection, at {name}, cannot be asked ({reason(end.error)})"
-    return fail("connection", where, message, await remedies.of_silence(
-        end.error, endpoint, where, remedies.words("restart its process", port=endpoint[1])))
+    return fail(
+        "connection",
+        where,
+        message,
+        await remedies.of_silence(
+            end.error, endpoint, where, remedies.words("restart its process", port=endpoint[1])
+        ),
+    )
 
 
 def _differences(link, end, remedy):
     """Properties on which the two ends of a connection differ."""
-    where, connector = ports.label(link.port), link.connector
+    where = ports.label(link.port)
+    connector = link.connector
     far = dict(next(here for here in end.port.connectors if here.id == connector.id).properties)
     near = dict(connector.properties)
     found = []
     for key in sorted(set(near) & set(far) | set(SETTLED) & (set(near) | set(far))):
-        here, there = near.get(key), far.get(key)
+        here = near.get(key)
+        there = far.get(key)
         if _is_reference(key, here) or _is_reference(key, there) or _plain(key, here) == _plain(key, there):
             continue
         message = f"{printable(key)} is {_shown(here)} here, {_shown(there)} at {_name(end)}"
@@ -206,16 +281,22 @@ def _differences(link, end, remedy):
 
 
 def _is_reference(key, value):
-    """Object references differ in spelling, and some implementations turn them into the text of a Python object."""
+    """Object references differ in spelling,
+    and some implementations turn them into the text of a Python object.
+    """
     return capture.is_reference(key, value) or (value or "").startswith("<")
 
 
 def _plain(key, value):
-    return value.lower() if value is not None and key in ports.ANY_CASE else value
+    if value is not None and key in ports.ANY_CASE:
+        return value.lower()
+    return value
 
 
 def _shown(value):
-    return "missing" if value is None else printable(value) or "empty"
+    if value is None:
+        return "missing"
+    return printable(value) or "empty"
 
 
 def _mismatches(link, where, joined, undo):

@@ -1,8 +1,9 @@
 """What rtdoctor does: a system examined from the outside in, without changing it, in bounded time.
 
-Here, the name servers, the references in them, the components, their connections, managers, a profile: each step reports
-Findings and passes on to the next what still works. Everything of one step is asked in parallel.
+Here, the name servers, the references in them, the components, their connections, managers, a profile: each
+step reports Findings and passes on to the next what still works. Everything of one step is asked in parallel.
 """
+
 import time
 
 from rtshell_lite import errors, path
@@ -11,20 +12,25 @@ from rtshell_lite.doctor import addresses, here, limits, remedies
 from rtshell_lite.doctor.finding import warn
 from rtshell_lite.robot import tree
 
-STEPS = 3  # times the timeout: what takes longer is reported as not looked at; a step waits for silence only once
+STEPS = (
+    3  # times the timeout: what takes longer is reported as not looked at; a step waits for silence only once
+)
 
 
 async def examine(tops=(), compare=None, seconds=0):
-    """Yield lists of Findings, step by step. Without Paths `tops`, or with the root, all name servers are examined.
+    """Yield lists of Findings, step by step. Without Paths `tops`, or with the root, all name servers are
+    examined.
 
-    compare  (RtsProfile, its file as it is given to commands, the state of the components): what the system should be like
+    compare  (RtsProfile, its file as it is given to commands, the state of the components): what the system
+             should be like
     seconds  how long to measure rates, by connecting to an out port of each active component; 0: do not
     """
     session.current().end = time.monotonic() + STEPS * session.current().timeout
     starved = limits.starved()
     try:
         async for findings in _steps(tops, compare, seconds):
-            before, starved = starved, limits.starved()
+            before = starved
+            starved = limits.starved()
             if session.current().end is not None:  # what was late here is no silence of others
                 session.current().end += starved - before
             if session.current().shortage:
@@ -50,6 +56,7 @@ async def _steps(tops, compare, seconds):
         yield findings
     if compare:
         from rtshell_lite.doctor import profile
+
         session.current().end = max(session.current().end, time.monotonic() + session.current().timeout)
         yield await profile.findings(*compare)
 
@@ -62,14 +69,20 @@ async def _name_servers():
 async def _robot(tops, seconds, stated):
     from rtshell_lite.doctor import buffers, components, composites, connections, managers
     from rtshell_lite.doctor import references, servers
+
     visits = await servers.visits(tops)
     yield [finding for visit in visits for finding in visit.findings] + await _same_server(visits)
     yield [finding for visit in visits for finding in await references.findings(visit)]
     nodes = [node for visit in visits for node in visit.nodes]
     examined = await components.examined(nodes)
-    links, managed, members = await connections.findings(examined), await managers.findings(nodes), await composites.findings(examined)
+    links = await connections.findings(examined)
+    managed = await managers.findings(nodes)
+    members = await composites.findings(examined)
     hung = sorted((node for node in nodes if node.kind == "silent"), key=lambda node: str(node.path))
-    rates = await _rates(examined, seconds) if seconds else {}
+    if seconds:
+        rates = await _rates(examined, seconds)
+    else:
+        rates = {}
     yield await components.findings(examined, rates, hung, stated, await components.logs(examined, nodes))
     yield members
     yield links + buffers.findings(examined)
@@ -78,7 +91,10 @@ async def _robot(tops, seconds, stated):
 
 async def _rates(examined, seconds):
     from rtshell_lite.doctor import rates
-    end, session.current().end = session.current().end, None  # what is connected must be disconnected, however late it is
+
+    # what is connected must be disconnected, however late it is
+    end = session.current().end
+    session.current().end = None
     try:
         return await rates.measured(examined, seconds)
     finally:
@@ -87,12 +103,19 @@ async def _rates(examined, seconds):
 
 async def _same_server(visits):
     """Two addresses of one name server: everything in it would be listed twice."""
-    found, seen = [], {}
+    found = []
+    seen = {}
     for visit in visits:
         for address in visit.addresses:
             first = seen.setdefault((address, orb.endpoint((await tree.resolve(visit.path)).ref)[1]), visit)
             if first is not visit:
-                found.append(warn("name server", str(visit.path), "the same name server as " + str(first.path),
-                                  remedies.words("one address")))
+                found.append(
+                    warn(
+                        "name server",
+                        str(visit.path),
+                        "the same name server as " + str(first.path),
+                        remedies.words("one address"),
+                    )
+                )
                 break
     return found

@@ -1,4 +1,5 @@
 """What an examination finds, each in one line."""
+
 import collections
 import re
 
@@ -8,12 +9,14 @@ from rtshell_lite.doctor import addresses
 from rtshell_lite.text import printable
 
 LEVELS = ("fail", "warn", "ok")
-MANY, SHOWN = 3, 3  # warnings that are joined, and paths that are named in one line
+# warnings that are joined, and paths that are named in one line
+MANY = 3
+SHOWN = 3
 
 HERE = "here"  # in the place of a path: this host and this shell
 
-# `level` is ok, warn or fail; `check` the kind of check; `path` the object, spelt for the terminal, or HERE; `remedy` a command
-# that can be pasted, or words, see remedies; '' where nothing is wrong.
+# `level` is ok, warn or fail; `check` the kind of check; `path` the object, spelt for the terminal, or HERE;
+# `remedy` a command that can be pasted, or words, see remedies; '' where nothing is wrong.
 Finding = collections.namedtuple("Finding", "level check path message remedy")
 
 
@@ -33,8 +36,13 @@ def fail(check, path, message, remedy):
 
 
 async def published(ref):
-    """The addresses that a reference publishes, decoded from its IOR: `192.0.2.1:4000, robot1:4000 (192.0.2.1)`."""
-    return ", ".join([f"{printable(host)}:{port}" + await meaning(host) for host, port in orb.addresses(ref)]) or "no TCP address"
+    """The addresses that a reference publishes, decoded from its IOR:
+    `192.0.2.1:4000, robot1:4000 (192.0.2.1)`.
+    """
+    return (
+        ", ".join([f"{printable(host)}:{port}" + await meaning(host) for host, port in orb.addresses(ref)])
+        or "no TCP address"
+    )
 
 
 def sorted_by_level(findings):
@@ -43,41 +51,52 @@ def sorted_by_level(findings):
 
 
 def grouped(findings):
-    """The Findings, failures first, then warnings; warnings that are alike but for numbers, from MANY on, are one with their paths.
+    """The Findings, failures first, then warnings; warnings that are alike but for numbers, from MANY on, are
+    one with their paths.
 
     Commands are not grouped: each is to be pasted.
     """
     groups = collections.OrderedDict()
     for number, finding in enumerate(sorted_by_level(findings)):
         alone = finding.level != "warn" or finding.remedy.startswith(("rt", "unset"))
-        groups.setdefault(number if alone else (finding.check, re.sub("[0-9]+", "0", finding.message)), []).append(finding)
+        groups.setdefault(
+            number if alone else (finding.check, re.sub("[0-9]+", "0", finding.message)), []
+        ).append(finding)
     for group in groups.values():
         yield from group if len(group) < MANY else [_joined(group)]
 
 
 def _joined(group):
     first, *others = group
-    return first._replace(message=f"{first.message}; the same with {listed(finding.path for finding in others)}")
+    return first._replace(
+        message=f"{first.message}; the same with {listed(finding.path for finding in others)}"
+    )
 
 
 def listed(paths):
     """`a`, `a and b`, `a, b, c and 7 more`."""
     paths = list(paths)
-    shown, rest = paths[:SHOWN], paths[SHOWN:]
+    shown = paths[:SHOWN]
+    rest = paths[SHOWN:]
     if rest:
         return f"{', '.join(shown)} and {len(rest)} more"
     return " and ".join([", ".join(shown[:-1]), shown[-1]] if shown[1:] else shown)
 
 
 async def meaning(host):
-    """What the name of a host means here: ` (192.0.2.1)`, ` (127.0.1.1, this host)`; empty for IP addresses and localhost."""
+    """What the name of a host means here: ` (192.0.2.1)`, ` (127.0.1.1, this host)`;
+    empty for IP addresses and localhost.
+    """
     if host == "localhost" or addresses.is_numeric(host):
         return ""
     try:
         known = await addresses.resolve(host)
     except errors.Error:
         return ""
-    here = ", this host" if any(addresses.is_own(address) for address in known) else ""
+    if any(addresses.is_own(address) for address in known):
+        here = ", this host"
+    else:
+        here = ""
     return f" ({', '.join(known)}{here})"
 
 
@@ -88,4 +107,6 @@ def counted(number, noun):
 
 def reason(e):
     """The reason in an errors.Error, without its object, or in an OSError."""
-    return e.why if isinstance(e, errors.Error) else str(e)
+    if isinstance(e, errors.Error):
+        return e.why
+    return str(e)

@@ -1,4 +1,5 @@
 """This host and this shell: what is checked before any peer is asked."""
+
 import collections
 import os
 import re
@@ -15,7 +16,8 @@ from rtshell_lite.text import printable
 
 CONFIGURATION = "/etc/omniORB.cfg"
 SMALLEST_MESSAGE = 2097152  # octets: omniORB's default of giopMaxMsgSize
-OURS, THEIRS = "these commands", "components started here"
+OURS = "these commands"
+THEIRS = "components started here"
 ARGUMENTS = "RTCTREE_ORB_ARGS"
 LEAST_PATIENCE = 500  # ms: a component that waits for its next cycle takes that long to answer
 
@@ -24,46 +26,82 @@ Rule = collections.namedtuple("Rule", "text remedy")  # a setting in words, and 
 
 
 async def findings():
-    """Findings on Python and omniORB, their settings, the names of this host, our environment, and mounted trees."""
-    found, lacking = _programs(), limits.findings()
+    """Findings on Python and omniORB, their settings, the names of this host, our environment,
+    and mounted trees.
+    """
+    found = _programs()
+    lacking = limits.findings()
     if lacking:
         return found + lacking
     found += _settings(started=found[-1].level != "fail")
-    return found + await _host_name() + await _localhost() + await _name_servers() + _patience() + _working_directory() + await _mounts()
+    return (
+        found
+        + await _host_name()
+        + await _localhost()
+        + await _name_servers()
+        + _patience()
+        + _working_directory()
+        + await _mounts()
+    )
 
 
-# ---- programs -------------------------------------------------------------------------------------------------
+# ---- programs ----------------------------------------------------------------------------------------------
+
 
 def _programs():
     python = "Python %d.%d.%d" % sys.version_info[:3]
     try:
         version = orb.version()
     except errors.MissingOmniORB:
-        return [fail("ORB", HERE, f"{python} has no omniORBpy, which RTSHELL_ORB asks for",
-                     remedies.command("unset", variable="RTSHELL_ORB"))]
+        return [
+            fail(
+                "ORB",
+                HERE,
+                f"{python} has no omniORBpy, which RTSHELL_ORB asks for",
+                remedies.command("unset", variable="RTSHELL_ORB"),
+            )
+        ]
     found = [ok("ORB", HERE, f"{python}, {version}")]
     name, _, number = version.partition(" ")
     if name == "omniORBpy" and _number(number.partition(".")[0]) < 4:
-        found = [warn("ORB", HERE, f"{python}, {version}: older than 4.0, untried",
-                      remedies.words("newer omniORBpy"))]
+        found = [
+            warn(
+                "ORB",
+                HERE,
+                f"{python}, {version}: older than 4.0, untried",
+                remedies.words("newer omniORBpy"),
+            )
+        ]
     try:
         orb.start()
     except errors.Error:
         where = " or ".join(name for name, _ in _sources()) or "its settings"
-        found.append(fail("ORB", HERE, "the ORB does not start: it does not understand " + where,
-                          remedies.words("correct settings")))
+        found.append(
+            fail(
+                "ORB",
+                HERE,
+                "the ORB does not start: it does not understand " + where,
+                remedies.words("correct settings"),
+            )
+        )
     return found
 
 
 def _number(word):
-    return int(word) if word.isdigit() else 0
+    if word.isdigit():
+        return int(word)
+    return 0
 
 
-# ---- settings of the ORB --------------------------------------------------------------------------------------
+# ---- settings of the ORB -----------------------------------------------------------------------------------
+
 
 def _settings(started):
-    """Settings of omniORB that break things, whatever their source. The last source wins, but each is reported."""
-    found, sources = [], _sources()
+    """Settings of omniORB that break things, whatever their source.
+    The last source wins, but each is reported.
+    """
+    found = []
+    sources = _sources()
     named = os.environ.get("OMNIORB_CONFIG")
     if named and not os.path.exists(named):
         message = "OMNIORB_CONFIG names a file that is not there: " + printable(named)
@@ -72,9 +110,19 @@ def _settings(started):
         for option, value in settings:
             why = _harm(option, value, OURS if source == ARGUMENTS else THEIRS)
             if why and (source != ARGUMENTS or orb.heeds(option)):
-                found.append(warn("ORB", HERE, f"{source} sets {option} to {printable(value)}: {why}", _without(source)))
+                found.append(
+                    warn(
+                        "ORB", HERE, f"{source} sets {option} to {printable(value)}: {why}", _without(source)
+                    )
+                )
     if not found and sources and started:
-        found.append(ok("ORB", HERE, "settings of omniORB that break nothing: " + ", ".join(name for name, _ in sources)))
+        found.append(
+            ok(
+                "ORB",
+                HERE,
+                "settings of omniORB that break nothing: " + ", ".join(name for name, _ in sources),
+            )
+        )
     return found
 
 
@@ -82,7 +130,11 @@ def _sources():
     """(name, [(option, value)]) of each source of settings: file, variables ORB…, RTCTREE_ORB_ARGS."""
     name = os.path.abspath(os.environ.get("OMNIORB_CONFIG") or CONFIGURATION)
     found = [(printable(name), _configured(name))]
-    found += [(key, [(key[3:], value)]) for key, value in sorted(os.environ.items()) if re.match("ORB[a-z]+[A-Za-z]*$", key)]
+    found += [
+        (key, [(key[3:], value)])
+        for key, value in sorted(os.environ.items())
+        if re.match("ORB[a-z]+[A-Za-z]*$", key)
+    ]
     words = [word for word in os.environ.get(ARGUMENTS, "").split(";") if word]
     arguments = [(word[4:], value) for word, value in zip(words, words[1:] + [""]) if word.startswith("-ORB")]
     return [source for source in found if source[1]] + ([(ARGUMENTS, arguments)] if words else [])
@@ -95,13 +147,18 @@ def _configured(name):
             lines = [line.partition("#")[0] for line in file]
     except OSError:
         return []
-    return [tuple(part.strip() for part in line.split("=", 1)) if "=" in line else (line.strip(), "")
-            for line in lines if line.strip()]
+    return [
+        tuple(part.strip() for part in line.split("=", 1)) if "=" in line else (line.strip(), "")
+        for line in lines
+        if line.strip()
+    ]
 
 
 def _without(source):
     """The Remedy for a setting from this source."""
-    return remedies.words("correct file", file=source) if source.startswith("/") else remedies.command("unset", variable=source)
+    if source.startswith("/"):
+        return remedies.words("correct file", file=source)
+    return remedies.command("unset", variable=source)
 
 
 def _harm(option, value, whom):
@@ -111,7 +168,10 @@ def _harm(option, value, whom):
     """
     if option == "giopMaxMsgSize" and _number(value) < SMALLEST_MESSAGE:
         return f"{whom} cannot send or receive larger messages (MARSHAL)"
-    if option in ("clientCallTimeOutPeriod", "clientConnectTimeOutPeriod") and 0 < _number(value) < LEAST_PATIENCE:
+    if (
+        option in ("clientCallTimeOutPeriod", "clientConnectTimeOutPeriod")
+        and 0 < _number(value) < LEAST_PATIENCE
+    ):
         return f"{whom} give up before slower answers come"
     if option == "throwTransientOnTimeOut" and value != "0":
         return "hung peers look like peers out of reach to these commands"
@@ -127,7 +187,10 @@ def _harm_of_end_point(value, whom):
     transport, _, place = value.partition("giop:")[2].partition(":")
     host, _, port = place.rpartition(":")
     host = host.strip("[]")
-    why = addresses.why_not_bound(host, _number(port)) if transport == "tcp" else ""
+    if transport == "tcp":
+        why = addresses.why_not_bound(host, _number(port))
+    else:
+        why = ""
     if why:
         return f"{whom} cannot listen there ({why})"
     if addresses.is_loopback(host) or host == "localhost":
@@ -146,10 +209,13 @@ def transport_rule():
     return None
 
 
-# ---- names of this host ---------------------------------------------------------------------------------------
+# ---- names of this host ------------------------------------------------------------------------------------
+
 
 async def _host_name():
-    """The name of this host must mean an address that others can use: components may publish what it means."""
+    """The name of this host must mean an address that others can use:
+    components may publish what it means.
+    """
     name = socket.gethostname()
     shown = f"this host's name, {printable(name)}, "
     cure = remedies.words("name of host")
@@ -159,7 +225,14 @@ async def _host_name():
         return [warn("host name", HERE, shown + f"is not known here ({reason(e)})", cure)]
     means = ", ".join(known)
     if all(addresses.is_loopback(address) for address in known):
-        return [warn("host name", HERE, shown + f"means {means}: components that publish it cannot be reached from elsewhere", cure)]
+        return [
+            warn(
+                "host name",
+                HERE,
+                shown + f"means {means}: components that publish it cannot be reached from elsewhere",
+                cure,
+            )
+        ]
     if not any(addresses.is_own(address) for address in known):
         return [warn("host name", HERE, shown + f"means {means}, which is not this host", cure)]
     return [ok("host name", HERE, shown + "means " + means)]
@@ -176,10 +249,13 @@ async def _localhost():
     return []
 
 
-# ---- our environment ------------------------------------------------------------------------------------------
+# ---- our environment ---------------------------------------------------------------------------------------
+
 
 def _patience():
-    """RTSHELL_TIMEOUT: less than a cycle of many components, and a network's repetition of a lost packet, seems to be silence."""
+    """RTSHELL_TIMEOUT: less than a cycle of many components, and a network's repetition of a lost packet,
+    seems to be silence.
+    """
     value = os.environ.get("RTSHELL_TIMEOUT", "")
     if not value or 1000 * session.current().timeout >= LEAST_PATIENCE:
         return []
@@ -191,11 +267,20 @@ async def _name_servers():
     """RTCTREE_NAMESERVERS: HOST[:PORT], separated by semicolons."""
     value = os.environ.get("RTCTREE_NAMESERVERS", "")
     if not value.strip("; "):
-        return [ok("RTCTREE_NAMESERVERS", HERE, "RTCTREE_NAMESERVERS is not set: localhost is the name server")]
+        return [
+            ok("RTCTREE_NAMESERVERS", HERE, "RTCTREE_NAMESERVERS is not set: localhost is the name server")
+        ]
     faults = [(address, await fault(address)) for address in tree.servers()]
-    return [fail("RTCTREE_NAMESERVERS", HERE, f"RTCTREE_NAMESERVERS: {printable(address)}: {why}", remedies.words("correct addresses"))
-            for address, why in faults if why] or [
-        ok("RTCTREE_NAMESERVERS", HERE, f"RTCTREE_NAMESERVERS: {printable('; '.join(tree.servers()))}")]
+    return [
+        fail(
+            "RTCTREE_NAMESERVERS",
+            HERE,
+            f"RTCTREE_NAMESERVERS: {printable(address)}: {why}",
+            remedies.words("correct addresses"),
+        )
+        for address, why in faults
+        if why
+    ] or [ok("RTCTREE_NAMESERVERS", HERE, f"RTCTREE_NAMESERVERS: {printable('; '.join(tree.servers()))}")]
 
 
 async def fault(address):
@@ -210,7 +295,9 @@ async def fault(address):
             await tree.resolve(parsed._replace(names=()))  # contacts nobody
     except errors.Error:
         return "not HOST[:PORT]"
-    return "only HOST[:PORT], nothing after it" if parsed.names or parsed.server is None else ""
+    if parsed.names or parsed.server is None:
+        return "only HOST[:PORT], nothing after it"
+    return ""
 
 
 def _is_started():
@@ -229,7 +316,8 @@ def _working_directory():
     return []
 
 
-# ---- rtmount --------------------------------------------------------------------------------------------------
+# ---- rtmount -----------------------------------------------------------------------------------------------
+
 
 async def _is_stale(place):
     return await session.on_thread(printable(place), lambda: kernel.is_stale(place))
@@ -239,5 +327,13 @@ async def _mounts():
     """Mounted RTC Trees whose rtmount has been killed; one that is stopped answers nobody."""
     places = kernel.mounted()
     answers = await session.each(places, _is_stale, lambda place: (("mount", place), printable(place)))
-    return [warn("mount", HERE, f"{printable(place)} is a mount of an rtmount that has been killed", remedies.command(
-        "unmount", directory=place)) for place, stale in zip(places, answers) if stale is True]
+    return [
+        warn(
+            "mount",
+            HERE,
+            f"{printable(place)} is a mount of an rtmount that has been killed",
+            remedies.command("unmount", directory=place),
+        )
+        for place, stale in zip(places, answers)
+        if stale is True
+    ]

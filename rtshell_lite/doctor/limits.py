@@ -1,4 +1,5 @@
 """What this process may use: without enough descriptors, threads or ports here, peers seem to be at fault."""
+
 import os
 from _thread import allocate_lock
 
@@ -10,11 +11,17 @@ from rtshell_lite.net import loop
 from rtshell_lite.text import shell_word
 
 LATE = "slow: " + session.NO_TIME
-FILES, THREADS = 64, 8  # what an examination of a small system needs at a time
+# what an examination of a small system needs at a time
+FILES = 64
+THREADS = 8
 
 # How to see or raise what is scarce.
-COMMANDS = {"files": "ulimit -n 1024", "threads": "ulimit -u, ulimit -v", "ports": "sysctl net.ipv4.ip_local_port_range",
-            "memory": "ulimit -v"}
+COMMANDS = {
+    "files": "ulimit -n 1024",
+    "threads": "ulimit -u, ulimit -v",
+    "ports": "sysctl net.ipv4.ip_local_port_range",
+    "memory": "ulimit -v",
+}
 
 
 def findings():
@@ -27,14 +34,22 @@ def findings():
 
 
 def lack(shortage):
-    """The Finding for an errors.Shortage, which ends an examination: nothing that it would find is certain."""
+    """The Finding for an errors.Shortage, which ends an examination:
+    nothing that it would find is certain.
+    """
     what, why = shortage.args
-    return fail("limit", HERE, f"out of {what} here ({why}): nothing can be judged",
-                remedies.words("raise limit", what=what, command=COMMANDS[what]))
+    return fail(
+        "limit",
+        HERE,
+        f"out of {what} here ({why}): nothing can be judged",
+        remedies.words("raise limit", what=what, command=COMMANDS[what]),
+    )
 
 
 def starved():
-    """Seconds for which this thread could have run, but its host was too busy to let it; 0.0 if the kernel does not report that."""
+    """Seconds for which this thread could have run, but its host was too busy to let it;
+    0.0 if the kernel does not report that.
+    """
     try:
         with open("/proc/thread-self/schedstat") as file:  # Documentation/scheduler/sched-stats.rst of Linux
             return int(file.read().split()[1]) / 1e9
@@ -43,7 +58,9 @@ def starved():
 
 
 def late(check, where):
-    """The Finding on what could not be asked in the time that an examination has, which is `where`, as text."""
+    """The Finding on what could not be asked in the time that an examination has, which is `where`,
+    as text.
+    """
     return fail(check, where, LATE, remedies.words("more time", path=shell_word(where)))
 
 
@@ -52,15 +69,21 @@ def left_out(findings):
     missed = [finding for finding in findings if finding.message == LATE]
     if len(missed) < MANY:
         return findings
-    what = "name" if missed[0].check == "reference" else missed[0].check
+    if missed[0].check == "reference":
+        what = "name"
+    else:
+        what = missed[0].check
     message = f"{counted(len(missed), what)} not looked at, as there was no time left: {listed(finding.path for finding in missed)}"
-    return [finding for finding in findings if finding.message != LATE] + [fail("limit", HERE, message, remedies.words("in parts"))]
+    return [finding for finding in findings if finding.message != LATE] + [
+        fail("limit", HERE, message, remedies.words("in parts"))
+    ]
 
 
 def _files():
     taken = []
     try:
         import resource
+
         most = resource.getrlimit(resource.RLIMIT_NOFILE)[0]
     except ImportError:  # Debian's python3-minimal lacks it, or there is no file left to import it
         most = "their limit"

@@ -4,6 +4,7 @@ They are asked at the addresses that the file has: object references of data por
 with connections, managers by address, and the usual port of managers on the hosts after which naming contexts
 are named.
 """
+
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import remedies
@@ -28,9 +29,14 @@ def findings(profile, missing, known):
     for server, components in sorted(_by_server(profile.components).items()):
         living = [path for path in map(capture.shown_path, components) if path in known]
         if living and all(each in missing for each in components):
-            verb = "lives" if len(living) == 1 else "live"
-            message = f"has none of its {counted(len(components), 'component')} in the file, though " \
-                      f"{listed(living)} {verb}: it was started again, perhaps, and they were not"
+            if len(living) == 1:
+                verb = "lives"
+            else:
+                verb = "live"
+            message = (
+                f"has none of its {counted(len(components), 'component')} in the file, though "
+                f"{listed(living)} {verb}: it was started again, perhaps, and they were not"
+            )
             yield warn("name server", server, message, remedies.words("bind again"))
 
 
@@ -47,11 +53,15 @@ def _by_server(components):
 
 async def _at_references(profile, missing):
     """`found`, by references to data ports."""
-    locate, refs = capture.locator(profile), {}
+    locate = capture.locator(profile)
+    refs = {}
     for connector in profile.connectors:
         for each in connector.properties:
             end = SIDES.get(each.name)
-            component = locate(connector.ends[end]) if end is not None and connector.ends else None
+            if end is not None and connector.ends:
+                component = locate(connector.ends[end])
+            else:
+                component = None
             if component not in missing:
                 continue
             try:
@@ -61,8 +71,11 @@ async def _at_references(profile, missing):
             refs.setdefault(capture.shown_path(component), ref)
     asked = list(refs.items())[:MOST]
     answers = await orb.each([ref for _, ref in asked], lambda ref: orb.is_alive("", ref))
-    return {path: "its port answers at %s:%d" % orb.endpoint(ref)
-            for (path, ref), answer in zip(asked, answers) if answer is True}
+    return {
+        path: "its port answers at %s:%d" % orb.endpoint(ref)
+        for (path, ref), answer in zip(asked, answers)
+        if answer is True
+    }
 
 
 async def _at_managers(missing):
@@ -73,8 +86,13 @@ async def _at_managers(missing):
             wanted.setdefault(word, {})[each.instance_name] = capture.shown_path(each)
     words = sorted(wanted)[:MOST]
     answers = await session.each(words, _listed_by, lambda word: (word, word))
-    return {wanted[word][name]: f"the manager {word} has it" for word, answer in zip(words, answers)
-            if not isinstance(answer, errors.Error) for name, _ in answer if name in wanted[word]}
+    return {
+        wanted[word][name]: f"the manager {word} has it"
+        for word, answer in zip(words, answers)
+        if not isinstance(answer, errors.Error)
+        for name, _ in answer
+        if name in wanted[word]
+    }
 
 
 async def _listed_by(word):

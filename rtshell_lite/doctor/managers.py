@@ -1,4 +1,5 @@
 """Each manager: whether it answers, and whether what it lists lives."""
+
 from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.doctor import limits, networks, remedies
@@ -25,26 +26,44 @@ async def _ask(node):
 
 
 async def _is_of_network(node, homes):
-    return await remedies.is_of_network(node.error, node.endpoint) or not await networks.is_certain(node.ref, homes)
+    return await remedies.is_of_network(node.error, node.endpoint) or not await networks.is_certain(
+        node.ref, homes
+    )
 
 
 async def _troubles(node, answer):
-    where, word = str(node.path), shell_word(str(node.path))
+    where = str(node.path)
+    word = shell_word(str(node.path))
     if isinstance(answer, errors.Error) and answer.why == session.NO_TIME:
         return [limits.late("manager", where)]
     if isinstance(answer, errors.Error):
         both = isinstance(answer, errors.Silent)
         restart = remedies.words("restart manager or slave" if both else "restart", port=node.endpoint[1])
-        return [fail("manager", where, f"does not report what it has ({reason(answer)})",
-                     await remedies.of_silence(answer, node.endpoint, where, restart))]
+        return [
+            fail(
+                "manager",
+                where,
+                f"does not report what it has ({reason(answer)})",
+                await remedies.of_silence(answer, node.endpoint, where, restart),
+            )
+        ]
     slaves, components, twice = answer
     found = []
     if twice:
-        found = [fail("manager", where, "one of its slaves has died, and its components with it",
-                      remedies.words("restart slave"))]
+        found = [
+            fail(
+                "manager",
+                where,
+                "one of its slaves has died, and its components with it",
+                remedies.words("restart slave"),
+            )
+        ]
     homes = await networks.homes_of(node.ref)
     for child in slaves + components:
-        what = "lists a slave that " if child in slaves else "lists a component that "
+        if child in slaves:
+            what = "lists a slave that "
+        else:
+            what = "lists a component that "
         misled = await networks.misled("manager", where, child.ref, homes)
         if misled:
             found.append(misled._replace(message=what + misled.message))
@@ -54,9 +73,18 @@ async def _troubles(node, answer):
             message = what + f"cannot be reached from here ({reason(child.error)})"
             found.append(fail("manager", where, message, remedies.network(child.endpoint)))
         elif child.kind == "zombie":
-            found.append(fail("manager", where, what + "is gone", remedies.words("restart manager", path=word)))
+            found.append(
+                fail("manager", where, what + "is gone", remedies.words("restart manager", path=word))
+            )
         elif child.kind == "silent":
-            found.append(fail("manager", where, what + f"does not answer ({reason(child.error)})",
-                              remedies.words("hung below", path=word)))
-    has, shown = f"{counted(len(components), 'component')}, {counted(len(slaves), 'slave')}", await published(node.ref)
+            found.append(
+                fail(
+                    "manager",
+                    where,
+                    what + f"does not answer ({reason(child.error)})",
+                    remedies.words("hung below", path=word),
+                )
+            )
+    has = f"{counted(len(components), 'component')}, {counted(len(slaves), 'slave')}"
+    shown = await published(node.ref)
     return found or [ok("manager", where, f"manager of {has}, at {shown}")]

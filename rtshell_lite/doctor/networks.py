@@ -1,4 +1,7 @@
-"""What the addresses that references publish mean: to this host, and to the one where the references are bound."""
+"""What the addresses that references publish mean:
+to this host, and to the one where the references are bound.
+"""
+
 import collections
 import fcntl
 import ipaddress
@@ -11,18 +14,23 @@ from rtshell_lite.doctor import addresses, remedies
 from rtshell_lite.doctor.finding import fail, published, warn
 from rtshell_lite.text import printable
 
-SIOCGIFADDR, SIOCGIFNETMASK = 0x8915, 0x891b  # of Linux
+# of Linux
+SIOCGIFADDR = 0x8915
+SIOCGIFNETMASK = 0x891B
 
 
 async def misled(check, where, ref, homes, elsewhere=""):
     """The Finding on an object that publishes addresses at which others do not find it, or None.
 
-    One that is a warning must not hide what is worse: only after a failure is nothing else to be known from here.
+    One that is a warning must not hide what is worse: only after a failure is nothing else to be known from
+    here.
 
-    homes      IP addresses of what knows the object: the name server that it is bound in, its manager, the near end of a connection
+    homes      IP addresses of what knows the object: the name server that it is bound in, its manager, the
+               near end of a connection
     elsewhere  an address of another host that takes part in the system, '' if all of it is on one
     """
-    offered, here = orb.addresses(ref), any(addresses.is_own(home) for home in homes)
+    offered = orb.addresses(ref)
+    here = any(addresses.is_own(home) for home in homes)
     if not offered or not homes:
         return None
     shown = await published(ref)
@@ -32,10 +40,16 @@ async def misled(check, where, ref, homes, elsewhere=""):
     if all(_is_loopback(host) for host, _ in offered):
         if all(addresses.is_loopback(home) for home in homes):
             message = f"publishes {shown}: only this host can reach it, and {printable(elsewhere)} takes part in the system"
-            return warn(check, where, message, _another_address("")) if elsewhere else None
+            if elsewhere:
+                return warn(check, where, message, _another_address(""))
+            return None
         if here:
-            return warn(check, where, f"publishes {shown}: only this host can reach it", _another_address(homes[0]))
-        return fail(check, where, f"publishes {shown}, which means this host, not its own", _another_address(homes[0]))
+            return warn(
+                check, where, f"publishes {shown}: only this host can reach it", _another_address(homes[0])
+            )
+        return fail(
+            check, where, f"publishes {shown}, which means this host, not its own", _another_address(homes[0])
+        )
     if all(addresses.is_loopback(home) for home in homes):
         return None  # it is known on this host; whether others know it cannot be seen
     numeric = await _numeric(offered)
@@ -44,7 +58,9 @@ async def misled(check, where, ref, homes, elsewhere=""):
     if here:  # an address of another interface is one of this host
         if not elsewhere or not all(addresses.is_own(address) for address in numeric):
             return None
-        message = f"publishes {shown}, of another network than {homes[0]}: what finds it there may not reach it"
+        message = (
+            f"publishes {shown}, of another network than {homes[0]}: what finds it there may not reach it"
+        )
         return warn(check, where, message, _another_address(homes[0]))
     if any(addresses.is_own(address) for address in numeric):
         message = f"publishes {shown}, which means this host, too: it is of another network than {homes[0]}"
@@ -67,11 +83,19 @@ async def is_certain(ref, homes):
 
 
 async def names_here(ref, homes):
-    """The host names in `ref` that mean this host here, while none of `homes` is of this host; its process may run on another."""
+    """The host names in `ref` that mean this host here, while none of `homes` is of this host;
+    its process may run on another.
+    """
     if any(addresses.is_own(home) for home in homes):
         return []
-    names = [host for host, _ in orb.addresses(ref) if host and host != "localhost" and not addresses.is_numeric(host)]
-    return [name for name in names if any(addresses.is_own(address) for address in await _numeric([(name, 0)]))]
+    names = [
+        host
+        for host, _ in orb.addresses(ref)
+        if host and host != "localhost" and not addresses.is_numeric(host)
+    ]
+    return [
+        name for name in names if any(addresses.is_own(address) for address in await _numeric([(name, 0)]))
+    ]
 
 
 async def is_apart(ref, homes):
@@ -95,7 +119,10 @@ async def outside(refs):
 
 
 async def _is_here(host):
-    numeric = () if _is_loopback(host) else await _numeric([(host, 0)])
+    if _is_loopback(host):
+        numeric = ()
+    else:
+        numeric = await _numeric([(host, 0)])
     return _is_loopback(host) or any(addresses.is_own(address) for address in numeric)
 
 
@@ -109,7 +136,9 @@ def together(one, other):
         if all(inside):
             return True
         known = known or any(inside)
-    return False if known else None
+    if known:
+        return False
+    return None
 
 
 def _networks():
@@ -119,8 +148,10 @@ def _networks():
         for _, name in socket.if_nameindex():
             request = struct.pack("256s", name.encode()[:15])
             try:
-                address, mask = [socket.inet_ntoa(fcntl.ioctl(any_socket, number, request)[20:24])
-                                 for number in (SIOCGIFADDR, SIOCGIFNETMASK)]
+                address, mask = [
+                    socket.inet_ntoa(fcntl.ioctl(any_socket, number, request)[20:24])
+                    for number in (SIOCGIFADDR, SIOCGIFNETMASK)
+                ]
             except OSError:  # it has no such address, or this is no Linux
                 continue
             networks.append(ipaddress.ip_interface(f"{address}/{mask}").network)

@@ -1,4 +1,5 @@
 """Where the running system differs from an RtsProfile, as rtcheck and rtresurrect judge it."""
+
 from rtshell_lite import errors, path
 from rtshell_lite.doctor import living, remedies
 from rtshell_lite.doctor.finding import counted, fail, ok, reason, warn
@@ -6,42 +7,71 @@ from rtshell_lite.robot import contexts, snapshot
 from rtshell_lite.system import capture, compare
 from rtshell_lite.text import safe, shell_word
 
-TRANSITIONS = {("Inactive", "Active"): "activate", ("Active", "Inactive"): "deactivate", ("Error", "Inactive"): "reset"}
+TRANSITIONS = {
+    ("Inactive", "Active"): "activate",
+    ("Active", "Inactive"): "deactivate",
+    ("Error", "Inactive"): "reset",
+}
 
 
 async def findings(profile, file, state):
-    """Findings on the differences from an RtsProfile, which is `file` on a command line; those on optional things are warnings."""
+    """Findings on the differences from an RtsProfile, which is `file` on a command line;
+    those on optional things are warnings.
+    """
     result = await compare.compare(profile, state)
-    found = [fail("profile", e.where, reason(e),
-                  remedies.words("look at component", path=shell_word(e.where))) for e in result.failures]
+    found = [
+        fail("profile", e.where, reason(e), remedies.words("look at component", path=shell_word(e.where)))
+        for e in result.failures
+    ]
     differences = [difference for difference in result.differences if difference.check != compare.OTHER_ID]
     absent = {difference.path: difference for difference in reversed(differences) if _is_missing(difference)}
-    differences = [difference for difference in differences  # each once: ends of connections are missing, too
-                   if not _is_missing(difference) or absent[difference.path] is difference]
+    differences = [
+        difference
+        for difference in differences  # each once: ends of connections are missing, too
+        if not _is_missing(difference) or absent[difference.path] is difference
+    ]
     missing = [each for each in profile.components if capture.shown_path(each) in absent]
-    known = await living.found(profile, missing) if missing else {}
+    if missing:
+        known = await living.found(profile, missing)
+    else:
+        known = {}
     found += living.findings(profile, missing, known)
     idle = [difference for difference in differences if _is_idle(difference)]
     if len(idle) > 1:
         paths = ", ".join(difference.path for difference in idle)
-        found.append(fail("profile", str(path.ROOT), f"{len(idle)} components are Inactive, in the file Active: {paths}",
-                          remedies.command("start system", file=remedies.Line(file))))
+        found.append(
+            fail(
+                "profile",
+                str(path.ROOT),
+                f"{len(idle)} components are Inactive, in the file Active: {paths}",
+                remedies.command("start system", file=remedies.Line(file)),
+            )
+        )
         differences = [difference for difference in differences if difference not in idle]
     for difference in differences:
-        report = fail if difference.required else warn
+        if difference.required:
+            report = fail
+        else:
+            report = warn
         if difference.path in known and _is_missing(difference):
             message = f"{safe(difference.brief)}, but it lives: {safe(known[difference.path])}"
             found.append(report("profile", difference.path, message, remedies.words("bind again")))
             continue
         found.append(report("profile", difference.path, safe(difference.brief), _remedy(difference, file)))
     found += await _rates(profile)
-    content = f"{counted(len(profile.components), 'component')}, {counted(len(profile.connectors), 'connection')}"
+    content = (
+        f"{counted(len(profile.components), 'component')}, {counted(len(profile.connectors), 'connection')}"
+    )
     return found or [ok("profile", str(path.ROOT), "as the profile says: " + content)]
 
 
 def _is_idle(difference):
     """Whether a required component is only not activated: to start the whole system does that for all."""
-    return difference.required and difference.check == "state" and (difference.actual, difference.expected) == ("Inactive", "Active")
+    return (
+        difference.required
+        and difference.check == "state"
+        and (difference.actual, difference.expected) == ("Inactive", "Active")
+    )
 
 
 def _is_missing(difference):
@@ -54,19 +84,36 @@ async def _owned_contexts(node):
 
 async def _rates(profile):
     """Findings on execution contexts whose rates differ from those in the file, which the components have."""
-    found, answers = [], await capture.look(profile, _owned_contexts)
+    found = []
+    answers = await capture.look(profile, _owned_contexts)
     for component, owned in zip(profile.components, answers):
         if isinstance(owned, errors.Error):
             continue  # reported before
-        report, where = fail if component.is_required else warn, capture.shown_path(component)
+        if component.is_required:
+            report = fail
+        else:
+            report = warn
+        where = capture.shown_path(component)
         for wanted in component.execution_contexts:
-            if not wanted.id.isdigit() or not 0 < wanted.rate < float("inf") or not wanted.kind.upper().startswith("PERIODIC"):
+            if (
+                not wanted.id.isdigit()
+                or not 0 < wanted.rate < float("inf")
+                or not wanted.kind.upper().startswith("PERIODIC")
+            ):
                 continue
             for index, context in enumerate(owned):
                 if context.handle == int(wanted.id) and not contexts.same_rate(context.rate, wanted.rate):
                     message = f"its execution context has a rate of {context.rate:g} Hz, in the file it is {wanted.rate:g} Hz"
-                    found.append(report("profile", where, message, remedies.command(
-                        "set rate", option=remedies.option(index), path=where, rate=f"{wanted.rate:g}")))
+                    found.append(
+                        report(
+                            "profile",
+                            where,
+                            message,
+                            remedies.command(
+                                "set rate", option=remedies.option(index), path=where, rate=f"{wanted.rate:g}"
+                            ),
+                        )
+                    )
     return found
 
 

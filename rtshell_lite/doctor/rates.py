@@ -1,4 +1,5 @@
 """The rates that execution contexts keep, against those that they claim: measured at an out port."""
+
 import collections
 import time
 
@@ -20,15 +21,26 @@ class Watched:
     """A component that is Active in a running, periodic context."""
 
     def __init__(self, snapshot, rate, port):
-        self.snapshot, self.where, self.rate, self.port = snapshot, snapshot.where, rate, port  # Hz claimed, port watched
+        # Hz claimed, port watched
+        self.snapshot = snapshot
+        self.where = snapshot.where
+        self.rate = rate
+        self.port = port
         self.reader = self.failure = None  # reading.Reader; the errors.Error why it could not be measured
-        self.count, self.stamp = 0, None  # values seen; (when one came, in s, the timestamp in it) where they have any
+        self.count = 0  # values seen
+        self.stamp = None  # (when one came, in s, the timestamp in it) where they have any
         self.stamped = clocks.is_stamped(port)
 
     def deliver(self, message):
         """Take note of the timestamp of a reading.Message."""
-        seconds = clocks.seconds(message) if self.stamped else 0
-        self.stamp = (message.received / 1e9, seconds) if seconds else None
+        if self.stamped:
+            seconds = clocks.seconds(message)
+        else:
+            seconds = 0
+        if seconds:
+            self.stamp = (message.received / 1e9, seconds)
+        else:
+            self.stamp = None
 
 
 async def measured(snapshots, seconds):
@@ -36,7 +48,8 @@ async def measured(snapshots, seconds):
 
     No new batch begins when the timeout is over.
     """
-    found, waiting = {}, []
+    found = {}
+    waiting = []
     for snapshot in snapshots:
         watched, why_not = _watchable(snapshot)
         if watched:
@@ -47,16 +60,23 @@ async def measured(snapshots, seconds):
     while waiting:
         batch, waiting = _batch(waiting)
         if found and time.monotonic() - begun > session.current().timeout:
-            found.update((watched.where, [_unmeasured(watched.where, errors.Silent(watched.where, session.NO_TIME))])
-                         for watched in batch)
+            found.update(
+                (watched.where, [_unmeasured(watched.where, errors.Silent(watched.where, session.NO_TIME))])
+                for watched in batch
+            )
             continue
-        found.update((watched.where, [finding] + _clock(watched)) for watched, finding in zip(batch, await _watch(batch, seconds)))
+        found.update(
+            (watched.where, [finding] + _clock(watched))
+            for watched, finding in zip(batch, await _watch(batch, seconds))
+        )
     return found
 
 
 def _batch(waiting):
     """The next components to be measured at once, and the rest."""
-    taken, batch, rest = collections.Counter(), [], []
+    taken = collections.Counter()
+    batch = []
+    rest = []
     for watched in waiting:
         (batch if taken[watched.snapshot.node.endpoint] < TOGETHER else rest).append(watched)
         taken[watched.snapshot.node.endpoint] += 1
@@ -64,9 +84,14 @@ def _batch(waiting):
 
 
 def _watchable(snapshot):
-    """(Watched, '') for a component whose rate can be measured, else (None, why not; '' if that is reported elsewhere)."""
-    running = [(context, state) for context, state in zip(snapshot.contexts, snapshot.states)
-               if context.running and context.kind == "Periodic" and context.rate > 0]
+    """(Watched, '') for a component whose rate can be measured, else (None, why not;
+    '' if that is reported elsewhere).
+    """
+    running = [
+        (context, state)
+        for context, state in zip(snapshot.contexts, snapshot.states)
+        if context.running and context.kind == "Periodic" and context.rate > 0
+    ]
     if snapshot.error is not None or not running:
         return None, ""
     active = [context for context, state in running if state == "Active"]
@@ -86,18 +111,28 @@ def _smallest(out_ports):
 
 def _unmeasured(where, e):
     if isinstance(e, errors.Silent) and e.why != session.NO_TIME:
-        return warn("rate", where, "rate not measured: " + reason(e), remedies.words("measure again", path=shell_word(where)))
+        return warn(
+            "rate",
+            where,
+            "rate not measured: " + reason(e),
+            remedies.words("measure again", path=shell_word(where)),
+        )
     return ok("rate", where, "rate not measured: " + reason(e))
 
 
-# ---- one batch ------------------------------------------------------------------------------------------------
+# ---- one batch ---------------------------------------------------------------------------------------------
+
 
 async def _watch(batch, seconds):
     """A Finding for each Watched of a batch."""
     for watched in batch:
         try:
-            watched.reader = reading.Reader(watched.port, watched.deliver, "pull", properties={
-                "dataport.buffer.length": str(reading.QUEUE)})
+            watched.reader = reading.Reader(
+                watched.port,
+                watched.deliver,
+                "pull",
+                properties={"dataport.buffer.length": str(reading.QUEUE)},
+            )
         except errors.Error as e:
             watched.failure = e
     async with connection.Connections([watched.reader for watched in batch if watched.reader]) as opened:
@@ -106,36 +141,56 @@ async def _watch(batch, seconds):
         spent, missed = await _slept(seconds)
         for watched in batch:
             if watched.reader:
-                watched.count, watched.failure = watched.reader.count - before[watched.reader], watched.reader.failure
-    return [_unmeasured(watched.where, watched.failure) if watched.failure else _finding(watched, spent, missed) for watched in batch]
+                watched.count = watched.reader.count - before[watched.reader]
+                watched.failure = watched.reader.failure
+    return [
+        _unmeasured(watched.where, watched.failure) if watched.failure else _finding(watched, spent, missed)
+        for watched in batch
+    ]
 
 
 async def _slept(seconds):
-    """Sleep so long: the time that it took, and how much of that this process was not let run: its host has more to do than it can."""
-    begun, missed = time.monotonic(), 0.0
+    """Sleep so long: the time that it took, and how much of that this process was not let run:
+    its host has more to do than it can.
+    """
+    begun = time.monotonic()
+    missed = 0.0
     now = begun
     while now < begun + seconds:
         piece = min(PIECE, begun + seconds - now)
         await loop.sleep(piece)
-        before, now = now, time.monotonic()
+        before = now
+        now = time.monotonic()
         missed += now - before - piece
     return now - begun, missed
 
 
 def _clock(watched):
     """A Finding if the values of a Watched carry other times than this host's."""
-    message = clocks.difference(*watched.stamp) if watched.stamp else ""
-    return [warn("clock", watched.where, message, remedies.words("clock"))] if message else []
+    if watched.stamp:
+        message = clocks.difference(*watched.stamp)
+    else:
+        message = ""
+    if message:
+        return [warn("clock", watched.where, message, remedies.words("clock"))]
+    return []
 
 
 def _finding(watched, spent, missed):
-    """What was counted in `spent` seconds, in which this host was too busy for `missed` seconds to let us run, and perhaps others."""
-    where, name = watched.where, printable(ports.short_name(watched.port.name, watched.snapshot.node.path.names[-1].id))
+    """What was counted in `spent` seconds,
+    in which this host was too busy for `missed` seconds to let us run, and perhaps others.
+    """
+    where = watched.where
+    name = printable(ports.short_name(watched.port.name, watched.snapshot.node.path.names[-1].id))
     if watched.count < 2:
         return ok("rate", where, "rate not measured: nothing is written to " + name)
     kept = watched.count / spent
     watched.snapshot.written = (watched.port, kept)
     if watched.count + 1 >= ENOUGH * watched.rate * (spent - missed):  # one more may have been on its way
         return ok("rate", where, f"keeps {kept:.1f} of {watched.rate:g} Hz (writes to {name})")
-    return warn("rate", where, f"keeps {kept:.1f} of {watched.rate:g} Hz, or does not write to {name} in each cycle",
-                remedies.words("load", host=printable(watched.snapshot.node.endpoint[0])))
+    return warn(
+        "rate",
+        where,
+        f"keeps {kept:.1f} of {watched.rate:g} Hz, or does not write to {name} in each cycle",
+        remedies.words("load", host=printable(watched.snapshot.node.endpoint[0])),
+    )

@@ -1,4 +1,7 @@
-"""Each name in a name server and its reference: where it leads, whether it can be reached, whether its object lives."""
+"""Each name in a name server and its reference:
+where it leads, whether it can be reached, whether its object lives.
+"""
+
 from rtshell_lite import errors
 from rtshell_lite.corba import liveness, orb, session
 from rtshell_lite.doctor import addresses, here, limits, networks, remedies
@@ -17,17 +20,30 @@ async def findings(visit):
     return sorted(found + await _stale_contexts(visit), key=lambda finding: finding.path)
 
 
-# ---- where it leads -------------------------------------------------------------------------------------------
+# ---- where it leads ----------------------------------------------------------------------------------------
+
 
 async def _unreachable(visit, node):
     """Why an object cannot be used from here, step by step: its address, TCP, its process, itself."""
     where = str(node.path)
     if isinstance(node.error, errors.Garbled):
-        return [fail("reference", where, f"the name is bound to what must not be used: {reason(node.error)}",
-                     remedies.words("bad reference"))]
+        return [
+            fail(
+                "reference",
+                where,
+                f"the name is bound to what must not be used: {reason(node.error)}",
+                remedies.words("bad reference"),
+            )
+        ]
     if node.ref is None:
-        return [fail("reference", where, "the name is bound to nothing (a nil reference)",
-                     remedies.command("delete name", path=where))]
+        return [
+            fail(
+                "reference",
+                where,
+                "the name is bound to nothing (a nil reference)",
+                remedies.command("delete name", path=where),
+            )
+        ]
     offered = orb.addresses(node.ref)
     if not offered:
         return []  # of another transport
@@ -35,7 +51,10 @@ async def _unreachable(visit, node):
     misled = await networks.misled("reference", where, node.ref, visit.addresses, visit.outside)
     if misled and misled.level == "fail":
         return [misled]
-    also = [misled] if misled else []
+    if misled:
+        also = [misled]
+    else:
+        also = []
     if node.kind == "zombie":
         return [await _dead(visit, node, shown)] + also
     if node.kind == "silent" or node.kind == "unknown" and _out_of_reach(visit, offered):
@@ -48,10 +67,14 @@ async def _dead(visit, node, shown):
     names = await networks.names_here(node.ref, visit.addresses)
     if names:
         message = f"cannot tell from here whether it lives: {shown} may mean another host where it runs, and this one refuses"
-        return fail("reference", where, message, remedies.words("name of this host", host=printable(names[0])))
+        return fail(
+            "reference", where, message, remedies.words("name of this host", host=printable(names[0]))
+        )
     if not await networks.is_certain(node.ref, visit.addresses):
-        message = f"cannot tell from here whether it lives: {shown} is of another network than its name server, and the host that " \
-                  "has that address here refuses"
+        message = (
+            f"cannot tell from here whether it lives: {shown} is of another network than its name server, and the host that "
+            "has that address here refuses"
+        )
         return fail("reference", where, message, remedies.network(node.endpoint))
     if isinstance(node.error, errors.Gone):
         message = f"dead (zombie): what listens at {shown} now does not have it"
@@ -62,40 +85,76 @@ async def _dead(visit, node, shown):
 
 async def _silent(visit, node, offered, shown):
     """An object that does not answer: because of its host, the network, its process, or itself."""
-    where, rule = str(node.path), here.transport_rule()
+    where = str(node.path)
+    rule = here.transport_rule()
     if node.error is not None and node.error.why == session.NO_TIME:
         return limits.late("reference", where)
     if _out_of_reach(visit, offered):
         failure = visit.probes[offered[0]]
-        if isinstance(failure, errors.ConnectionRefused) and await networks.is_certain(node.ref, visit.addresses):
+        if isinstance(failure, errors.ConnectionRefused) and await networks.is_certain(
+            node.ref, visit.addresses
+        ):
             return await _refused(where, offered[0], shown)
         if failure.why == errors.NO_USABLE_ADDRESS or not await networks.homes_of(node.ref):
             message = f"cannot tell from here whether it lives: publishes {shown}, a host name that is not known here"
-            return fail("reference", where, message, remedies.words("name in reference", host=printable(offered[0][0])))
-        apart = ", of another network than its name server" if await networks.is_apart(node.ref, visit.addresses) else ""
+            return fail(
+                "reference",
+                where,
+                message,
+                remedies.words("name in reference", host=printable(offered[0][0])),
+            )
+        if await networks.is_apart(node.ref, visit.addresses):
+            apart = ", of another network than its name server"
+        else:
+            apart = ""
         message = f"cannot tell from here whether it lives: publishes {shown}{apart}, out of reach ({reason(failure)})"
         return fail("reference", where, message, remedies.network(offered[0]))
     if rule and reason(node.error) == errors.NO_USABLE_ADDRESS:
-        return fail("reference", where, f"at {shown}: TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
+        return fail(
+            "reference",
+            where,
+            f"at {shown}: TCP connects, omniORB does not: {rule.text} forbids it",
+            rule.remedy,
+        )
     is_silent = isinstance(node.error, errors.Silent)
     if reason(node.error).startswith("garbled") or is_silent and await addresses.speaks_otherwise(offered[0]):
         message = f"what listens at {shown} does not speak CORBA ({reason(node.error)})"
         return fail("reference", where, message, remedies.words("who listens instead", port=offered[0][1]))
     if await remedies.is_of_network(node.error, offered[0]):
-        what = "TCP connects, but what is sent is not received" if isinstance(node.error, errors.Silent) else reason(node.error)
-        return fail("reference", where, f"cannot tell from here whether it lives: at {shown}, {what}",
-                    remedies.network(offered[0]))
+        if isinstance(node.error, errors.Silent):
+            what = "TCP connects, but what is sent is not received"
+        else:
+            what = reason(node.error)
+        return fail(
+            "reference",
+            where,
+            f"cannot tell from here whether it lives: at {shown}, {what}",
+            remedies.network(offered[0]),
+        )
     if isinstance(node.error, errors.Refused):
-        return fail("reference", where, f"at {shown}, answers the question whether it is there with {reason(node.error)}",
-                    remedies.words("exception", port=offered[0][1]))
-    return fail("reference", where, f"hung: {shown} accepts TCP, but {reason(node.error)}",
-                remedies.words("restart", port=offered[0][1]))
+        return fail(
+            "reference",
+            where,
+            f"at {shown}, answers the question whether it is there with {reason(node.error)}",
+            remedies.words("exception", port=offered[0][1]),
+        )
+    return fail(
+        "reference",
+        where,
+        f"hung: {shown} accepts TCP, but {reason(node.error)}",
+        remedies.words("restart", port=offered[0][1]),
+    )
 
 
 async def _refused(where, endpoint, shown):
     """Nobody listens, or a firewall refuses: see corba/liveness.py."""
     if await liveness.is_gone(endpoint):
-        return fail("reference", where, "dead: nothing listens at " + shown, remedies.command("delete zombie", path=where))
+        return fail(
+            "reference",
+            where,
+            "dead: nothing listens at " + shown,
+            remedies.command("delete zombie", path=where),
+        )
     message = f"cannot tell from here whether it lives: {shown} refuses the connection, as a firewall would"
     return fail("reference", where, message, remedies.words("firewall", port=endpoint[1]))
 
@@ -105,17 +164,31 @@ def _out_of_reach(visit, offered):
 
 
 def _half_reachable(visit, where, offered):
-    """Some of several addresses may be out of reach; each caller tries them in turn and waits for the bad ones."""
+    """Some of several addresses may be out of reach;
+    each caller tries them in turn and waits for the bad ones.
+    """
     probes = [(host, port, visit.probes.get((host, port))) for host, port in offered]
-    return [warn("reference", where, f"also publishes {printable(host)}:{port}, out of reach ({reason(probe)})",
-                 remedies.words("only good addresses")) for host, port, probe in probes if isinstance(probe, errors.Error)]
+    return [
+        warn(
+            "reference",
+            where,
+            f"also publishes {printable(host)}:{port}, out of reach ({reason(probe)})",
+            remedies.words("only good addresses"),
+        )
+        for host, port, probe in probes
+        if isinstance(probe, errors.Error)
+    ]
 
 
-# ---- what it is -----------------------------------------------------------------------------------------------
+# ---- what it is --------------------------------------------------------------------------------------------
+
 
 async def _not_what_it_says(node):
-    """A name of kind rtc or mgr for an object of another kind: somebody else's; and objects of unknown kinds."""
-    kind, expected = node.path.names[-1].kind, {"rtc": "component", "mgr": "manager"}
+    """A name of kind rtc or mgr for an object of another kind: somebody else's;
+    and objects of unknown kinds.
+    """
+    kind = node.path.names[-1].kind
+    expected = {"rtc": "component", "mgr": "manager"}
     what = printable(orb.address(node.ref).type_id) or node.what
     if kind not in expected and node.kind == "unknown":
         shown = await published(node.ref)
@@ -123,18 +196,32 @@ async def _not_what_it_says(node):
     if kind not in expected or node.kind == expected[kind] or node.kind in ("zombie", "silent"):
         return []
     message = f"somebody else's: not a {expected[kind]} but {what}"
-    return [fail("reference", str(node.path), message, remedies.words("name of another", path=shell_word(str(node.path))))]
+    return [
+        fail(
+            "reference",
+            str(node.path),
+            message,
+            remedies.words("name of another", path=shell_word(str(node.path))),
+        )
+    ]
 
 
-# ---- contexts -------------------------------------------------------------------------------------------------
+# ---- contexts ----------------------------------------------------------------------------------------------
+
 
 def alias(node):
-    """The Finding on a naming context that has another name, or belongs to another name server: nothing in it is deleted."""
+    """The Finding on a naming context that has another name, or belongs to another name server:
+    nothing in it is deleted.
+    """
     if node.alias is not None:
         return ok("context", str(node.path), "an alias: the same directory as " + str(node.alias))
     place = "%s:%d" % node.endpoint
-    return ok("context", str(node.path), f"an alias: a directory of the name server at {printable(place)}, which is examined by: "
-              f"rtdoctor {shell_word(place)}")
+    return ok(
+        "context",
+        str(node.path),
+        f"an alias: a directory of the name server at {printable(place)}, which is examined by: "
+        f"rtdoctor {shell_word(place)}",
+    )
 
 
 async def _stale_contexts(visit):
@@ -142,8 +229,12 @@ async def _stale_contexts(visit):
 
     One that has several names, or holds one with another name, is in use.
     """
-    found, stale, content = [], set(), _content(visit.nodes)
-    forsaken = {node for node in visit.nodes if node.kind == "directory" and await _is_forsaken(node, visit.shared)}
+    found = []
+    stale = set()
+    content = _content(visit.nodes)
+    forsaken = {
+        node for node in visit.nodes if node.kind == "directory" and await _is_forsaken(node, visit.shared)
+    }
     for node in visit.nodes:
         names = node.path.names
         is_inside = any(names[:i] in stale for i in range(len(names)))
@@ -152,21 +243,30 @@ async def _stale_contexts(visit):
         below = content.get(names, [])
         if all(inner.kind == "zombie" or inner in forsaken for inner in below):
             stale.add(names)
-            what = "only dead names are in it" if any(inner.kind == "zombie" for inner in below) else "empty"
+            if any(inner.kind == "zombie" for inner in below):
+                what = "only dead names are in it"
+            else:
+                what = "empty"
             found.append(warn("context", str(node.path), "stale: " + what, _emptied(node, below)))
     return found
 
 
 def _emptied(node, below):
-    """The Remedy for a stale naming context: each name by itself, the deepest first, so that nothing else is deleted."""
+    """The Remedy for a stale naming context:
+    each name by itself, the deepest first, so that nothing else is deleted.
+    """
     if any(inner.kind == "zombie" for inner in below):
         return remedies.words("stale names", path=shell_word(str(node.path)))
-    return remedies.command("delete name", path=[str(inner.path) for inner in sorted(
-        below + [node], key=lambda inner: -len(inner.path.names))])
+    return remedies.command(
+        "delete name",
+        path=[str(inner.path) for inner in sorted(below + [node], key=lambda inner: -len(inner.path.names))],
+    )
 
 
 async def _is_forsaken(node, shared):
-    """True for a naming context that could be listed and has one name only; `shared` is an aliases.Known of those with more."""
+    """True for a naming context that could be listed and has one name only;
+    `shared` is an aliases.Known of those with more.
+    """
     return node.error is None and not node.foreign and await shared.path(node) is None
 
 

@@ -1,9 +1,10 @@
 """All remedies that rtdoctor names; tests/commands/test_remedies.py tries each.
 
-A remedy is a command, which can be pasted into a shell and followed blindly, or words, for a person to think about. Its first
-word shows which: only commands begin with a program of ours, or with unset. A command mends what was found, and changes nothing
-else; a name is deleted only if its object is certainly dead.
+A remedy is a command, which can be pasted into a shell and followed blindly, or words, for a person to think
+about. Its first word shows which: only commands begin with a program of ours, or with unset. A command mends
+what was found, and changes nothing else; a name is deleted only if its object is certainly dead.
 """
+
 import collections
 import re
 
@@ -45,11 +46,11 @@ WORDS = {
     # the network
     "network": "look at what is between here and {host}: firewall (port {port}), route (ip route get {host}), MTU and loss (ping {host})",
     "large packets": "ping -M do -s 1472 {host}, here and there back, shows whether large packets come through: if not, correct the "
-                     "MTU on the way; if they do, it hangs: netstat -ltnp | grep :{port} there names its process",
+    "MTU on the way; if they do, it hangs: netstat -ltnp | grep :{port} there names its process",
     "firewall": "netstat -ltnp | grep :{port} there shows whether its process runs: if so, let this host through its firewall; "
-                "if not, start it again",
+    "if not, start it again",
     "name in reference": "write the address of {host} into /etc/hosts here, or have its process publish an address: corba.endpoints "
-                         "in rtc.conf",
+    "in rtc.conf",
     "name of this host": "see what {host} means where its process runs, and have that publish an address: corba.endpoints in rtc.conf",
     "exception": "see what it writes into its log; netstat -ltnp | grep :{port} there names its process",
     "who listens instead": "netstat -ltnp | grep :{port} there names what listens; the component that had this port is gone, or elsewhere",
@@ -62,10 +63,10 @@ WORDS = {
     # name servers
     "start name server": "start the name server: rtm-naming {port}",
     "start name server there": "netstat -ltnp | grep :{port} there shows whether it runs: if so, let this host through its firewall; "
-                               "if not: rtm-naming {port}",
+    "if not: rtm-naming {port}",
     "other port": "see whether it is the name server (rtls {server}), and correct the address; if not: rtm-naming {port} there",
     "bind again": "look again in some time, as many bind their names again by themselves (naming.update.enable); restart those that "
-                  "do not",
+    "do not",
     "restart name server": "restart the name server that has it",
     "restart": "restart it; netstat -ltnp | grep :{port} there names its process",
     "correct port": "correct the port; netstat -ltnp | grep omniNames there shows it",
@@ -85,14 +86,14 @@ WORDS = {
     "activate": "if it is to move, activate it: rtact {path}",
     "activate many": "activate those that are to move (rtact), or the whole system by its file (rtstart)",
     "restart composite": "restart its process, with all members alive (rtcomp cannot remove a dead one); "
-                         "netstat -ltnp | grep :{port} there names it",
+    "netstat -ltnp | grep :{port} there names it",
     "load": "look for what takes the time of its host, or of the component itself (top there), or what is lost on the way (ping {host})",
     "measure again": "measure it alone: rtec --measure {path}",
     # connections
     "connect again": "disconnect it (rtdis -i {id} {port}), then connect its ends again: rtcon",
     "connect provider": "if they belong together, connect them again: rtcon {one} {other}",
     "full buffer": "raise the rate of its context (rtec {path} rate HZ), or, if old values may go, connect "
-                   "it with -p dataport.buffer.write.full_policy=overwrite",
+    "it with -p dataport.buffer.write.full_policy=overwrite",
     "restart its process": "restart the process of the far end; netstat -ltnp | grep :{port} there names it",
     "restart far end": "restart the far end and connect it again: rtcon",
     # managers
@@ -115,12 +116,16 @@ class Line(str):
 
 def command(name, **values):
     """The Remedy of that name in COMMANDS; a value is a word, a list of words or a Line."""
+
     def word(match):
         value = values[match.group(2)]
         if not isinstance(value, list):
             value = [value]
         text = " ".join(part if isinstance(part, Line) else shell_word(str(part)) for part in value)
-        return match.group(1) + text if text else ""
+        if text:
+            return match.group(1) + text
+        return ""
+
     return Remedy(name, re.sub(r"( ?)\{(\w+)\}", word, COMMANDS[name]))
 
 
@@ -131,23 +136,30 @@ def words(name, **values):
 
 def option(index):
     """The words that choose an execution context."""
-    return ["-e", str(index)] if index else []
+    if index:
+        return ["-e", str(index)]
+    return []
 
 
 def reconnect(connector_id, port, rtcon):
-    """The Remedy that replaces a connection: `rtcon` is a command line of `connectors.command`, None where an end has no path."""
+    """The Remedy that replaces a connection:
+    `rtcon` is a command line of `connectors.command`, None where an end has no path.
+    """
     if rtcon is None:
         return words("connect again", id=shell_word(connector_id), port=shell_word(port))
     return command("reconnect", id=connector_id, port=port, rtcon=Line(rtcon))
 
 
 def network(endpoint):
-    """The Remedy if it cannot be known from here whether a peer lives: it must not be restarted or deleted."""
+    """The Remedy if it cannot be known from here whether a peer lives:
+    it must not be restarted or deleted.
+    """
     return words("network", host=printable(endpoint[0]), port=endpoint[1])
 
 
 async def of_silence(e, endpoint, path, restart=None):
-    """The Remedy for an errors.Error of a process at `endpoint` that has not answered a question with a large answer, or badly.
+    """The Remedy for an errors.Error of a process at `endpoint` that has not answered a question with a large
+    answer, or badly.
 
     Only if a call is known to have reached it is it to be restarted; `restart` is the Remedy then.
     """
@@ -161,7 +173,9 @@ async def of_silence(e, endpoint, path, restart=None):
 
 
 async def may_be_lost(e, endpoint):
-    """True if the errors.Error of a process may mean that its answer was too large for the network on the way."""
+    """True if the errors.Error of a process may mean that its answer was too large for the network on the
+    way.
+    """
     return isinstance(e, errors.Silent) and e.why != session.NO_TIME and await addresses.loses_large(endpoint)
 
 
@@ -169,4 +183,6 @@ async def is_of_network(e, endpoint):
     """True if the network between here and the process at `endpoint` may have caused an errors.Error."""
     if isinstance(e, (errors.Refused, errors.Gone, errors.ConnectionRefused)):
         return False
-    return not isinstance(e, errors.Silent) or e.why != session.NO_TIME and not await addresses.arrives(endpoint)
+    return (
+        not isinstance(e, errors.Silent) or e.why != session.NO_TIME and not await addresses.arrives(endpoint)
+    )

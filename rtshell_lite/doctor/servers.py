@@ -1,4 +1,7 @@
-"""Each name server, step by step: name, TCP, CORBA, naming context; then the names in it and whether their objects live."""
+"""Each name server, step by step: name, TCP, CORBA, naming context;
+then the names in it and whether their objects live.
+"""
+
 import collections
 import time
 
@@ -13,21 +16,27 @@ SLOW = 1.0  # seconds: a step that takes longer makes every command slow
 
 _NAMING_CONTEXT = "IDL:omg.org/CosNaming/NamingContext:1.0"
 
-# What was found of one name server: `path` its Path, `addresses` where it is ([] if not known), `findings`, `nodes` what is
-# bound in it (looked at), `probes` a dict: endpoint to None, or to the errors.Error why TCP does not reach it; `shared` an
-# aliases.Known of the naming contexts that have several names in it, `outside` see `networks.outside`.
+# What was found of one name server: `path` its Path, `addresses` where it is ([] if not known), `findings`,
+# `nodes` what is bound in it (looked at), `probes` a dict: endpoint to None, or to the errors.Error why TCP
+# does not reach it; `shared` an aliases.Known of the naming contexts that have several names in it, `outside`
+# see `networks.outside`.
 Visit = collections.namedtuple("Visit", "path addresses findings nodes probes shared outside")
 
 
 async def visits(tops):
-    """A Visit for each name server that the Paths `tops` lead to, all at once, with what is at and below them."""
+    """A Visit for each name server that the Paths `tops` lead to, all at once,
+    with what is at and below them.
+    """
     by_server = collections.OrderedDict()
     for top in sorted(tops, key=str):
         by_server.setdefault(top.server, []).append(top)
     places = [path.Path(server, (), None, False) for server in by_server]
     used = await _ports(places)
     answers = await tree.at_each(places, lambda place: _visit(place, by_server[place.server], used))
-    return [_too_late(place, visit) if isinstance(visit, errors.Error) else visit for place, visit in zip(places, answers)]
+    return [
+        _too_late(place, visit) if isinstance(visit, errors.Error) else visit
+        for place, visit in zip(places, answers)
+    ]
 
 
 async def _ports(places):
@@ -58,21 +67,31 @@ async def _visit(place, tops, used):
         visit.nodes.extend(node for node in await _below(visit, top) if node.path not in known)
     await _share(visit, tops)
     looked, probes = await session.each(
-        [tree.check_alive, _probes], lambda ask: ask(visit.nodes), lambda ask: ((ask.__name__, place), str(place)))
+        [tree.check_alive, _probes],
+        lambda ask: ask(visit.nodes),
+        lambda ask: ((ask.__name__, place), str(place)),
+    )
     for failure in (looked, probes):
         if isinstance(failure, errors.Error):
             return _too_late(place, failure, visit.findings)
     visit.nodes[:] = looked
-    if not any(node.kind not in ("root", "server", "directory") for node in looked) and any(not top.names for top in tops):
+    if not any(node.kind not in ("root", "server", "directory") for node in looked) and any(
+        not top.names for top in tops
+    ):
         visit.findings.extend(await _unbound(visit))
     visit.probes.update(probes)
-    return visit._replace(outside=await networks.outside([node.ref for node in looked if node.kind in ("component", "manager")]))
+    return visit._replace(
+        outside=await networks.outside([node.ref for node in looked if node.kind in ("component", "manager")])
+    )
 
 
-# ---- the name server itself -----------------------------------------------------------------------------------
+# ---- the name server itself --------------------------------------------------------------------------------
+
 
 async def _unbound(visit):
-    """Findings on components that live though the name server has nothing: it was started again, and they were not."""
+    """Findings on components that live though the name server has nothing:
+    it was started again, and they were not.
+    """
     host = orb.endpoint((await tree.resolve(visit.path)).ref)[0]
     where = str(visit.path)
     word = "corbaloc::%s:%d/manager" % (f"[{host}]" if ":" in host else host, manager.DEFAULT_PORT)
@@ -82,14 +101,17 @@ async def _unbound(visit):
         return []
     if not living:
         return []
-    message = f"has no names, though a manager at port {manager.DEFAULT_PORT} of its host has {counted(len(living), 'component')} " \
-              f"({listed(printable(name) for name, _ in living)}): it was started again, perhaps, and they were not"
+    message = (
+        f"has no names, though a manager at port {manager.DEFAULT_PORT} of its host has {counted(len(living), 'component')} "
+        f"({listed(printable(name) for name, _ in living)}): it was started again, perhaps, and they were not"
+    )
     return [warn("name server", where, message, remedies.words("bind again"))]
 
 
 async def _reach(visit, server, used):
     """Reach a name server step by step; False when a step fails. Adds its findings."""
-    where, times = str(server.path), []
+    where = str(server.path)
+    times = []
     try:
         await _transport(visit, server.endpoint, times, used)
         await _timed(times, "CORBA", _is_there(where, server.ref))
@@ -103,16 +125,23 @@ async def _reach(visit, server, used):
         cure = remedies.words("host file" if slow == ["name"] else "slow", host=printable(server.endpoint[0]))
         visit.findings.append(warn("name server", where, f"slow ({shown})", cure))
     else:
-        visit.findings.append(ok("name server", where, f"answers ({shown}){_used(visit, server.endpoint[0])}"))
+        visit.findings.append(
+            ok("name server", where, f"answers ({shown}){_used(visit, server.endpoint[0])}")
+        )
     return True
 
 
 def _used(visit, host):
-    """The address at which a name server that is given by a host name was reached, and what else that name means."""
+    """The address at which a name server that is given by a host name was reached,
+    and what else that name means.
+    """
     if host == "localhost" or not visit.addresses or addresses.is_numeric(host):
         return ""
     used, *others = visit.addresses
-    here = ", this host" if addresses.is_own(used) else ""
+    if addresses.is_own(used):
+        here = ", this host"
+    else:
+        here = ""
     return f" at {used}{here}" + (f"; {printable(host)} also means {', '.join(others)}" if others else "")
 
 
@@ -135,33 +164,52 @@ async def _transport(visit, endpoint, times, used):
     """Name and TCP; addresses of other protocols than IIOP (http://…, ssliop:…) are left to the ORB."""
     host, port = endpoint
     address = visit.path.server
-    if address.startswith(path.SCHEMES) or address.partition(":")[0] in path.PROTOCOLS and not address.startswith("iiop:"):
+    if (
+        address.startswith(path.SCHEMES)
+        or address.partition(":")[0] in path.PROTOCOLS
+        and not address.startswith("iiop:")
+    ):
         return
-    where, shown = str(visit.path), printable(host)
+    where = str(visit.path)
+    shown = printable(host)
     try:
         visit.addresses.extend(await _timed(times, "name", addresses.resolve(host)))
     except errors.Error as e:
-        raise _Stop(where, f"host name {shown} not known here ({reason(e)})",
-                    remedies.words("host name"))
+        raise _Stop(where, f"host name {shown} not known here ({reason(e)})", remedies.words("host name"))
     try:
         address = await _timed(times, "TCP", addresses.connect(visit.addresses, port))
         visit.addresses.sort(key=address.__ne__)  # the one that was used first
     except errors.ConnectionRefused:
         other = await _other_port(visit, port, used)
         if other:
-            raise _Stop(where, f"connection refused: nothing listens on port {port}, but something does on port {other} of that host",
-                        remedies.words("other port", server=shell_word("/%s:%d" % (host, other)), port=port))
+            raise _Stop(
+                where,
+                f"connection refused: nothing listens on port {port}, but something does on port {other} of that host",
+                remedies.words("other port", server=shell_word("/%s:%d" % (host, other)), port=port),
+            )
         if any(addresses.is_own(address) for address in visit.addresses):
-            raise _Stop(where, f"connection refused: nothing listens on port {port} here", remedies.words("start name server", port=port))
-        raise _Stop(where, f"connection refused: {shown} runs, but nothing listens on port {port}, or a firewall refuses",
-                    remedies.words("start name server there", port=port))
+            raise _Stop(
+                where,
+                f"connection refused: nothing listens on port {port} here",
+                remedies.words("start name server", port=port),
+            )
+        raise _Stop(
+            where,
+            f"connection refused: {shown} runs, but nothing listens on port {port}, or a firewall refuses",
+            remedies.words("start name server there", port=port),
+        )
     except errors.Error as e:
-        raise _Stop(where, f"no TCP connection to {visit.addresses[0]} port {port} ({reason(e)})",
-                    remedies.network(endpoint))
+        raise _Stop(
+            where,
+            f"no TCP connection to {visit.addresses[0]} port {port} ({reason(e)})",
+            remedies.network(endpoint),
+        )
 
 
 async def _other_port(visit, port, used):
-    """Another port of name servers, of those given, at which this host accepts connections; None if there is none."""
+    """Another port of name servers, of those given, at which this host accepts connections;
+    None if there is none.
+    """
     for other in sorted(used - {port}):
         try:
             await addresses.connect(visit.addresses, other)
@@ -173,29 +221,47 @@ async def _other_port(visit, port, used):
 
 async def _is_there(where, ref):
     endpoint = orb.endpoint(ref)
-    port, rule = endpoint[1], here.transport_rule()
+    port = endpoint[1]
+    rule = here.transport_rule()
     try:
         gone = await orb.call(where, ref, "_non_existent")
     except errors.Gone:
         gone = True
     except errors.Silent as e:
         if await remedies.is_of_network(e, endpoint):
-            raise _Stop(where, "cannot tell from here: TCP connects, but what is sent is not received", remedies.network(endpoint))
+            raise _Stop(
+                where,
+                "cannot tell from here: TCP connects, but what is sent is not received",
+                remedies.network(endpoint),
+            )
         if await addresses.speaks_otherwise(endpoint):
-            raise _Stop(where, "what listens there does not speak CORBA", remedies.words("who listens", port=port))
+            raise _Stop(
+                where, "what listens there does not speak CORBA", remedies.words("who listens", port=port)
+            )
         raise _Stop(where, f"hung: accepts TCP, but {reason(e)}", _restart(e, where, port))
     except errors.Unreachable as e:
         if rule and reason(e) == errors.NO_USABLE_ADDRESS:
             raise _Stop(where, f"TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
         if reason(e).startswith("garbled"):
-            raise _Stop(where, f"what listens there does not speak CORBA ({reason(e)})", remedies.words("who listens", port=port))
-        raise _Stop(where, f"cannot tell from here: TCP connects, then {reason(e)}; what listens there does not speak CORBA, or the "
-                    "network is broken", remedies.network(endpoint))
+            raise _Stop(
+                where,
+                f"what listens there does not speak CORBA ({reason(e)})",
+                remedies.words("who listens", port=port),
+            )
+        raise _Stop(
+            where,
+            f"cannot tell from here: TCP connects, then {reason(e)}; what listens there does not speak CORBA, or the "
+            "network is broken",
+            remedies.network(endpoint),
+        )
     except errors.Refused as e:
         raise _Stop(where, f"answers with {reason(e)}", remedies.words("restart", port=port))
     if gone:
-        raise _Stop(where, "a CORBA process, but no name server: a component or manager, perhaps",
-                    remedies.words("correct port"))
+        raise _Stop(
+            where,
+            "a CORBA process, but no name server: a component or manager, perhaps",
+            remedies.words("correct port"),
+        )
 
 
 def _restart(e, where, port):
@@ -208,13 +274,19 @@ async def _is_context(where, ref):
     try:
         is_context = await orb.call(where, ref, "_is_a", _NAMING_CONTEXT)
     except errors.Error as e:
-        raise _Stop(where, f"is there, but does not report what it is ({reason(e)})",
-                    _restart(e, where, orb.endpoint(ref)[1]))
+        raise _Stop(
+            where,
+            f"is there, but does not report what it is ({reason(e)})",
+            _restart(e, where, orb.endpoint(ref)[1]),
+        )
     if not is_context:
-        raise _Stop(where, "its object NameService is no naming context", remedies.words("correct or restart"))
+        raise _Stop(
+            where, "its object NameService is no naming context", remedies.words("correct or restart")
+        )
 
 
-# ---- what is bound in it --------------------------------------------------------------------------------------
+# ---- what is bound in it -----------------------------------------------------------------------------------
+
 
 async def _below(visit, top):
     """The Nodes at and below a Path; what cannot be listed becomes a finding."""
@@ -225,21 +297,38 @@ async def _below(visit, top):
             return []
         nodes = await aliases.within(await tree.walk(await tree.resolve(top), managers=False))
     except errors.Error as e:
-        visit.findings.append(fail("path", str(top), reason(e), remedies.words("no such path", path=shell_word(str(top.parent())))))
+        visit.findings.append(
+            fail(
+                "path",
+                str(top),
+                reason(e),
+                remedies.words("no such path", path=shell_word(str(top.parent()))),
+            )
+        )
         return []
     for node in nodes:
         if node.kind in ("server", "directory") and node.error is not None:
-            visit.findings.append(fail("context", str(node.path), f"its names cannot be listed ({reason(node.error)})",
-                                       await _list_again(node)))
+            visit.findings.append(
+                fail(
+                    "context",
+                    str(node.path),
+                    f"its names cannot be listed ({reason(node.error)})",
+                    await _list_again(node),
+                )
+            )
     return nodes
 
 
 async def _list_again(node):
-    return await remedies.of_silence(node.error, node.endpoint, str(node.path), remedies.words("restart name server"))
+    return await remedies.of_silence(
+        node.error, node.endpoint, str(node.path), remedies.words("restart name server")
+    )
 
 
 async def _share(visit, tops):
-    """Note the naming contexts with several names, which may be outside the part of the name server that is examined."""
+    """Note the naming contexts with several names,
+    which may be outside the part of the name server that is examined.
+    """
     nodes = visit.nodes
     if any(top.names for top in tops) and any(node.kind == "directory" for node in nodes):
         nodes = await tree.walk(await tree.resolve(visit.path), managers=False)
@@ -263,7 +352,16 @@ async def _leads_away(top):
 
 async def _probes(nodes):
     """{(host, port): None, or the errors.Error} of a TCP connection to each address that references publish."""
-    wanted = sorted({endpoint for node in nodes if node.ref is not None and node.kind not in ("server", "directory")
-                     for endpoint in orb.addresses(node.ref) if endpoint[0] and endpoint[1]})
-    answers = await session.each(wanted, addresses.probe, lambda address: (("probe",) + address, "%s:%d" % address))
+    wanted = sorted(
+        {
+            endpoint
+            for node in nodes
+            if node.ref is not None and node.kind not in ("server", "directory")
+            for endpoint in orb.addresses(node.ref)
+            if endpoint[0] and endpoint[1]
+        }
+    )
+    answers = await session.each(
+        wanted, addresses.probe, lambda address: (("probe",) + address, "%s:%d" % address)
+    )
     return dict(zip(wanted, answers))

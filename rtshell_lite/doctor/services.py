@@ -1,4 +1,7 @@
-"""Service connections: whether each consumer in them finds a provider. Components connect anything, and return RTC_OK."""
+"""Service connections: whether each consumer in them finds a provider.
+Components connect anything, and return RTC_OK.
+"""
+
 from rtshell_lite.robot import ports
 from rtshell_lite.text import printable
 
@@ -6,20 +9,30 @@ NOBODY = ("null", "nil")  # maps a consumer to no provider, on purpose
 
 
 def mismatches(ends, properties):
-    """Why a connection of the service Ports `ends` is of no use: a list of reasons, empty when each consumer is served.
+    """Why a connection of the service Ports `ends` is of no use: a list of reasons, empty when each consumer
+    is served.
 
-    `properties` are those of the connection, a dict: in them the consumers look for what providers have published
-    (protocol.md 10). Another connection of its port may serve a consumer. Nothing is known of ports that list no interfaces.
+    `properties` are those of the connection, a dict: in them the consumers look for what providers have
+    published (protocol.md 10). Another connection of its port may serve a consumer. Nothing is known of ports
+    that list no interfaces.
     """
     if not all(port.interfaces for port in ends):
         return []
-    wanting = [(port, interface) for port in ends for interface in port.interfaces if interface.polarity == "Required"]
+    wanting = [
+        (port, interface)
+        for port in ends
+        for interface in port.interfaces
+        if interface.polarity == "Required"
+    ]
     if not wanting:
         return ["each end provides something, and none requires anything"]
-    return [f"nobody in it provides interface {printable(interface.instance_name)} ({printable(interface.type_name)}), which "
-            f"{ports.label(port)} requires" for port, interface in wanting
-            if not _served(interface, properties)
-            and not any(_served(interface, dict(connector.properties)) for connector in port.connectors)]
+    return [
+        f"nobody in it provides interface {printable(interface.instance_name)} ({printable(interface.type_name)}), which "
+        f"{ports.label(port)} requires"
+        for port, interface in wanting
+        if not _served(interface, properties)
+        and not any(_served(interface, dict(connector.properties)) for connector in port.connectors)
+    ]
 
 
 def _served(interface, properties):

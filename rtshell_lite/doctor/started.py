@@ -1,4 +1,5 @@
 """Whether the system has been started: all of it, or all but what was reset."""
+
 import collections
 
 from rtshell_lite.corba import orb
@@ -11,14 +12,16 @@ MANY = 10  # components that one command activates
 
 
 def findings(snapshots, failed):
-    """Findings on Inactive components, given their Snapshots, in order; `failed` are the paths of components with a failure.
+    """Findings on Inactive components, given their Snapshots, in order; `failed` are the paths of components
+    with a failure.
 
     A system is what is connected. One with a failure is not judged: what is Inactive there may wait for it.
     """
     answered = [(snapshot, component.merged(snapshot.states)) for snapshot in snapshots if snapshot.states]
     if not failed and answered and all(state == "Inactive" for _, state in answered):
         return [_nothing_moves([snapshot for snapshot, _ in answered])]
-    groups, states = _connected(snapshots), {id(snapshot): state for snapshot, state in answered}
+    groups = _connected(snapshots)
+    states = {id(snapshot): state for snapshot, state in answered}
     found = []
     for snapshot, state in answered:
         group = groups[id(snapshot)]
@@ -26,15 +29,26 @@ def findings(snapshots, failed):
             continue
         active = collections.Counter(states.get(id(other)) for other in group)["Active"]
         if active:
-            message = f"Inactive, while {counted(active, 'component')} of its system {'is' if active == 1 else 'are'} Active; it may " \
-                      "have been reset"
-            found.append(warn("component", snapshot.where, message, remedies.words("activate", path=shell_word(snapshot.where))))
+            message = (
+                f"Inactive, while {counted(active, 'component')} of its system {'is' if active == 1 else 'are'} Active; it may "
+                "have been reset"
+            )
+            found.append(
+                warn(
+                    "component",
+                    snapshot.where,
+                    message,
+                    remedies.words("activate", path=shell_word(snapshot.where)),
+                )
+            )
     return found
 
 
 def _nothing_moves(snapshots):
-    cure = remedies.words("activate many") if len(snapshots) > MANY else remedies.command(
-        "activate", option=[], path=[snapshot.where for snapshot in snapshots])
+    if len(snapshots) > MANY:
+        cure = remedies.words("activate many")
+    else:
+        cure = remedies.command("activate", option=[], path=[snapshot.where for snapshot in snapshots])
     return warn("component", "/", "all components are Inactive: nothing has been started", cure)
 
 
@@ -43,8 +57,15 @@ def _connected(snapshots):
     owners = {orb.identity(port.ref): snapshot for snapshot in snapshots for port in snapshot.ports}
     groups = {id(snapshot): [snapshot] for snapshot in snapshots}
     for snapshot in snapshots:
-        for ref in [ref for port in snapshot.ports for connector in port.connectors for ref in connector.ports if ref is not None]:
-            group, other = groups[id(snapshot)], owners.get(orb.identity(ref))
+        for ref in [
+            ref
+            for port in snapshot.ports
+            for connector in port.connectors
+            for ref in connector.ports
+            if ref is not None
+        ]:
+            group = groups[id(snapshot)]
+            other = owners.get(orb.identity(ref))
             if other is None or groups[id(other)] is group:
                 continue
             group += groups[id(other)]

@@ -1,7 +1,9 @@
-"""What a component that hangs waits for: the far end of one of its connections, found through the connections of its process.
+"""What a component that hangs waits for: the far end of one of its connections, found through the connections
+of its process.
 
 Its ports cannot be asked, as they wait. On this host the kernel knows the TCP connections of its process.
 """
+
 import glob
 import ipaddress
 import os
@@ -10,7 +12,8 @@ import re
 from rtshell_lite import errors
 from rtshell_lite.doctor import addresses
 
-ESTABLISHED, LISTENING = "01", "0A"
+ESTABLISHED = "01"
+LISTENING = "0A"
 TABLES = ("/proc/net/tcp", "/proc/net/tcp6")
 READINGS = 3  # the kernel gives a table in pieces, and a row can slip through while sockets come and go
 
@@ -18,23 +21,32 @@ READINGS = 3  # the kernel gives a table in pieces, and a row can slip through w
 async def culprits(snapshot, hung):
     """(paths of those Nodes `hung` that the component of a Snapshot waits for, whether that is certain).
 
-    It waits for one that its process calls. If its connections are hidden, it may be any; of several Nodes of one process the
-    first is named.
+    It waits for one that its process calls. If its connections are hidden, it may be any; of several Nodes of
+    one process the first is named.
     """
     others = {}
     for node in hung:
         if node.endpoint != snapshot.node.endpoint:
             others.setdefault(node.endpoint, str(node.path))
-    numeric = {endpoint: await _numeric(endpoint) for endpoint in others}  # the rest may take until there is no time to ask
-    own = await _sockets(snapshot.node.endpoint) if others else set()
+    # the rest may take until there is no time to ask
+    numeric = {endpoint: await _numeric(endpoint) for endpoint in others}
+    if others:
+        own = await _sockets(snapshot.node.endpoint)
+    else:
+        own = set()
     called = _called_by(own)
-    return sorted(path for endpoint, path in others.items() if not own or numeric[endpoint] & called), bool(own)
+    return sorted(path for endpoint, path in others.items() if not own or numeric[endpoint] & called), bool(
+        own
+    )
 
 
 async def _numeric(endpoint):
     """{(IP address, port)} of an endpoint, whose host may be a name."""
     try:
-        return {(ipaddress.ip_address(address.partition("%")[0]), endpoint[1]) for address in await addresses.resolve(endpoint[0])}
+        return {
+            (ipaddress.ip_address(address.partition("%")[0]), endpoint[1])
+            for address in await addresses.resolve(endpoint[0])
+        }
     except errors.Error:
         return set()
 
@@ -45,7 +57,9 @@ def _called_by(own):
 
 
 async def _sockets(endpoint):
-    """Inodes of all sockets of the process that listens at an endpoint of this host; none if that is hidden from us."""
+    """Inodes of all sockets of the process that listens at an endpoint of this host;
+    none if that is hidden from us.
+    """
     if not any(addresses.is_own(str(address)) for address, _ in await _numeric(endpoint)):
         return set()
     listening = {inode for local, _, inode in _rows(LISTENING) if _end(local)[1] == endpoint[1]}
@@ -85,6 +99,6 @@ def _rows(state):
 def _end(text):
     """(IP address, port) from 0100007F:1F90: words of 32 bits, each in this host's byte order."""
     host, _, port = text.partition(":")
-    octets = b"".join(bytes.fromhex(host[i:i + 8])[::-1] for i in range(0, len(host), 8))
+    octets = b"".join(bytes.fromhex(host[i : i + 8])[::-1] for i in range(0, len(host), 8))
     address = ipaddress.ip_address(octets)
     return getattr(address, "ipv4_mapped", None) or address, int(port, 16)

@@ -1,7 +1,9 @@
 """Observers of both kinds and loggers: SDO services that we attach to a component, which reports to them.
 
-Sources: OpenRTM-aist's ComponentObserver.idl, Logger.idl, and that of FSM4RTC; the hints are those that C++ and Python send.
+Sources: OpenRTM-aist's ComponentObserver.idl, Logger.idl, and that of FSM4RTC; the hints are those that C++
+and Python send.
 """
+
 import collections
 import os
 import time
@@ -14,27 +16,44 @@ from rtshell_lite.text import from_wire, printable
 OBSERVER = "IDL:OpenRTM/ComponentObserver:1.0"
 FSM_OBSERVER = "IDL:omg.org/RTC/ComponentObserver:1.0"
 LOGGER = "IDL:OpenRTM/Logger:1.0"
-INTERFACES = {OBSERVER: "OpenRTM.ComponentObserver", FSM_OBSERVER: "RTC.ComponentObserver",
-              LOGGER: "OpenRTM.Logger"}  # named as in giop/idl.py
+# named as in giop/idl.py
+INTERFACES = {
+    OBSERVER: "OpenRTM.ComponentObserver",
+    FSM_OBSERVER: "RTC.ComponentObserver",
+    LOGGER: "OpenRTM.Logger",
+}
 BEAT = 1.0  # seconds between the heartbeats that we ask for
 
-# What has happened, and when (seconds since 1970) it was reported. `kind` is one of KINDS; `subject` is a context handle, a port,
-# a configuration set or parameter, or what an event of a state machine is about; `event` what happened to it.
+# What has happened, and when (seconds since 1970) it was reported. `kind` is one of KINDS; `subject` is a
+# context handle, a port, a configuration set or parameter, or what an event of a state machine is about;
+# `event` what happened to it.
 Event = collections.namedtuple("Event", "time kind subject event")
 # A record of a component's log: `time` is the component's own, `level` one of LEVELS.
 Record = collections.namedtuple("Record", "time logger level message")
 
 LEVELS = ("SILENT", "ERROR", "WARN", "INFO", "NORMAL", "DEBUG", "TRACE", "VERBOSE", "PARANOID")  # by number
 # Kinds of events: their names in rtwatch, and the kinds of status in components.
-KINDS = collections.OrderedDict([
-    ("RTC_STATUS", ("RTC_STATUS",)), ("COMPONENT_PROFILE", ("COMPONENT_PROFILE",)), ("EC_EVENT", ("EC_STATUS",)),
-    ("PORT_EVENT", ("PORT_PROFILE",)), ("CONFIG_EVENT", ("CONFIGURATION",)),
-    ("FSM_EVENT", ("FSM_PROFILE", "FSM_STATUS", "FSM_STRUCTURE", "USER_DEFINED")),
-    ("HEARTBEAT", ("HEARTBEAT", "RTC_HEARTBEAT", "EC_HEARTBEAT"))])
+KINDS = collections.OrderedDict(
+    [
+        ("RTC_STATUS", ("RTC_STATUS",)),
+        ("COMPONENT_PROFILE", ("COMPONENT_PROFILE",)),
+        ("EC_EVENT", ("EC_STATUS",)),
+        ("PORT_EVENT", ("PORT_PROFILE",)),
+        ("CONFIG_EVENT", ("CONFIGURATION",)),
+        ("FSM_EVENT", ("FSM_PROFILE", "FSM_STATUS", "FSM_STRUCTURE", "USER_DEFINED")),
+        ("HEARTBEAT", ("HEARTBEAT", "RTC_HEARTBEAT", "EC_HEARTBEAT")),
+    ]
+)
 _KIND_OF = {status: kind for kind, all_of_it in KINDS.items() for status in all_of_it}
 # Names of events that are not the prefix of their kind and the word in the hint.
-_WORDS = {"UPDATE_CONFIG_SET": "CFG_UPDATE_SET", "UPDATE_CONFIG_PARAM": "CFG_UPDATE_PARAM", "SET_CONFIG_SET": "CFG_SET_SET",
-          "ADD_CONFIG_SET": "CFG_ADD_SET", "REMOVE_CONFIG_SET": "CFG_REMOVE_SET", "ACTIVATE_CONFIG_SET": "CFG_ACTIVATE_SET"}
+_WORDS = {
+    "UPDATE_CONFIG_SET": "CFG_UPDATE_SET",
+    "UPDATE_CONFIG_PARAM": "CFG_UPDATE_PARAM",
+    "SET_CONFIG_SET": "CFG_SET_SET",
+    "ADD_CONFIG_SET": "CFG_ADD_SET",
+    "REMOVE_CONFIG_SET": "CFG_REMOVE_SET",
+    "ACTIVATE_CONFIG_SET": "CFG_ACTIVATE_SET",
+}
 _PREFIXES = {"EC_EVENT": "EC_", "PORT_EVENT": "PORT_"}
 
 
@@ -46,10 +65,17 @@ def event_line(event, name=""):
 
 def record_line(record, name):
     """A Record of the component called `name` as rtvlog prints it."""
-    return "[%s %.6f] %s <%s> %s" % (name, record.time, record.level, printable(record.logger), printable(record.message))
+    return "[%s %.6f] %s <%s> %s" % (
+        name,
+        record.time,
+        record.level,
+        printable(record.logger),
+        printable(record.message),
+    )
 
 
-# ---- subscriptions of a component ------------------------------------------------------------------------------
+# ---- subscriptions of a component --------------------------------------------------------------------------
+
 
 async def properties(node):
     """The properties of a component, a dict."""
@@ -57,7 +83,8 @@ async def properties(node):
 
 
 def taken(properties):
-    """The interface types of the SDO services that a component with these properties takes, a list; [] before OpenRTM 1.1.
+    """The interface types of the SDO services that a component with these properties takes, a list; [] before
+    OpenRTM 1.1.
 
     It is never offered others: the wrong kind of observer has ended components of C++ 2.1.
     """
@@ -66,7 +93,9 @@ def taken(properties):
 
 
 def _new_id():
-    """A random UUID (RFC 4122, version 4) as text. (uuid takes long to import; Debian's python3-minimal has none.)"""
+    """A random UUID (RFC 4122, version 4) as text.
+    (uuid takes long to import; Debian's python3-minimal has none.)
+    """
     digits = os.urandom(16).hex()
     return f"{digits[:8]}-{digits[8:12]}-4{digits[13:16]}-a{digits[17:20]}-{digits[20:]}"
 
@@ -78,20 +107,26 @@ class Subscription:
 
     def __init__(self, node, interface, properties, heard):
         """`heard` is called with an Event or a Record."""
-        self.node, self.where, self.interface, self.properties = node, str(node.path), interface, properties
+        self.node = node
+        self.where = str(node.path)
+        self.interface = interface
+        self.properties = properties
         self.id = _new_id()
         self.reference = None  # by which the component calls us; None while it cannot have it
         self._served = servants.Served(_Listener(interface, heard))
         self._configuration = None
 
     async def attach(self):
-        """Give it to the component, again with the same id if that may have lost it. Raises Refused, Unreachable."""
+        """Give it to the component, again with the same id if that may have lost it.
+        Raises Refused, Unreachable.
+        """
         if self._configuration is None:
             self._configuration = await self.node.call("get_configuration")
         text = await self._served.ior(self.node.endpoint)
         self.reference = orb.narrow(orb.from_text(self.where, text), "SDOPackage.SDOService")
         profile = orb.struct("SDOPackage.ServiceProfile")(
-            self.id, self.interface, orb.nvlist(self.properties), self.reference)
+            self.id, self.interface, orb.nvlist(self.properties), self.reference
+        )
         if not await orb.call(self.where, self._configuration, "add_service_profile", profile):
             raise errors.Refused(self.where, f"does not take {self.interface}")
 
@@ -115,13 +150,23 @@ class Subscription:
 
 
 def observer(node, interface, kinds, heard):
-    """A Subscription of an observer of the kind `interface` to events of these `kinds` (of KINDS), and to the component's end."""
+    """A Subscription of an observer of the kind `interface` to events of these `kinds` (of KINDS),
+    and to the component's end.
+    """
     if len(kinds) == len(KINDS):
         wanted = "ALL"
     else:
-        wanted = ",".join(status for kind in KINDS if kind in kinds or kind == "RTC_STATUS" for status in KINDS[kind]
-                          if kind != "HEARTBEAT" and (kind != "FSM_EVENT" or interface == FSM_OBSERVER))
-    beats = {OBSERVER: ["heartbeat"], FSM_OBSERVER: ["rtc_heartbeat"] + ["ec_heartbeat"] * ("HEARTBEAT" in kinds)}[interface]
+        wanted = ",".join(
+            status
+            for kind in KINDS
+            if kind in kinds or kind == "RTC_STATUS"
+            for status in KINDS[kind]
+            if kind != "HEARTBEAT" and (kind != "FSM_EVENT" or interface == FSM_OBSERVER)
+        )
+    beats = {
+        OBSERVER: ["heartbeat"],
+        FSM_OBSERVER: ["rtc_heartbeat"] + ["ec_heartbeat"] * ("HEARTBEAT" in kinds),
+    }[interface]
     properties = [("observed_status", wanted)]
     for beat in beats:
         properties += [(beat + ".enable", "YES"), (beat + ".interval", f"{BEAT:g}")]
@@ -130,27 +175,37 @@ def observer(node, interface, kinds, heard):
 
 def logger(node, level, names, heard):
     """A Subscription of a logger to records up to `level`, from the sources `names` (none: from all)."""
-    return Subscription(node, LOGGER, [("logger.log_level", level), ("logger.filter", ",".join(names) or "ALL")], heard)
+    return Subscription(
+        node, LOGGER, [("logger.log_level", level), ("logger.filter", ",".join(names) or "ALL")], heard
+    )
 
 
 class _Listener:
     """The servant of a Subscription, of any of the three interfaces."""
 
     def __init__(self, interface, heard):
-        self.interface, self.heard = INTERFACES[interface], heard
+        self.interface = INTERFACES[interface]
+        self.heard = heard
 
     def update_status(self, kind, hint):
         self.heard(event(time.time(), kind._n, from_wire(hint)))
 
     def publish(self, record):
-        self.heard(Record(record.time.sec + record.time.nsec / 1e9, from_wire(record.loggername), LEVELS[record.level._v],
-                          from_wire(record.message)))
+        self.heard(
+            Record(
+                record.time.sec + record.time.nsec / 1e9,
+                from_wire(record.loggername),
+                LEVELS[record.level._v],
+                from_wire(record.message),
+            )
+        )
 
     def close(self):
         """Nothing: the end of a component is noticed otherwise."""
 
 
-# ---- hints ----------------------------------------------------------------------------------------------------
+# ---- hints -------------------------------------------------------------------------------------------------
+
 
 def event(now, status, hint):
     """The Event for the arguments of update_status: the name of a StatusKind and its hint."""

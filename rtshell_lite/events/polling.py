@@ -1,8 +1,10 @@
-"""Events of a component that takes no observer, as far as polling shows them: states, contexts, configuration.
+"""Events of a component that takes no observer, as far as polling shows them: states, contexts,
+configuration.
 
-Only questions are asked that change nothing and that a component answers at once: no profiles, as these make it check all its
-connections; so connections are not watched.
+Only questions are asked that change nothing and that a component answers at once: no profiles, as these make
+it check all its connections; so connections are not watched.
 """
+
 import time
 
 from rtshell_lite import errors
@@ -19,7 +21,8 @@ class _Seen:
     """What was last seen of an execution context."""
 
     def __init__(self, identity, handle):
-        self.identity, self.handle = identity, handle
+        self.identity = identity
+        self.handle = handle
         self.state = self.rate = self.running = None
 
 
@@ -34,14 +37,22 @@ class Poll:
     """What was last seen of a component."""
 
     def __init__(self, node, kinds):
-        self.node, self.where, self.kinds = node, str(node.path), set(kinds)
-        self.snapshot, self.seen = snapshot.Snapshot(node), []  # of its contexts, and a _Seen of each
-        self.set, self.configuration = None, None
+        self.node = node
+        self.where = str(node.path)
+        self.kinds = set(kinds)
+        # of its contexts, and a _Seen of each
+        self.snapshot = snapshot.Snapshot(node)
+        self.seen = []
+        self.set = None
+        self.configuration = None
         self._thorough = None  # when everything was last looked at
 
     async def look(self):
-        """The Events since the last look, none at the first. One call a context, and a few more once a second."""
-        first, now = self._thorough is None, time.monotonic()
+        """The Events since the last look, none at the first.
+        One call a context, and a few more once a second.
+        """
+        first = self._thorough is None
+        now = time.monotonic()
         news = []
         if first or now - self._thorough >= THOROUGH:
             self._thorough = now
@@ -52,12 +63,19 @@ class Poll:
                 news += await self._configuration()
         if "RTC_STATUS" in self.kinds:
             news += await self._states()
-        return [] if first else [Event(time.time(), *item) for item in news if item[0] in self.kinds]
+        if first:
+            return []
+        return [Event(time.time(), *item) for item in news if item[0] in self.kinds]
 
     async def _contexts(self):
-        detail = snapshot.RUNNING if "EC_EVENT" in self.kinds else snapshot.REFERENCES
+        if "EC_EVENT" in self.kinds:
+            detail = snapshot.RUNNING
+        else:
+            detail = snapshot.REFERENCES
         await self.snapshot.ask(owned=detail, participating=detail)
-        before, news, now = {seen.identity: seen for seen in self.seen}, [], []
+        before = {seen.identity: seen for seen in self.seen}
+        news = []
+        now = []
         for context in self.snapshot.contexts:
             identity = orb.identity(context.ref)
             seen = before.get(identity)
@@ -74,7 +92,9 @@ class Poll:
         await self.snapshot.ask(states=snapshot.FULL)
         news = []
         for seen, state in zip(self.seen, self.snapshot.states):
-            if seen.state not in (None, state) and state != "Created":  # a context that it has just left answers that
+            if (
+                seen.state not in (None, state) and state != "Created"
+            ):  # a context that it has just left answers that
                 news.append(("RTC_STATUS", seen.handle, state.upper()))
             seen.state = state
         return news
@@ -86,7 +106,8 @@ class Poll:
             active = await orb.call(self.where, self.configuration, "get_active_configuration_set")
         except errors.Refused:  # NotAvailable: somebody is about to activate one
             return []
-        was, self.set = self.set, (from_wire(active.id), orb.properties(active.configuration_data))
+        was = self.set
+        self.set = (from_wire(active.id), orb.properties(active.configuration_data))
         if was is None:
             return []
         name, values = self.set

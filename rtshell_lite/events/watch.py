@@ -1,4 +1,5 @@
 """Watching components: what they report, whether they live, when they come back."""
+
 import collections
 import time
 
@@ -13,9 +14,13 @@ LATE = 1.5 * BEAT  # after so many seconds without a heartbeat a component is as
 LOST = 3 * BEAT  # after these a missing heartbeat is reported
 LOOK = 1.0  # seconds between questions whether a component lives, or is back
 RATE = 1 / component.POLL  # Hz
-MOST, MOST_CHARACTERS = 100000, 16 << 20  # items that may wait to be printed, and characters in them
+# items that may wait to be printed, and characters in them
+MOST = 100000
+MOST_CHARACTERS = 16 << 20
 BATCH = 1000  # items that are printed at a time
-HURRY = 0.1  # seconds to wait for answers after Ctrl-C: C++ 2.1 removes an observer at once, but answers after a heartbeat, 1 s
+# seconds to wait for answers after Ctrl-C: C++ 2.1 removes an observer at once, but answers after a
+# heartbeat, 1 s
+HURRY = 0.1
 
 LIFE = "LIFE_EVENT"  # the kind of our own Events: DIED EXITED BACK NO_HEARTBEAT NO_ANSWER ANSWERS
 KINDS = list(observer.KINDS) + [LIFE]
@@ -30,7 +35,9 @@ class Events:
     async def subscription(self, node, heard):
         """The observer to attach to a component, of the first kind that it takes, or None."""
         kinds = [observer.OBSERVER, observer.FSM_OBSERVER]
-        if self.kinds - {LIFE, "HEARTBEAT"} == {"FSM_EVENT"}:  # else OpenRTM's own, which more components were built for
+        if self.kinds - {LIFE, "HEARTBEAT"} == {
+            "FSM_EVENT"
+        }:  # else OpenRTM's own, which more components were built for
             kinds.reverse()
         offered = observer.taken(await observer.properties(node))
         for interface in kinds:
@@ -52,7 +59,8 @@ class Records:
     kinds = set()
 
     def __init__(self, level, names):
-        self.level, self.names = level, names
+        self.level = level
+        self.names = names
 
     async def subscription(self, node, heard):
         """The logger to attach to a component. Raises Refused for one that takes none."""
@@ -69,7 +77,9 @@ class Watched:
     """One component that is being watched; `node` is None while it is gone."""
 
     def __init__(self, watch, path):
-        self.watch, self.path, self.where = watch, path, str(path)
+        self.watch = watch
+        self.path = path
+        self.where = str(path)
         self.name = str(path.names[-1])  # in lines; its path if two have the same
         self.node = self.subscription = self.poll = self.heard = None
         self.since = self.looked = time.monotonic()
@@ -81,7 +91,11 @@ class Watched:
 
     async def begin(self, node):
         """Start to watch. Raises Refused, Unreachable; the watch detaches it when it ends."""
-        self.heard, self.ending, self.attached_again, self.reported_silence, self.poll = None, False, False, None, None
+        self.heard = None
+        self.ending = False
+        self.attached_again = False
+        self.reported_silence = None
+        self.poll = None
         self.subscription = await self.watch.what.subscription(node, self.hear)
         if self.subscription is not None:
             self.watch.subscriptions.append(self.subscription)
@@ -90,7 +104,9 @@ class Watched:
                 self.watch.note(self, self.subscription.remark)
         else:
             self.poll = await self.watch.what.poll(node)
-            self.watch.note(self, f"offers no observer; it is polled ({RATE:g} Hz), which shows no connections")
+            self.watch.note(
+                self, f"offers no observer; it is polled ({RATE:g} Hz), which shows no connections"
+            )
         self.since = self.looked = time.monotonic()
         self.node = node
 
@@ -126,7 +142,9 @@ class Watched:
         except (errors.Gone, errors.ConnectionRefused) as e:
             await self._gone(e)
         except errors.Unreachable as e:
-            if isinstance(e, errors.Silent) or self.doubtful:  # a process that ends drops its connections first
+            if (
+                isinstance(e, errors.Silent) or self.doubtful
+            ):  # a process that ends drops its connections first
                 self._silent("NO_ANSWER", e.why)
             self.doubtful = True
         except errors.Refused:
@@ -136,7 +154,9 @@ class Watched:
         """Whether it is time to ask if it lives: not while it sends heartbeats, which only observers get."""
         if self.ending:
             return True
-        beats = self.subscription.interface != observer.LOGGER and now - max(self.heard or 0, self.since) < LATE
+        beats = (
+            self.subscription.interface != observer.LOGGER and now - max(self.heard or 0, self.since) < LATE
+        )
         return not beats and now - self.looked >= LOOK
 
     def is_heard(self):
@@ -148,20 +168,26 @@ class Watched:
         self.doubtful = False
         if self.reported_silence == "NO_ANSWER" or self.reported_silence and now - (self.heard or 0) < LATE:
             self._report("ANSWERS")
-            self.since, self.reported_silence = now, None
+            self.since = now
+            self.reported_silence = None
         beats = self.subscription is not None and self.subscription.interface != observer.LOGGER
         if beats and now - max(self.heard or 0, self.since) >= LOST:
             self._silent("NO_HEARTBEAT", f"no heartbeat for {LOST:g} s")
             await self._unheard()
 
     async def _unheard(self):
-        """Attach the observer again, as a live component may have lost it after a failed call; poll where that does not help."""
+        """Attach the observer again, as a live component may have lost it after a failed call;
+        poll where that does not help.
+        """
         if self.heard is not None and not self.attached_again:
-            self.attached_again, self.since = True, time.monotonic()
+            self.attached_again = True
+            self.since = time.monotonic()
             await self.subscription.attach()
             return
         self.poll = await polling.begin(self.node, self.watch.what.kinds)
-        subscription, self.subscription, self.reported_silence = self.subscription, None, None
+        subscription = self.subscription
+        self.subscription = None
+        self.reported_silence = None
         self.watch.note(self, f"cannot call us at {subscription.address}; it is polled from now on")
         await subscription.detach()  # its calls to an address that it cannot reach would only hold it up
 
@@ -189,9 +215,10 @@ class Watched:
     async def _return(self):
         """Check whether it is back."""
         try:
-            node, = await tree.check_alive([await tree.component(self.path)])
+            (node,) = await tree.check_alive([await tree.component(self.path)])
             if node.kind == "component":
-                loop.current().running.place = node.endpoint  # its silence is that of this component from now on
+                # its silence is that of this component from now on
+                loop.current().running.place = node.endpoint
                 await self.begin(node)
                 self._report("BACK")
         except errors.Refused as e:
@@ -214,11 +241,17 @@ class Watch:
 
     def __init__(self, what, note=notes.note):
         """`what`: Events or Records. `note` is called with lines about anything but events."""
-        self.what, self._note = what, note
-        self.watched, self.subscriptions = [], []
+        self.what = what
+        self._note = note
+        self.watched = []
+        self.subscriptions = []
         self.dropped = 0
-        self._items, self._size = collections.deque(), 0  # what waits to be printed, and how many characters that has
-        self._bell, self._group = loop.Bell(), None  # rings when items have come
+        # what waits to be printed, and how many characters that has
+        self._items = collections.deque()
+        self._size = 0
+        # rings when items have come
+        self._bell = loop.Bell()
+        self._group = None
 
     async def __aenter__(self):
         self._group = loop.Group()
@@ -234,10 +267,12 @@ class Watch:
 
     async def start(self, paths):
         """Begin to watch the component at each path; an errors.Error or a Watched for each."""
+
         async def begin(node):
             watched = Watched(self, node.path)
             await watched.begin(node)
             return watched
+
         results = await tree.on_components(paths, begin)
         self.watched = [watched for watched in results if isinstance(watched, Watched)]
         names = [watched.name for watched in self.watched]
@@ -251,8 +286,15 @@ class Watch:
         """Add an Event or a Record: what nobody reads is dropped and counted."""
         if isinstance(item, Event) and item.kind not in self.what.kinds and not self._unknown(item):
             if item.kind == LIFE and item.event in ("DIED", "EXITED", "BACK", "ANSWERS"):
-                self.note(watched, {"DIED": "its process is gone", "BACK": "is back", "EXITED": "has exited",
-                                    "ANSWERS": "answers again"}[item.event])
+                self.note(
+                    watched,
+                    {
+                        "DIED": "its process is gone",
+                        "BACK": "is back",
+                        "EXITED": "has exited",
+                        "ANSWERS": "answers again",
+                    }[item.event],
+                )
             return
         size = _size(item)
         if len(self._items) >= MOST or self._size + size > MOST_CHARACTERS:
@@ -269,11 +311,13 @@ class Watch:
         self._note(f"{watched.where}: {line}")
 
     async def follow(self, number, seconds):
-        """Yield lists of (Watched, Event or Record): `number` of these in all (below 0: without end), for `seconds`.
+        """Yield lists of (Watched, Event or Record): `number` of these in all (below 0: without end), for
+        `seconds`.
 
         Raises Failed when fewer came in time.
         """
-        end, left = time.monotonic() + seconds, number
+        end = time.monotonic() + seconds
+        left = number
         while left and self.watched and time.monotonic() < end:
             batch = self._take(min(left, BATCH) if left > 0 else BATCH)
             if batch:
@@ -284,8 +328,10 @@ class Watch:
         if self.dropped:
             self._note(f"{self.dropped} lines dropped: they came faster than they could be printed")
         if left > 0 and self.watched:
-            raise errors.Failed(", ".join(watched.where for watched in self.watched),
-                                f"{number - left} of {number} within {seconds:g}s")
+            raise errors.Failed(
+                ", ".join(watched.where for watched in self.watched),
+                f"{number - left} of {number} within {seconds:g}s",
+            )
 
     def _take(self, most):
         batch = [self._items.popleft() for _ in range(min(most, len(self._items)))]
@@ -295,7 +341,8 @@ class Watch:
     async def _detach_all(self, hurried):
         """Detach all that was attached, and report components that do not answer.
 
-        `hurried`: all processes are asked, but their answers are not waited for; those that were heard recently will do it.
+        `hurried`: all processes are asked, but their answers are not waited for; those that were heard
+        recently will do it.
         """
         stuck = [subscription for subscription in self.subscriptions if subscription.reference is not None]
 
@@ -306,6 +353,7 @@ class Watch:
                 if isinstance(e, errors.Silent):
                     raise
             stuck.remove(subscription)
+
         places = {subscription: (subscription.node.endpoint, subscription.where) for subscription in stuck}
         all_of_them = session.each(list(stuck), detach, places.get)
         try:
@@ -315,9 +363,13 @@ class Watch:
                 subscription.forget()
         turned_away = session.current().turned_away
         if turned_away:
-            notes.left_out(f"{turned_away} connections to this command were turned away, as too many came: "
-                           "events may be missing")
+            notes.left_out(
+                f"{turned_away} connections to this command were turned away, as too many came: "
+                "events may be missing"
+            )
         unheard = [watched.subscription for watched in self.watched if not watched.is_heard()]
         for subscription in stuck:
             if subscription in unheard or not hurried:
-                self._note(f"{subscription.where}: does not answer; it still has our observer, and drops it when a call to it fails")
+                self._note(
+                    f"{subscription.where}: does not answer; it still has our observer, and drops it when a call to it fails"
+                )

@@ -1,4 +1,7 @@
-"""How much one answer may hold: an element of a sequence may take 500 times the memory of its octets, and a type even more."""
+"""How much one answer may hold: an element of a sequence may take 500 times the memory of its octets,
+and a type even more.
+"""
+
 from _thread import _local as Local
 
 from rtshell_lite.giop.fixed_size import Fault
@@ -20,7 +23,9 @@ def begin():
 
 
 def spend(parts):
-    """Count parts of the answer that is being read; returns how many are left. Raises Fault when it has too many."""
+    """Count parts of the answer that is being read; returns how many are left.
+    Raises Fault when it has too many.
+    """
     _allowance.left -= parts
     if _allowance.left < 0:
         raise Fault(f"more than {MOST} parts")

@@ -1,15 +1,42 @@
 """CDR, the form in which values travel (CORBA 3.0, 15.3), read and written by descriptors; needs no ORB.
 
-omniORB's cdrUnmarshal cannot read a wchar, accepts nothing after a value, overflows the stack on a recursive type that is
-nested deep enough, and ends the process on a descriptor that it does not like. Here, hostile bytes take memory in proportion
-to their number. Strings are UTF-8; invalid bytes become surrogate escapes.
+omniORB's cdrUnmarshal cannot read a wchar, accepts nothing after a value, overflows the stack on a recursive
+type that is nested deep enough, and ends the process on a descriptor that it does not like. Here, hostile
+bytes take memory in proportion to their number. Strings are UTF-8; invalid bytes become surrogate escapes.
 """
+
 import struct
 
-from rtshell_lite.giop.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT,
-                                           STRING, STRUCT, ULONG, ULONGLONG, UNION, USHORT, WCHAR, WSTRING, bound,
-                                           cases_by_label, default_case, discriminator, element, factory, kind, length,
-                                           members, target)
+from rtshell_lite.giop.descriptors import (
+    ARRAY,
+    BOOLEAN,
+    CHAR,
+    DOUBLE,
+    FLOAT,
+    LONG,
+    LONGLONG,
+    OCTET,
+    SEQUENCE,
+    SHORT,
+    STRING,
+    STRUCT,
+    ULONG,
+    ULONGLONG,
+    UNION,
+    USHORT,
+    WCHAR,
+    WSTRING,
+    bound,
+    cases_by_label,
+    default_case,
+    discriminator,
+    element,
+    factory,
+    kind,
+    length,
+    members,
+    target,
+)
 from rtshell_lite.giop.fixed_size import CODES, SIZES, Fault, Forms, fixed, least
 
 NUMBERS = (SHORT, LONG, USHORT, ULONG, FLOAT, DOUBLE, BOOLEAN, LONGLONG, ULONGLONG)
@@ -18,18 +45,27 @@ NUMBERS = (SHORT, LONG, USHORT, ULONG, FLOAT, DOUBLE, BOOLEAN, LONGLONG, ULONGLO
 def codec(descriptor, little):
     """(read, write) for a checked descriptor and a byte order, for any number of values.
 
-    `read(data, at)` gives (value, where it ends), or raises Fault, struct.error, RecursionError. `write(out, value)` appends
-    to the bytearray `out`, or raises anything for a value of another type; `build_value.build` then says what is wrong.
+    `read(data, at)` gives (value, where it ends), or raises Fault, struct.error, RecursionError. `write(out,
+    value)` appends to the bytearray `out`, or raises anything for a value of another type;
+    `build_value.build` then says what is wrong.
     """
     maker = Maker("<" if little else ">")
     return maker.reader(descriptor), maker.writer(descriptor)
 
 
-FORMS = {STRUCT: "struct", UNION: "union", SEQUENCE: "sequence", ARRAY: "array", STRING: "string", WSTRING: "wstring",
-         WCHAR: "wchar"}
+FORMS = {
+    STRUCT: "struct",
+    UNION: "union",
+    SEQUENCE: "sequence",
+    ARRAY: "array",
+    STRING: "string",
+    WSTRING: "wstring",
+    WCHAR: "wchar",
+}
 
 
-# ---- readers and writers --------------------------------------------------------------------------------------
+# ---- readers and writers -----------------------------------------------------------------------------------
+
 
 class Maker:
     """Makes readers and writers of one byte order; a recursive type finds its own by its identity."""
@@ -37,8 +73,10 @@ class Maker:
     forms = FORMS
 
     def __init__(self, order):
-        self.order, self.count = order, struct.Struct(order + "I")
-        self.readers, self.writers = {}, {}
+        self.order = order
+        self.count = struct.Struct(order + "I")
+        self.readers = {}
+        self.writers = {}
 
     def reader(self, descriptor):
         return self._made(descriptor, self.readers, "read")
@@ -69,23 +107,28 @@ class Maker:
         return getattr(self, f"{verb}_{form}")(descriptor)
 
     def read_fixed(self, form):
-        forms, make = Forms(self.order, form.codes), form.make
+        forms = Forms(self.order, form.codes)
+        make = form.make
 
         def read(data, at):
             layout = forms[at & 7]
             leaves = layout.unpack_from(data, at)
             return make(leaves, 0) if make else leaves[0], at + layout.size
+
         return read
 
     def write_fixed(self, form):
-        forms, flatten = Forms(self.order, form.codes), form.flatten
+        forms = Forms(self.order, form.codes)
+        flatten = form.flatten
 
         def write(out, value):
             out += forms[len(out) & 7].pack(*flatten(value))
+
         return write
 
     def read_struct(self, descriptor):
-        make, readers = factory(descriptor), [self.reader(inner) for _, inner in members(descriptor)]
+        make = factory(descriptor)
+        readers = [self.reader(inner) for _, inner in members(descriptor)]
 
         def read(data, at):
             values = []
@@ -93,6 +136,7 @@ class Maker:
                 value, at = member(data, at)
                 values.append(value)
             return make(*values), at
+
         return read
 
     def write_struct(self, descriptor):
@@ -101,16 +145,20 @@ class Maker:
         def write(out, value):
             for name, member in writers:
                 member(out, getattr(value, name))
+
         return write
 
     @staticmethod
     def _of_cases(descriptor, make):
         """make(type) for the cases of a union: a dict by label, and that of the default case or None."""
         default = default_case(descriptor)
-        return {label: make(case.type) for label, case in cases_by_label(descriptor).items()}, default and make(default.type)
+        return {
+            label: make(case.type) for label, case in cases_by_label(descriptor).items()
+        }, default and make(default.type)
 
     def read_union(self, descriptor):
-        make, switch = factory(descriptor), self.reader(discriminator(descriptor))
+        make = factory(descriptor)
+        switch = self.reader(discriminator(descriptor))
         by_label, default = self._of_cases(descriptor, self.reader)
 
         def read(data, at):
@@ -120,6 +168,7 @@ class Maker:
                 return make(label, None), at
             value, at = member(data, at)
             return make(label, value), at
+
         return read
 
     def write_union(self, descriptor):
@@ -131,12 +180,13 @@ class Maker:
             member = by_label.get(value._d, default)
             if member:
                 member(out, value._v)
+
         return write
 
     def _size(self, data, at, most, smallest):
         """The count at `at`, compared with the bytes that are left, and where it ends."""
         at += -at & 3
-        size, = self.count.unpack_from(data, at)
+        (size,) = self.count.unpack_from(data, at)
         if most and size > most:
             raise Fault(f"{size} elements where {most} may be")
         if size * smallest > len(data) - at - 4:
@@ -149,53 +199,68 @@ class Maker:
         out += b"\0" * (-len(out) & 3) + self.count.pack(len(value))
 
     def read_sequence(self, descriptor):
-        most, smallest = length(descriptor), least(element(descriptor))
+        most = length(descriptor)
+        smallest = least(element(descriptor))
         elements = self._elements_reader(element(descriptor))
 
         def read(data, at):
             size, at = self._size(data, at, most, smallest)
             return elements(data, at, size)
+
         return read
 
     def write_sequence(self, descriptor):
-        most, elements = length(descriptor), self._elements_writer(element(descriptor))
+        most = length(descriptor)
+        elements = self._elements_writer(element(descriptor))
 
         def write(out, value):
             self._count(out, value, most)
             elements(out, value)
+
         return write
 
     def read_array(self, descriptor):
-        size, smallest, elements = length(descriptor), least(descriptor), self._elements_reader(element(descriptor))
+        size = length(descriptor)
+        smallest = least(descriptor)
+        elements = self._elements_reader(element(descriptor))
 
         def read(data, at):
             if smallest > len(data) - at:
                 raise Fault("ends within an array")
             return elements(data, at, size)
+
         return read
 
     def write_array(self, descriptor):
-        size, elements = length(descriptor), self._elements_writer(element(descriptor))
+        size = length(descriptor)
+        elements = self._elements_writer(element(descriptor))
 
         def write(out, value):
             if len(value) != size:
                 raise Fault(f"an array of {len(value)} elements")
             elements(out, value)
+
         return write
 
     def _elements_reader(self, element):
         """read(data, at, size) for that many elements in a row."""
-        sort, order = kind(target(element)), self.order
+        sort = kind(target(element))
+        order = self.order
         if sort == OCTET:
-            return lambda data, at, size: (data[at:at + size], at + size)
+            return lambda data, at, size: (data[at : at + size], at + size)
         if sort == CHAR:
-            return lambda data, at, size: (data[at:at + size].decode("latin-1"), at + size)
+            return lambda data, at, size: (data[at : at + size].decode("latin-1"), at + size)
         if sort in NUMBERS:
-            code, width = CODES[sort], SIZES[CODES[sort]]
+            code = CODES[sort]
+            width = SIZES[CODES[sort]]
 
             def numbers(data, at, size):
-                at += -at % width if size else 0
+                if size:
+                    at += -at % width
+                else:
+                    at += 0
                 return list(struct.unpack_from("%s%d%s" % (order, size, code), data, at)), at + size * width
+
             return numbers
         read_element = self.reader(element)
 
@@ -205,25 +270,32 @@ class Maker:
                 value, at = read_element(data, at)
                 values.append(value)
             return values, at
+
         return read
 
     def _elements_writer(self, element):
         """write(out, values) for elements in a row."""
-        sort, order = kind(target(element)), self.order
+        sort = kind(target(element))
+        order = self.order
         if sort in (OCTET, CHAR):
-            return _write_octets if sort == OCTET else _write_chars
+            if sort == OCTET:
+                return _write_octets
+            return _write_chars
         if sort in NUMBERS:
-            code, width = CODES[sort], SIZES[CODES[sort]]
+            code = CODES[sort]
+            width = SIZES[CODES[sort]]
 
             def numbers(out, values):
                 if len(values):
                     out += b"\0" * (-len(out) % width) + struct.pack(f"{order}{len(values)}{code}", *values)
+
             return numbers
         write_element = self.writer(element)
 
         def write(out, values):
             for value in values:
                 write_element(out, value)
+
         return write
 
     def read_string(self, descriptor):
@@ -235,7 +307,8 @@ class Maker:
                 return "", at
             if data[at + size - 1]:
                 raise Fault("a string without its end")
-            return data[at:at + size - 1].decode("utf-8", "surrogateescape"), at + size
+            return data[at : at + size - 1].decode("utf-8", "surrogateescape"), at + size
+
         return read
 
     def write_string(self, descriptor):
@@ -247,6 +320,7 @@ class Maker:
                 raise Fault("a NUL in a string")
             self._count(out, octets + b"\0", most and most + 1)
             out += octets + b"\0"
+
         return write
 
     def read_wstring(self, descriptor):
@@ -254,10 +328,11 @@ class Maker:
 
         def read(data, at):
             size, at = self._size(data, at, 0, 1)
-            text = _utf16(data[at:at + size])
+            text = _utf16(data[at : at + size])
             if most and len(text) > most:
                 raise Fault(f"{len(text)} characters where {most} may be")
             return text, at + size
+
         return read
 
     def write_wstring(self, descriptor):
@@ -268,19 +343,26 @@ class Maker:
                 raise Fault(f"{len(value)} characters where {most} may be")
             if "\0" in value:
                 raise Fault("a NUL in a string")
-            units = b"\xff\xfe" + value.encode("utf-16-le", "surrogatepass") if value else b""  # as omniORB does
+            # as omniORB does
+            if value:
+                units = b"\xff\xfe" + value.encode("utf-16-le", "surrogatepass")
+            else:
+                units = b""
             self._count(out, units, 0)
             out += units
+
         return write
 
     def read_wchar(self, _):
         def read(data, at):
             if at >= len(data) or data[at] not in (2, 4) or at + 1 + data[at] > len(data):
                 raise Fault("a wide character without its size")
-            text, end = _utf16(data[at + 1:at + 1 + data[at]]), at + 1 + data[at]
+            text = _utf16(data[at + 1 : at + 1 + data[at]])
+            end = at + 1 + data[at]
             if len(text) != 1 or text > "\uffff":
                 raise Fault("not one UTF-16 unit")
             return text, end
+
         return read
 
     def write_wchar(self, _):
@@ -289,6 +371,7 @@ class Maker:
             if len(unit) != 2:
                 raise Fault("not one UTF-16 unit")
             out += b"\2" + unit  # big endian where no mark says otherwise (CORBA 3.0, 15.3.1.6)
+
         return write
 
 
@@ -302,7 +385,11 @@ def _utf16(units):
 
 
 def _write_octets(out, value):
-    out += bytes(value) if not isinstance(value, int) else value  # bytes(n) would make n zeros
+    # bytes(n) would make n zeros
+    if not isinstance(value, int):
+        out += bytes(value)
+    else:
+        out += value
 
 
 def _write_chars(out, value):

@@ -1,34 +1,90 @@
-"""Data types as descriptors, the tuples that omniORBpy marshals by (omniORB.tcInternal): their parts, their words, their limits.
+"""Data types as descriptors, the tuples that omniORBpy marshals by (omniORB.tcInternal): their parts, their
+words, their limits.
 
-    a number                                    a basic type, its CORBA::TCKind
-    (STRING | WSTRING, bound)                   0: unbounded
-    (SEQUENCE, element, bound)
-    (ARRAY, element, length)                    arrays of arrays for more dimensions
-    (ALIAS, id, name, target)
-    (STRUCT, class, id, name, member, type, …)  the class is called with the members
-    (ENUM, id, name, items)                     items with _n, the name, and _v, the number
-    (UNION, class, id, name, discriminator type, index of the default or -1, cases, default case or None, {label: case})
-                                                a case is (label, member, type); the class is called with label and value
-    (INDIRECT, [struct or union])               a type inside itself
+a number                                    a basic type, its CORBA::TCKind
+(STRING | WSTRING, bound)                   0: unbounded
+(SEQUENCE, element, bound)
+(ARRAY, element, length)                    arrays of arrays for more dimensions
+(ALIAS, id, name, target)
+(STRUCT, class, id, name, member, type, …)  the class is called with the members
+(ENUM, id, name, items)                     items with _n, the name, and _v, the number
+(UNION, class, id, name, discriminator type, index of the default or -1, cases, default case or None, {label:
+                                            case}) a case is (label, member, type); the class is called with
+                                            label and value
+(INDIRECT, [struct or union])               a type inside itself
 """
+
 import operator
 import re
 
 from rtshell_lite import errors
 
-(SHORT, LONG, USHORT, ULONG, FLOAT, DOUBLE, BOOLEAN, CHAR, OCTET, ANY, TYPECODE, PRINCIPAL, OBJECT, STRUCT, UNION, ENUM, STRING,
- SEQUENCE, ARRAY, ALIAS, EXCEPTION, LONGLONG, ULONGLONG, LONGDOUBLE, WCHAR, WSTRING, FIXED) = range(2, 29)
+(
+    SHORT,
+    LONG,
+    USHORT,
+    ULONG,
+    FLOAT,
+    DOUBLE,
+    BOOLEAN,
+    CHAR,
+    OCTET,
+    ANY,
+    TYPECODE,
+    PRINCIPAL,
+    OBJECT,
+    STRUCT,
+    UNION,
+    ENUM,
+    STRING,
+    SEQUENCE,
+    ARRAY,
+    ALIAS,
+    EXCEPTION,
+    LONGLONG,
+    ULONGLONG,
+    LONGDOUBLE,
+    WCHAR,
+    WSTRING,
+    FIXED,
+) = range(2, 29)
 INDIRECT = -1
 
-NAMES = {SHORT: "short", LONG: "long", USHORT: "unsigned short", ULONG: "unsigned long", FLOAT: "float", DOUBLE: "double",
-         BOOLEAN: "boolean", CHAR: "char", OCTET: "octet", LONGLONG: "long long", ULONGLONG: "unsigned long long",
-         WCHAR: "wchar", ANY: "any", TYPECODE: "TypeCode", PRINCIPAL: "Principal", LONGDOUBLE: "long double",
-         0: "null", 1: "void"}
-VALUES = (SHORT, LONG, USHORT, ULONG, FLOAT, DOUBLE, BOOLEAN, CHAR, OCTET, LONGLONG, ULONGLONG, WCHAR)  # what we encode
-RANGES = {SHORT: (-2 ** 15, 2 ** 15 - 1), USHORT: (0, 2 ** 16 - 1), LONG: (-2 ** 31, 2 ** 31 - 1), ULONG: (0, 2 ** 32 - 1),
-          LONGLONG: (-2 ** 63, 2 ** 63 - 1), ULONGLONG: (0, 2 ** 64 - 1), OCTET: (0, 255)}
-BUILT = (STRUCT, UNION, ENUM, STRING, WSTRING, SEQUENCE, ARRAY, ALIAS, INDIRECT)  # and what we encode of others
-LABELS = (SHORT, USHORT, LONG, ULONG, LONGLONG, ULONGLONG, BOOLEAN, CHAR, ENUM)  # what a union may be switched by
+NAMES = {
+    SHORT: "short",
+    LONG: "long",
+    USHORT: "unsigned short",
+    ULONG: "unsigned long",
+    FLOAT: "float",
+    DOUBLE: "double",
+    BOOLEAN: "boolean",
+    CHAR: "char",
+    OCTET: "octet",
+    LONGLONG: "long long",
+    ULONGLONG: "unsigned long long",
+    WCHAR: "wchar",
+    ANY: "any",
+    TYPECODE: "TypeCode",
+    PRINCIPAL: "Principal",
+    LONGDOUBLE: "long double",
+    0: "null",
+    1: "void",
+}
+# what we encode
+VALUES = (SHORT, LONG, USHORT, ULONG, FLOAT, DOUBLE, BOOLEAN, CHAR, OCTET, LONGLONG, ULONGLONG, WCHAR)
+RANGES = {
+    SHORT: (-(2**15), 2**15 - 1),
+    USHORT: (0, 2**16 - 1),
+    LONG: (-(2**31), 2**31 - 1),
+    ULONG: (0, 2**32 - 1),
+    LONGLONG: (-(2**63), 2**63 - 1),
+    ULONGLONG: (0, 2**64 - 1),
+    OCTET: (0, 255),
+}
+# and what we encode of others
+BUILT = (STRUCT, UNION, ENUM, STRING, WSTRING, SEQUENCE, ARRAY, ALIAS, INDIRECT)
+# what a union may be switched by
+LABELS = (SHORT, USHORT, LONG, ULONG, LONGLONG, ULONGLONG, BOOLEAN, CHAR, ENUM)
 
 DEEPEST = 64  # types inside types
 LARGEST = 20000  # types within a type
@@ -36,7 +92,8 @@ LONGEST = 1 << 24  # elements of an array, all dimensions together
 _IDENTIFIER = r"_?[A-Za-z][A-Za-z0-9_]*\Z"
 
 
-# ---- values ---------------------------------------------------------------------------------------------------
+# ---- values ------------------------------------------------------------------------------------------------
+
 
 class Struct:
     """A value of a struct whose class no stub gives: an attribute for each member."""
@@ -57,11 +114,14 @@ class Union:
     """A value of a union whose class no stub gives: its discriminator `_d` and its value `_v`."""
 
     def __init__(self, label, value):
-        self._d, self._v = label, value
+        self._d = label
+        self._v = value
 
 
 class Case(tuple):
-    """A case of a union: its label, the member's name and type. (A namedtuple takes 0.2 ms to make, at each start.)"""
+    """A case of a union: its label, the member's name and type.
+    (A namedtuple takes 0.2 ms to make, at each start.)
+    """
 
     __slots__ = ()
     label, member, type = [property(operator.itemgetter(place)) for place in range(3)]
@@ -71,7 +131,9 @@ class Item:
     """A value of an enum that no stub gives: its name `_n`, its number `_v`, the id of its enum."""
 
     def __init__(self, name, number, parent):
-        self._n, self._v, self._parent_id = name, number, parent
+        self._n = name
+        self._v = number
+        self._parent_id = parent
 
     def __str__(self):
         return self._n
@@ -85,21 +147,36 @@ class Item:
         return hash((self._parent_id, self._v))
 
 
-# ---- making ---------------------------------------------------------------------------------------------------
+# ---- making ------------------------------------------------------------------------------------------------
+
 
 def struct(type_id, name, members):
     """The descriptor of a struct with a class of its own; `members`: (name, descriptor) pairs."""
-    made = type(name, (Struct,), {"_NP_RepositoryId": type_id, "_members": tuple(member for member, _ in members)})
+    made = type(
+        name, (Struct,), {"_NP_RepositoryId": type_id, "_members": tuple(member for member, _ in members)}
+    )
     return (STRUCT, made, type_id, name) + tuple(part for member in members for part in member)
 
 
 def union(type_id, name, switched_by, given, default=-1):
-    """The descriptor of a union with a class of its own; `given`: (label, member, descriptor) triples, `default` an index."""
+    """The descriptor of a union with a class of its own;
+    `given`: (label, member, descriptor) triples, `default` an index.
+    """
     given = tuple(Case(case) for case in given)
-    other = given[default] if default >= 0 else None
+    if default >= 0:
+        other = given[default]
+    else:
+        other = None
     by_label = {case.label: case for case in given if case is not other}
-    made = type(name, (Union,), {"_NP_RepositoryId": type_id, "_def_m": other and other.member,
-                                 "_d_to_m": {label: case.member for label, case in by_label.items()}})
+    made = type(
+        name,
+        (Union,),
+        {
+            "_NP_RepositoryId": type_id,
+            "_def_m": other and other.member,
+            "_d_to_m": {label: case.member for label, case in by_label.items()},
+        },
+    )
     return (UNION, made, type_id, name, switched_by, default, given, other, by_label)
 
 
@@ -113,15 +190,21 @@ def renamed(descriptor, type_id):
     if kind(descriptor) == STRUCT:
         return struct(type_id, descriptor[3], members(descriptor))
     if kind(descriptor) == UNION:
-        return union(type_id, descriptor[3], discriminator(descriptor), cases(descriptor), default_index(descriptor))
-    return (descriptor[0], type_id) + descriptor[2:]  # the items of an enum keep the id that they were made with
+        return union(
+            type_id, descriptor[3], discriminator(descriptor), cases(descriptor), default_index(descriptor)
+        )
+    # the items of an enum keep the id that they were made with
+    return (descriptor[0], type_id) + descriptor[2:]
 
 
-# ---- reading --------------------------------------------------------------------------------------------------
+# ---- reading -----------------------------------------------------------------------------------------------
+
 
 def kind(descriptor):
     """The TCKind of a descriptor."""
-    return descriptor[0] if isinstance(descriptor, tuple) else descriptor
+    if isinstance(descriptor, tuple):
+        return descriptor[0]
+    return descriptor
 
 
 def element(descriptor):
@@ -155,7 +238,9 @@ def aliased(descriptor):
 
 
 def around(descriptor):
-    """The struct or union around an indirection; None while it is still being made, text (its id) in a peer's TypeCode."""
+    """The struct or union around an indirection;
+    None while it is still being made, text (its id) in a peer's TypeCode.
+    """
     return descriptor[1][0]
 
 
@@ -187,7 +272,10 @@ def cases_by_label(descriptor):
 def target(descriptor):
     """The type that a descriptor means, without its aliases and indirections."""
     while kind(descriptor) in (ALIAS, INDIRECT):
-        descriptor = aliased(descriptor) if kind(descriptor) == ALIAS else around(descriptor)
+        if kind(descriptor) == ALIAS:
+            descriptor = aliased(descriptor)
+        else:
+            descriptor = around(descriptor)
     return descriptor
 
 
@@ -205,21 +293,30 @@ def members(descriptor):
 
 def type_id(descriptor):
     """The repository id of a named type, '' for others."""
-    descriptor = around(descriptor) if kind(descriptor) == INDIRECT else descriptor
+    if kind(descriptor) == INDIRECT:
+        descriptor = around(descriptor)
+    else:
+        descriptor = descriptor
     if kind(descriptor) in (STRUCT, UNION):
         return descriptor[2]
-    return descriptor[1] if kind(descriptor) in (ALIAS, ENUM, OBJECT) else ""
+    if kind(descriptor) in (ALIAS, ENUM, OBJECT):
+        return descriptor[1]
+    return ""
 
 
 def name(descriptor):
     """The name by which people know a type: RTC.TimedLong, or words for one without a name."""
-    return dotted(type_id(descriptor)) if type_id(descriptor) else words(descriptor)
+    if type_id(descriptor):
+        return dotted(type_id(descriptor))
+    return words(descriptor)
 
 
 def dotted(identifier):
     """RTC.TimedLong of IDL:RTC/TimedLong:1.0."""
     parts = identifier.split(":")
-    return parts[1].replace("/", ".") if len(parts) > 2 and parts[0] == "IDL" else identifier
+    if len(parts) > 2 and parts[0] == "IDL":
+        return parts[1].replace("/", ".")
+    return identifier
 
 
 def words(descriptor):
@@ -228,16 +325,29 @@ def words(descriptor):
         return NAMES.get(descriptor, f"type {descriptor}")
     sort = descriptor[0]
     if sort in (STRING, WSTRING):
-        return ("string" if sort == STRING else "wstring") + ("<%d>" % bound(descriptor) if bound(descriptor) else "")
+        if sort == STRING:
+            name = "string"
+        else:
+            name = "wstring"
+        if bound(descriptor):
+            return "%s<%d>" % (name, bound(descriptor))
+        return name
     if sort == SEQUENCE:
-        return "sequence<%s%s>" % (words(element(descriptor)), ", %d" % length(descriptor) if length(descriptor) else "")
+        return "sequence<%s%s>" % (
+            words(element(descriptor)),
+            ", %d" % length(descriptor) if length(descriptor) else "",
+        )
     if sort == ARRAY:
         return _array_words(descriptor)
     if sort in (STRUCT, UNION):
         return descriptor[3]
     if sort == INDIRECT:
         return words(around(descriptor))
-    return descriptor[2] if sort in (ALIAS, ENUM, OBJECT) else "fixed" if sort == FIXED else "type %d" % sort
+    if sort in (ALIAS, ENUM, OBJECT):
+        return descriptor[2]
+    if sort == FIXED:
+        return "fixed"
+    return "type %d" % sort
 
 
 def _array_words(descriptor):
@@ -250,7 +360,8 @@ def _array_words(descriptor):
 
 def walk(descriptor, where):
     """All types within a type, each with its place: (RTC.TimedLong.data, LONG)."""
-    todo, seen = [(where, descriptor)], set()
+    todo = [(where, descriptor)]
+    seen = set()
     while todo:
         where, inner = todo.pop()
         yield where, inner
@@ -268,29 +379,45 @@ def _within(descriptor, where):
     if sort == STRUCT:
         return [(f"{where}.{member}", inner) for member, inner in members(descriptor)]
     if sort == UNION:
-        return [(where, discriminator(descriptor))] + [(f"{where}.{case.member}", case.type) for case in cases(descriptor)]
+        return [(where, discriminator(descriptor))] + [
+            (f"{where}.{case.member}", case.type) for case in cases(descriptor)
+        ]
     return []
 
 
-# ---- taking what others made ----------------------------------------------------------------------------------
+# ---- taking what others made -------------------------------------------------------------------------------
+
 
 def adopted(descriptor, find=None, classes=False):
     """A descriptor from elsewhere (a TypeCode of a peer, stubs of a user), checked.
 
-    `find` gives the descriptor for a repository id that an indirection names. With `classes`, those of the stubs are kept;
-    the one that omniORB knows for an id may not have the members that a peer's TypeCode says. Raises BadType.
+    `find` gives the descriptor for a repository id that an indirection names. With `classes`, those of the
+    stubs are kept; the one that omniORB knows for an id may not have the members that a peer's TypeCode says.
+    Raises BadType.
     """
     return Adoption(find, classes).take(descriptor, DEEPEST)
 
 
 class Adoption:
-    def __init__(self, find=None, classes=False, most=LARGEST, each=1):  # most: types and items; `each` struct and union counts so
-        self.find, self.classes, self.most, self.each, self.count, self.sequences = find, classes, most, each, 0, 0
+    def __init__(
+        self, find=None, classes=False, most=LARGEST, each=1
+    ):  # most: types and items; `each` struct and union counts so
+        self.find = find
+        self.classes = classes
+        self.most = most
+        self.each = each
+        self.count = 0
+        self.sequences = 0
         self.open = {}  # id of each struct or union around this place → its hole, and the sequences around it
 
     def take(self, descriptor, depth):
         sort = kind(descriptor)
-        self.count += len(items(descriptor)) if sort == ENUM else self.each if sort in (STRUCT, UNION) else 1
+        if sort == ENUM:
+            self.count += len(items(descriptor))
+        elif sort in (STRUCT, UNION):
+            self.count += self.each
+        else:
+            self.count += 1
         if depth < 0 or self.count > self.most:
             raise errors.BadType(name(descriptor), "is nested too deep or too large")
         if not isinstance(descriptor, tuple):
@@ -314,14 +441,20 @@ class Adoption:
             return self.indirection(around(descriptor), depth)
         if sort not in (STRUCT, UNION):
             raise errors.BadType(words(descriptor), "no type for data")
-        hole, before = [None], self.open.get(descriptor[2])
+        hole = [None]
+        before = self.open.get(descriptor[2])
         self.open[descriptor[2]] = hole, self.sequences
-        hole[0] = self.structure(descriptor, depth) if sort == STRUCT else self.choice(descriptor, depth)
+        if sort == STRUCT:
+            hole[0] = self.structure(descriptor, depth)
+        else:
+            hole[0] = self.choice(descriptor, depth)
         self.open[descriptor[2]] = before  # of another one of that id, around this one
         return hole[0]
 
     def structure(self, descriptor, depth):
-        given = [(check_identifier(member), self.take(inner, depth - 1)) for member, inner in members(descriptor)]
+        given = [
+            (check_identifier(member), self.take(inner, depth - 1)) for member, inner in members(descriptor)
+        ]
         check_members(descriptor)
         if self.classes:
             return (STRUCT,) + descriptor[1:4] + tuple(part for member in given for part in member)
@@ -329,8 +462,14 @@ class Adoption:
 
     def choice(self, descriptor, depth):
         switch = self.take(discriminator(descriptor), depth - 1)
-        taken = [(label(switch, getattr(case.label, "_v", case.label)), check_identifier(case.member),
-                  self.take(case.type, depth - 1)) for case in cases(descriptor)]
+        taken = [
+            (
+                label(switch, getattr(case.label, "_v", case.label)),
+                check_identifier(case.member),
+                self.take(case.type, depth - 1),
+            )
+            for case in cases(descriptor)
+        ]
         return union(descriptor[2], check_identifier(descriptor[3]), switch, taken, default_index(descriptor))
 
     def enumeration(self, descriptor):
@@ -342,13 +481,23 @@ class Adoption:
         return (ENUM, descriptor[1], descriptor[2], taken)
 
     def indirection(self, inner, depth):
-        wanted = inner if isinstance(inner, str) else inner[2] if isinstance(inner, tuple) and len(inner) > 2 else None
+        if isinstance(inner, str):
+            wanted = inner
+        elif isinstance(inner, tuple) and len(inner) > 2:
+            wanted = inner[2]
+        else:
+            wanted = None
         if self.open.get(wanted):
             hole, sequences = self.open[wanted]
             if sequences == self.sequences:
                 raise errors.BadType(dotted(wanted), "contains itself")
             return (INDIRECT, hole)
-        found = inner if isinstance(inner, tuple) else self.find(wanted) if self.find and wanted else None
+        if isinstance(inner, tuple):
+            found = inner
+        elif self.find and wanted:
+            found = self.find(wanted)
+        else:
+            found = None
         if found is None or kind(found) == INDIRECT:
             raise errors.BadType(dotted(str(wanted)), "is used, but nowhere defined")
         return self.take(found, depth - 1)
@@ -356,7 +505,9 @@ class Adoption:
 
 def check_identifier(word):
     """`word` when it can name a member. Raises BadType."""
-    if not isinstance(word, str) or not re.match(_IDENTIFIER, word) or word in ("_d", "_n", "_v"):  # these distinguish unions and items
+    if (
+        not isinstance(word, str) or not re.match(_IDENTIFIER, word) or word in ("_d", "_n", "_v")
+    ):  # these distinguish unions and items
         raise errors.BadType(repr(word), "not an identifier")
     return word
 
@@ -385,15 +536,19 @@ def label(switched_by, value):
 
 def check_length(sort, count):
     """Raise BadType for what cannot be the length of an ARRAY, or the bound of a SEQUENCE (0: none)."""
-    if not isinstance(count, int) or not 0 <= count < 2 ** 32 or sort == ARRAY and not 0 < count <= LONGEST:
-        raise errors.BadType(f"a {'sequence' if sort == SEQUENCE else 'array'} of {count!r} elements", "out of bounds")
+    if not isinstance(count, int) or not 0 <= count < 2**32 or sort == ARRAY and not 0 < count <= LONGEST:
+        raise errors.BadType(
+            f"a {'sequence' if sort == SEQUENCE else 'array'} of {count!r} elements", "out of bounds"
+        )
 
 
 def array(elements, count):
     """The descriptor of an array. Raises BadType for one that no memory holds."""
-    total, inner = count, target(elements)
+    total = count
+    inner = target(elements)
     while kind(inner) == ARRAY:
-        total, inner = total * length(inner), target(element(inner))
+        total = total * length(inner)
+        inner = target(element(inner))
     if not 0 < total <= LONGEST:
         raise errors.BadType("an array of %d elements" % total, "out of bounds")
     return (ARRAY, elements, count)

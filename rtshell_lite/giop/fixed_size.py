@@ -1,12 +1,50 @@
 """Types whose values have a fixed size: they are read and written by one call of the module struct."""
+
 import struct
 
-from rtshell_lite.giop.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT,
-                                           STRING, STRUCT, ULONG, ULONGLONG, USHORT, WSTRING, element, factory, items, kind,
-                                           length, members, plain, target)
+from rtshell_lite.giop.descriptors import (
+    ARRAY,
+    BOOLEAN,
+    CHAR,
+    DOUBLE,
+    ENUM,
+    FLOAT,
+    LONG,
+    LONGLONG,
+    OCTET,
+    SEQUENCE,
+    SHORT,
+    STRING,
+    STRUCT,
+    ULONG,
+    ULONGLONG,
+    USHORT,
+    WSTRING,
+    element,
+    factory,
+    items,
+    kind,
+    length,
+    members,
+    plain,
+    target,
+)
 
-CODES = {SHORT: "h", LONG: "i", USHORT: "H", ULONG: "I", FLOAT: "f", DOUBLE: "d", BOOLEAN: "?", CHAR: "c", OCTET: "B",
-         LONGLONG: "q", ULONGLONG: "Q", ENUM: "I"}  # of the module struct
+# of the module struct
+CODES = {
+    SHORT: "h",
+    LONG: "i",
+    USHORT: "H",
+    ULONG: "I",
+    FLOAT: "f",
+    DOUBLE: "d",
+    BOOLEAN: "?",
+    CHAR: "c",
+    OCTET: "B",
+    LONGLONG: "q",
+    ULONGLONG: "Q",
+    ENUM: "I",
+}
 SIZES = {code: struct.calcsize("<" + code) for code in CODES.values()}
 FEW = 64  # leaves, at most, of a type that is read like that
 
@@ -16,7 +54,9 @@ class Fault(ValueError):
 
 
 def least(descriptor):
-    """The fewest bytes that a value of a type takes, at least 1: a count is compared with the bytes that are left."""
+    """The fewest bytes that a value of a type takes, at least 1:
+    a count is compared with the bytes that are left.
+    """
     descriptor = plain(descriptor)
     sort = kind(descriptor)
     if sort in CODES:
@@ -31,10 +71,15 @@ def least(descriptor):
 
 
 class Fixed:
-    """A type of fixed size: the codes of its leaves, and functions that turn their flat list into a value and back."""
+    """A type of fixed size: the codes of its leaves,
+    and functions that turn their flat list into a value and back.
+    """
 
     def __init__(self, codes, make, flatten):
-        self.codes, self.make, self.flatten = codes, make, flatten  # make(leaves, index) → value; flatten(value) → leaves
+        # make(leaves, index) → value; flatten(value) → leaves
+        self.codes = codes
+        self.make = make
+        self.flatten = flatten
 
 
 def fixed(descriptor):
@@ -45,10 +90,16 @@ def fixed(descriptor):
         known = items(descriptor)
         return Fixed(["I"], lambda leaves, i: _item(known, leaves[i]), lambda value: (value._v,))
     if sort == CHAR:
-        return Fixed(["c"], lambda leaves, i: leaves[i].decode("latin-1"), lambda value: (value.encode("latin-1"),))
+        return Fixed(
+            ["c"], lambda leaves, i: leaves[i].decode("latin-1"), lambda value: (value.encode("latin-1"),)
+        )
     if sort in CODES:
         return Fixed([CODES[sort]], None, lambda value: (value,))
-    return _fixed_struct(descriptor) if sort == STRUCT else _fixed_array(descriptor) if sort == ARRAY else None
+    if sort == STRUCT:
+        return _fixed_struct(descriptor)
+    if sort == ARRAY:
+        return _fixed_array(descriptor)
+    return None
 
 
 def _item(known, number):
@@ -61,12 +112,18 @@ def _fixed_struct(descriptor):
     parts = [fixed(inner) for _, inner in members(descriptor)]
     if None in parts or sum(len(part.codes) for part in parts) > FEW:
         return None
-    made, names = factory(descriptor), [name for name, _ in members(descriptor)]
+    made = factory(descriptor)
+    names = [name for name, _ in members(descriptor)]
     codes = [code for part in parts for code in part.codes]
     if all(part.make is None for part in parts):
         size = len(parts)
-        return Fixed(codes, lambda leaves, i: made(*leaves[i:i + size]), lambda value: [getattr(value, n) for n in names])
-    places, at = [], 0
+        return Fixed(
+            codes,
+            lambda leaves, i: made(*leaves[i : i + size]),
+            lambda value: [getattr(value, n) for n in names],
+        )
+    places = []
+    at = 0
     for part in parts:
         places.append((part.make, at))
         at += len(part.codes)
@@ -76,36 +133,43 @@ def _fixed_struct(descriptor):
 
     def flatten(value):
         return [leaf for part, name in zip(parts, names) for leaf in part.flatten(getattr(value, name))]
+
     return Fixed(codes, make, flatten)
 
 
 def _fixed_array(descriptor):
-    part, count = fixed(element(descriptor)), length(descriptor)
+    part = fixed(element(descriptor))
+    count = length(descriptor)
     if part is None or len(part.codes) * count > FEW or kind(target(element(descriptor))) in (OCTET, CHAR):
         return None
     size = len(part.codes)
 
     def make(leaves, i):
         if part.make is None:
-            return list(leaves[i:i + count])
+            return list(leaves[i : i + count])
         return [part.make(leaves, at) for at in range(i, i + count * size, size)]
 
     def flatten(value):
         if len(value) != count:
             raise Fault(f"an array of {len(value)} elements")
         return [leaf for element in value for leaf in part.flatten(element)]
+
     return Fixed(part.codes * count, make, flatten)
 
 
 class Forms(dict):
-    """The struct.Struct of a list of codes, by the offset modulo 8 at which it begins: padding depends on that."""
+    """The struct.Struct of a list of codes, by the offset modulo 8 at which it begins:
+    padding depends on that.
+    """
 
     def __init__(self, order, codes):
         super().__init__()
-        self.order, self.codes = order, codes
+        self.order = order
+        self.codes = codes
 
     def __missing__(self, start):
-        text, at = self.order, start
+        text = self.order
+        at = start
         for code in self.codes:
             padding = -at % SIZES[code]
             text += "x" * padding + code

@@ -1,14 +1,19 @@
-"""The interfaces and types of OpenRTM's IDL, from the tables that are generated from it (see idl_stubs/generate.py)."""
+"""The interfaces and types of OpenRTM's IDL,
+from the tables that are generated from it (see idl_stubs/generate.py).
+"""
+
 import functools
 
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import ALIAS, ARRAY, ENUM, OBJECT, SEQUENCE, STRING, UNION, WSTRING
-from rtshell_lite.idl_stubs.tables import INTERFACES, MINORS, TYPES  # noqa: F401: iiop/client.py reads MINORS here
+from rtshell_lite.idl_stubs.tables import INTERFACES, MINORS, TYPES  # noqa: F401: calls.py reads MINORS
 
 
 def known(type_id):
     """The descriptor of a type by its repository id, or None."""
-    return _named(type_id) if type_id in TYPES else None
+    if type_id in TYPES:
+        return _named(type_id)
+    return None
 
 
 def descriptor(word):
@@ -16,8 +21,14 @@ def descriptor(word):
     if isinstance(word, str):
         return _named(word)
     if isinstance(word, tuple):
-        return (word[0], descriptor(word[1])) + word[2:] if word[0] in (SEQUENCE, ARRAY) else word
-    return (word, 0) if word in (STRING, WSTRING) else (OBJECT, "", "Object") if word == OBJECT else word
+        if word[0] in (SEQUENCE, ARRAY):
+            return (word[0], descriptor(word[1])) + word[2:]
+        return word
+    if word in (STRING, WSTRING):
+        return (word, 0)
+    if word == OBJECT:
+        return (OBJECT, "", "Object")
+    return word
 
 
 @functools.lru_cache(maxsize=None)
@@ -31,8 +42,16 @@ def _named(type_id):
         return descriptors.enum(type_id, name(type_id), rest)
     if sort == UNION:
         switch = descriptor(rest[0])
-        return descriptors.union(type_id, name(type_id), switch, [
-            (descriptors.label(switch, label), member, descriptor(word)) for label, member, word in rest[2:]], rest[1])
+        return descriptors.union(
+            type_id,
+            name(type_id),
+            switch,
+            [
+                (descriptors.label(switch, label), member, descriptor(word))
+                for label, member, word in rest[2:]
+            ],
+            rest[1],
+        )
     made = descriptors.struct(type_id, name(type_id), list(zip(rest[::2], map(descriptor, rest[1::2]))))
     return (sort,) + made[1:]
 
@@ -43,14 +62,18 @@ def name(type_id):
 
 
 def ancestry(interface):
-    """The repository ids of an interface and of those that it inherits, the nearest first. Raises KeyError."""
+    """The repository ids of an interface and of those that it inherits, the nearest first.
+    Raises KeyError.
+    """
     yield interface
     for base in INTERFACES[interface][0]:
         yield from ancestry(base)
 
 
 def operation(interface, name):
-    """What the tables say of an operation of an interface, or of one of those that it inherits. Raises KeyError."""
+    """What the tables say of an operation of an interface, or of one of those that it inherits.
+    Raises KeyError.
+    """
     for type_id in ancestry(interface):
         own = INTERFACES[type_id][1]
         if name in own:
@@ -62,7 +85,12 @@ def operation(interface, name):
 def id_of(name):
     """The repository id of an interface or a type by its name: RTC.PortService, CosNaming.NameComponent."""
     tail = "/" + name.replace(".", "/") + ":"
-    return next(type_id for table in (INTERFACES, TYPES) for type_id in table if tail in "/" + type_id.partition(":")[2])
+    return next(
+        type_id
+        for table in (INTERFACES, TYPES)
+        for type_id in table
+        if tail in "/" + type_id.partition(":")[2]
+    )
 
 
 def struct(name):
@@ -71,5 +99,7 @@ def struct(name):
 
 
 def items(name):
-    """The items of an enum by its name (OpenRTM.PortStatus), in their order: each with a name `_n` and a number `_v`."""
+    """The items of an enum by its name (OpenRTM.PortStatus), in their order:
+    each with a name `_n` and a number `_v`.
+    """
     return descriptors.items(_named(id_of(name)))

@@ -1,12 +1,16 @@
-"""Object references as octets: their addresses, and whether they can be trusted, before omniORB makes objects of them.
+"""Object references as octets: their addresses, and whether they can be trusted, before omniORB makes objects
+of them.
 
-omniORBpy ends the whole process (SIGSEGV) on a reference whose repository id is not UTF-8. So answers of peers are read with
-descriptors (see descriptors.py) in which a reference is what it is on the wire, a struct of octets (CORBA 3.0, 13.6.2):
+omniORBpy ends the whole process (SIGSEGV) on a reference whose repository id is not UTF-8. So answers of
+peers are read with descriptors (see descriptors.py) in which a reference is what it is on the wire, a struct
+of octets (CORBA 3.0, 13.6.2):
 
-    struct Reference { sequence<octet> type_id; sequence<struct { unsigned long tag; sequence<octet> data; }> profiles; };
+    struct Reference { sequence<octet> type_id; sequence<struct { unsigned long tag; sequence<octet> data; }>
+    profiles; };
 
 omniORBpy still reads references and TypeCodes inside an `any`, whose types only the peer knows.
 """
+
 import collections
 import functools
 import operator
@@ -33,7 +37,8 @@ class BadReference(ValueError):
     """A reference that must not be used; why is its text."""
 
 
-# ---- what a reference says ------------------------------------------------------------------------------------
+# ---- what a reference says ---------------------------------------------------------------------------------
+
 
 @functools.lru_cache(maxsize=1024)
 def address(text):
@@ -45,7 +50,9 @@ def address(text):
 
 
 def parts(text):
-    """(type id, ((tag, octets), …) of its profiles) of a stringified IOR, all octets. Raises IndexError, struct.error."""
+    """(type id, ((tag, octets), …) of its profiles) of a stringified IOR, all octets.
+    Raises IndexError, struct.error.
+    """
     reader = _Cdr(_unhexed(text))
     type_id = reader.octets()[:-1]
     return type_id, tuple((reader.ulong(), reader.octets()) for _ in range(reader.ulong()))
@@ -57,7 +64,10 @@ def parsed(type_id, profiles):
     try:
         for tag, profile in profiles:
             if tag == IIOP:
-                ulong, ushort = _LITTLE if profile[0] & 1 else _BIG
+                if profile[0] & 1:
+                    ulong, ushort = _LITTLE
+                else:
+                    ulong, ushort = _BIG
                 end = 8 + ulong(profile, 4)[0]  # of the host, after the version
                 if end > len(profile):  # no place for unpack on a 32-bit system
                     raise IndexError
@@ -65,8 +75,9 @@ def parsed(type_id, profiles):
                 size = ulong(profile, at)[0]
                 if at + 4 + size > len(profile):
                     raise IndexError
-                host, port = profile[8:end - 1].decode("latin-1"), ushort(profile, end + 1 & ~1)[0]
-                return Address((type_id, sys.intern(host), port, profile[at + 4:at + 4 + size]))
+                host = profile[8 : end - 1].decode("latin-1")
+                port = ushort(profile, end + 1 & ~1)[0]
+                return Address((type_id, sys.intern(host), port, profile[at + 4 : at + 4 + size]))
     except (IndexError, struct.error):
         return Address(("", "", 0, b""))
     return Address((type_id, "", 0, b""))
@@ -84,20 +95,26 @@ def _unhexed(text):
 
 
 def addresses(text):
-    """Every (host, port) that a stringified IOR offers, in its order: IIOP profiles and the alternatives named in them."""
-    reader, found = _Cdr(_unhexed(text)), []
+    """Every (host, port) that a stringified IOR offers, in its order:
+    IIOP profiles and the alternatives named in them.
+    """
+    reader = _Cdr(_unhexed(text))
+    found = []
     try:
         reader.octets()  # the type id
         for _ in range(reader.ulong()):
-            tag, profile = reader.ulong(), reader.octets()
+            tag = reader.ulong()
+            profile = reader.octets()
             if tag != IIOP:
                 continue
             body = _Cdr(profile)
-            minor, body.at = profile[2], body.at + 2
+            minor = profile[2]
+            body.at = body.at + 2
             found.append(body.host_and_port())
             body.octets()  # the object key
             for _ in range(body.ulong() if minor else 0):
-                component, data = body.ulong(), body.octets()
+                component = body.ulong()
+                data = body.octets()
                 if component == ALTERNATE:
                     found.append(_Cdr(data).host_and_port())
     except (IndexError, struct.error):
@@ -105,15 +122,21 @@ def addresses(text):
     return list(collections.OrderedDict.fromkeys(found))
 
 
-_LITTLE, _BIG = [(struct.Struct(order + "L").unpack_from, struct.Struct(order + "H").unpack_from) for order in "<>"]
+_LITTLE, _BIG = [
+    (struct.Struct(order + "L").unpack_from, struct.Struct(order + "H").unpack_from) for order in "<>"
+]
 
 
 class _Cdr:
     """Reads a CDR encapsulation: a byte that gives the byte order, then aligned values."""
 
     def __init__(self, data):
-        self.data, self.at = data, 1
-        self._ulong, self._ushort = _LITTLE if data[0] & 1 else _BIG
+        self.data = data
+        self.at = 1
+        if data[0] & 1:
+            self._ulong, self._ushort = _LITTLE
+        else:
+            self._ulong, self._ushort = _BIG
 
     def ulong(self):
         at = self.at + 3 & ~3
@@ -130,15 +153,17 @@ class _Cdr:
         self.at += size
         if self.at > len(self.data):
             raise IndexError
-        return self.data[self.at - size:self.at]
+        return self.data[self.at - size : self.at]
 
     def host_and_port(self):
         return self.octets()[:-1].decode("latin-1"), self.ushort()
 
 
-# ---- from octets to a reference -------------------------------------------------------------------------------
+# ---- from octets to a reference ----------------------------------------------------------------------------
 
-_pack, _pack_one, _PADDING = struct.Struct("<LL").pack, struct.Struct("<LLL").pack, [b"", b"\0\0\0", b"\0\0", b"\0"]
+_pack = struct.Struct("<LL").pack
+_pack_one = struct.Struct("<LLL").pack
+_PADDING = [b"", b"\0\0\0", b"\0\0", b"\0"]
 
 
 def octets(type_id, profiles):
@@ -148,30 +173,42 @@ def octets(type_id, profiles):
     """
     start = check(type_id, profiles)
     if len(profiles) == 1:  # almost all, and there are many
-        (tag, profile), = profiles
+        ((tag, profile),) = profiles
         return start + _pack_one(1, tag, len(profile)) + profile
     if not profiles:
         return b""
-    return start + struct.pack("<L", len(profiles)) + b"".join(
-        _pack(tag, len(profile)) + profile + _PADDING[len(profile) & 3] for tag, profile in profiles)
+    return (
+        start
+        + struct.pack("<L", len(profiles))
+        + b"".join(
+            _pack(tag, len(profile)) + profile + _PADDING[len(profile) & 3] for tag, profile in profiles
+        )
+    )
 
 
 def check(type_id, profiles):
-    """Raise BadReference if a reference, given likewise, must not reach omniORB; returns how its octets start."""
+    """Raise BadReference if a reference, given likewise, must not reach omniORB;
+    returns how its octets start.
+    """
     if len(profiles) > MOST_PROFILES:
         raise BadReference(f"a reference of {len(profiles)} profiles")
     size = sum(len(profile) for _, profile in profiles)
     if size > LARGEST:
         raise BadReference("a reference of %d octets" % size)
-    return _start(type_id) if profiles else b""
+    if profiles:
+        return _start(type_id)
+    return b""
 
 
 @functools.lru_cache(maxsize=64)
 def _start(type_id):
     """The repository id as a reference begins with it. Raises BadReference if it is not one."""
-    size, ends = len(type_id), type_id.find(b"\0")
+    size = len(type_id)
+    ends = type_id.find(b"\0")
     try:
-        if size > LONGEST_TYPE or ends != size - 1:  # of the empty one, without even a NUL, as some ORBs write it, both are -1
+        if (
+            size > LONGEST_TYPE or ends != size - 1
+        ):  # of the empty one, without even a NUL, as some ORBs write it, both are -1
             raise ValueError
         type_id.decode("utf-8")
     except ValueError:
@@ -180,7 +217,8 @@ def _start(type_id):
 
 
 def checked(said):
-    """A stringified IOR that a peer has sent as text. Raises BadReference for one that must not reach omniORB.
+    """A stringified IOR that a peer has sent as text. Raises BadReference for one that must not reach
+    omniORB.
 
     Other forms, such as corbaname:, would let the peer choose whom omniORB calls.
     """
@@ -188,7 +226,8 @@ def checked(said):
         raise BadReference("not a reference (no IOR, or too long)")
     try:
         reader = _Cdr(_unhexed(said))
-        type_id, count = reader.octets(), reader.ulong()
+        type_id = reader.octets()
+        count = reader.ulong()
         octets(type_id, [(reader.ulong(), reader.octets()) for _ in range(min(count, MOST_PROFILES + 1))])
     except (struct.error, IndexError):
         raise BadReference("not a reference (its octets make no sense)")
@@ -197,25 +236,40 @@ def checked(said):
     return said
 
 
-# ---- descriptors ----------------------------------------------------------------------------------------------
+# ---- descriptors -------------------------------------------------------------------------------------------
+
 
 def _pair(*parts):
     return parts
 
 
 _OCTETS = (descriptors.SEQUENCE, descriptors.OCTET, 0)
-_PROFILES = (descriptors.SEQUENCE, (descriptors.STRUCT, _pair, "", "", "tag", descriptors.ULONG, "data", _OCTETS), 0)
+_PROFILES = (
+    descriptors.SEQUENCE,
+    (descriptors.STRUCT, _pair, "", "", "tag", descriptors.ULONG, "data", _OCTETS),
+    0,
+)
 
 
 def guarded(descriptor, taker, holder):
     """A descriptor by which omniORB, while it reads an answer, shows us all that must be checked.
 
-    References are read as octets: `taker(repository id)` returns a function that makes a reference of them. `holder(class)`
-    replaces the class of a struct that has an `any`. Returns `descriptor` itself where it has neither.
+    References are read as octets: `taker(repository id)` returns a function that makes a reference of them.
+    `holder(class)` replaces the class of a struct that has an `any`. Returns `descriptor` itself where it has
+    neither.
     """
     sort = descriptors.kind(descriptor)
     if sort == descriptors.OBJECT:
-        return (descriptors.STRUCT, taker(descriptor[1]), descriptor[1], "", "type_id", _OCTETS, "profiles", _PROFILES)
+        return (
+            descriptors.STRUCT,
+            taker(descriptor[1]),
+            descriptor[1],
+            "",
+            "type_id",
+            _OCTETS,
+            "profiles",
+            _PROFILES,
+        )
     places = {descriptors.SEQUENCE: [1], descriptors.ARRAY: [1], descriptors.ALIAS: [3]}.get(sort, [])
     if sort in (descriptors.STRUCT, descriptors.EXCEPTION):
         places = range(5, len(descriptor), 2)
@@ -226,4 +280,6 @@ def guarded(descriptor, taker, holder):
         parts[place] = guarded(descriptor[place], taker, holder)
     if sort == descriptors.STRUCT and descriptors.ANY in parts[5::2]:
         parts[1] = holder(parts[1])
-    return descriptor if all(new is old for new, old in zip(parts, descriptor)) else tuple(parts)
+    if all(new is old for new, old in zip(parts, descriptor)):
+        return descriptor
+    return tuple(parts)

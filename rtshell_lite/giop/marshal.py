@@ -1,9 +1,23 @@
-"""Values that only an ORB sends: references, `any`, TypeCodes, exceptions; beside those of cdr.py, and with text as Latin-1."""
+"""Values that only an ORB sends: references, `any`, TypeCodes, exceptions;
+beside those of cdr.py, and with text as Latin-1.
+"""
+
 import struct
 from _thread import RLock
 
 from rtshell_lite.giop import cdr, descriptors, ior
-from rtshell_lite.giop.descriptors import ANY, CHAR, EXCEPTION, FIXED, LONGDOUBLE, OBJECT, OCTET, PRINCIPAL, STRING, TYPECODE
+from rtshell_lite.giop.descriptors import (
+    ANY,
+    CHAR,
+    EXCEPTION,
+    FIXED,
+    LONGDOUBLE,
+    OBJECT,
+    OCTET,
+    PRINCIPAL,
+    STRING,
+    TYPECODE,
+)
 from rtshell_lite.giop.fixed_size import Fault
 from rtshell_lite.giop import allowance
 from rtshell_lite.giop.references import Reference
@@ -27,7 +41,8 @@ class Any:
     __slots__ = ("descriptor", "content")
 
     def __init__(self, descriptor, content):
-        self.descriptor, self.content = descriptor, content
+        self.descriptor = descriptor
+        self.content = content
 
     def __repr__(self):  # shown where a property has an any in an any; the same each time
         return str(self.content)
@@ -37,12 +52,22 @@ class Maker(cdr.Maker):
     """Readers and writers of one byte order; `depth` counts the values around, each in an any."""
 
     forms = dict(cdr.FORMS)
-    forms.update({OBJECT: "reference", ANY: "any", TYPECODE: "typecode", EXCEPTION: "struct",
-                  FIXED: "rare", LONGDOUBLE: "rare", PRINCIPAL: "rare"})
+    forms.update(
+        {
+            OBJECT: "reference",
+            ANY: "any",
+            TYPECODE: "typecode",
+            EXCEPTION: "struct",
+            FIXED: "rare",
+            LONGDOUBLE: "rare",
+            PRINCIPAL: "rare",
+        }
+    )
 
     def __init__(self, order, depth=0):
         super().__init__(order)
-        self.depth, self._lock = depth, RLock()
+        self.depth = depth
+        self._lock = RLock()
 
     def reader(self, descriptor):
         with self._lock:  # lanes share a Maker, and what it has half made is not for others
@@ -60,30 +85,49 @@ class Maker(cdr.Maker):
         def counted(data, at, size):
             allowance.spend(size)
             return read(data, at, size)
+
         return counted
 
     def read_sequence(self, descriptor):
-        return self._pairs_reader() if _is_nvlist(descriptor) else super().read_sequence(descriptor)
+        if _is_nvlist(descriptor):
+            return self._pairs_reader()
+        return super().read_sequence(descriptor)
 
     def write_sequence(self, descriptor):
-        return self._pairs_writer() if _is_nvlist(descriptor) else super().write_sequence(descriptor)
+        if _is_nvlist(descriptor):
+            return self._pairs_writer()
+        return super().write_sequence(descriptor)
 
     def _pairs_reader(self):
-        """An NVList as (octets of the name, octets of the value or an Any) pairs: profiles are full of them."""
-        unpack, start, others = self.count.unpack_from, struct.Struct(self.order + "III"), self.reader(ANY)
+        """An NVList as (octets of the name, octets of the value or an Any) pairs:
+        profiles are full of them.
+        """
+        unpack = self.count.unpack_from
+        start = struct.Struct(self.order + "III")
+        others = self.reader(ANY)
 
         def read(data, at):
             size, at = self._size(data, at, 0, 8)
             allowance.spend(size)
-            found, last = [], len(data) - start.size
+            found = []
+            last = len(data) - start.size
             for _ in range(size):
                 at += -at & 3
                 end = at + 4 + unpack(data, at)[0]
-                name, name_end, at = data[at + 4:end - 1], data[end - 1], end + (-end & 3)
-                kind, most, length = start.unpack_from(data, at) if at <= last else (None, None, None)
+                name = data[at + 4 : end - 1]
+                name_end = data[end - 1]
+                at = end + (-end & 3)
+                if at <= last:
+                    kind, most, length = start.unpack_from(data, at)
+                else:
+                    kind = None
+                    most = None
+                    length = None
                 if kind == STRING and not most:
                     end = at + 12 + length
-                    value, value_end, at = data[at + 12:end - 1], data[end - 1], end
+                    value = data[at + 12 : end - 1]
+                    value_end = data[end - 1]
+                    at = end
                 else:
                     value_end = 0
                     value, at = others(data, at)
@@ -91,6 +135,7 @@ class Maker(cdr.Maker):
                     raise Fault("a string without its end")
                 found.append((name, value))
             return found, at
+
         return read
 
     def _pairs_writer(self):
@@ -109,20 +154,23 @@ class Maker(cdr.Maker):
                     raise Fault("an any of another type than string")  # others come, but are never sent
                 out += b"\0" * (-len(out) & 3) + pack(STRING) + pack(0)
                 octets(out, value)
+
         return write
 
     def read_string(self, descriptor):
-        most, unpack = descriptors.bound(descriptor), self.count.unpack_from
+        most = descriptors.bound(descriptor)
+        unpack = self.count.unpack_from
 
         def read(data, at):
             at += -at & 3
-            size, = unpack(data, at)
+            (size,) = unpack(data, at)
             end = at + 4 + size
             if end > len(data) or most and size > most + 1:
                 raise Fault("a string longer than it can be")
             if size and data[end - 1]:
                 raise Fault("a string without its end")
-            return data[at + 4:end - 1].decode("latin-1") if size else "", end
+            return data[at + 4 : end - 1].decode("latin-1") if size else "", end
+
         return read
 
     def write_string(self, descriptor):
@@ -133,18 +181,24 @@ class Maker(cdr.Maker):
             if octets.find(b"\0") < len(octets) - 1:
                 raise Unsendable("a NUL in a string")
             out += b"\0" * (-len(out) & 3) + pack(len(octets)) + octets
+
         return write
 
     def read_reference(self, descriptor):
-        unpack, pair, interface = self.count.unpack_from, struct.Struct(self.order + "II").unpack_from, descriptor[1]
+        unpack = self.count.unpack_from
+        pair = struct.Struct(self.order + "II").unpack_from
+        interface = descriptor[1]
 
         def read(data, at):
             at += -at & 3
-            start, end = at + 4, at + 4 + unpack(data, at)[0]
+            start = at + 4
+            end = at + 4 + unpack(data, at)[0]
             if end > len(data):  # no place for unpack on a 32-bit system
                 raise Fault("a reference longer than it can be")
             at = end + (-end & 3)
-            type_id, count, at = data[start:end], unpack(data, at)[0], at + 4
+            type_id = data[start:end]
+            count = unpack(data, at)[0]
+            at = at + 4
             if count > ior.MOST_PROFILES:
                 raise ior.BadReference(f"a reference of {count} profiles")
             profiles = []
@@ -154,14 +208,17 @@ class Maker(cdr.Maker):
                 at += 8 + size
                 if at > len(data):
                     raise Fault("a reference longer than it can be")
-                profiles.append((tag, data[at - size:at]))
+                profiles.append((tag, data[at - size : at]))
             if not profiles:
                 return None, at
             ior.check(type_id, profiles)  # other ORBs may end from what it refuses, if that were sent on
             ref = Reference(type_id[:-1], tuple(profiles), interface)
-            if not interface and not ref.address.host and ior.IIOP in dict(profiles):  # what a name is bound to
+            if (
+                not interface and not ref.address.host and ior.IIOP in dict(profiles)
+            ):  # what a name is bound to
                 raise ior.BadReference("a reference that is none")
             return ref, at
+
         return read
 
     def write_reference(self, _):
@@ -172,15 +229,21 @@ class Maker(cdr.Maker):
 
         def write(out, ref):
             octets(out, (b"" if ref is None else ref.type_id) + b"\0")
-            profiles = () if ref is None else ref.profiles
+            if ref is None:
+                profiles = ()
+            else:
+                profiles = ref.profiles
             out += b"\0" * (-len(out) & 3) + pack(len(profiles))
             for tag, data in profiles:
                 out += b"\0" * (-len(out) & 3) + pack(tag)
                 octets(out, data)
+
         return write
 
     def read_any(self, _):
-        unpack, text, order = self.count.unpack_from, self.reader(TEXT), self.order
+        unpack = self.count.unpack_from
+        text = self.reader(TEXT)
+        order = self.order
 
         def read(data, at):
             at += -at & 3
@@ -188,6 +251,7 @@ class Maker(cdr.Maker):
                 value, at = text(data, at + 8)
                 return Any(TEXT, value), at
             from rtshell_lite.giop import typecodes
+
             descriptor, at = typecodes.read(data, at, order)
             if descriptor in (0, 1):  # null, void
                 return Any(descriptor, None), at
@@ -195,6 +259,7 @@ class Maker(cdr.Maker):
                 raise Fault("values inside values, deeper than %d" % descriptors.DEEPEST)
             value, at = Maker(order, self.depth + 1).reader(descriptor)(data, at)
             return Any(descriptor, value), at
+
         return read
 
     def read_typecode(self, _):
@@ -202,9 +267,12 @@ class Maker(cdr.Maker):
 
         def read(data, at):
             from rtshell_lite.giop import typecodes
+
             return typecodes.read(data, at, order)
+
         return read
 
     def read_rare(self, descriptor):
         from rtshell_lite.giop import rare
+
         return rare.reader(descriptor, self.order)

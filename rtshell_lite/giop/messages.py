@@ -1,18 +1,29 @@
 """GIOP messages as octets (CORBA 3.0, 15.4): requests to send, replies taken apart."""
+
 import functools
 import struct
 
-REPLY, CLOSE, ERROR, FRAGMENT = 1, 5, 6, 7  # kinds of messages; a request is 0
-NO_EXCEPTION, USER_EXCEPTION, SYSTEM_EXCEPTION, FORWARD, FORWARD_PERM, NEEDS_ADDRESSING_MODE = range(6)  # what a reply says
+# kinds of messages; a request is 0
+REPLY = 1
+CLOSE = 5
+ERROR = 6
+FRAGMENT = 7
+# what a reply says
+NO_EXCEPTION, USER_EXCEPTION, SYSTEM_EXCEPTION, FORWARD, FORWARD_PERM, NEEDS_ADDRESSING_MODE = range(6)
 KEY, PROFILE, REFERENCE = range(3)  # how a request names its object
 HEADER = 12  # octets
 LARGEST = 32 << 20  # octets of a message, as we let omniORB take
-LARGE = 4 << 20  # of a reply without data; 10,000 long names take half of it, and a million empty values 4 s of CPU
+# of a reply without data; 10,000 long names take half of it, and a million empty values 4 s of CPU
+LARGE = 4 << 20
 MOST_CONTEXTS = 64  # service contexts of a message; real ones have up to four
-MORE, LITTLE = 2, 1  # flags of a message
-# The service context without which peers send no wide text: ISO 8859-1, so that octets stay as they are, and UTF-16.
+# flags of a message
+MORE = 2
+LITTLE = 1
+# The service context without which peers send no wide text: ISO 8859-1, so that octets stay as they are, and
+# UTF-16.
 _CODE_SETS = struct.pack("<IIIIII", 1, 1, 12, 1, 0x00010001, 0x00010109)
-_LENGTH, _START = struct.Struct("<I"), struct.Struct("<8sIIIHH")
+_LENGTH = struct.Struct("<I")
+_START = struct.Struct("<8sIIIHH")
 _PADDING = [b"", b"\0\0\0", b"\0\0", b"\0"]
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "II")) for order in "><"]
 
@@ -36,7 +47,9 @@ def aligned(data, size):
 
 @functools.lru_cache(maxsize=256)
 def _named(operation, is_new):
-    """The name of an operation, and what follows: service contexts, or that there is no principal, before GIOP 1.2."""
+    """The name of an operation, and what follows:
+    service contexts, or that there is no principal, before GIOP 1.2.
+    """
     name = aligned(_LENGTH.pack(len(operation) + 1) + operation.encode("latin-1") + b"\0", 4)
     return name + (_CODE_SETS if is_new else bytes(4))
 
@@ -63,7 +76,11 @@ def request(number, version, mode, target, operation, arguments):
 
 def whole(kind, payload=b"", minor=2, order="<", more=False):
     """A message of GIOP 1.`minor` in a byte order; `more`: fragments of it follow."""
-    flags = (LITTLE if order == "<" else 0) | (MORE if more else 0)
+    flags = 0
+    if order == "<":
+        flags |= LITTLE
+    if more:
+        flags |= MORE
     return b"GIOP\1" + bytes([minor, flags, kind]) + struct.pack(order + "I", len(payload)) + payload
 
 
@@ -71,7 +88,7 @@ def size(data):
     """How many octets follow the header that `data` begins with. Raises Garbled."""
     if data[:4] != b"GIOP" or data[4] != 1 or data[5] > 2 or data[7] > FRAGMENT:
         raise Garbled("not GIOP")
-    found, = _ORDERS[data[6] & LITTLE][0].unpack_from(data, 8)
+    (found,) = _ORDERS[data[6] & LITTLE][0].unpack_from(data, 8)
     if found > LARGEST:
         raise Garbled(f"a message of {found} octets")
     return found
@@ -83,7 +100,9 @@ def number(data):
 
 
 def reply(data):
-    """(request id, status, little endian, where its body begins) of a reply, given whole. Raises Garbled, struct.error."""
+    """(request id, status, little endian, where its body begins) of a reply, given whole.
+    Raises Garbled, struct.error.
+    """
     little = data[6] & LITTLE
     one, two = _ORDERS[little]
     if data[5] < 2:
@@ -96,14 +115,16 @@ def reply(data):
 
 
 def after_contexts(data, at, one):
-    """Where the service contexts at `at` end; `one` reads a number in their byte order. Raises Garbled, struct.error."""
+    """Where the service contexts at `at` end; `one` reads a number in their byte order.
+    Raises Garbled, struct.error.
+    """
     at += -at % 4
-    count, = one.unpack_from(data, at)
+    (count,) = one.unpack_from(data, at)
     if count > MOST_CONTEXTS:
         raise Garbled(f"{count} service contexts")
     at += 4
     for _ in range(count):
-        size, = one.unpack_from(data, at + 4 + -at % 4)
+        (size,) = one.unpack_from(data, at + 4 + -at % 4)
         at += -at % 4 + 8 + size
         if at > len(data):
             raise Garbled("service contexts without an end")
@@ -118,23 +139,33 @@ class Fragments:
     """
 
     def __init__(self):
-        self.begun, self.size = {}, 0
+        self.begun = {}
+        self.size = 0
 
     def joined(self, data, most):
         """A message, whole; None while parts of it must come. Raises Garbled, struct.error.
 
-        `most(id)` gives how many octets a message may have, of a longer one no more is kept than shows that; or raises Garbled.
+        `most(id)` gives how many octets a message may have, of a longer one no more is kept than shows that;
+        or raises Garbled.
         """
-        is_first, more = data[7] != FRAGMENT, data[6] & MORE
+        is_first = data[7] != FRAGMENT
+        more = data[6] & MORE
         if is_first and not more:
             return data
         is_numbered = data[5] == 2
-        number_of_it = number(data) if is_numbered else None  # without numbers, parts follow at once
+        # without numbers, parts follow at once
+        if is_numbered:
+            number_of_it = number(data)
+        else:
+            number_of_it = None
         if is_first == (number_of_it in self.begun) or data[5] == 0:
             raise Garbled("fragments that make no message")
         begun = self.begun.setdefault(number_of_it, bytearray())
-        part = data if is_first else data[HEADER + 4 * is_numbered:]
-        part = part[:max(0, most(number_of_it) + 1 - len(begun))]
+        if is_first:
+            part = data
+        else:
+            part = data[HEADER + 4 * is_numbered :]
+        part = part[: max(0, most(number_of_it) + 1 - len(begun))]
         begun += part
         self.size += len(part)
         if self.size > LARGEST:

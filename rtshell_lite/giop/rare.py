@@ -1,4 +1,7 @@
-"""Values of types that robots hardly ever use: fixed, long double, Principal (CORBA 3.0, 15.3.1.4, 15.3.2.8); only read."""
+"""Values of types that robots hardly ever use:
+fixed, long double, Principal (CORBA 3.0, 15.3.1.4, 15.3.2.8); only read.
+"""
+
 import math
 import struct
 
@@ -12,7 +15,9 @@ def reader(descriptor, order):
     """read(data, at) of a fixed (a text), a long double (a float, the nearest) or a Principal (octets)."""
     if kind(descriptor) == FIXED:
         return _fixed(*descriptor[1:])
-    return _long_double(order) if kind(descriptor) == LONGDOUBLE else _principal(order)
+    if kind(descriptor) == LONGDOUBLE:
+        return _long_double(order)
+    return _principal(order)
 
 
 def _fixed(digits, scale):
@@ -21,14 +26,16 @@ def _fixed(digits, scale):
     size = digits // 2 + 1
 
     def read(data, at):
-        nibbles = bytes(data[at:at + size]).hex()  # the last is the sign
-        number, sign = nibbles[:-1], {"c": "", "d": "-"}.get(nibbles[-1:])
+        nibbles = bytes(data[at : at + size]).hex()  # the last is the sign
+        number = nibbles[:-1]
+        sign = {"c": "", "d": "-"}.get(nibbles[-1:])
         if len(nibbles) < 2 * size or sign is None or not number.isdigit():
             raise Fault("no fixed")
         if scale <= 0:
-            return sign + str(int(number) * 10 ** -scale), at + size
+            return sign + str(int(number) * 10**-scale), at + size
         number = number.zfill(scale + 1)
         return f"{sign}{int(number[:-scale])}.{number[-scale:]}", at + size
+
     return read
 
 
@@ -38,13 +45,23 @@ def _long_double(order):
     def read(data, at):
         at += -at & 7
         one, two = pair.unpack_from(data, at)
-        high, low = (two, one) if order == "<" else (one, two)
-        exponent, fraction = high >> 48 & 0x7fff, (high & (1 << 48) - 1) << 64 | low
-        if exponent == 0x7fff:
-            value = math.nan if fraction else math.inf
+        if order == "<":
+            high = two
+            low = one
+        else:
+            high = one
+            low = two
+        exponent = high >> 48 & 0x7FFF
+        fraction = (high & (1 << 48) - 1) << 64 | low
+        if exponent == 0x7FFF:
+            if fraction:
+                value = math.nan
+            else:
+                value = math.inf
         else:
             value = _scaled((1 << 112 if exponent else 0) | fraction, max(exponent, 1) - 16383 - 112)
         return (-value if high >> 63 else value), at + 16
+
     return read
 
 
@@ -63,5 +80,6 @@ def _principal(order):
         end = at + 4 + count.unpack_from(data, at)[0]
         if end > len(data):
             raise Fault("octets without an end")
-        return bytes(data[at + 4:end]), end
+        return bytes(data[at + 4 : end]), end
+
     return read

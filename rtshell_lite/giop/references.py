@@ -1,21 +1,26 @@
 """References to objects: what they say, from text and to text; no call."""
+
 import struct
 
 from rtshell_lite.giop import ior
 from rtshell_lite.giop import messages
 
-_LENGTH, _PAIR = struct.Struct("<I"), struct.Struct("<II")
+_LENGTH = struct.Struct("<I")
+_PAIR = struct.Struct("<II")
 
 
 class Reference:
-    """A reference: the repository id that it names (octets), its profiles, (tag, octets) each, and the id of the interface that
-    it is used as.
+    """A reference: the repository id that it names (octets), its profiles, (tag, octets) each, and the id of
+    the interface that it is used as.
     """
 
     __slots__ = ("type_id", "profiles", "interface", "_address")
 
     def __init__(self, type_id, profiles, interface=""):
-        self.type_id, self.profiles, self.interface, self._address = type_id, profiles, interface, None
+        self.type_id = type_id
+        self.profiles = profiles
+        self.interface = interface
+        self._address = None
 
     @property
     def address(self):
@@ -31,7 +36,9 @@ class Reference:
         return other
 
     def _at(self, via):
-        """(number, profile, key) for who is asked at an endpoint: of the profile with that, or else of the first with IIOP."""
+        """(number, profile, key) for who is asked at an endpoint:
+        of the profile with that, or else of the first with IIOP.
+        """
         first = None
         for number, (tag, profile) in enumerate(self.profiles):
             if tag == ior.IIOP:
@@ -43,7 +50,8 @@ class Reference:
         return first
 
     def target(self, mode=messages.KEY, via=None):
-        """(GIOP version, mode, octets that name the object in that mode, for who is asked at the endpoint `via`).
+        """(GIOP version, mode, octets that name the object in that mode, for who is asked at the endpoint
+        `via`).
 
         Raises OSError where it has no IIOP profile.
         """
@@ -51,7 +59,8 @@ class Reference:
         if not address.host:
             raise OSError(0, "no address of IIOP in its reference")
         tag, profile = self.profiles[0]
-        number, key = 0, address.key
+        number = 0
+        key = address.key
         if tag != ior.IIOP or via is not None and via != address[1:3]:  # few have more than one profile
             number, profile, key = self._at(via)
         if mode == messages.KEY:
@@ -68,7 +77,10 @@ class Reference:
 
 
 def at(host, port, key, minor=2):
-    """A reference to an object by its address and key alone, as a corbaloc gives it; GIOP 1.`minor` is spoken."""
+    """A reference to an object by its address and key alone, as a corbaloc gives it;
+    GIOP 1.`minor` is spoken.
+    """
+
     def octets(body, data):
         return body + b"\0" * (-len(body) % 4) + struct.pack("<I", len(data)) + data
 

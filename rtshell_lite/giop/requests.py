@@ -1,30 +1,50 @@
-"""GIOP as a server reads and writes it (CORBA 3.0, 15.4): requests taken apart, answers as octets; no socket."""
+"""GIOP as a server reads and writes it (CORBA 3.0, 15.4): requests taken apart, answers as octets;
+no socket.
+"""
+
 import struct
 
 from rtshell_lite.giop import marshal, messages, operations
 
-REQUEST, CANCEL, LOCATE, LOCATED = 0, 2, 3, 4  # kinds of messages; messages.py has the others
-NO, MAYBE = 1, 2  # whether what raised an exception was completed
-_ANSWER, _LOCATED = struct.Struct("<4s4BIIII"), struct.Struct("<4s4BIII")
+# kinds of messages; messages.py has the others
+REQUEST = 0
+CANCEL = 2
+LOCATE = 3
+LOCATED = 4
+# whether what raised an exception was completed
+NO = 1
+MAYBE = 2
+_ANSWER = struct.Struct("<4s4BIIII")
+_LOCATED = struct.Struct("<4s4BIII")
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "H")) for order in "><"]
 
 
 class Request:
-    """A Request (it `asks`) or LocateRequest, given whole: its id, its operation, the key of its object (None where the caller
-    names it otherwise), where the arguments begin in `data`. Raises Garbled, struct.error, IndexError.
+    """A Request (it `asks`) or LocateRequest, given whole: its id, its operation, the key of its object (None
+    where the caller names it otherwise), where the arguments begin in `data`. Raises Garbled, struct.error,
+    IndexError.
     """
 
     def __init__(self, data):
-        self.data, self.at, self.minor, self.little = data, None, data[5], data[6] & messages.LITTLE
+        self.data = data
+        self.at = None
+        self.minor = data[5]
+        self.little = data[6] & messages.LITTLE
         self.one, short = _ORDERS[self.little]
-        self.asks, self.operation, self.is_answered, at = data[7] == REQUEST, "", True, messages.HEADER
+        self.asks = data[7] == REQUEST
+        self.operation = ""
+        self.is_answered = True
+        at = messages.HEADER
         if self.asks and self.minor < 2:
             at = messages.after_contexts(data, at, self.one)
-        self.id, = self.one.unpack_from(data, at)
+        (self.id,) = self.one.unpack_from(data, at)
         at += 4
         if self.asks:
             self.is_answered = bool(data[at] & 1)
-            at += 4 if self.minor else 1
+            if self.minor:
+                at += 4
+            else:
+                at += 1
         if self.minor == 2:
             self.key = None
             if short.unpack_from(data, at)[0]:
@@ -35,14 +55,14 @@ class Request:
             name, at = self._octets(at)
             self.operation = name[:-1].decode("latin-1")
             self.at = self._arguments(at)
-            self.form, self.head = bytes(data[4:8]), bytes(data[16:self.at])
+            self.form, self.head = bytes(data[4:8]), bytes(data[16 : self.at])
 
     def again(self, data):
         """Take on a message that differs in its id and its arguments only; False if it differs in more."""
-        if self.at is None or self.minor < 2 or data[4:8] != self.form or data[16:self.at] != self.head:
+        if self.at is None or self.minor < 2 or data[4:8] != self.form or data[16 : self.at] != self.head:
             return False
         self.data = data
-        self.id, = self.one.unpack_from(data, messages.HEADER)
+        (self.id,) = self.one.unpack_from(data, messages.HEADER)
         return True
 
     def _arguments(self, at):
@@ -53,18 +73,23 @@ class Request:
 
     def _octets(self, at):
         at += -at % 4
-        size, = self.one.unpack_from(self.data, at)
+        (size,) = self.one.unpack_from(self.data, at)
         at += 4 + size
         if at > len(self.data):
             raise messages.Garbled("octets without an end")
-        return bytes(self.data[at - size:at]), at
+        return bytes(self.data[at - size : at]), at
 
 
-# ---- answers, in little endian --------------------------------------------------------------------------------
+# ---- answers, in little endian -----------------------------------------------------------------------------
+
 
 def answer(request, status=messages.NO_EXCEPTION):
     """A Reply as a bytearray, up to its results; `sized` ends it."""
-    words = (request.id, status, 0) if request.minor == 2 else (0, request.id, status)  # 0: no service contexts
+    # 0: no service contexts
+    if request.minor == 2:
+        words = (request.id, status, 0)
+    else:
+        words = (0, request.id, status)
     return bytearray(_ANSWER.pack(b"GIOP", 1, request.minor, messages.LITTLE, messages.REPLY, 0, *words))
 
 
@@ -83,10 +108,15 @@ def failed(request, name, completed=NO):
 
 def needs_key(request):
     """The answer to who names an object by a profile or a reference."""
-    out = answer(request, messages.NEEDS_ADDRESSING_MODE) if request.asks else located(request, messages.NEEDS_ADDRESSING_MODE)
+    if request.asks:
+        out = answer(request, messages.NEEDS_ADDRESSING_MODE)
+    else:
+        out = located(request, messages.NEEDS_ADDRESSING_MODE)
     return sized(out + struct.pack("<H", messages.KEY))
 
 
 def located(request, status):
     """A LocateReply; status 0: no such object, 1: it is here."""
-    return bytearray(_LOCATED.pack(b"GIOP", 1, request.minor, messages.LITTLE, LOCATED, 8, request.id, status))
+    return bytearray(
+        _LOCATED.pack(b"GIOP", 1, request.minor, messages.LITTLE, LOCATED, 8, request.id, status)
+    )

@@ -2,16 +2,31 @@
 
 What is read first has no classes for its values; descriptors.adopted checks it, and makes them.
 """
+
 import struct
 
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
-from rtshell_lite.giop.descriptors import ALIAS, ARRAY, ENUM, EXCEPTION, FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING
+from rtshell_lite.giop.descriptors import (
+    ALIAS,
+    ARRAY,
+    ENUM,
+    EXCEPTION,
+    FIXED,
+    INDIRECT,
+    OBJECT,
+    SEQUENCE,
+    STRING,
+    STRUCT,
+    UNION,
+    WSTRING,
+)
 from rtshell_lite.giop.fixed_size import Fault
 from rtshell_lite.giop import allowance
 
-INDIRECTION = 0xffffffff
-PLAIN = tuple(range(OBJECT)) + (23, 24, 25, 26)  # those of which the kind says all: null to Principal, long long to wchar
+INDIRECTION = 0xFFFFFFFF
+# those of which the kind says all: null to Principal, long long to wchar
+PLAIN = tuple(range(OBJECT)) + (23, 24, 25, 26)
 
 
 def read(data, at, order):
@@ -27,10 +42,15 @@ def read(data, at, order):
 
 
 class _Reader:
-    """Reads from a place on; `base` is where alignment counts from: the message, or the encapsulation around."""
+    """Reads from a place on; `base` is where alignment counts from:
+    the message, or the encapsulation around.
+    """
 
     def __init__(self, data, at, order, base):
-        self.data, self.at, self.order, self.base = data, at, order, base
+        self.data = data
+        self.at = at
+        self.order = order
+        self.base = base
 
     def number(self, code="I"):
         form = struct.Struct(self.order + code)
@@ -43,7 +63,7 @@ class _Reader:
         self.at += size
         if self.at > len(self.data):
             raise Fault("octets without an end")
-        return self.data[self.at - size:self.at]
+        return self.data[self.at - size : self.at]
 
     def text(self):
         return bytes(self.octets()[:-1]).decode("latin-1")
@@ -58,14 +78,17 @@ class _Reader:
 
     def inside(self):
         """A reader of the encapsulation that begins here, which is passed over."""
-        size, start = self.number(), self.at
+        size = self.number()
+        start = self.at
         self.at += size
         if size == 0 or self.at > len(self.data):
             raise Fault("an encapsulation without an end")
         return _Reader(self.data, start + 1, "<" if self.data[start] & 1 else ">", start)
 
     def typecode(self, known, depth):
-        """The descriptor here; `known` {place: descriptor, or the list that will hold it} is for indirections to it."""
+        """The descriptor here; `known` {place:
+        descriptor, or the list that will hold it} is for indirections to it.
+        """
         if depth < 0:
             raise Fault("types inside types, deeper than %d" % descriptors.DEEPEST)
         kind = self.number()
@@ -75,7 +98,9 @@ class _Reader:
             found = known.get(self.at - 4 + offset)
             if found is None:
                 raise Fault("an indirection to nowhere")
-            return (INDIRECT, found) if isinstance(found, list) else found
+            if isinstance(found, list):
+                return (INDIRECT, found)
+            return found
         if kind in PLAIN:
             return kind
         if kind in (STRING, WSTRING):
@@ -92,7 +117,8 @@ class _Reader:
         """The descriptor of a type whose parts are in this encapsulation."""
         if kind in (SEQUENCE, ARRAY):
             return kind, self.typecode(known, depth), self.number()
-        type_id, name = self.text(), self.text()
+        type_id = self.text()
+        name = self.text()
         if kind == OBJECT:
             return kind, type_id, name
         if kind == ALIAS:
@@ -109,19 +135,45 @@ class _Reader:
         raise Fault(f"a type of kind {kind}")
 
     def union(self, type_id, name, known, depth):
-        switch, default = self.typecode(known, depth), self.number("i")
+        switch = self.typecode(known, depth)
+        default = self.number("i")
         sort = descriptors.kind(descriptors.plain(switch))
-        code = {descriptors.SHORT: "h", descriptors.USHORT: "H", descriptors.LONG: "i", descriptors.ULONG: "I", ENUM: "I",
-                descriptors.LONGLONG: "q", descriptors.ULONGLONG: "Q", descriptors.BOOLEAN: "B", descriptors.CHAR: "B"}.get(sort)
+        code = {
+            descriptors.SHORT: "h",
+            descriptors.USHORT: "H",
+            descriptors.LONG: "i",
+            descriptors.ULONG: "I",
+            ENUM: "I",
+            descriptors.LONGLONG: "q",
+            descriptors.ULONGLONG: "Q",
+            descriptors.BOOLEAN: "B",
+            descriptors.CHAR: "B",
+        }.get(sort)
         if code is None:
             raise Fault("a union that is switched by what cannot switch one")
         cases = []
         for number in range(self.count()):
             label = self.number(code)
-            label = chr(label) if sort == descriptors.CHAR else label
-            label = 0 if number == default and sort != descriptors.CHAR else label
+            if sort == descriptors.CHAR:
+                label = chr(label)
+            else:
+                label = label
+            if number == default and sort != descriptors.CHAR:
+                label = 0
+            else:
+                label = label
             cases.append((descriptors.label(switch, label), self.text(), self.typecode(known, depth)))
         if not -1 <= default < len(cases):
             raise Fault("a union whose default is no case of it")
         cases = tuple(descriptors.Case(case) for case in cases)
-        return (UNION, None, type_id, name, switch, default, cases, cases[default] if default >= 0 else None, None)
+        return (
+            UNION,
+            None,
+            type_id,
+            name,
+            switch,
+            default,
+            cases,
+            cases[default] if default >= 0 else None,
+            None,
+        )

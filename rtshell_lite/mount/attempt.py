@@ -1,4 +1,6 @@
-"""Where a bug in a task of a mount is caught, as in server.py: it must not end the mount, nor leave others waiting."""
+"""Where a bug in a task of a mount is caught, as in server.py:
+it must not end the mount, nor leave others waiting.
+"""
 
 
 async def attempt(coroutine):

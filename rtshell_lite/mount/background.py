@@ -1,4 +1,5 @@
 """Mounting, and serving in the background until the tree is unmounted."""
+
 import os
 
 from rtshell_lite import errors, notes
@@ -7,7 +8,8 @@ from rtshell_lite.mount import kernel
 
 
 def fork():
-    """Make the process that serves. Returns (its id, a pipe to wait at), or in that process (0, `leave` for `serve`).
+    """Make the process that serves. Returns (its id, a pipe to wait at), or in that process (0, `leave` for
+    `serve`).
 
     To be called before there is any thread, and before the ORB starts: neither survives a fork.
     """
@@ -48,6 +50,7 @@ async def serve(directory, ttl, read_only=False, over=False, leave=None):
     await kernel.check(directory, over)
     orb.start()
     from rtshell_lite.mount import naming, nodes, server
+
     before = notes.listener
     mount = nodes.Mount(directory, ttl, read_only, None if leave else before)
 
@@ -55,13 +58,16 @@ async def serve(directory, ttl, read_only=False, over=False, leave=None):
         if leave:
             leave()
         notes.listener = mount.hear
+
     kernel.hold(directory)
     fd = kernel.mount(directory, read_only)
     device = kernel.mounted().get(directory)
     async with mount.tasks:
         try:
             await server.Server(mount, naming.Root(mount), fd, ready).serve()
-            device = None  # unmounted: what is mounted there now is another tree, even if it has the same number
+            device = (
+                None  # unmounted: what is mounted there now is another tree, even if it has the same number
+            )
         finally:
             if device and kernel.mounted().get(directory) == device:
                 _unmount(directory)

@@ -1,4 +1,5 @@
 """Answers of peers: shared by the requests that wait for them, and believed for a while."""
+
 import time
 
 from rtshell_lite import errors
@@ -15,7 +16,9 @@ class Cache:
     """
 
     def __init__(self, tasks):
-        self.tasks, self.changes, self._kept = tasks, 0, []
+        self.tasks = tasks
+        self.changes = 0
+        self._kept = []
 
     def expire(self):
         """Note that something has been changed."""
@@ -42,8 +45,12 @@ class CachedAnswer:
     __slots__ = ("_cache", "_place", "_ask", "_seconds", "_value", "_until", "_asked", "_in_flight", "_next")
 
     def __init__(self, cache, place, ask, seconds):
-        self._cache, self._place, self._ask, self._seconds = cache, place, ask, seconds
-        self._value, self._until = None, 0.0
+        self._cache = cache
+        self._place = place
+        self._ask = ask
+        self._seconds = seconds
+        self._value = None
+        self._until = 0.0
         self._asked = 0  # Cache.changes when the value was asked for
         self._in_flight = None  # Waits for the question in flight, if its answer will be believed
         self._next = None  # Waits for the question after that; None if there is no question in flight
@@ -54,7 +61,8 @@ class CachedAnswer:
 
     def expire(self):
         """Believe nothing that was asked before now."""
-        self._until, self._in_flight = 0.0, None
+        self._until = 0.0
+        self._in_flight = None
 
     def drop(self):
         """Free a value that is believed no longer; returns whether there is none."""
@@ -77,8 +85,10 @@ class CachedAnswer:
 
     def _start(self, waits):
         endpoint, where = self._place()
-        self._until, self._asked = 0.0, self._cache.changes
-        self._in_flight, self._next = waits, []
+        self._until = 0.0
+        self._asked = self._cache.changes
+        self._in_flight = waits
+        self._next = []
         self._cache.tasks.start(self._answer(endpoint, where, waits), endpoint)
 
     async def _answer(self, endpoint, where, waits):
@@ -86,7 +96,8 @@ class CachedAnswer:
         if self._in_flight is waits:
             self._in_flight = None
             self._keep(value)
-        following, self._next = self._next, None
+        following = self._next
+        self._next = None
         if following:
             self._start(following)
         for wait in waits:
@@ -103,7 +114,8 @@ class CachedAnswer:
             return
         if self._value is None:
             self._cache.keep(self)
-        self._value, self._until = value, time.monotonic() + self._seconds
+        self._value = value
+        self._until = time.monotonic() + self._seconds
 
 
 class Known:

@@ -1,10 +1,22 @@
 """The files of a component in a mounted RTC Tree."""
+
 import functools
 import math
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
-from rtshell_lite.mount.nodes import Control, Directory, Items, Link, Text, WritableItem, line, link_text, meant, unique
+from rtshell_lite.mount.nodes import (
+    Control,
+    Directory,
+    Items,
+    Link,
+    Text,
+    WritableItem,
+    line,
+    link_text,
+    meant,
+    unique,
+)
 from rtshell_lite.mount.ports import PortsDirectory
 from rtshell_lite.robot import component, composites, configuration, contexts, places, transitions, tree
 from rtshell_lite.robot.snapshot import EACH, FULL, Snapshot
@@ -18,11 +30,21 @@ WAIT = 5.0  # seconds that a state may take to be reached, as with rtact --wait
 class ComponentDirectory(Directory):
     """A component. What it has been asked for is shared by all that is below it."""
 
-    __slots__ = ("node", "contexts", "state", "ports", "profile", "configuration", "organisations", "everything")
+    __slots__ = (
+        "node",
+        "contexts",
+        "state",
+        "ports",
+        "profile",
+        "configuration",
+        "organisations",
+        "everything",
+    )
 
     def __init__(self, above, name, node):
         super().__init__(above, name)
-        self.node, source = node, self._source
+        self.node = node
+        source = self._source
         self.contexts = source(lambda: component.context_refs(self.node))
         self.state = source(self._state, 0)
         self.ports = source(lambda: Snapshot(self.node).ask(ports=EACH))
@@ -41,10 +63,13 @@ class ComponentDirectory(Directory):
                 if not await self._has_come_back():
                     raise
                 return await ask()
+
         return self.mount.answer(self.place, checked, seconds)
 
     async def _has_come_back(self):
-        """Whether another object has its name now: the kernel does not look up again what is a working directory."""
+        """Whether another object has its name now:
+        the kernel does not look up again what is a working directory.
+        """
         try:
             node = await tree.resolve(self.node.path)
         except errors.Error:
@@ -56,7 +81,14 @@ class ComponentDirectory(Directory):
 
     def renew(self, node):
         if not orb.same(self.node.ref, node.ref):
-            for source in (self.contexts, self.ports, self.profile, self.configuration, self.organisations, self.everything):
+            for source in (
+                self.contexts,
+                self.ports,
+                self.profile,
+                self.configuration,
+                self.organisations,
+                self.everything,
+            ):
                 source.expire()
         self.node = node
 
@@ -75,6 +107,7 @@ class ComponentDirectory(Directory):
 
     async def _everything(self):
         from rtshell_lite.views import describe
+
         found = await describe.collect(self.node, 2)
         return describe.as_dict(found, await places.far_names(found.ports))
 
@@ -101,9 +134,15 @@ class ComponentDirectory(Directory):
     def hidden(self, value):
         from rtshell_lite.events import observer, watch
         from rtshell_lite.mount.streams import WatchStream
-        return {"events": (WatchStream, lambda: watch.Watch(watch.Events(watch.KINDS)), observer.event_line),
-                "log": (WatchStream, lambda: watch.Watch(watch.Records("NORMAL", [])),
-                        lambda record: observer.record_line(record, self.name))}
+
+        return {
+            "events": (WatchStream, lambda: watch.Watch(watch.Events(watch.KINDS)), observer.event_line),
+            "log": (
+                WatchStream,
+                lambda: watch.Watch(watch.Records("NORMAL", [])),
+                lambda record: observer.record_line(record, self.name),
+            ),
+        }
 
     async def _change(self, text):
         if text not in TRANSITIONS:
@@ -129,7 +168,8 @@ class MembersDirectory(Directory):
         return {name: (Link, link_text(path, self)) for name, (_, path) in zip(names, members)}
 
 
-# ---- configuration --------------------------------------------------------------------------------------------
+# ---- configuration -----------------------------------------------------------------------------------------
+
 
 class ConfigurationDirectory(Directory):
     """The configuration sets, and which is active."""
@@ -173,7 +213,8 @@ class SetDirectory(Directory):
 
     def __init__(self, above, name, source, set_id):
         super().__init__(above, name)
-        self.source, self._id = source, set_id
+        self.source = source
+        self._id = set_id
 
     def _named(self, found):
         values = found.set(self._id, with_hidden=True).values
@@ -193,7 +234,8 @@ class SetDirectory(Directory):
         await found.store({parameter: text}, found.set(self._id, with_hidden=True))
 
 
-# ---- execution contexts ---------------------------------------------------------------------------------------
+# ---- execution contexts ------------------------------------------------------------------------------------
+
 
 class ContextsDirectory(Directory):
     """The execution contexts, by their numbers as rtact -e counts them."""
@@ -206,7 +248,9 @@ class ContextsDirectory(Directory):
 
     def entries(self, refs):
         owned, participating = refs
-        return {str(index): (ExecutionDirectory, index, ref) for index, ref in enumerate(owned + participating)}
+        return {
+            str(index): (ExecutionDirectory, index, ref) for index, ref in enumerate(owned + participating)
+        }
 
 
 class ExecutionDirectory(Directory):
@@ -216,7 +260,8 @@ class ExecutionDirectory(Directory):
 
     def __init__(self, above, name, index, ref):
         super().__init__(above, name)
-        self._index, self._ref = index, ref
+        self._index = index
+        self._ref = ref
         self._profile = self.mount.answer(self.place, lambda: component.context(self._node(), self._ref))
 
     def renew(self, index, ref):
@@ -232,10 +277,17 @@ class ExecutionDirectory(Directory):
         return self.mount.answer(self.place, lambda: orb.call(self.where, self._ref, operation), 0)
 
     def entries(self, value):
-        return {"state": (Control, self._asked("is_running"), lambda runs: "Running\n" if runs else "Stopped\n", self._run),
-                "rate": (Control, self._asked("get_rate"), "{:g}\n".format, self._set_rate),
-                "kind": (Text, self._profile, lambda context: context.kind + "\n"),
-                "owner": (Text, self.mount.answer(self.place, self._owner), line)}
+        return {
+            "state": (
+                Control,
+                self._asked("is_running"),
+                lambda runs: "Running\n" if runs else "Stopped\n",
+                self._run,
+            ),
+            "rate": (Control, self._asked("get_rate"), "{:g}\n".format, self._set_rate),
+            "kind": (Text, self._profile, lambda context: context.kind + "\n"),
+            "owner": (Text, self.mount.answer(self.place, self._owner), line),
+        }
 
     async def _owner(self):
         return await component.instance_name(self._node(), (await self._profile.get()).owner)

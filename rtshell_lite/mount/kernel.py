@@ -1,4 +1,7 @@
-"""Mounting and unmounting: mount(2) for root, fusermount3 or fusermount for others; what is mounted where. Linux only."""
+"""Mounting and unmounting: mount(2) for root, fusermount3 or fusermount for others; what is mounted where.
+Linux only.
+"""
+
 import array
 import errno
 import fcntl
@@ -19,10 +22,15 @@ TYPE = "fuse." + NAME
 HELPERS = ("fusermount3", "fusermount")  # set-uid root; of FUSE 3 and 2
 MOUNTS = "/proc/self/mountinfo"  # a poll of it ends when something is mounted or unmounted
 LOOK = 0.02  # seconds between looks at whether a server has ended
-RDONLY, NOSUID, NODEV, DETACH = 1, 2, 4, 2  # MS_… and MNT_DETACH of <sys/mount.h>
+# MS_… and MNT_DETACH of <sys/mount.h>
+RDONLY = 1
+NOSUID = 2
+NODEV = 4
+DETACH = 2
 
 
-# ---- what is mounted ------------------------------------------------------------------------------------------
+# ---- what is mounted ---------------------------------------------------------------------------------------
+
 
 def mounted():
     """{directory, absolute: number of its device} where RTC Trees are mounted. Asks no server."""
@@ -35,10 +43,14 @@ def mounted():
 
 
 def located(directory):
-    """The absolute path of a directory, without asking the server of a tree that is mounted there: it may be stopped."""
+    """The absolute path of a directory, without asking the server of a tree that is mounted there:
+    it may be stopped.
+    """
     parent, name = os.path.split(directory.rstrip("/"))
     path = os.path.join(os.path.realpath(parent), name)
-    return path if path in mounted() else os.path.realpath(directory)
+    if path in mounted():
+        return path
+    return os.path.realpath(directory)
 
 
 def _unescaped(word):
@@ -64,10 +76,12 @@ async def _is_stale_for_certain(directory):
         return False
 
 
-# ---- mounting -------------------------------------------------------------------------------------------------
+# ---- mounting ----------------------------------------------------------------------------------------------
+
 
 async def check(directory, over=False):
-    """Raise Failed unless a tree can be mounted on this system, at this absolute path; a stale mount there is detached.
+    """Raise Failed unless a tree can be mounted on this system, at this absolute path; a stale mount there is
+    detached.
 
     `over`: also where that hides files.
     """
@@ -80,7 +94,9 @@ async def check(directory, over=False):
     if not os.path.isdir(directory):
         raise errors.Failed(printable(directory), "no such directory")
     if not over and _is_filled(directory):
-        raise errors.Failed(printable(directory), "not empty; a mount hides what is there (--over mounts all the same)")
+        raise errors.Failed(
+            printable(directory), "not empty; a mount hides what is there (--over mounts all the same)"
+        )
     if not os.path.exists(DEVICE):
         raise errors.Failed(DEVICE, "not there: this kernel or container has no FUSE (modprobe fuse)")
     if os.geteuid() and not _helper():
@@ -101,17 +117,27 @@ def _helper():
 
 
 def mount(directory, read_only=False):
-    """Mount at a directory; returns the file descriptor on which the kernel asks. Raises Failed with the reason."""
+    """Mount at a directory; returns the file descriptor on which the kernel asks.
+    Raises Failed with the reason.
+    """
     if os.geteuid():
         return _by_helper(directory, read_only)
     try:
         fd = os.open(DEVICE, os.O_RDWR | os.O_CLOEXEC)
     except OSError as e:
         raise errors.Failed(DEVICE, e.strerror)
-    options = f"fd={fd},rootmode=40000,user_id={os.getuid()},group_id={os.getgid()},allow_other,default_permissions"
+    options = (
+        f"fd={fd},rootmode=40000,user_id={os.getuid()},group_id={os.getgid()},allow_other,default_permissions"
+    )
     try:
-        _system_call("mount", NAME.encode(), os.fsencode(directory), TYPE.encode(),
-                     NOSUID | NODEV | read_only * RDONLY, options.encode())
+        _system_call(
+            "mount",
+            NAME.encode(),
+            os.fsencode(directory),
+            TYPE.encode(),
+            NOSUID | NODEV | read_only * RDONLY,
+            options.encode(),
+        )
     except OSError as e:
         os.close(fd)
         raise errors.Failed(printable(directory), f"cannot mount: {e.strerror}")
@@ -120,6 +146,7 @@ def mount(directory, read_only=False):
 
 def _system_call(name, *args):
     import ctypes  # which Debian's python3-minimal lacks
+
     args = [ctypes.c_ulong(arg) if isinstance(arg, int) else arg for arg in args]
     library = ctypes.CDLL(None, use_errno=True)
     if getattr(library, name)(*args):
@@ -129,18 +156,25 @@ def _system_call(name, *args):
 def _by_helper(directory, read_only):
     """Have fusermount3 mount: it sends the descriptor over a socket whose number is in _FUSE_COMMFD."""
     import subprocess
+
     options = f"default_permissions,subtype={NAME},fsname={NAME}{',ro' if read_only else ''}"
     for more in (",allow_other", ""):  # which /etc/fuse.conf may forbid
         ours, theirs = socket.socketpair()
         with ours, theirs:
-            done = subprocess.Popen([_helper(), "-o", options + more, "--", directory], pass_fds=[theirs.fileno()],
-                                    env=dict(os.environ, _FUSE_COMMFD=str(theirs.fileno())), stderr=subprocess.PIPE)
+            done = subprocess.Popen(
+                [_helper(), "-o", options + more, "--", directory],
+                pass_fds=[theirs.fileno()],
+                env=dict(os.environ, _FUSE_COMMFD=str(theirs.fileno())),
+                stderr=subprocess.PIPE,
+            )
             theirs.close()
             fd = _received(ours)
             said = done.communicate()[1].decode("utf-8", "replace").strip()
         if fd is not None:
             return fd
-    raise errors.Failed(printable(directory), "cannot mount: " + printable(said or "fusermount gave no reason"))
+    raise errors.Failed(
+        printable(directory), "cannot mount: " + printable(said or "fusermount gave no reason")
+    )
 
 
 def _received(channel):
@@ -164,7 +198,9 @@ def hold(directory):
 
 
 async def is_released(directory, seconds):
-    """Whether all processes that have mounted at a directory, where nothing is mounted now, end in so many seconds."""
+    """Whether all processes that have mounted at a directory, where nothing is mounted now,
+    end in so many seconds.
+    """
     try:
         fd = os.open(directory, os.O_RDONLY)
     except OSError:
@@ -190,7 +226,10 @@ def unmount(directory):
     try:
         if os.geteuid():
             import subprocess
-            done = subprocess.run([_helper() or HELPERS[0], "-u", "-z", "--", directory], stderr=subprocess.PIPE)
+
+            done = subprocess.run(
+                [_helper() or HELPERS[0], "-u", "-z", "--", directory], stderr=subprocess.PIPE
+            )
             if done.returncode:
                 raise OSError(errno.EPERM, done.stderr.decode("utf-8", "replace").strip())
         else:

@@ -1,4 +1,5 @@
 """Which of the objects in a mounted tree live: all are asked, but no listing waits for one that hangs."""
+
 import time
 
 from rtshell_lite.corba import orb
@@ -18,16 +19,21 @@ class Liveness:
     """
 
     def __init__(self, tasks, ttl, fail):
-        self._tasks, self._ttl, self._fail = tasks, ttl, fail
+        self._tasks = tasks
+        self._ttl = ttl
+        self._fail = fail
         self._known = {}  # by identity: (kind, error, until)
         self._asked = {}  # by identity: since when, time.monotonic()
         self._bells = set()  # of the listings that wait
 
     async def check(self, nodes):
         """`tree.check_alive`, for a few tenths of a second at most; what does not answer keeps its kind."""
-        objects = {orb.identity(node.ref): node for node in nodes if node.kind in ASKED and node.error is None}
+        objects = {
+            orb.identity(node.ref): node for node in nodes if node.kind in ASKED and node.error is None
+        }
         self._ask(objects)
-        end, bell = time.monotonic() + PATIENCE, loop.Bell()
+        end = time.monotonic() + PATIENCE
+        bell = loop.Bell()
         self._bells.add(bell)
         try:
             while self._is_worth_waiting(objects) and await bell.wait(end - time.monotonic()):
@@ -37,7 +43,8 @@ class Liveness:
         return [self._classified(node) for node in nodes]
 
     def _ask(self, objects):
-        now, groups = time.monotonic(), {}
+        now = time.monotonic()
+        groups = {}
         for identity, node in objects.items():
             _, _, until = self._known.get(identity, UNKNOWN)
             if identity not in self._asked and until < now:

@@ -1,4 +1,5 @@
 """The files of a manager in a mounted RTC Tree."""
+
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.mount.nodes import NOTHING, Control, Directory, Link, Text, line, link_text, unique
@@ -23,9 +24,12 @@ class ManagerDirectory(Directory):
         return self.node.endpoint, self.node.path
 
     def entries(self, value):
-        return {"components": (ManagedDirectory,), "loaded": self._lines("get_loaded_modules", "file_path"),
-                "factories": self._lines("get_factory_profiles"),
-                "create": (Control, NOTHING, lambda _: "", self._create)}
+        return {
+            "components": (ManagedDirectory,),
+            "loaded": self._lines("get_loaded_modules", "file_path"),
+            "factories": self._lines("get_factory_profiles"),
+            "create": (Control, NOTHING, lambda _: "", self._create),
+        }
 
     def hidden(self, value):
         return {"loadable": self._lines("get_loadable_modules")}  # runs a process for each module
@@ -56,10 +60,14 @@ class ManagedDirectory(Directory):
 
     async def _listed(self):
         """[(Node, the Path where it is bound or None)]"""
-        found, listed = places.Places(), []
+        found = places.Places()
+        listed = []
         for node in await tree.managed(self.above.node):
             is_live = node.kind == "component"
-            path = await found.path(node.path.names[-1].id, node.ref, self.above.node) if is_live else None
+            if is_live:
+                path = await found.path(node.path.names[-1].id, node.ref, self.above.node)
+            else:
+                path = None
             listed.append((node, path))
         return listed
 
@@ -73,4 +81,5 @@ class ManagedDirectory(Directory):
         if node.kind != "component":
             return Link, f"{node.kind}: {node.error}"
         from rtshell_lite.mount.components import ComponentDirectory
+
         return ComponentDirectory, node

@@ -1,4 +1,5 @@
 """The upper part of a mounted RTC Tree: its root, name servers, naming contexts, and what is bound in them."""
+
 import posixpath
 import re
 import stat
@@ -84,7 +85,9 @@ class Root(Directory):
 
     def entries(self, value):
         named = [name for name, node in self.known.items() if type(node) is ServerDirectory]
-        servers = {file_name(address): address for address in tree.servers() if _server_path(file_name(address))}
+        servers = {
+            file_name(address): address for address in tree.servers() if _server_path(file_name(address))
+        }
         servers.update((name, self.known[name].address) for name in named[:MOST_SERVERS])
         found = {name: (ServerDirectory, servers[name]) for name in sorted(servers)}
         found["README"] = (Local, lambda: README)
@@ -107,7 +110,9 @@ def _server_path(name):
         path = parse("/" + name)
     except errors.BadPath:
         return None
-    return path if path.server is not None and not path.names and file_name(path.server) == name else None
+    if path.server is not None and not path.names and file_name(path.server) == name:
+        return path
+    return None
 
 
 class ContextDirectory(Directory):
@@ -118,7 +123,8 @@ class ContextDirectory(Directory):
 
     def __init__(self, above, name, node):
         super().__init__(above, name)
-        self.node, self._bindings = node, {}
+        self.node = node
+        self._bindings = {}
         self.source = self.mount.answer(self.place, self._listed)
         self.mount.contexts.setdefault(orb.identity(node.ref), self)
 
@@ -155,7 +161,7 @@ class ContextDirectory(Directory):
             node = await tree.resolve(path)
         except errors.NotFound as e:
             raise Absent(e.where)
-        node, = await self.mount.liveness.check([node])
+        (node,) = await self.mount.liveness.check([node])
         return node
 
     def expire(self):
@@ -169,7 +175,9 @@ class ContextDirectory(Directory):
             names = parse("/server/" + name).names
         except errors.BadPath:
             return None
-        return self.node.path.child(names[0]) if len(names) == 1 and file_name(names[0]) == name else None
+        if len(names) == 1 and file_name(names[0]) == name:
+            return self.node.path.child(names[0])
+        return None
 
     def _made(self, node):
         """(class, arguments) for what is bound here."""
@@ -184,6 +192,7 @@ class ContextDirectory(Directory):
             return Zombie, node
         from rtshell_lite.mount.components import ComponentDirectory  # much, which the first ls does not need
         from rtshell_lite.mount.managers import ManagerDirectory
+
         if node.kind == "manager" or node.kind == "unsure" and node.path.names[-1].kind == "mgr":
             return ManagerDirectory, node
         if node.kind == "unknown":
@@ -193,7 +202,9 @@ class ContextDirectory(Directory):
     def _entered(self, node):
         """The directory by which the kernel knows the context `node` already, or None: a tree must end."""
         known = self.mount.contexts.get(orb.identity(node.ref))
-        return None if known is None or known.path == posixpath.join(self.path, file_name(node.path.names[-1])) else known
+        if known is None or known.path == posixpath.join(self.path, file_name(node.path.names[-1])):
+            return None
+        return known
 
 
 class ServerDirectory(ContextDirectory):

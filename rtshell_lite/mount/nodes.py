@@ -1,5 +1,7 @@
-"""What every file, link and directory of a mounted RTC Tree has in common, and how names are spelt as names of files.
+"""What every file, link and directory of a mounted RTC Tree has in common,
+and how names are spelt as names of files.
 """
+
 import collections
 import posixpath
 import stat
@@ -18,8 +20,12 @@ from rtshell_lite.text import printable, safe, unescaped
 
 NAME_MAX = 255  # bytes of a file's name
 SWEEP = 1.0  # seconds between two looks for what is not needed any more
-SIZE = 4096  # bytes that a file of unknown size claims, as in /sys: what claims 0 is not read by some programs
-MOST_ERRORS, LONGEST = 100, 2000  # failures that DIR/errors shows, characters of each
+SIZE = (
+    4096  # bytes that a file of unknown size claims, as in /sys: what claims 0 is not read by some programs
+)
+# failures that DIR/errors shows, characters of each
+MOST_ERRORS = 100
+LONGEST = 2000
 NOTHING = Known(())
 
 
@@ -39,7 +45,9 @@ class Mount:
     def __init__(self, directory, ttl, read_only=False, listener=None):
         """`listener`, like that of notes.py, is called for each failure and remark; or None."""
         self._listener = listener
-        self.directory, self.ttl, self.read_only = directory, ttl, read_only
+        self.directory = directory
+        self.ttl = ttl
+        self.read_only = read_only
         self.tasks = loop.Group()
         self.cache, self.liveness = Cache(self.tasks), Liveness(self.tasks, ttl, self.fail)
         self._changes = {}  # {where: deque of the changes to make there}
@@ -48,7 +56,9 @@ class Mount:
         self.began = int(time.time())
 
     def hear(self, kind, what):
-        """The listener of notes.py while the mount is served: DIR/errors keeps failures and remarks, not details."""
+        """The listener of notes.py while the mount is served:
+        DIR/errors keeps failures and remarks, not details.
+        """
         if kind == notes.DETAIL:
             self._tell(kind, what)
         else:
@@ -101,24 +111,32 @@ class Mount:
             session.current().sweep()
 
 
-# ---- names ----------------------------------------------------------------------------------------------------
+# ---- names -------------------------------------------------------------------------------------------------
+
 
 def file_name(name):
-    """`name`, a text or a path.Name, as the name of a file: escaped as in our paths, and if it is too long, shortened."""
-    spelt = printable(name) if isinstance(name, str) else str(name).replace("\\/", "/")
+    """`name`, a text or a path.Name, as the name of a file:
+    escaped as in our paths, and if it is too long, shortened.
+    """
+    if isinstance(name, str):
+        spelt = printable(name)
+    else:
+        spelt = str(name).replace("\\/", "/")
     spelt = {"": "\\e", ".": "\\.", "..": "\\.\\."}.get(spelt) or spelt.replace("/", "\\x2f")
     raw = spelt.encode("utf-8")
     if len(raw) <= NAME_MAX:
         return spelt
     import zlib
-    return "%s\\~%08x" % (raw[:NAME_MAX - 12].decode("utf-8", "ignore"), zlib.crc32(raw))
+
+    return "%s\\~%08x" % (raw[: NAME_MAX - 12].decode("utf-8", "ignore"), zlib.crc32(raw))
 
 
 def unique(names):
     """File names for all these names, in their order; the second of the same name is NAME~2."""
     taken = set()
     for name in names:
-        spelt, number = file_name(name), 1
+        spelt = file_name(name)
+        number = 1
         while spelt in taken:
             number += 1
             spelt = file_name(f"{name}~{number}")
@@ -139,17 +157,23 @@ def meant(text, where):
         raise errors.BadValue(where, str(e))
 
 
-# ---- nodes ----------------------------------------------------------------------------------------------------
+# ---- nodes -------------------------------------------------------------------------------------------------
+
 
 class Node:
-    """A file, a link or a directory. `id` is the kernel's number of it, 0 while it knows none; `lookups` how often it asked."""
+    """A file, a link or a directory. `id` is the kernel's number of it, 0 while it knows none;
+    `lookups` how often it asked.
+    """
 
     __slots__ = ("id", "above", "name", "lookups")
     mode = 0
     is_part = True  # of the tree: others may look different after it has been changed
 
     def __init__(self, above, name):
-        self.id, self.above, self.name, self.lookups = 0, above, name, 0
+        self.id = 0
+        self.above = above
+        self.name = name
+        self.lookups = 0
 
     def renew(self, *arguments):
         """The same name has been found again, by its directory, with these arguments."""
@@ -212,7 +236,8 @@ class Text(File):
 
     def __init__(self, above, name, source, render=str):
         super().__init__(above, name)
-        self._source, self._render = source, render
+        self._source = source
+        self._render = render
 
     async def content(self):
         return self._render(await self._source.get())
@@ -269,7 +294,7 @@ class Link(Node):
         self._target = target
 
     def renew(self, *arguments):
-        self._target, = arguments
+        (self._target,) = arguments
 
     async def target(self):
         """The text. Raises errors.Error."""
@@ -297,7 +322,9 @@ class Directory(Node):
         raise NotImplementedError
 
     def hidden(self, value):
-        """What can be opened by name, but is not listed, as reading it connects, blocks, changes something or costs much."""
+        """What can be opened by name, but is not listed, as reading it connects, blocks,
+        changes something or costs much.
+        """
         return {}
 
     async def list(self):
@@ -336,7 +363,8 @@ class Items(Directory):
 
     def __init__(self, above, name, source, texts_of):
         super().__init__(above, name)
-        self.source, self._texts_of = source, texts_of
+        self.source = source
+        self._texts_of = texts_of
 
     def texts(self, value):
         """{file name: text}"""
@@ -347,20 +375,30 @@ class Items(Directory):
         return {name: (Item,) for name in self.texts(value)}
 
 
-# ---- links between objects ------------------------------------------------------------------------------------
+# ---- links between objects ---------------------------------------------------------------------------------
+
 
 def link_text(path, above):
-    """A path of our own as text, which may be `Unknown (…)`, as the target of a link in the directory `above`."""
+    """A path of our own as text, which may be `Unknown (…)`,
+    as the target of a link in the directory `above`.
+    """
     try:
-        parsed = parse(path) if path.startswith("/") else None
+        if path.startswith("/"):
+            parsed = parse(path)
+        else:
+            parsed = None
     except errors.BadPath:
         parsed = None
-    return relative(mounted(parsed), above) if parsed else path
+    if parsed:
+        return relative(mounted(parsed), above)
+    return path
 
 
 def mounted(path):
     """Where a Path is below the mount."""
-    names = [file_name(path.server), *map(file_name, path.names)] + (["ports", file_name(path.port)] if path.port else [])
+    names = [file_name(path.server), *map(file_name, path.names)] + (
+        ["ports", file_name(path.port)] if path.port else []
+    )
     return "/".join(names)
 
 

@@ -1,4 +1,5 @@
 """The files of ports in a mounted RTC Tree, and connections as links."""
+
 import collections
 import posixpath
 import stat
@@ -8,7 +9,8 @@ from rtshell_lite.corba import orb
 from rtshell_lite.mount.nodes import Absent, Directory, Items, Link, Text, line, link_text, meant, unique
 from rtshell_lite.robot import connectors, places, ports
 
-# A connection of a port, as seen from one of its ends: the Connector, and the reference of one of the other ends.
+# A connection of a port, as seen from one of its ends: the Connector, and the reference of one of the other
+# ends.
 Far = collections.namedtuple("Far", "connector ref")
 
 
@@ -26,7 +28,9 @@ class PortsDirectory(Directory):
         for _, error, _ in snapshot.refusing:
             self.mount.complain(str(error))
         instance = snapshot.node.path.names[-1].id
-        return dict(zip(unique(ports.short_name(port.name, instance) for port in snapshot.ports), snapshot.ports))
+        return dict(
+            zip(unique(ports.short_name(port.name, instance) for port in snapshot.ports), snapshot.ports)
+        )
 
     def entries(self, snapshot):
         return {name: (PortDirectory,) for name in self.named(snapshot)}
@@ -39,7 +43,8 @@ class PortDirectory(Directory):
 
     def __init__(self, above, name):
         super().__init__(above, name)
-        self.source, self.stream = above.source, None
+        self.source = above.source
+        self.stream = None
 
     def port(self, snapshot):
         """Its ports.Port. Raises Absent."""
@@ -57,8 +62,11 @@ class PortDirectory(Directory):
         port = self.port(snapshot)
         found = {"type": (Text, self.source, lambda snapshot: line(self.port(snapshot).type))}
         if port.type in ports.DATA:
-            found["data_type"] = (Text, self.source,
-                                  lambda snapshot: line(self.port(snapshot).properties.get("dataport.data_type", "")))
+            found["data_type"] = (
+                Text,
+                self.source,
+                lambda snapshot: line(self.port(snapshot).properties.get("dataport.data_type", "")),
+            )
         else:
             found["interfaces"] = (Items, self.source, self._interfaces)
         found["properties"] = (Items, self.source, lambda snapshot: self.port(snapshot).properties.items())
@@ -66,14 +74,19 @@ class PortDirectory(Directory):
         return found
 
     def _interfaces(self, snapshot):
-        return [(one.instance_name, f"{one.polarity} {one.type_name}") for one in self.port(snapshot).interfaces]
+        return [
+            (one.instance_name, f"{one.polarity} {one.type_name}") for one in self.port(snapshot).interfaces
+        ]
 
     def hidden(self, snapshot):
         from rtshell_lite.mount.streams import PortStream, Sending  # with all that sends and receives data
+
         kind = self.port(snapshot).type
         if kind == "DataInPort":
             return {"value": (Sending,)}
-        return {"value": (PortStream, 1), "values": (PortStream, None)} if kind == "DataOutPort" else {}
+        if kind == "DataOutPort":
+            return {"value": (PortStream, 1), "values": (PortStream, None)}
+        return {}
 
 
 class ConnectionsDirectory(Directory):
@@ -97,14 +110,23 @@ class ConnectionsDirectory(Directory):
                 return ports.transport(far.connector)
             end = far.ref is not None and ends.get(orb.identity(far.ref))
             return link_text(places.name(end) if end else "Unknown (nil)", self)
+
         return {name: text(far) for name, far in self.named(snapshot).items()}
 
     def named(self, snapshot):
         """{file name: Far}"""
         port = self.above.port(snapshot)
-        ends = [Far(connector, ref) for connector in port.connectors for ref in connector.ports
-                if ref is None or not orb.same(ref, port.ref)]
-        ends += [Far(connector, None) for connector in port.connectors if len(connector.ports) == 1 and not ports.is_of_tool(connector)]
+        ends = [
+            Far(connector, ref)
+            for connector in port.connectors
+            for ref in connector.ports
+            if ref is None or not orb.same(ref, port.ref)
+        ]
+        ends += [
+            Far(connector, None)
+            for connector in port.connectors
+            if len(connector.ports) == 1 and not ports.is_of_tool(connector)
+        ]
         return dict(zip(unique(end.connector.name for end in ends), ends))
 
     def entries(self, snapshot):
@@ -114,7 +136,10 @@ class ConnectionsDirectory(Directory):
         where = posixpath.join(self.where, name)
         other = await _walk(self, target, where)
         if not isinstance(other, PortDirectory):
-            raise errors.BadValue(where, f"{line(target).strip()} is no port of this mount; a link's target starts where the link is")
+            raise errors.BadValue(
+                where,
+                f"{line(target).strip()} is no port of this mount; a link's target starts where the link is",
+            )
         await connectors.connect([await self.above.fresh(), await other.fresh()], meant(name, where))
         return self.child(name, (Connection,))
 
@@ -150,14 +175,15 @@ class Connection(Link):
 
 async def _walk(start, target, where):
     """The node that the target of a link in the directory `start` leads to. Raises Absent."""
-    mount, path = start.mount, posixpath.join(start.where, target)
+    mount = start.mount
+    path = posixpath.join(start.where, target)
     path = posixpath.normpath(path)
     if not path.startswith(mount.directory + "/"):
         raise errors.BadValue(where, f"{line(target).strip()} leads out of the mount at {mount.directory}")
     node = start
     while node.above is not None:
         node = node.above
-    for name in path[len(mount.directory) + 1:].split("/"):
+    for name in path[len(mount.directory) + 1 :].split("/"):
         if not isinstance(node, Directory):
             raise Absent(path)
         node = await node.find(name)

@@ -1,4 +1,7 @@
-"""The server of a mounted RTC Tree: answers the kernel's requests. One that needs an answer of a peer is a task."""
+"""The server of a mounted RTC Tree: answers the kernel's requests.
+One that needs an answer of a peer is a task.
+"""
+
 import errno
 import itertools
 import os
@@ -15,12 +18,24 @@ from rtshell_lite.text import printable
 
 # The errno of a failure: that of the first class that it is of.
 ERRNOS = (
-    (errors.NotFound, errno.ENOENT), (errors.NoSuch, errno.ENOENT), (errors.WrongKind, errno.ENOENT),
-    (errors.Silent, errno.ETIMEDOUT), (errors.Late, errno.ETIMEDOUT), (errors.Unread, errno.EIO),
-    (errors.ConnectionRefused, errno.ECONNREFUSED), (errors.Gone, errno.ENXIO), (errors.Garbled, errno.EIO),
-    (errors.Unreachable, errno.EHOSTUNREACH), (errors.Unsupported, errno.EOPNOTSUPP), (errors.BadType, errno.EOPNOTSUPP),
-    (errors.BadValue, errno.EINVAL), (errors.BadPath, errno.EINVAL), (errors.Usage, errno.EINVAL),
-    (errors.Refused, errno.EPERM), (errors.Failed, errno.EPERM))
+    (errors.NotFound, errno.ENOENT),
+    (errors.NoSuch, errno.ENOENT),
+    (errors.WrongKind, errno.ENOENT),
+    (errors.Silent, errno.ETIMEDOUT),
+    (errors.Late, errno.ETIMEDOUT),
+    (errors.Unread, errno.EIO),
+    (errors.ConnectionRefused, errno.ECONNREFUSED),
+    (errors.Gone, errno.ENXIO),
+    (errors.Garbled, errno.EIO),
+    (errors.Unreachable, errno.EHOSTUNREACH),
+    (errors.Unsupported, errno.EOPNOTSUPP),
+    (errors.BadType, errno.EOPNOTSUPP),
+    (errors.BadValue, errno.EINVAL),
+    (errors.BadPath, errno.EINVAL),
+    (errors.Usage, errno.EINVAL),
+    (errors.Refused, errno.EPERM),
+    (errors.Failed, errno.EPERM),
+)
 # Of these a name that is not there is no failure worth keeping.
 QUIET = wire.LOOKUP, wire.READDIR, wire.READDIRPLUS, wire.READ, wire.READLINK
 
@@ -33,23 +48,32 @@ def errno_of(error):
 
 
 class Server:
-    """Serves a Mount on the descriptor `fd` of /dev/fuse; `ready()` is called when the kernel has begun to ask.
+    """Serves a Mount on the descriptor `fd` of /dev/fuse; `ready()` is called when the kernel has begun to
+    ask.
 
-    Each request is handled by a method. It returns the payload of the reply, or a coroutine that does; None if it replies itself.
+    Each request is handled by a method. It returns the payload of the reply, or a coroutine that does; None
+    if it replies itself.
     """
 
     def __init__(self, mount, root, fd, ready):
-        self.mount, self.fd, self._ready = mount, fd, ready
-        root.id, root.lookups = wire.ROOT, 1
-        self.nodes, self._numbers = {wire.ROOT: root}, itertools.count(wire.ROOT + 1)
-        self._handles, self._handle_numbers = {}, itertools.count(1)
-        self._pending = {}  # by `unique` of each request without a reply: the Task to cancel at an interrupt, or None
+        self.mount = mount
+        self.fd = fd
+        self._ready = ready
+        root.id = wire.ROOT
+        root.lookups = 1
+        self.nodes = {wire.ROOT: root}
+        self._numbers = itertools.count(wire.ROOT + 1)
+        self._handles = {}
+        self._handle_numbers = itertools.count(1)
+        # by `unique` of each request without a reply: the Task to cancel at an interrupt, or None
+        self._pending = {}
         self._owner = os.getuid(), os.getgid()
         self._buffer = bytearray(wire.LONGEST)
-        self._device, self._is_mounted = kernel.mounted().get(mount.directory), True
+        self._device = kernel.mounted().get(mount.directory)
+        self._is_mounted = True
         self._over = loop.Wait()
 
-    # ---- the loop ---------------------------------------------------------------------------------------------
+    # ---- the loop ------------------------------------------------------------------------------------------
 
     async def serve(self):
         """Answer until the tree is unmounted."""
@@ -70,7 +94,9 @@ class Server:
         self._end_if_unused()
 
     def _end_if_unused(self):
-        """End when it is unmounted and nothing is open; another mount namespace, as of a container, may keep a copy."""
+        """End when it is unmounted and nothing is open;
+        another mount namespace, as of a container, may keep a copy.
+        """
         if not self._is_mounted and not self._handles:
             self._over.done()
 
@@ -112,7 +138,7 @@ class Server:
             if payload is not None:
                 self.reply(request, payload)
 
-    # ---- answers ----------------------------------------------------------------------------------------------
+    # ---- answers -------------------------------------------------------------------------------------------
 
     def reply(self, request, payload=b"", error=0):
         """Answer a request; False if it is waited for no longer."""
@@ -127,26 +153,31 @@ class Server:
         return True
 
     def fail(self, request, error):
-        """Answer a request by the errno of a failure, and keep the words; not of a look at a name that is not there."""
+        """Answer a request by the errno of a failure, and keep the words;
+        not of a look at a name that is not there.
+        """
         if not isinstance(error, OSError) and not (isinstance(error, Absent) and request.opcode in QUIET):
             self.mount.fail(error)
         self.reply(request, error=errno_of(error))
         loop.drop_traceback(error)  # it may be raised for others, too
 
     def _change(self, request, node, function):
-        """Make a change by function(), a coroutine function, one at a time for a node, and reply what that returns.
+        """Make a change by function(), a coroutine function, one at a time for a node, and reply what that
+        returns.
 
         An interrupt does not cancel it: half a change is worse than one that nobody waits for.
         """
+
         async def change():
             try:
                 return await function()
             finally:
                 if node.is_part:
                     self.mount.cache.expire()
+
         self.mount.change(node.where, lambda: self._finish(request, change()))
 
-    # ---- nodes that the kernel knows --------------------------------------------------------------------------
+    # ---- nodes that the kernel knows -----------------------------------------------------------------------
 
     def _enter(self, request, node):
         """Reply the entry of a node; from then on the kernel knows it."""
@@ -171,7 +202,10 @@ class Server:
                 del node.above.known[node.name]
 
     def _attributes(self, node):
-        mode = node.mode & ~0o222 if self.mount.read_only else node.mode
+        if self.mount.read_only:
+            mode = node.mode & ~0o222
+        else:
+            mode = node.mode
         return wire.attributes(node.id, mode, *self._owner, node.size, self.mount.began)
 
     def _node(self, request, kind):
@@ -180,7 +214,7 @@ class Server:
             raise OSError(errno.ENOENT, "")
         return node
 
-    # ---- requests ---------------------------------------------------------------------------------------------
+    # ---- requests ------------------------------------------------------------------------------------------
 
     def init(self, request):
         version, flags = wire.init(request.body)
@@ -189,7 +223,7 @@ class Server:
 
     async def lookup(self, request):
         directory = self._node(request, Directory)
-        name, = wire.names(request.body)
+        (name,) = wire.names(request.body)
         self._enter(request, await directory.find(name))
 
     def forget(self, request):
@@ -218,10 +252,11 @@ class Server:
             node = await directory.make_link(name, target)
             self.mount.cache.expire()  # before anybody hears of it
             self._enter(request, node)
+
         self._change(request, directory, make)
 
     def unlink(self, request):
-        name, = wire.names(request.body)
+        (name,) = wire.names(request.body)
         node = self._node(request, Directory).known.get(name)
         if not isinstance(node, Link):
             self.refuse(request)
@@ -229,6 +264,7 @@ class Server:
         async def remove():
             await node.remove()
             return b""
+
         self._change(request, node, remove)
 
     def open(self, request):
@@ -260,7 +296,9 @@ class Server:
 
     def flush(self, request):
         handle = self._handles[wire.handle(request.body)]
-        return self._store(request, handle, handle.flushed(), b"") if isinstance(handle, OpenFile) else b""
+        if isinstance(handle, OpenFile):
+            return self._store(request, handle, handle.flushed(), b"")
+        return b""
 
     def _store(self, request, handle, text, payload):
         """Store what has been written, unless that is None."""
@@ -270,6 +308,7 @@ class Server:
         async def store():
             await handle.node.store(text)
             return payload
+
         self._change(request, handle.node, store)
         return None
 
@@ -299,10 +338,12 @@ class Server:
         self._over.done()
 
     def refuse(self, request):
-        where = posixpath.join(self._node(request, Node).where, printable(wire.named(request.opcode, request.body)))
+        where = posixpath.join(
+            self._node(request, Node).where, printable(wire.named(request.opcode, request.body))
+        )
         raise errors.Refused(where, "nothing can be made, moved or removed here but connections and zombies")
 
-    # ---- directories ------------------------------------------------------------------------------------------
+    # ---- directories ---------------------------------------------------------------------------------------
 
     def opendir(self, request):
         self._node(request, Directory)
@@ -322,7 +363,9 @@ class Server:
 
     def _reply_entries(self, request, listing, offset, size):
         is_plus = request.opcode == wire.READDIRPLUS
-        parts, entered, left = [], [], size
+        parts = []
+        entered = []
+        left = size
         for i, node in enumerate(itertools.islice(listing.nodes, offset, None), offset + 1):
             name = node.name.encode("utf-8")
             left -= wire.dirent_size(name) + is_plus * wire.ENTRY_SIZE
@@ -338,11 +381,32 @@ class Server:
 
 
 HANDLERS = {
-    wire.INIT: Server.init, wire.LOOKUP: Server.lookup, wire.FORGET: Server.forget, wire.BATCH_FORGET: Server.forget,
-    wire.GETATTR: Server.getattr, wire.SETATTR: Server.setattr, wire.READLINK: Server.readlink, wire.SYMLINK: Server.symlink,
-    wire.UNLINK: Server.unlink, wire.OPEN: Server.open, wire.READ: Server.read, wire.WRITE: Server.write,
-    wire.RELEASE: Server.release, wire.RELEASEDIR: Server.release, wire.INTERRUPT: Server.interrupt, wire.STATFS: Server.statfs,
-    wire.OPENDIR: Server.opendir, wire.READDIR: Server.readdir, wire.READDIRPLUS: Server.readdir, wire.FSYNC: Server.accept,
-    wire.FSYNCDIR: Server.accept, wire.FLUSH: Server.flush, wire.DESTROY: Server.destroy}
-HANDLERS.update(dict.fromkeys((wire.MKNOD, wire.MKDIR, wire.RMDIR, wire.RENAME, wire.RENAME2, wire.LINK, wire.CREATE),
-                              Server.refuse))
+    wire.INIT: Server.init,
+    wire.LOOKUP: Server.lookup,
+    wire.FORGET: Server.forget,
+    wire.BATCH_FORGET: Server.forget,
+    wire.GETATTR: Server.getattr,
+    wire.SETATTR: Server.setattr,
+    wire.READLINK: Server.readlink,
+    wire.SYMLINK: Server.symlink,
+    wire.UNLINK: Server.unlink,
+    wire.OPEN: Server.open,
+    wire.READ: Server.read,
+    wire.WRITE: Server.write,
+    wire.RELEASE: Server.release,
+    wire.RELEASEDIR: Server.release,
+    wire.INTERRUPT: Server.interrupt,
+    wire.STATFS: Server.statfs,
+    wire.OPENDIR: Server.opendir,
+    wire.READDIR: Server.readdir,
+    wire.READDIRPLUS: Server.readdir,
+    wire.FSYNC: Server.accept,
+    wire.FSYNCDIR: Server.accept,
+    wire.FLUSH: Server.flush,
+    wire.DESTROY: Server.destroy,
+}
+HANDLERS.update(
+    dict.fromkeys(
+        (wire.MKNOD, wire.MKDIR, wire.RMDIR, wire.RENAME, wire.RENAME2, wire.LINK, wire.CREATE), Server.refuse
+    )
+)

@@ -1,4 +1,7 @@
-"""Files of a mounted RTC Tree that connect while they are open: values of ports, events and logs of components."""
+"""Files of a mounted RTC Tree that connect while they are open:
+values of ports, events and logs of components.
+"""
+
 import collections
 import functools
 import math
@@ -24,21 +27,27 @@ async def data_type(port):
         return await datatypes.Types().of_port(port)
     except errors.NoSuch:
         name = printable(port.properties.get("dataport.data_type", "")) or "no type"
-        raise errors.Unsupported(ports.label(port), f"{name} is no standard data type; rtprint and rtinject take others (--idl)")
+        raise errors.Unsupported(
+            ports.label(port), f"{name} is no standard data type; rtprint and rtinject take others (--idl)"
+        )
 
 
-# ---- out of components ----------------------------------------------------------------------------------------
+# ---- out of components -------------------------------------------------------------------------------------
+
 
 class Feed:
     """Lines that come from a component while anybody reads them. All readers share a connection.
 
-    follow(publish), a coroutine function, connects until it is cancelled, or raises the errors.Error that ends it. It calls
-    publish(make) for each line, which make() returns.
+    follow(publish), a coroutine function, connects until it is cancelled, or raises the errors.Error that
+    ends it. It calls publish(make) for each line, which make() returns.
     """
 
     def __init__(self, mount, follow):
-        self._mount, self._follow = mount, follow
-        self._readers, self._left = set(), loop.Bell()  # it rings when one of them has left
+        self._mount = mount
+        self._follow = follow
+        # it rings when one of them has left
+        self._readers = set()
+        self._left = loop.Bell()
         self._is_running = self._is_ending = False
 
     def attach(self, reader):
@@ -79,7 +88,8 @@ class Feed:
             reader.put(text)
 
     def _end(self, error):
-        readers, self._readers = self._readers, set()
+        readers = self._readers
+        self._readers = set()
         for reader in readers:
             reader.end(error)
         self._left.ring()
@@ -92,9 +102,15 @@ class StreamFile:
     """
 
     def __init__(self, mount, feed, where, limit=None):
-        self._mount, self._feed, self._where, self._left = mount, feed, where, limit
+        self._mount = mount
+        self._feed = feed
+        self._where = where
+        self._left = limit
         self._waiting = set()  # Waits of requests to read
-        self._lines, self._size, self._error, self._has_dropped = collections.deque(), 0, None, False
+        self._lines = collections.deque()
+        self._size = 0
+        self._error = None
+        self._has_dropped = False
         feed.attach(self)
 
     def wants_more(self):
@@ -125,7 +141,9 @@ class StreamFile:
             wait.done()
 
     async def read(self, offset, size):
-        """The next bytes of one line, at most `size`: programs read in pieces, shells byte by byte. No offset counts."""
+        """The next bytes of one line, at most `size`: programs read in pieces, shells byte by byte.
+        No offset counts.
+        """
         while not self._lines and self.wants_more():
             if self._error is not None:
                 raise self._error
@@ -173,6 +191,7 @@ async def _follow_port(directory, publish):
 
     def take(message):
         publish(lambda: values.text(kind.decode(message.data, message.little), None))
+
     reader = reading.Reader(port, take, name=NAME)
     async with connection.Connections([reader]) as opened:
         while opened.live():
@@ -188,12 +207,13 @@ class WatchStream(File):
 
     def __init__(self, above, name, make_watch, show):
         super().__init__(above, name)
-        self._make_watch, self._show = make_watch, show
+        self._make_watch = make_watch
+        self._show = show
         self._feed = Feed(self.mount, self._follow)
 
     async def _follow(self, publish):
         async with self._make_watch() as watching:
-            result, = await watching.start([self.above.node.path])
+            (result,) = await watching.start([self.above.node.path])
             if isinstance(result, errors.Error):
                 raise result
             async for batch in watching.follow(-1, math.inf):
@@ -204,7 +224,8 @@ class WatchStream(File):
         return StreamFile(self.mount, self._feed, self.where)
 
 
-# ---- into components ------------------------------------------------------------------------------------------
+# ---- into components ---------------------------------------------------------------------------------------
+
 
 class SendingFile(OpenFile):
     """An open file of a Sending: whole lines need not wait."""
@@ -218,7 +239,9 @@ class SendingFile(OpenFile):
 
 
 class Sending(File):
-    """What is written to it is sent to an in port. All writers share a connection, while any has the file open."""
+    """What is written to it is sent to an in port.
+    All writers share a connection, while any has the file open.
+    """
 
     __slots__ = ("_open", "_writer", "_type", "_unused", "_closed")
     is_part = False
@@ -226,7 +249,9 @@ class Sending(File):
 
     def __init__(self, above, name):
         super().__init__(above, name)
-        self._open, self._writer, self._type = 0, None, None
+        self._open = 0
+        self._writer = None
+        self._type = None
         self._unused = self._closed = None  # a Bell that ends the connection; a Wait for its end
 
     async def content(self):
@@ -272,10 +297,13 @@ class Sending(File):
         values.Expression(line, datatypes.Types(), kind)
         writer = writing.Writer(port, name=NAME)
         writer.hint = ""
-        opened, self._unused, self._closed = loop.Wait(), loop.Bell(), loop.Wait()
+        opened = loop.Wait()
+        self._unused = loop.Bell()
+        self._closed = loop.Wait()
         self.mount.tasks.start(self._stay_connected(writer, opened))
         await opened
-        self._writer, self._type = writer, kind
+        self._writer = writer
+        self._type = kind
 
     async def _stay_connected(self, writer, opened):
         _, error = await attempt(self._connection(writer, opened))

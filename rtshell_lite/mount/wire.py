@@ -1,29 +1,44 @@
 """FUSE messages as octets: what the kernel asks, what it is answered. No state, no system calls.
 
-Source: linux/fuse.h, version 7.31, in the machine's own byte order without padding. An `attributes` here is the packed
-struct fuse_attr; `seconds` is how long the kernel believes an answer.
+Source: linux/fuse.h, version 7.31, in the machine's own byte order without padding. An `attributes` here is
+the packed struct fuse_attr; `seconds` is how long the kernel believes an answer.
 """
+
 import collections
 import struct
 
 LOOKUP, FORGET, GETATTR, SETATTR, READLINK, SYMLINK = range(1, 7)
 MKNOD, MKDIR, UNLINK, RMDIR, RENAME, LINK, OPEN, READ, WRITE, STATFS = range(8, 18)
-RELEASE, FSYNC, FLUSH, INIT, OPENDIR, READDIR, RELEASEDIR, FSYNCDIR = 18, 20, 25, 26, 27, 28, 29, 30
-CREATE, INTERRUPT, DESTROY, BATCH_FORGET, READDIRPLUS, RENAME2 = 35, 36, 38, 42, 44, 45
-_NAME_AT = {MKNOD: 16, MKDIR: 8, RENAME: 8, RENAME2: 16, LINK: 8, CREATE: 16}  # where names begin, if not at 0
+RELEASE = 18
+FSYNC = 20
+FLUSH = 25
+INIT = 26
+OPENDIR = 27
+READDIR = 28
+RELEASEDIR = 29
+FSYNCDIR = 30
+CREATE = 35
+INTERRUPT = 36
+DESTROY = 38
+BATCH_FORGET = 42
+READDIRPLUS = 44
+RENAME2 = 45
+# where names begin, if not at 0
+_NAME_AT = {MKNOD: 16, MKDIR: 8, RENAME: 8, RENAME2: 16, LINK: 8, CREATE: 16}
 UNANSWERED = (FORGET, BATCH_FORGET, INTERRUPT)
 
 VERSION = 7, 31  # asks for nothing that came later
 MOST_WRITTEN = 1 << 17  # bytes in one WRITE, the most that kernels send without further flags
 LONGEST = MOST_WRITTEN + 4096  # bytes of a request
-DO_READDIRPLUS, PARALLEL_DIROPS = 1 << 13, 1 << 18  # flags of INIT; FUSE_ATOMIC_O_TRUNC would make the kernel believe a size of 0
+DO_READDIRPLUS = 1 << 13  # flags of INIT
+PARALLEL_DIROPS = 1 << 18  # FUSE_ATOMIC_O_TRUNC would make the kernel believe a size of 0
 LOCK_OWNER = 1 << 1  # flag of READ: it is for one program
 DIRECT_IO = 1  # flag of OPEN: the kernel keeps no content and believes no size
 NO_FLUSH = 1 << 5  # flag of OPEN: to close it is nothing to ask about; kernels before 5.16 do
 # What SETATTR may change: the size, times, and bits that change nothing (a handle, the owner of a lock).
 HARMLESS = 1 << 3 | 1 << 4 | 1 << 5 | 1 << 7 | 1 << 8 | 1 << 10 | 1 << 6 | 1 << 9
 ROOT = 1  # the node of the mount's own directory
-UNKNOWN_INODE = 0xffffffff
+UNKNOWN_INODE = 0xFFFFFFFF
 
 _HEADER = struct.Struct("=IIQQIIIHH")
 _REPLY = struct.Struct("=IiQ")
@@ -42,7 +57,8 @@ ENTRY_SIZE = _ENTRY.size + _ATTRIBUTES.size  # bytes that READDIRPLUS has before
 Request = collections.namedtuple("Request", "opcode unique node uid pid body")
 
 
-# ---- requests -------------------------------------------------------------------------------------------------
+# ---- requests ----------------------------------------------------------------------------------------------
+
 
 def request(data):
     """The Request in what one read from /dev/fuse returned. Raises ValueError for anything else."""
@@ -51,17 +67,19 @@ def request(data):
     length, opcode, unique, node, uid, _, pid, _, _ = _HEADER.unpack_from(data)
     if length != len(data):
         raise ValueError(f"a request of {len(data)} bytes that claims {length}")
-    return Request(opcode, unique, node, uid, pid, bytes(data[_HEADER.size:]))
+    return Request(opcode, unique, node, uid, pid, bytes(data[_HEADER.size :]))
 
 
 def names(body):
-    """The names in the body of LOOKUP, SYMLINK, UNLINK …, as text; bytes that are not UTF-8 as surrogate escapes."""
+    """The names in the body of LOOKUP, SYMLINK, UNLINK …, as text;
+    bytes that are not UTF-8 as surrogate escapes.
+    """
     return [name.decode("utf-8", "surrogateescape") for name in body.split(b"\0")[:-1]]
 
 
 def named(opcode, body):
     """The first name in the body of a request that makes, moves or removes something."""
-    return names(body[_NAME_AT.get(opcode, 0):])[0]
+    return names(body[_NAME_AT.get(opcode, 0) :])[0]
 
 
 def init(body):
@@ -99,14 +117,16 @@ def reading(body):
 
 
 def is_direct(body):
-    """Whether a READ is a program's own. Others are for the kernel's page cache, for sendfile(2) say, which believes sizes."""
+    """Whether a READ is a program's own. Others are for the kernel's page cache, for sendfile(2) say,
+    which believes sizes.
+    """
     return _IO.unpack_from(body)[3] & LOCK_OWNER
 
 
 def writing(body):
     """(handle, data) of WRITE. The offset is left out: what is written to our files has none."""
     opened, _, size = _IO.unpack_from(body)[:3]
-    return opened, body[_IO.size:_IO.size + size]
+    return opened, body[_IO.size : _IO.size + size]
 
 
 def changed(body):
@@ -114,7 +134,8 @@ def changed(body):
     return struct.unpack_from("=I", body)[0]
 
 
-# ---- answers --------------------------------------------------------------------------------------------------
+# ---- answers -----------------------------------------------------------------------------------------------
+
 
 def reply(unique, payload=b"", error=0):
     """A whole answer; `error` is an errno."""
@@ -122,7 +143,9 @@ def reply(unique, payload=b"", error=0):
 
 
 def init_reply(version, flags):
-    """The answer to INIT, with those of `flags` that we use. Kernels older than 7.31 are answered by their own version."""
+    """The answer to INIT, with those of `flags` that we use.
+    Kernels older than 7.31 are answered by their own version.
+    """
     flags &= DO_READDIRPLUS | PARALLEL_DIROPS
     major, minor = min(version, VERSION)
     return _INIT.pack(major, minor, 0, flags, 64, 48, MOST_WRITTEN, 1, 0, 0, 0, *[0] * 7)
@@ -130,7 +153,9 @@ def init_reply(version, flags):
 
 def attributes(inode, mode, uid, gid, size, time):
     """`mode` with the type of file; times (seconds since 1970) are all the same."""
-    return _ATTRIBUTES.pack(inode, size, (size + 511) // 512, time, time, time, 0, 0, 0, mode, 1, uid, gid, 0, 4096, 0)
+    return _ATTRIBUTES.pack(
+        inode, size, (size + 511) // 512, time, time, time, 0, 0, 0, mode, 1, uid, gid, 0, 4096, 0
+    )
 
 
 def attributes_reply(attributes, seconds):

@@ -5,14 +5,16 @@
     await loop.each(items, look)         look(item) for all items in parallel; the results in order
     async for x in loop.stream(items, look):  the same, one after the other, as soon as they have come
     await loop.race(one(), other())      the result of the first that ends; the others are cancelled
-    await loop.finish(change())          its result; it is not cut off when the task that awaits it is cancelled
+    await loop.finish(change())          its result; it is not cut off when the task that awaits it is
+                                         cancelled
     async with loop.background(poll()):  poll() runs beside the block, and is cancelled at its end
 
-A task runs until it awaits what has not come yet, and nothing else runs meanwhile: plain code needs no locks. No task outlives
-the block that began it. Signals arrive at an `await` of the main task, so that `finally` and `async with` work; elsewhere only where none
-comes.
-The names are those of asyncio and trio; it is ours because importing asyncio takes three times as long as a whole command.
+A task runs until it awaits what has not come yet, and nothing else runs meanwhile: plain code needs no locks.
+No task outlives the block that began it. Signals arrive at an `await` of the main task, so that `finally` and
+`async with` work; elsewhere only where none comes. The names are those of asyncio and trio; it is ours
+because importing asyncio takes three times as long as a whole command.
 """
+
 import _signal  # which `signal` is made of: that one takes long to import
 import collections
 import os
@@ -48,7 +50,8 @@ def run(coroutine, signals=None, session=None, as_guest=False):
     as_guest  in a program that uses SIGALRM itself: signals arrive at an `await` only
     """
     loop = Loop()
-    loop.session, loop.is_guest = session, as_guest
+    loop.session = session
+    loop.is_guest = as_guest
     try:
         return loop.complete(coroutine, signals or {})
     finally:
@@ -66,7 +69,10 @@ class Wait:
     __slots__ = ("task", "is_over", "value", "error")
 
     def __init__(self):
-        self.task, self.is_over, self.value, self.error = None, False, None, None
+        self.task = None
+        self.is_over = False
+        self.value = None
+        self.error = None
 
     def __await__(self):
         if not self.is_over:
@@ -87,7 +93,9 @@ class Wait:
         """`done`, or `failed` where there is an error."""
         if self.is_over:
             return
-        self.is_over, self.value, self.error = True, value, error
+        self.is_over = True
+        self.value = value
+        self.error = error
         if self.task is not None:
             self.task.wake()
 
@@ -103,7 +111,10 @@ class Task:
     __slots__ = ("coroutine", "loop", "group", "place", "awaited", "thrown", "is_over", "result", "error")
 
     def __init__(self, loop, coroutine, group, place):
-        self.loop, self.coroutine, self.group, self.place = loop, coroutine, group, place
+        self.loop = loop
+        self.coroutine = coroutine
+        self.group = group
+        self.place = place
         self.awaited = self.thrown = self.result = self.error = None
         self.is_over = False
         loop.ready.append(self)
@@ -133,7 +144,8 @@ class Task:
 
     def go_on(self):
         """Run it until it awaits what has not come yet, or ends."""
-        exception, self.thrown = self.thrown, None
+        exception = self.thrown
+        self.thrown = None
         try:
             if exception is None:
                 awaited = self.coroutine.send(None)
@@ -144,10 +156,13 @@ class Task:
         except BaseException as e:
             self._end(None, e)
         else:
-            awaited.task, self.awaited = self, awaited
+            awaited.task = self
+            self.awaited = awaited
 
     def _end(self, result, error):
-        self.is_over, self.result, self.error = True, result, error
+        self.is_over = True
+        self.result = result
+        self.error = error
         self.coroutine = None
         if self.group is not None:
             self.group.ended(self)
@@ -156,7 +171,8 @@ class Task:
 class Group:
     """Tasks that end with a block: `async with Group() as group: group.start(coroutine)`.
 
-    The block waits for them all. When one fails, or the block does, the others are cancelled, and the failure is raised.
+    The block waits for them all. When one fails, or the block does, the others are cancelled, and the failure
+    is raised.
     """
 
     def __init__(self):
@@ -214,10 +230,13 @@ class Group:
 
 
 class background:
-    """`async with background(coroutine) as task:` runs it beside the block, and cancels it at the end of the block."""
+    """`async with background(coroutine) as task:` runs it beside the block,
+    and cancels it at the end of the block.
+    """
 
     def __init__(self, coroutine):
-        self._coroutine, self._group = coroutine, None
+        self._coroutine = coroutine
+        self._group = None
 
     async def __aenter__(self):
         self._group = Group()
@@ -229,9 +248,11 @@ class background:
 
 
 async def each(items, function, key=None):
-    """The results of function(item), a coroutine function, for all items in parallel, in order; an errors.Error for what failed.
+    """The results of function(item), a coroutine function, for all items in parallel, in order; an
+    errors.Error for what failed.
 
-    key(item) groups them: at most MOST of one key run at a time, so that thousands do not take memory while they wait.
+    key(item) groups them: at most MOST of one key run at a time, so that thousands do not take memory while
+    they wait.
     """
     batch = _Batch(items, function)
     async with Group() as group:
@@ -241,9 +262,15 @@ async def each(items, function, key=None):
 
 
 async def stream(items, function, key=None):
-    """`each`, but yields each result as soon as those before it have come, and keeps none: thousands take much memory."""
-    batch, here = _Batch(items, function), current()
-    tasks = [Task(here, work, batch, here.running.place if place is None else place) for place, work in batch.workers(key)]
+    """`each`, but yields each result as soon as those before it have come, and keeps none:
+    thousands take much memory.
+    """
+    batch = _Batch(items, function)
+    here = current()
+    tasks = [
+        Task(here, work, batch, here.running.place if place is None else place)
+        for place, work in batch.workers(key)
+    ]
     try:
         for number in range(len(batch.items)):
             if batch.results[number] is _TO_COME:
@@ -262,10 +289,13 @@ class _Batch:
     """Items, and the results of a function for them."""
 
     def __init__(self, items, function):
-        self.items, self.function = list(items), function
+        self.items = list(items)
+        self.function = function
         self.results = [_TO_COME] * len(self.items)
         self.failure = None
-        self._wanted, self._came = None, None  # the number of the result that `stream` waits for, and its Wait
+        # the number of the result that `stream` waits for, and its Wait
+        self._wanted = None
+        self._came = None
 
     def workers(self, key):
         """(key, coroutine) pairs, which share the work."""
@@ -287,9 +317,12 @@ class _Batch:
                 self._came.done()
 
     async def wait_for(self, number):
-        """Wait until a result has come. Raises what a function has raised that is no errors.Error: a bug of ours."""
+        """Wait until a result has come. Raises what a function has raised that is no errors.Error:
+        a bug of ours.
+        """
         if self.failure is None:
-            self._wanted, self._came = number, Wait()
+            self._wanted = number
+            self._came = Wait()
             await self._came
         if self.results[number] is _TO_COME:
             raise self.failure
@@ -329,8 +362,12 @@ async def race(*coroutines):
 
 
 async def finish(coroutine):
-    """The result of a coroutine that runs to its end though its caller is cancelled, or struck by a signal; that is raised afterwards."""
-    here, end, struck = current(), _End(), None
+    """The result of a coroutine that runs to its end though its caller is cancelled, or struck by a signal;
+    that is raised afterwards.
+    """
+    here = current()
+    end = _End()
+    struck = None
     task = Task(here, coroutine, end, here.running.place)
     while not task.is_over:
         end.wait = Wait()
@@ -365,10 +402,13 @@ async def sleep(seconds):
 
 
 class Bell:
-    """Others ring it, one task waits for it. It rings until that has heard it; rung again meanwhile, it rings once."""
+    """Others ring it, one task waits for it.
+    It rings until that has heard it; rung again meanwhile, it rings once.
+    """
 
     def __init__(self):
-        self._rings, self._wait = False, None
+        self._rings = False
+        self._wait = None
 
     def ring(self):
         """Let the task go on; other threads have the loop do it: loop.post(bell.ring)."""
@@ -380,20 +420,27 @@ class Bell:
         """Wait until it rings, for at most so many seconds: whether it has."""
         if not self._rings and (seconds is None or seconds > 0):
             self._wait = Wait()
-            timer = None if seconds is None else current().call_later(seconds, self._wait.done)
+            if seconds is None:
+                timer = None
+            else:
+                timer = current().call_later(seconds, self._wait.done)
             try:
                 await self._wait
             finally:
                 self._wait = None
                 if timer is not None:
                     timer.cancel()
-        rang, self._rings = self._rings, False
+        rang = self._rings
+        self._rings = False
         return rang
 
 
 async def ready(fd, events):
-    """Wait until a poll finds one of the events, select.POLLIN or POLLOUT, or the end, at a file descriptor."""
-    loop, wait = current(), Wait()
+    """Wait until a poll finds one of the events, select.POLLIN or POLLOUT, or the end,
+    at a file descriptor.
+    """
+    loop = current()
+    wait = Wait()
     loop.watch(fd, events, wait.done)
     try:
         return await wait
@@ -406,7 +453,8 @@ async def on_thread(function, *args):
 
     A cancelled task does not wait for it; the thread goes on, as nothing can end it.
     """
-    here, wait = current(), Wait()
+    here = current()
+    wait = Wait()
     here.make_bell()
     try:
         thread = _Thread.idle.pop()
@@ -417,12 +465,15 @@ async def on_thread(function, *args):
 
 
 class _Thread:
-    """Runs functions for `on_thread`, until none has come for SPARE seconds: to begin a thread takes 0.1 ms."""
+    """Runs functions for `on_thread`, until none has come for SPARE seconds:
+    to begin a thread takes 0.1 ms.
+    """
 
     idle = []  # type: list
 
     def __init__(self):
-        self._job, self._begin = None, allocate_lock()
+        self._job = None
+        self._begin = allocate_lock()
         self._begin.acquire()
         start_thread(self._run)
 
@@ -436,9 +487,11 @@ class _Thread:
             here, wait, function, args = self._job
             self._job = None
             try:
-                value, error = function(*args), None
+                value = function(*args)
+                error = None
             except BaseException as e:
-                value, error = None, e
+                value = None
+                error = e
             self.idle.append(self)
             here.post(wait.end, value, error)
             del here, wait, function, args, value, error  # which take memory
@@ -456,6 +509,7 @@ class _Thread:
 def start_thread(function, *args):
     """Run function(*args) on a thread of its own. Raises Shortage."""
     import threading
+
     try:
         threading.Thread(target=function, args=args, daemon=True).start()
     except RuntimeError as e:
@@ -468,7 +522,9 @@ class Timer:
     __slots__ = ("when", "number", "function")
 
     def __init__(self, when, number, function):
-        self.when, self.number, self.function = when, number, function
+        self.when = when
+        self.number = number
+        self.function = function
 
     def __lt__(self, other):
         return (self.when, self.number) < (other.when, other.number)
@@ -483,27 +539,46 @@ class Loop:
 
     ready     Tasks that can go on
     running   the Task that runs now
-    before_waiting, at_end  functions that are called before the loop waits, to send at once what has gathered, and at its end
-    alone, idle  function that waits for a moment and takes what comes, which saves a poll while all that is watched besides are
-               so many descriptors at which nothing is expected, and at most one timer; None
+    before_waiting, at_end  functions that are called before the loop waits, to send at once what has
+                            gathered, and at its end
+    alone, idle  function that waits for a moment and takes what comes, which saves a poll while all that is
+               watched besides are so many descriptors at which nothing is expected, and at most one timer;
+               None
     on_return  function(seconds), called when the loop was away for so long: that is no silence of a peer
     session   what `run` was given
     """
 
     def __init__(self):
-        self.ready, self.running = collections.deque(), None
-        self.before_waiting, self.at_end, self.on_return = [], [], None
-        self.alone, self.idle = None, 0
-        self.session = self.peers = self.server = None  # the latter are what an ORB keeps: of those it asks, and of its own objects
-        self._main, self.is_closed = None, False
-        self._timers, self._timer_count = [], 0
-        self._poll, self._watched = select.poll(), {}
-        self._posted, self._bell = collections.deque(), None  # functions from other threads; the pipe that wakes the poll
+        self.ready = collections.deque()
+        self.running = None
+        self.before_waiting = []
+        self.at_end = []
+        self.on_return = None
+        self.alone = None
+        self.idle = 0
+        self.session = self.peers = self.server = (
+            None  # the latter are what an ORB keeps: of those it asks, and of its own objects
+        )
+        self._main = None
+        self.is_closed = False
+        self._timers = []
+        self._timer_count = 0
+        self._poll = select.poll()
+        self._watched = {}
+        self._posted = collections.deque()  # functions from other threads
+        self._bell = None  # the pipe that wakes the poll
         self._back = time.monotonic()  # when the last poll ended
-        self._signals, self._heard, self._struck = {}, {}, collections.deque()
-        self._outer_bell, self.is_guest = -1, False  # the former: where Python rang at signals before
-        self._last_strike, self._is_ending = -BOUNCE, False  # the latter: it was a signal that ends the process
-        self._overdue, self._deadline = None, None  # what a signal raised that was not cleaned up after; the Timer for that
+        self._signals = {}
+        self._heard = {}
+        self._struck = collections.deque()
+        # the former: where Python rang at signals before
+        self._outer_bell = -1
+        self.is_guest = False
+        # the latter: it was a signal that ends the process
+        self._last_strike = -BOUNCE
+        self._is_ending = False
+        self._overdue = None  # what a signal raised that was not cleaned up after
+        self._deadline = None  # the Timer for that
 
     # ---- for tasks ----
 
@@ -532,7 +607,9 @@ class Loop:
             _ring(bell)
 
     def hear(self, number, function):
-        """Call function() at a signal, on the main thread; None ends that. The handler of before comes back at the end."""
+        """Call function() at a signal, on the main thread; None ends that.
+        The handler of before comes back at the end.
+        """
         if not _is_main_thread():
             return
         if number not in self._heard:
@@ -562,7 +639,8 @@ class Loop:
 
     def run_until(self, is_over):
         """Let the tasks go on, and wait for what they await, until is_over()."""
-        outer, _here.loop = current(), self
+        outer = current()
+        _here.loop = self
         ready = self.ready
         try:
             while True:
@@ -576,13 +654,19 @@ class Loop:
                     function()
                 self._wait()
         finally:
-            self.running, _here.loop = None, outer
+            self.running = None
+            _here.loop = outer
 
     def _wait(self):
         begun = time.monotonic()
         away = begun - self._back
         seconds = self._patience(begun)
-        if seconds and self.alone is not None and len(self._watched) == self.idle + 1 and len(self._timers) < 2:
+        if (
+            seconds
+            and self.alone is not None
+            and len(self._watched) == self.idle + 1
+            and len(self._timers) < 2
+        ):
             found = ()
             self.alone()
         else:
@@ -630,7 +714,8 @@ class Loop:
         for function in self.at_end:
             function()
         if self._bell is not None:
-            bell, self._bell = self._bell, None
+            bell = self._bell
+            self._bell = None
             os.close(bell)
             os.close(self._readable)
 
@@ -675,20 +760,25 @@ class Loop:
             _signal.setitimer(_signal.ITIMER_REAL, PATIENCE)
 
     def _overrun(self, number, frame):
-        """Raise what a signal raises here and now: the task that runs computes for long, or waits for who reads its output."""
+        """Raise what a signal raises here and now:
+        the task that runs computes for long, or waits for who reads its output.
+        """
         struck = [number for number in self._struck if number not in self._heard]
         if struck and self.running is not None:
             self._struck.clear()
             raise self._signals[struck[0]]()
 
     def _strike(self, number):
-        """Raise what a signal raises in the main task, unless it repeats the last one; the task has UNWINDING to clean up."""
+        """Raise what a signal raises in the main task, unless it repeats the last one;
+        the task has UNWINDING to clean up.
+        """
         if number in self._heard:
             function, _ = self._heard[number]
             if function is not None:
                 function()
             return
-        exception, now = self._signals[number](), time.monotonic()
+        exception = self._signals[number]()
+        now = time.monotonic()
         if exception is None or now - self._last_strike < (UNWINDING if self._is_ending else BOUNCE):
             return
         self._last_strike = now

@@ -1,1 +1,3 @@
-"""What is in the RTC Tree, what it answers, and what can be done with it: components, ports, contexts, managers, names."""
+"""What is in the RTC Tree, what it answers, and what can be done with it:
+components, ports, contexts, managers, names.
+"""

@@ -1,4 +1,5 @@
 """Directories bound by several names: naming contexts and managers, recognised by their references."""
+
 import collections
 
 from rtshell_lite import errors
@@ -32,23 +33,33 @@ class Known:
 
 
 async def within(nodes):
-    """The Nodes of a walk except those below a naming context of another name server; such a context is marked `foreign`."""
-    directories, away, found = {}, None, []
+    """The Nodes of a walk except those below a naming context of another name server;
+    such a context is marked `foreign`.
+    """
+    directories = {}
+    away = None
+    found = []
     for node in nodes:
-        if away is not None and node.path.server == away.server and node.path.names[:len(away.names)] == away.names:
+        if (
+            away is not None
+            and node.path.server == away.server
+            and node.path.names[: len(away.names)] == away.names
+        ):
             continue
         away = None
         if node.kind in ("server", "directory"):
             directories[node.path] = node
             above = directories.get(node.path.parent())
             if above is not None and await is_foreign(above, node):
-                node.foreign, away = True, node.path
+                node.foreign = True
+                away = node.path
         found.append(node)
     return found
 
 
 async def is_foreign(above, node):
-    """True when the naming context `node` belongs to another name server than the one `above` in which it is bound.
+    """True when the naming context `node` belongs to another name server than the one `above` in which it is
+    bound.
 
     Costs a call where a server is addressed otherwise than it publishes itself. A root is always foreign.
     """
@@ -58,7 +69,9 @@ async def is_foreign(above, node):
     if await same_host(host, own_host):
         return False
     try:  # keys of contexts are made of times and random numbers: only the server that made one knows it
-        return not await orb.call(node.path, orb.at(node.ref, host, port), "_is_a", "IDL:omg.org/CosNaming/NamingContext:1.0")
+        return not await orb.call(
+            node.path, orb.at(node.ref, host, port), "_is_a", "IDL:omg.org/CosNaming/NamingContext:1.0"
+        )
     except errors.Error:
         return True
 
@@ -76,15 +89,19 @@ async def _addresses(host):
 
 
 async def resolve(host):
-    """The IP addresses of a host name, as text. Raises Unreachable when it has none, or the look-up takes too long.
+    """The IP addresses of a host name, as text. Raises Unreachable when it has none, or the look-up takes too
+    long.
 
     The system's resolver has no deadline, and omniORB's own limits do not cover it.
     """
+
     def look_up():
         import socket  # takes long, and addresses need no look-up
+
         try:
             known = socket.getaddrinfo(host, None, 0, socket.SOCK_STREAM)
         except (OSError, UnicodeError) as e:
             raise errors.Unreachable(printable(host), getattr(e, "strerror", None) or "not a host name")
         return list(collections.OrderedDict.fromkeys(info[4][0] for info in known))
+
     return await session.on_thread(printable(host), look_up)

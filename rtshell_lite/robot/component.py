@@ -1,4 +1,7 @@
-"""Components: profile, execution contexts, and state (OMG RTC 1.1, 5.2). What changes states is in `transitions`."""
+"""Components: profile, execution contexts, and state (OMG RTC 1.1, 5.2).
+What changes states is in `transitions`.
+"""
+
 import collections
 import time
 
@@ -10,18 +13,26 @@ from rtshell_lite.text import from_wire
 STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by number
 KINDS = ("Periodic", "Event-driven", "Other")  # RTC::ExecutionKind by number
 POLL = 0.2  # seconds between looks at a state: monitors that ask more often have disturbed real-time threads
-MOST_CONTEXTS, MOST_MEMBERS = 64, 1000  # of a component; of a context or a composite; more are not taken
+# of a component; of a context or a composite; more are not taken
+MOST_CONTEXTS = 64
+MOST_MEMBERS = 1000
 
 # RTC::ComponentProfile as text; `properties` is a list of (name, value) in the component's order.
-Profile = collections.namedtuple("Profile", "instance_name type_name description version vendor category parent properties")
+Profile = collections.namedtuple(
+    "Profile", "instance_name type_name description version vendor category parent properties"
+)
 
-# RTC::ExecutionContextProfile and more of its interface. `rate` in Hz, `owner` and `participants` are references.
+# RTC::ExecutionContextProfile and more of its interface. `rate` in Hz, `owner` and `participants` are
+# references.
 Context = collections.namedtuple("Context", "handle ref kind rate running owner participants properties")
 
 
 async def until(reached, seconds):
-    """Await reached() until it returns True, at first more often, for at most `seconds`; returns whether it did."""
-    limit, pause = time.monotonic() + seconds, POLL / 10
+    """Await reached() until it returns True, at first more often, for at most `seconds`;
+    returns whether it did.
+    """
+    limit = time.monotonic() + seconds
+    pause = POLL / 10
     while not await reached():
         if time.monotonic() > limit:
             return False
@@ -31,7 +42,8 @@ async def until(reached, seconds):
 
 
 async def uncertain_if_refused(asked):
-    """What `asked`, a coroutine or Call, returns after a change, which may have been made although the answer is refused.
+    """What `asked`, a coroutine or Call, returns after a change, which may have been made although the answer
+    is refused.
 
     Raises Uncertain then.
     """
@@ -41,7 +53,8 @@ async def uncertain_if_refused(asked):
         raise errors.Uncertain(*e.args)
 
 
-# ---- profile --------------------------------------------------------------------------------------------------
+# ---- profile -----------------------------------------------------------------------------------------------
+
 
 async def profile(node, brief=False):
     """The Profile of a component. Ask its ports first (`ports.ports`): docs/protocol.md 1.1.
@@ -49,14 +62,29 @@ async def profile(node, brief=False):
     `brief`: with one of its properties, which shows that there are any.
     """
     raw = await once_more(lambda: node.call("get_component_profile"))
-    parent = await once_more(lambda: orb.call(node.path, raw.parent, "get_sdo_id")) if raw.parent else ""
-    texts = [from_wire(s) for s in (raw.instance_name, raw.type_name, raw.description, raw.version, raw.vendor,
-                                    raw.category, parent)]
+    if raw.parent:
+        parent = await once_more(lambda: orb.call(node.path, raw.parent, "get_sdo_id"))
+    else:
+        parent = ""
+    texts = [
+        from_wire(s)
+        for s in (
+            raw.instance_name,
+            raw.type_name,
+            raw.description,
+            raw.version,
+            raw.vendor,
+            raw.category,
+            parent,
+        )
+    ]
     return Profile._make(texts + [orb.properties(raw.properties[:1] if brief else raw.properties)])
 
 
 async def instance_name(node, ref):
-    """The instance name of the component `ref`, which `node` knows: Unknown if it does not answer, '' for None."""
+    """The instance name of the component `ref`, which `node` knows:
+    Unknown if it does not answer, '' for None.
+    """
     if ref is None:
         return ""
     try:
@@ -66,10 +94,11 @@ async def instance_name(node, ref):
 
 
 async def once_more(call, failures=None):
-    """What call() makes is awaited, a second time after a failure other than silence; that is added to `failures`, if given.
+    """What call() makes is awaited, a second time after a failure other than silence; that is added to
+    `failures`, if given.
 
-    A profile query makes a component check its connections, and the first one after a peer has died passes that peer's
-    TRANSIENT on to the caller (C++ and Python 2.1; docs/protocol.md 1.2).
+    A profile query makes a component check its connections, and the first one after a peer has died passes
+    that peer's TRANSIENT on to the caller (C++ and Python 2.1; docs/protocol.md 1.2).
     """
     try:
         return await call()
@@ -81,10 +110,13 @@ async def once_more(call, failures=None):
         return await call()
 
 
-# ---- execution contexts ---------------------------------------------------------------------------------------
+# ---- execution contexts ------------------------------------------------------------------------------------
+
 
 async def context_refs(node):
-    """References of the execution contexts that a component owns, and of those that it takes part in: two lists."""
+    """References of the execution contexts that a component owns, and of those that it takes part in:
+    two lists.
+    """
     return await owned_context_refs(node), await participating_context_refs(node)
 
 
@@ -104,7 +136,8 @@ async def _refs(node, operation):
 
 
 async def context_ref(node, index):
-    """The reference of the execution context number `index`: the owned ones from 0, then the participating ones.
+    """The reference of the execution context number `index`: the owned ones from 0, then the participating
+    ones.
 
     One call for an owned one, the usual case.
     """
@@ -120,20 +153,30 @@ async def context_ref(node, index):
 async def context(node, ref):
     """The Context of an execution context, complete."""
     raw = await orb.call(node.path, ref, "get_profile")
-    return Context(handle=await node.call("get_context_handle", ref), ref=ref, kind=_by_number(KINDS, raw.kind), rate=raw.rate,
-                   running=await orb.call(node.path, ref, "is_running"), owner=raw.owner,
-                   participants=notes.first(MOST_MEMBERS, raw.participants, node.path, "participants of an execution context"),
-                   properties=orb.properties(raw.properties))
+    return Context(
+        handle=await node.call("get_context_handle", ref),
+        ref=ref,
+        kind=_by_number(KINDS, raw.kind),
+        rate=raw.rate,
+        running=await orb.call(node.path, ref, "is_running"),
+        owner=raw.owner,
+        participants=notes.first(
+            MOST_MEMBERS, raw.participants, node.path, "participants of an execution context"
+        ),
+        properties=orb.properties(raw.properties),
+    )
 
 
 async def running(node, ref):
     """The Context of an execution context with only its rate and whether it runs."""
-    rate, runs = await orb.call(node.path, ref, "get_rate"), await orb.call(node.path, ref, "is_running")
+    rate = await orb.call(node.path, ref, "get_rate")
+    runs = await orb.call(node.path, ref, "is_running")
     return Context(None, ref, None, rate, bool(runs), None, (), ())
 
 
 async def or_default(node, ref, asked, otherwise):
-    """What `asked`, a coroutine, returns, or `otherwise` if `ref`, a context of another process, does not answer.
+    """What `asked`, a coroutine, returns, or `otherwise` if `ref`, a context of another process, does not
+    answer.
 
     So a hung composite does not hide its members.
     """
@@ -146,13 +189,18 @@ async def or_default(node, ref, asked, otherwise):
 
 
 def _by_number(names, enumerator):
-    return names[enumerator._v] if enumerator._v < len(names) else "Unknown"
+    if enumerator._v < len(names):
+        return names[enumerator._v]
+    return "Unknown"
 
 
-# ---- state ----------------------------------------------------------------------------------------------------
+# ---- state -------------------------------------------------------------------------------------------------
+
 
 async def state(node):
-    """The state of a component over all its contexts: Error before Active before Inactive before Created, or Unknown."""
+    """The state of a component over all its contexts:
+    Error before Active before Inactive before Created, or Unknown.
+    """
     owned, participating = await context_refs(node)
     return merged(await states(node, owned + participating))
 
@@ -178,7 +226,9 @@ async def state_in(node, ref):
 
 
 async def state_of(node, ref, reference):
-    """The state in the execution context `ref` of the component with this reference: `node`, or one that it knows."""
+    """The state in the execution context `ref` of the component with this reference:
+    `node`, or one that it knows.
+    """
     return _by_number(STATES, await orb.call(node.path, ref, "get_component_state", reference))
 
 
@@ -188,5 +238,10 @@ async def canonical(node):
     Contexts do not recognise a component that is bound under a rewritten address, or reached by its key.
     """
     owned = await owned_context_refs(node)
-    owner = (await orb.call(node.path, owned[0], "get_profile")).owner if owned else None
-    return None if owner is None or orb.same(owner, node.ref) else owner
+    if owned:
+        owner = (await orb.call(node.path, owned[0], "get_profile")).owner
+    else:
+        owner = None
+    if owner is None or orb.same(owner, node.ref):
+        return None
+    return owner

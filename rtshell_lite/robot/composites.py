@@ -1,7 +1,9 @@
-"""Composite components: the organisations that they own and that their members belong to (SDOPackage::Organization).
+"""Composite components: the organisations that they own and that their members belong to
+(SDOPackage::Organization).
 
 Organization::get_owner is never called: a C++ component answers it once, and has no owner from then on.
 """
+
 import collections
 
 from rtshell_lite import errors, notes
@@ -12,16 +14,22 @@ from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 
 DEFAULT_NAME = "CompositeRTC"  # of a composite
 
-# One organisation: `members` are (instance name, reference), an errors.Error in the place of a name that is not known.
+# One organisation: `members` are (instance name, reference), an errors.Error in the place of a name that is
+# not known.
 Organisation = collections.namedtuple("Organisation", "id ref members")
 COMPOSITE = "PeriodicECSharedComposite"
-EXPORTED = "exported_ports"  # parameter of a composite's set `default`: a comma-separated list of INSTANCE.port
+EXPORTED = (
+    "exported_ports"  # parameter of a composite's set `default`: a comma-separated list of INSTANCE.port
+)
 
 
-# ---- asking ---------------------------------------------------------------------------------------------------
+# ---- asking ------------------------------------------------------------------------------------------------
+
 
 async def owned(node, with_members=True):
-    """The Organisations that a component owns, a composite if there are any; each of their members is asked for its name."""
+    """The Organisations that a component owns, a composite if there are any;
+    each of their members is asked for its name.
+    """
     refs = await _refs(node, "get_owned_organizations")
     return [await _organisation(node, ref) if with_members else Organisation("", ref, []) for ref in refs]
 
@@ -29,17 +37,26 @@ async def owned(node, with_members=True):
 async def belonging(node, contexts):
     """(id, name of the composite, its path as text) of each organisation that a component is a member of.
 
-    The composites are among the owners of `contexts`, the component.Contexts that it takes part in; Unknown where one does not
-    answer.
+    The composites are among the owners of `contexts`, the component.Contexts that it takes part in; Unknown
+    where one does not answer.
     """
-    ids = [from_wire(await orb.call(node.path, ref, "get_organization_id")) for ref in await _refs(node, "get_organizations")]
-    known = await _composites(node, contexts) if ids else {}
-    return [(organisation_id,) + known.get(organisation_id, ("Unknown", "Unknown")) for organisation_id in ids]
+    ids = [
+        from_wire(await orb.call(node.path, ref, "get_organization_id"))
+        for ref in await _refs(node, "get_organizations")
+    ]
+    if ids:
+        known = await _composites(node, contexts)
+    else:
+        known = {}
+    return [
+        (organisation_id,) + known.get(organisation_id, ("Unknown", "Unknown")) for organisation_id in ids
+    ]
 
 
 async def _composites(node, contexts):
     """{id of its organisation: (instance name, path as text)} of the owners of these contexts."""
-    places, by_id = Places(), {}
+    places = Places()
+    by_id = {}
     for owner in [context.owner for context in contexts if context.owner is not None]:
         above = tree.Node(node.path, "component", owner)
         try:
@@ -63,17 +80,24 @@ async def _refs(node, operation):
 
 
 async def _organisation(node, ref):
-    listed = notes.first(component.MOST_MEMBERS, await orb.call(node.path, ref, "get_members"), node.path, "members")
+    listed = notes.first(
+        component.MOST_MEMBERS, await orb.call(node.path, ref, "get_members"), node.path, "members"
+    )
     members = [member for member in listed if member is not None]
 
     async def name_of(member):
         return from_wire(await orb.call(node.path, member, "get_sdo_id"))
+
     names = await orb.each(members, name_of, node.path)
-    return Organisation(from_wire(await orb.call(node.path, ref, "get_organization_id")), ref, list(zip(names, members)))
+    return Organisation(
+        from_wire(await orb.call(node.path, ref, "get_organization_id")), ref, list(zip(names, members))
+    )
 
 
 async def member_paths(node, organisation):
-    """Paths of the members of an Organisation, as text; `Unknown (…)` for those that are dead or bound nowhere."""
+    """Paths of the members of an Organisation, as text;
+    `Unknown (…)` for those that are dead or bound nowhere.
+    """
     places = Places()
     return [await _path_text(places, name, ref, node) for name, ref in organisation.members]
 
@@ -84,17 +108,20 @@ async def _path_text(places, name, ref, node):
     if isinstance(name, errors.Error):
         return f"Unknown ({name.why})"
     path = await places.path(name, ref, node)
-    return str(path) if path else f"Unknown ({printable(name)})"
+    if path:
+        return str(path)
+    return f"Unknown ({printable(name)})"
 
 
-# ---- changing -------------------------------------------------------------------------------------------------
+# ---- changing ----------------------------------------------------------------------------------------------
 
 # A member to add or to remove, and its ports to export or to hide; `node` is None for one that is gone.
 Member = collections.namedtuple("Member", "instance node ports")
 
 
 async def member(path, must_live=True):
-    """The Member that PATH[:PORT,PORT…] names. Raises NoSuch for ports that it lacks, and what `tree.component` raises.
+    """The Member that PATH[:PORT,PORT…] names. Raises NoSuch for ports that it lacks, and what
+    `tree.component` raises.
 
     With `must_live` False a component that is gone is named by its path alone.
     """
@@ -115,13 +142,19 @@ async def member(path, must_live=True):
 
 
 async def together(members):
-    """Live Members, each once with all the ports wanted of it. Raises Failed for two that a composite could not distinguish."""
+    """Live Members, each once with all the ports wanted of it.
+    Raises Failed for two that a composite could not distinguish.
+    """
     merged = collections.OrderedDict()
     for m in members:
         known = merged.setdefault(m.instance, m)
         if not await _is(m, known.node.ref):
-            raise errors.Failed(str(m.node.path), f"has the same name as {known.node.path!s}; a composite cannot have both")
-        merged[m.instance] = known._replace(ports=list(collections.OrderedDict.fromkeys(known.ports + m.ports)))
+            raise errors.Failed(
+                str(m.node.path), f"has the same name as {known.node.path!s}; a composite cannot have both"
+            )
+        merged[m.instance] = known._replace(
+            ports=list(collections.OrderedDict.fromkeys(known.ports + m.ports))
+        )
     return list(merged.values())
 
 
@@ -136,8 +169,8 @@ async def first_organisation(node):
 async def check(node, organisation, joining, leaving):
     """Raise Failed or NoSuch for Members that cannot join an Organisation of a composite, or leave it.
 
-    A dead member cannot leave: the composite calls it, and does not survive that (C++ 2.1: its process ends, at once or when it
-    is activated; Python: its execution context stops for good). Its ports can be hidden.
+    A dead member cannot leave: the composite calls it, and does not survive that (C++ 2.1: its process ends,
+    at once or when it is activated; Python: its execution context stops for good). Its ports can be hidden.
     """
     known = {name: ref for name, ref in organisation.members if not isinstance(name, errors.Error)}
     for m in joining:
@@ -146,8 +179,14 @@ async def check(node, organisation, joining, leaving):
         if m.instance in known and not await _is(m, known[m.instance]):
             raise errors.Failed(str(node.path), f"has another member called {printable(m.instance)}")
     for m in leaving:
-        is_member = m.instance in known if m.node is None else await _is(m, known.get(m.instance))
-        lost = None if m.ports else _lost(organisation, m.instance)
+        if m.node is None:
+            is_member = m.instance in known
+        else:
+            is_member = await _is(m, known.get(m.instance))
+        if m.ports:
+            lost = None
+        else:
+            lost = _lost(organisation, m.instance)
         if lost:
             raise _stays(node, m, lost)
         if not (m.ports or is_member):
@@ -161,15 +200,25 @@ def _lost(organisation, instance):
     """
     for name, _ in organisation.members:
         if isinstance(name, errors.Error) or name == instance:
-            return name if isinstance(name, errors.Error) else None
+            if isinstance(name, errors.Error):
+                return name
+            return None
     return None
 
 
 def _stays(node, m, error):
-    """The error for a Member that cannot be removed, as it, or one that may have its name, has failed with `error`."""
-    why = "a member that does not answer" if isinstance(error, errors.Silent) else "a dead member"
-    return errors.Failed(str(node.path), f"cannot remove {printable(m.instance)}: letting go of {why} would end this composite's "
-                         "process or stop its execution context; restart that process")
+    """The error for a Member that cannot be removed, as it, or one that may have its name,
+    has failed with `error`.
+    """
+    if isinstance(error, errors.Silent):
+        why = "a member that does not answer"
+    else:
+        why = "a dead member"
+    return errors.Failed(
+        str(node.path),
+        f"cannot remove {printable(m.instance)}: letting go of {why} would end this composite's "
+        "process or stop its execution context; restart that process",
+    )
 
 
 async def _is(m, ref):
@@ -177,7 +226,9 @@ async def _is(m, ref):
 
 
 async def add(node, organisation, members):
-    """Make Members part of a composite and export their ports; lines that say what was done. Raises Refused."""
+    """Make Members part of a composite and export their ports; lines that say what was done.
+    Raises Refused.
+    """
     lines = await _export(node, add_ports=[f"{m.instance}.{port}" for m in members for port in m.ports])
     present = [name for name, _ in organisation.members]
     new = [m for m in members if m.instance not in present]
@@ -223,19 +274,22 @@ async def _export(node, add_ports=(), hide=(), hide_all_of=()):
     if wanted != now:
         await sets.store({EXPORTED: ",".join(wanted)}, within)
         await sets.activate("default")
-    return (["exported port " + printable(name) for name in wanted if name not in now]
-            + [f"port {printable(name)} is exported already" for name in add_ports if name in kept]
-            + ["hid port " + printable(name) for name in now if name not in wanted]
-            + [f"port {printable(name)} is hidden already" for name in hide if name not in now])
+    return (
+        ["exported port " + printable(name) for name in wanted if name not in now]
+        + [f"port {printable(name)} is exported already" for name in add_ports if name in kept]
+        + ["hid port " + printable(name) for name in now if name not in wanted]
+        + [f"port {printable(name)} is hidden already" for name in hide if name not in now]
+    )
 
 
-# ---- rtcomp: find or make a composite on a manager, then change its members ------------------------------------
+# ---- rtcomp: find or make a composite on a manager, then change its members --------------------------------
+
 
 async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry_run=False):
     """Make or change the composite at `target` (a Path): lines that say what was done, see `cli.report`.
 
-    `adding` and `removing` are Paths whose port part is a comma-separated list. Everything is checked before the first
-    change. Raises WrongKind, NoSuch, Refused, and what `tree.component` raises.
+    `adding` and `removing` are Paths whose port part is a comma-separated list. Everything is checked before
+    the first change. Raises WrongKind, NoSuch, Refused, and what `tree.component` raises.
     """
     name = target.port or DEFAULT_NAME
     argument = f"{type_name}?instance_name={name}{'&' + options if options else ''}"
@@ -247,7 +301,10 @@ async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry
     holder = await tree.component(target.object(), or_manager=True)
     if holder.kind == "component" and target.port is not None:
         raise errors.WrongKind(str(target), "component or manager", "port")
-    composite = holder if holder.kind == "component" else await _of_manager(holder, name)
+    if holder.kind == "component":
+        composite = holder
+    else:
+        composite = await _of_manager(holder, name)
     if composite is None and leaving:
         raise errors.Failed(str(holder.path), "cannot remove components or ports from a new composite")
     if composite is not None:
@@ -259,7 +316,9 @@ async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry
         lines.append("created composite " + await manager.create(holder, argument, wait=manager.SETTLE_TIME))
         composite = await _new(holder, name)
     organisation = await first_organisation(composite)
-    return lines + await add(composite, organisation, members) + await remove(composite, organisation, leaving)
+    return (
+        lines + await add(composite, organisation, members) + await remove(composite, organisation, leaving)
+    )
 
 
 async def _new(holder, name):

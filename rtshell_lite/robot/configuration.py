@@ -1,4 +1,7 @@
-"""Configuration sets of components (SDOPackage::Configuration): read, set, activate, write to text and back, compare."""
+"""Configuration sets of components (SDOPackage::Configuration):
+read, set, activate, write to text and back, compare.
+"""
+
 import collections
 import re
 
@@ -7,7 +10,8 @@ from rtshell_lite.corba import orb
 from rtshell_lite.robot import tree
 from rtshell_lite.text import candidates, from_wire, printable, shell_word, to_wire, unescaped
 
-# One configuration set: `values` an OrderedDict of texts in the component's order, `active` True for the one in use.
+# One configuration set: `values` an OrderedDict of texts in the component's order, `active` True for the one
+# in use.
 Set = collections.namedtuple("Set", "id description values active")
 
 
@@ -34,10 +38,15 @@ async def _active(node, ref):
 
 
 class Configuration:
-    """The configuration of the component `node`, read once: its reference, its sets as they came, the id of the active one."""
+    """The configuration of the component `node`, read once:
+    its reference, its sets as they came, the id of the active one.
+    """
 
     def __init__(self, node, ref, listed, active):
-        self.node, self.where, self.ref, self.active = node, str(node.path), ref, active
+        self.node = node
+        self.where = str(node.path)
+        self.ref = ref
+        self.active = active
         self.raw = {from_wire(raw.id): raw for raw in listed}
 
     async def _call(self, operation, *args):
@@ -49,24 +58,35 @@ class Configuration:
 
     def _set(self, set_id):
         raw = self.raw[set_id]
-        return Set(set_id, from_wire(raw.description), collections.OrderedDict(orb.properties(raw.configuration_data)),
-                   set_id == self.active)
+        return Set(
+            set_id,
+            from_wire(raw.description),
+            collections.OrderedDict(orb.properties(raw.configuration_data)),
+            set_id == self.active,
+        )
 
     def set(self, set_id=None, with_hidden=False):
         """The Set called `set_id` (None: the active one). Raises NoSuch."""
         if set_id is None and not self.active:
             raise errors.Refused(self.where, "has no active configuration set; name one with -s")
-        set_id = self.active if set_id is None else set_id
+        if set_id is None:
+            set_id = self.active
+        else:
+            set_id = set_id
         if set_id not in self.raw or hidden(set_id) and not with_hidden:
             known = [one_set.id for one_set in self.sets(with_hidden)]
-            raise errors.NoSuch(self.where, "configuration set", printable(set_id) + candidates(set_id, known))
+            raise errors.NoSuch(
+                self.where, "configuration set", printable(set_id) + candidates(set_id, known)
+            )
         return self._set(set_id)
 
     def check(self, names, within):
         """Raise NoSuch unless the Set `within` has every one of these parameters."""
         for name in names:
             if name not in within.values:
-                raise errors.NoSuch(self.where, "configuration parameter", printable(name) + candidates(name, within.values))
+                raise errors.NoSuch(
+                    self.where, "configuration parameter", printable(name) + candidates(name, within.values)
+                )
 
     def check_values(self, values, within):
         """The same for values ({name: value}); raises BadValue for one that cannot be sent, too."""
@@ -76,16 +96,20 @@ class Configuration:
                 raise errors.BadValue(f"{self.where}: {printable(name)}", "a string holds no NUL")
 
     async def store(self, values, within):
-        """Set `values` (a dict) in the Set `within`. The active set is activated again: a component forgets it otherwise.
+        """Set `values` (a dict) in the Set `within`. The active set is activated again: a component forgets
+        it otherwise.
 
         Raises NoSuch and BadValue before anything is changed, Refused.
         """
         self.check_values(values, within)
         everything = collections.OrderedDict(within.values, **values)
         raw = orb.struct("SDOPackage.ConfigurationSet")(
-            to_wire(within.id), self.raw[within.id].description, orb.nvlist(everything.items()))
+            to_wire(within.id), self.raw[within.id].description, orb.nvlist(everything.items())
+        )
         if not await self._call("set_configuration_set_values", raw):
-            raise errors.Refused(self.where, f"does not take values for configuration set {printable(within.id)}")
+            raise errors.Refused(
+                self.where, f"does not take values for configuration set {printable(within.id)}"
+            )
         if self.active:
             await self.activate(self.active)
 
@@ -94,17 +118,24 @@ class Configuration:
         if set_id not in self.raw:
             self.set(set_id)
         if hidden(set_id):
-            raise errors.Refused(self.where, f"configuration set {printable(set_id)} holds metadata and cannot be active")
+            raise errors.Refused(
+                self.where, f"configuration set {printable(set_id)} holds metadata and cannot be active"
+            )
 
     async def activate(self, set_id):
         """Make `set_id` the active set. Raises NoSuch, Refused."""
         self.check_active(set_id)
         try:
-            why = "" if await self._call("activate_configuration_set", to_wire(set_id)) else "the component refused"
+            if await self._call("activate_configuration_set", to_wire(set_id)):
+                why = ""
+            else:
+                why = "the component refused"
         except errors.Refused as e:
             why = e.why
         if why:
-            raise errors.Refused(self.where, f"does not activate configuration set {printable(set_id)} ({why})")
+            raise errors.Refused(
+                self.where, f"does not activate configuration set {printable(set_id)} ({why})"
+            )
 
     async def apply(self, wanted, active=""):
         """Set the values in `wanted` ({set: {name: value}}), then activate `active`; all is checked first.
@@ -128,7 +159,9 @@ class Configuration:
             self.check_values(wanted[set_id], within)
             changed = _changed(within, wanted[set_id])
             if changed:
-                steps.append(self.command(set_id, "set", *[f"{name}={value}" for name, value in changed.items()]))
+                steps.append(
+                    self.command(set_id, "set", *[f"{name}={value}" for name, value in changed.items()])
+                )
         if active:
             self.check_active(active)
         if active and active != self.active:
@@ -150,20 +183,27 @@ def _changed(within, values):
     return collections.OrderedDict((n, v) for n, v in values.items() if within.values.get(n) != v)
 
 
-# ---- as text --------------------------------------------------------------------------------------------------
+# ---- as text -----------------------------------------------------------------------------------------------
+
 
 def dumped(configuration, with_hidden=False):
-    """The sets of a Configuration as lines: `[set]`, `[set] active`, `name=value`, control characters escaped."""
+    """The sets of a Configuration as lines:
+    `[set]`, `[set] active`, `name=value`, control characters escaped.
+    """
     lines = [f"# configuration of {configuration.where}"]
     for section in configuration.sets(with_hidden):
         lines.append(f"[{_spelt(section.id, ']')}]{' active' if section.active else ''}")
-        lines += [f"{_spelt(name, '=#[')}={_end_seen(printable(value))}" for name, value in section.values.items()]
+        lines += [
+            f"{_spelt(name, '=#[')}={_end_seen(printable(value))}" for name, value in section.values.items()
+        ]
     return lines
 
 
 def _end_seen(s):
     """`s` with a blank at its end escaped, as editors strip those."""
-    return s[:-1] + "\\x20" if s.endswith(" ") else s
+    if s.endswith(" "):
+        return s[:-1] + "\\x20"
+    return s
 
 
 def _spelt(s, more):
@@ -175,8 +215,12 @@ _VALUE = re.compile(r"((?:[^=\\]|\\.)*)=(.*)\Z")
 
 
 def parsed(lines, file_name):
-    """Read what `dumped` wrote: ({set: {name: value}}, active set or ''). Raises errors.Failed with the line's number."""
-    wanted, active, current = collections.OrderedDict(), "", None
+    """Read what `dumped` wrote: ({set: {name: value}}, active set or '').
+    Raises errors.Failed with the line's number.
+    """
+    wanted = collections.OrderedDict()
+    active = ""
+    current = None
     for number, line in enumerate(lines, 1):
         line = line.rstrip("\r\n")
         if not line.strip() or line.startswith("#"):
@@ -186,7 +230,11 @@ def parsed(lines, file_name):
                 set_id, is_active = _set_line(line)
                 if is_active and active not in ("", set_id):
                     raise ValueError("a second active set")
-                current, active = wanted.setdefault(set_id, collections.OrderedDict()), set_id if is_active else active
+                current = wanted.setdefault(set_id, collections.OrderedDict())
+                if is_active:
+                    active = set_id
+                else:
+                    active = active
             else:
                 _take_value(line, current)
         except ValueError as e:
@@ -214,7 +262,8 @@ def _take_value(line, values):
 
 
 def differences(left, right, with_hidden=False):
-    """Rows (set, parameter, left value, right value) where two Configurations differ; None for what is missing.
+    """Rows (set, parameter, left value, right value) where two Configurations differ; None for what is
+    missing.
 
     The row of the active sets has None for the first two.
     """

@@ -1,4 +1,5 @@
 """Connectors between ports: connect, disconnect, and what refuses it."""
+
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, ports
@@ -8,17 +9,23 @@ PROFILE = "RTC.ConnectorProfile"
 
 
 def refuse_duplicate(ends, name, connector_id):
-    """Raise Refused if the first port is connected with any of the others, or any has a connection of this name or id."""
+    """Raise Refused if the first port is connected with any of the others,
+    or any has a connection of this name or id.
+    """
     for port, connector in [(port, connector) for port in ends for connector in port.connectors]:
         for what, wanted, value in (("id", connector_id, connector.id), ("name", name, connector.name)):
             if wanted and wanted == value:
-                raise errors.Refused(ports.label(port), f"has a connection with {what} {printable(value)} already")
+                raise errors.Refused(
+                    ports.label(port), f"has a connection with {what} {printable(value)} already"
+                )
     for connector in ports.joining(ends):
         raise errors.Refused(ports.between(ends), f"already connected (id {printable(connector.id)})")
 
 
 def command(labels, name, connector_id, given):
-    """The rtcon command for a connection of the ports at these paths (texts, see `ports.label`), ready for a shell."""
+    """The rtcon command for a connection of the ports at these paths (texts, see `ports.label`),
+    ready for a shell.
+    """
     words = ["rtcon"] + ["-n", name] * bool(name) + ["-i", connector_id] * bool(connector_id)
     for item in sorted(given.items()):
         words += ["-p", "=".join(item)]
@@ -28,17 +35,23 @@ def command(labels, name, connector_id, given):
 async def connect(ends, name="", connector_id="", given=None):
     """Connect the Ports `ends` (one or more) and return the Connector made, named after them in this order.
 
-    Out ports come first in its profile, as the ports disconnect in that order: an in port that does so first waits for the out
-    port while values are on their way. An active source of C++ 2.1 at 100 Hz died of that in one of 230 disconnects, in one of
-    1,300 otherwise. Raises Refused with the reasons when they do not match or the components refuse, and Unreachable.
+    Out ports come first in its profile, as the ports disconnect in that order: an in port that does so first
+    waits for the out port while values are on their way. An active source of C++ 2.1 at 100 Hz died of that
+    in one of 230 disconnects, in one of 1,300 otherwise. Raises Refused with the reasons when they do not
+    match or the components refuse, and Unreachable.
     """
     given = given or {}
     ports.check(ends, given)
     name = name or ports.short_name(ends[0].name, ends[0].node.path.names[-1].id) + "_".join(
-        ports.short_name(port.name, port.node.path.names[-1].id) for port in ends[1:])
+        ports.short_name(port.name, port.node.path.names[-1].id) for port in ends[1:]
+    )
     refs = [port.ref for port in sorted(ends, key=lambda port: port.type == "DataInPort")]
-    asked = orb.struct(PROFILE)(to_wire(name), to_wire(connector_id), refs,
-                                orb.nvlist(sorted(ports.connection_properties(ends, given).items())))
+    asked = orb.struct(PROFILE)(
+        to_wire(name),
+        to_wire(connector_id),
+        refs,
+        orb.nvlist(sorted(ports.connection_properties(ends, given).items())),
+    )
     code, raw = await orb.call(ports.between(ends), refs[0], "connect", asked)
     if str(code) != "RTC_OK":
         await _tidy(ends)
@@ -47,7 +60,9 @@ async def connect(ends, name="", connector_id="", given=None):
 
 
 async def connect_alone(port, name, properties):
-    """Connect one data port with no other, as tools do, and return the Connector. Raises Refused, Unreachable."""
+    """Connect one data port with no other, as tools do, and return the Connector.
+    Raises Refused, Unreachable.
+    """
     for reason in ports.without_rate([port], properties):
         raise errors.Refused(ports.label(port), reason)
     asked = orb.struct(PROFILE)(to_wire(name), "", [port.ref], orb.nvlist(sorted(properties.items())))
@@ -63,7 +78,10 @@ def _why_refused(code, ends, connector_id):
         return f"already connected (id {printable(already[0].id)})"
     if code == "PRECONDITION_NOT_MET" and connector_id:
         return f"refused; id {printable(connector_id)} is in use, or the component takes no ids (RtORB)"
-    also = f"; it is connected already (id {printable(already[0].id)})" if already else ""
+    if already:
+        also = f"; it is connected already (id {printable(already[0].id)})"
+    else:
+        also = ""
     return f"refused by the component ({code}){also}"
 
 
@@ -73,21 +91,29 @@ async def _tidy(ends):
         try:
             now = await ports.port(port.node, port.ref)
             for connector in now.connectors:
-                if connector.id not in [c.id for c in port.connectors] and ports.joining([now._replace(connectors=[connector])] + [
-                        end for end in ends if end is not port]):
+                if connector.id not in [c.id for c in port.connectors] and ports.joining(
+                    [now._replace(connectors=[connector])] + [end for end in ends if end is not port]
+                ):
                     await orb.call(ports.label(port), port.ref, "notify_disconnect", to_wire(connector.id))
         except errors.Error:
             pass  # the refusal itself is what the user has to know
 
 
 async def disconnect(port, connector):
-    """Remove a Connector of a Port. Done when the port no longer has it, whatever the far end answers. Raises Refused."""
+    """Remove a Connector of a Port. Done when the port no longer has it, whatever the far end answers.
+    Raises Refused.
+    """
     connector_id = to_wire(connector.id)
-    for operation in ("disconnect", "notify_disconnect"):  # the second reaches this end alone, for a dead far end
+    for operation in (
+        "disconnect",
+        "notify_disconnect",
+    ):  # the second reaches this end alone, for a dead far end
         failure = await _forgetting_failed(port, operation, connector_id)
         if failure is None:
             return
-        left = await component.once_more(lambda: orb.call(ports.label(port), port.ref, "get_connector_profiles"))
+        left = await component.once_more(
+            lambda: orb.call(ports.label(port), port.ref, "get_connector_profiles")
+        )
         if connector_id not in [c.connector_id for c in left]:
             await _forget_elsewhere(port, connector)
             return
@@ -95,7 +121,8 @@ async def disconnect(port, connector):
 
 
 async def _forget_elsewhere(port, connector):
-    """Make the other ends forget a Connector that a Port has removed without reaching all of them; dead ends do not matter.
+    """Make the other ends forget a Connector that a Port has removed without reaching all of them; dead ends
+    do not matter.
 
     Raises Uncertain where one does not answer: it may live, and have half a connection.
     """
@@ -122,12 +149,17 @@ async def _forgetting_failed(port, operation, connector_id):
         return e
     if code == "RTC_OK":
         return None
-    # BAD_PARAMETER: it does not know the connector; or another end, which it has asked to inform the others, does not
-    return errors.Refused(ports.label(port), f"cannot remove connection {printable(from_wire(connector_id))} ({code})")
+    # BAD_PARAMETER: it does not know the connector; or another end, which it has asked to inform the others,
+    # does not
+    return errors.Refused(
+        ports.label(port), f"cannot remove connection {printable(from_wire(connector_id))} ({code})"
+    )
 
 
 async def disconnect_all(pairs, dry_run=False):
-    """`disconnect` each (Port, Connector): a line or an errors.Error for each; a connector of two of the ports is removed once."""
+    """`disconnect` each (Port, Connector): a line or an errors.Error for each;
+    a connector of two of the ports is removed once.
+    """
     results, seen = [], set()  # type: list, set
     for port, connector in pairs:
         if connector.id in seen:

@@ -1,4 +1,5 @@
-"""Constraints of configuration parameters, as components have them in their set __constraints__ (protocol.md 11.2).
+"""Constraints of configuration parameters, as components have them in their set __constraints__ (protocol.md
+11.2).
 
     0<=x<=150   x<100   x >= 0   one side or both, strict or not
     (red,green)                  one of these, or a list of them
@@ -8,6 +9,7 @@
 
 Components do not enforce them; RTSystemEditor does.
 """
+
 import operator
 import re
 
@@ -27,9 +29,13 @@ def doubts(present, values, sets):
     for name, value in values.items():
         constraint = next((sets[set_id][name] for set_id in _SETS if sets.get(set_id, {}).get(name)), "")
         if _are_numbers(present.get(name, "")) and not _are_numbers(value):
-            reasons.append((name, f"{value or repr('')} is no number, as the present value is ({present[name]})"))
+            reasons.append(
+                (name, f"{value or repr('')} is no number, as the present value is ({present[name]})")
+            )
         elif not fits(constraint, value):
-            reasons.append((name, f"{value or repr('')} does not fit the component's constraint {constraint}"))
+            reasons.append(
+                (name, f"{value or repr('')} does not fit the component's constraint {constraint}")
+            )
     return reasons
 
 
@@ -40,7 +46,8 @@ def _are_numbers(value):
 
 def fits(constraint, value):
     """True unless a value violates a constraint; a constraint of unknown form allows any."""
-    constraint, value = constraint.strip(), value.strip()
+    constraint = constraint.strip()
+    value = value.strip()
     if not constraint:
         return True
     if constraint.startswith("(") and constraint.endswith(")"):
@@ -48,7 +55,8 @@ def fits(constraint, value):
         return value in choices or all(element.strip() in choices for element in value.split(","))
     if constraint.startswith("{") and constraint.endswith("}"):
         return _map_fits(constraint[1:-1], value)
-    parts, elements = constraint.split(","), value.split(",")
+    parts = constraint.split(",")
+    elements = value.split(",")
     if len(parts) == 1:
         parts *= len(elements)
     return all(_fits_one(part.strip(), element.strip()) for part, element in zip(parts, elements))
@@ -67,13 +75,19 @@ def _pair(text):
 def _fits_one(constraint, value):
     """`fits` for one value and a range, or the only value allowed."""
     if "x" not in constraint or "<" not in constraint and ">" not in constraint:
-        return not _NUMBER.match(constraint) or bool(_NUMBER.match(value)) and float(value) == float(constraint)
+        return (
+            not _NUMBER.match(constraint) or bool(_NUMBER.match(value)) and float(value) == float(constraint)
+        )
     match = _RANGE.match(constraint)
-    bounds = [bound for bound in match.group(1, 4) if bound is not None] if match else []
+    if match:
+        bounds = [bound for bound in match.group(1, 4) if bound is not None]
+    else:
+        bounds = []
     if not bounds or not all(_NUMBER.match(bound) for bound in bounds):
         return True
     if not _NUMBER.match(value):
         return False
     low, below, above, high = match.groups()
     return (low is None or _COMPARE[below](float(low), float(value))) and (
-        high is None or _COMPARE[above](float(value), float(high)))
+        high is None or _COMPARE[above](float(value), float(high))
+    )

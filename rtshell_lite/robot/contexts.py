@@ -1,4 +1,5 @@
 """Execution contexts: rate, start and stop, participants (OMG RTC 1.1, 5.2.2.5)."""
+
 import collections
 
 from rtshell_lite import errors
@@ -8,12 +9,14 @@ from rtshell_lite.text import shell_word
 
 SETTLE_TIME = 2.0  # seconds: a component joins and leaves at the context's next cycle, in 0.3 s as a rule
 
-# One line of rtec: `index` as -e counts, a component.Context, the component's state in it, names of owner and participants.
+# One line of rtec: `index` as -e counts, a component.Context, the component's state in it, names of owner and
+# participants.
 Entry = collections.namedtuple("Entry", "index context state owner participants")
 
 
 async def entries(node, only=None):
-    """An Entry for each execution context of a component, the owned ones first; `only`: for the context number `only`.
+    """An Entry for each execution context of a component, the owned ones first; `only`: for the context
+    number `only`.
 
     The Context of an Entry is None if it belongs to another component that does not answer.
     """
@@ -27,15 +30,22 @@ async def _entry(node, index, ref):
     context = await component.or_default(node, ref, component.context(node, ref), None)
     if context is None:
         return Entry(index, None, "Unknown", "", [])
-    return Entry(index, context, (await component.states(node, [ref]))[0], await component.instance_name(node, context.owner),
-                 [await component.instance_name(node, ref) for ref in context.participants])
+    return Entry(
+        index,
+        context,
+        (await component.states(node, [ref]))[0],
+        await component.instance_name(node, context.owner),
+        [await component.instance_name(node, ref) for ref in context.participants],
+    )
 
 
-# ---- changing -------------------------------------------------------------------------------------------------
+# ---- changing ----------------------------------------------------------------------------------------------
+
 
 async def set_rate(node, index, rate):
     """Set the rate (Hz) of a context and check it. Raises Refused."""
-    ref, where = await component.context_ref(node, index), str(node.path)
+    ref = await component.context_ref(node, index)
+    where = str(node.path)
     code = str(await orb.call(where, ref, "set_rate", rate))
     now = await component.uncertain_if_refused(orb.call(where, ref, "get_rate"))
     if code != "RTC_OK" or not same_rate(now, rate):
@@ -59,7 +69,8 @@ async def stop(node, index):
 
 
 async def _run(node, index, operation, wanted):
-    ref, where = await component.context_ref(node, index), str(node.path)
+    ref = await component.context_ref(node, index)
+    where = str(node.path)
     code = str(await orb.call(where, ref, operation))  # PRECONDITION_NOT_MET if it already is
     if bool(await component.uncertain_if_refused(orb.call(where, ref, "is_running"))) != wanted:
         raise errors.Refused(where, f"its execution context does not {operation} ({code})")
@@ -71,36 +82,49 @@ async def one_by_one(change, node, index, participants):
     results = []
     for participant in participants:
         try:
-            results.append(participant if isinstance(participant, errors.Error) else await change(node, index, participant))
+            results.append(
+                participant
+                if isinstance(participant, errors.Error)
+                else await change(node, index, participant)
+            )
         except errors.Error as e:
             results.append(e)
     return results
 
 
 async def attach(node, index, participant):
-    """Let the component `participant` take part in a context. Raises Failed, Refused, and Unreachable if that is dead.
+    """Let the component `participant` take part in a context. Raises Failed, Refused, and Unreachable if that
+    is dead.
 
-    OpenRTM-aist 2 lists it at once, and knows its state, and takes commands for it, from the context's next cycle on.
+    OpenRTM-aist 2 lists it at once, and knows its state, and takes commands for it, from the context's next
+    cycle on.
     """
-    ref, where = await component.context_ref(node, index), str(node.path)
+    ref = await component.context_ref(node, index)
+    where = str(node.path)
     await orb.is_alive(str(participant.path), participant.ref)
     profile = await orb.call(where, ref, "get_profile")
     if orb.same(profile.owner, participant.ref):
         raise errors.Failed(where, f"{participant.path!s} owns this execution context")
     if not _takes_part(profile, participant):
         code = str(await orb.call(where, ref, "add_component", participant.typed))
-        if code != "RTC_OK" or not _takes_part(await component.uncertain_if_refused(orb.call(where, ref, "get_profile")), participant):
+        if code != "RTC_OK" or not _takes_part(
+            await component.uncertain_if_refused(orb.call(where, ref, "get_profile")), participant
+        ):
             raise errors.Refused(where, f"its execution context does not take {participant.path!s} ({code})")
 
     async def is_executed():
         return await component.state_in(participant, ref) != "Created"
+
     is_known = await component.until(is_executed, SETTLE_TIME)
     return f"{node.path}: {participant.path} takes part{'' if is_known else ' from its next cycle on'}"
 
 
 async def detach(node, index, participant):
-    """Let the component `participant` leave a context, which happens at its next cycle. Raises NoSuch, Refused."""
-    ref, where = await component.context_ref(node, index), str(node.path)
+    """Let the component `participant` leave a context, which happens at its next cycle.
+    Raises NoSuch, Refused.
+    """
+    ref = await component.context_ref(node, index)
+    where = str(node.path)
     profile = await orb.call(where, ref, "get_profile")
     if not _takes_part(profile, participant):
         raise errors.NoSuch(where, "participant", str(participant.path))
@@ -112,7 +136,9 @@ async def detach(node, index, participant):
 
 
 async def _has_left(where, ref, participant):
-    """Whether neither the context lists the component, nor the component the context, which may execute it until then."""
+    """Whether neither the context lists the component, nor the component the context,
+    which may execute it until then.
+    """
     if _takes_part(await component.uncertain_if_refused(orb.call(where, ref, "get_profile")), participant):
         return False
     return not any(orb.same(ref, other) for other in await component.participating_context_refs(participant))
@@ -125,4 +151,6 @@ def _takes_part(profile, participant):
 async def command(node, index, *words):
     """An rtec command for a context of a component, ready for a shell. Raises NoSuch."""
     await component.context_ref(node, index)
-    return " ".join(["rtec"] + (["-e", str(index)] if index else []) + [shell_word(w) for w in (str(node.path),) + words])
+    return " ".join(
+        ["rtec"] + (["-e", str(index)] if index else []) + [shell_word(w) for w in (str(node.path),) + words]
+    )

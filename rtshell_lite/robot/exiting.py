@@ -1,4 +1,5 @@
 """How components exit: out of the execution contexts of others first, and it is seen that they are gone."""
+
 import time
 
 from rtshell_lite import errors
@@ -8,15 +9,18 @@ from rtshell_lite.robot import component, tree
 from rtshell_lite.text import shell_word
 
 ENDING = 1.0  # seconds that a process may take to end
-LEAVING = 2.0  # seconds that an execution context gets, at least, to release a component: it does so in its next cycle
+# seconds that an execution context gets, at least, to release a component: it does so in its next cycle
+LEAVING = 2.0
 LEAVING_MOST = 60.0  # at most, whatever rate it claims
 
 
 async def exit_all(paths, wait=None, dry_run=False):
     """LightweightRTObject::exit of the component at each path: a line or an errors.Error for each.
 
-    With `wait` (seconds) also wait until the name is unbound, which a component's manager does up to a second later.
+    With `wait` (seconds) also wait until the name is unbound, which a component's manager does up to a second
+    later.
     """
+
     async def exit_one(node):
         if dry_run:
             return "rtexit " + shell_word(str(node.path))
@@ -25,16 +29,19 @@ async def exit_all(paths, wait=None, dry_run=False):
         if wait is not None:
             await _until_unbound(node, wait)
         return f"{node.path}: exited"
+
     return await tree.on_components(paths, exit_one)
 
 
 async def leave(node):
-    """Take a component that is to exit out of the execution contexts of others, such as composites, and wait until it has left.
+    """Take a component that is to exit out of the execution contexts of others, such as composites, and wait
+    until it has left.
 
-    A context informs a component in its next cycle that it has left. If that has exited by then, the context's process ends, too
-    (C++ 2.1). Raises Refused if a context keeps it.
+    A context informs a component in its next cycle that it has left. If that has exited by then, the
+    context's process ends, too (C++ 2.1). Raises Refused if a context keeps it.
     """
-    asked, seconds = [], LEAVING
+    asked = []
+    seconds = LEAVING
     for ref in await component.participating_context_refs(node):
         try:
             rate = await orb.call(node.path, ref, "get_rate")
@@ -45,10 +52,18 @@ async def leave(node):
         seconds = max(seconds, min(3 / rate, LEAVING_MOST) if rate > 0 else 0)
 
     async def has_left():
-        return not asked or not any(orb.same(present, ref) for present in await component.participating_context_refs(node) for ref in asked)
+        return not asked or not any(
+            orb.same(present, ref)
+            for present in await component.participating_context_refs(node)
+            for ref in asked
+        )
+
     if not await component.until(has_left, seconds):
-        raise errors.Refused(str(node.path), "an execution context that it takes part in does not let go of it (see rtec); its "
-                             "process could end if this one did")
+        raise errors.Refused(
+            str(node.path),
+            "an execution context that it takes part in does not let go of it (see rtec); its "
+            "process could end if this one did",
+        )
 
 
 async def _exit(node):
@@ -72,7 +87,7 @@ async def _has_ended(node):
     """
     limit = time.monotonic() + ENDING
     while True:
-        now, = await tree.check_alive([node])
+        (now,) = await tree.check_alive([node])
         if now.kind == "zombie":
             return True
         if isinstance(now.error, errors.Silent) or time.monotonic() > limit:

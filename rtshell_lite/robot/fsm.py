@@ -1,4 +1,5 @@
 """State machines of FSM4RTC: the SDO service RTC::ExtendedFsmService of a component."""
+
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
@@ -11,10 +12,15 @@ async def of(node):
 
     The service is taken from the list of all, as get_sdo_service ends components of C++ 2.1.
     """
-    services = [profile.service for profile in await node.call("get_service_profiles")
-                if SERVICE in (profile.interface_type, profile.id) and profile.service is not None]
+    services = [
+        profile.service
+        for profile in await node.call("get_service_profiles")
+        if SERVICE in (profile.interface_type, profile.id) and profile.service is not None
+    ]
     if not services:
-        raise errors.NoSuch(str(node.path), "SDO service", "ExtendedFsmService (it is no state machine of FSM4RTC)")
+        raise errors.NoSuch(
+            str(node.path), "SDO service", "ExtendedFsmService (it is no state machine of FSM4RTC)"
+        )
     return Machine(str(node.path), orb.narrow(services[0], "RTC.ExtendedFsmService"))
 
 
@@ -22,7 +28,8 @@ class Machine:
     """The state machine of the component at the path `where`, and the reference of its service."""
 
     def __init__(self, where, ref):
-        self.where, self.ref = where, ref
+        self.where = where
+        self.ref = ref
 
     async def state(self):
         """The name of the current state."""
@@ -37,13 +44,21 @@ class Machine:
     async def structure(self):
         """A dict: name, structure (SCXML), event_profiles (pairs name, data type), properties (pairs)."""
         raw = await self._raw()
-        return {"name": from_wire(raw.name), "structure": from_wire(raw.structure),
-                "event_profiles": _pairs(raw), "properties": orb.properties(raw.properties)}
+        return {
+            "name": from_wire(raw.name),
+            "structure": from_wire(raw.structure),
+            "event_profiles": _pairs(raw),
+            "properties": orb.properties(raw.properties),
+        }
 
     async def set_structure(self, content, dry_run=False):
-        """Replace the text of its structure; returns whether that changes, or with `dry_run` would change, anything."""
+        """Replace the text of its structure; returns whether that changes, or with `dry_run` would change,
+        anything.
+        """
+
         def change(structure):
             structure.structure = to_wire(content)
+
         return await self._set(change, lambda structure: from_wire(structure.structure), content, dry_run)
 
     async def set_event_profiles(self, pairs, dry_run=False):
@@ -52,6 +67,7 @@ class Machine:
 
         def change(structure):
             structure.event_profiles = [event_profile(to_wire(name), to_wire(kind)) for name, kind in pairs]
+
         return await self._set(change, _pairs, pairs, dry_run)
 
     async def _set(self, change, read, wanted, dry_run):

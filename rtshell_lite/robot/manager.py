@@ -1,8 +1,9 @@
 """Managers (RTM::Manager): modules, components made and deleted, configuration, shut-down.
 
-A manager's answer proves nothing: load_module returns RTC_OK for files that do not exist, set_configuration for everything. So
-each change is checked.
+A manager's answer proves nothing: load_module returns RTC_OK for files that do not exist, set_configuration
+for everything. So each change is checked.
 """
+
 import itertools
 import posixpath
 import re
@@ -17,9 +18,13 @@ DEFAULT_PORT = 2810  # corba.master_manager
 CREATE_TIME = 15.0  # seconds: a master may have to start a slave process first
 MODULES_TIME = 60.0  # seconds: looking for modules runs a helper process a file, 0.5 s each
 SETTLE_TIME = 3.0  # seconds: lists follow a deletion up to 1 s later
-END_TIME = 5.0  # seconds: a process ends 0.5 to 1.5 s after its shut-down, those of slow execution contexts later
+END_TIME = (
+    5.0  # seconds: a process ends 0.5 to 1.5 s after its shut-down, those of slow execution contexts later
+)
 
-_CORBALOC = re.compile(r"corbaloc:(?:iiop)?:(?:1\.[0-9]@)?(?P<address>\[[^\]]*\](?::\d+)?|[^/:]+(?::\d+)?)(?:/(?P<key>.+))?\Z")
+_CORBALOC = re.compile(
+    r"corbaloc:(?:iiop)?:(?:1\.[0-9]@)?(?P<address>\[[^\]]*\](?::\d+)?|[^/:]+(?::\d+)?)(?:/(?P<key>.+))?\Z"
+)
 
 
 class Address(str):
@@ -32,15 +37,19 @@ class Address(str):
         return Path(str(self), (name,), None, False)
 
 
-# ---- which manager --------------------------------------------------------------------------------------------
+# ---- which manager -----------------------------------------------------------------------------------------
+
 
 async def find(word):
-    """The Node of the manager that `word` names: a path, or corbaloc:[iiop]:HOST[:PORT][/KEY] without a name server.
+    """The Node of the manager that `word` names: a path, or corbaloc:[iiop]:HOST[:PORT][/KEY] without a name
+    server.
 
     Raises BadPath before anything is contacted, what `tree.resolve` raises, WrongKind, Gone, Silent.
     """
     direct = word.startswith("corbaloc:")
-    node, = await tree.check_alive([tree.Node(Address(word), "unsure", reference(word)) if direct else await _bound(parse(word))])
+    (node,) = await tree.check_alive(
+        [tree.Node(Address(word), "unsure", reference(word)) if direct else await _bound(parse(word))]
+    )
     if node.kind == "manager":
         return node
     if direct and isinstance(node.error, errors.Gone):
@@ -84,23 +93,31 @@ def _key(word):
     return _CORBALOC.match(word).group("key") or "manager"
 
 
-# ---- what it has ----------------------------------------------------------------------------------------------
+# ---- what it has -------------------------------------------------------------------------------------------
+
 
 async def components(node):
     """(instance name, Node) of each live component; a master lists those of its slaves, too."""
-    return [(child.path.names[-1].id, child) for child in await tree.managed(node) if child.kind == "component"]
+    return [
+        (child.path.names[-1].id, child) for child in await tree.managed(node) if child.kind == "component"
+    ]
 
 
 async def profiles(node, wanted=lambda child: True):
-    """(Node, component.Profile) of those of its components for which wanted(Node) is true; an errors.Error for what failed.
+    """(Node, component.Profile) of those of its components for which wanted(Node) is true; an errors.Error
+    for what failed.
 
     Those that are gone are left out, although managers may still list them.
     """
+
     async def profiled(child):
         await ports.ports(child)  # first, see `component.profile`
         return child, await component.profile(child)
-    children = sorted((child for child in await tree.managed(node) if child.kind != "zombie" and wanted(child)),
-                      key=lambda child: str(child.path))
+
+    children = sorted(
+        (child for child in await tree.managed(node) if child.kind != "zombie" and wanted(child)),
+        key=lambda child: str(child.path),
+    )
     return await tree.on_nodes([child.error or child for child in children], profiled)
 
 
@@ -115,26 +132,36 @@ async def profile(node):
 
 
 async def modules(node, operation="get_loadable_modules"):
-    """Profiles of modules as dicts, sorted, each once: get_loadable_modules, get_loaded_modules or get_factory_profiles.
+    """Profiles of modules as dicts, sorted, each once: get_loadable_modules, get_loaded_modules or
+    get_factory_profiles.
 
     A master can create what its slaves have loaded: some masters report that, those of C++ 2.1 do not.
     """
     listed = await _modules(node, operation)
     if operation != "get_loadable_modules":
         for answer in await tree.on_nodes(await _slaves(node), lambda slave: _modules(slave, operation)):
-            listed += [] if isinstance(answer, errors.Error) else answer
+            if isinstance(answer, errors.Error):
+                listed += []
+            else:
+                listed += answer
     distinct = {tuple(sorted(module.items())): module for module in listed}
     return sorted(distinct.values(), key=lambda module: (component_id(module), module.get("file_path", "")))
 
 
 async def labels(node, operation, key=None):
     """What `modules` returns as texts, by a property or by their ids; neighbours that are alike once."""
-    listed = [module.get(key, "") if key else component_id(module) for module in await modules(node, operation)]
-    return [label for label, _ in itertools.groupby(listed)]  # a factory may have other defaults in another slave
+    listed = [
+        module.get(key, "") if key else component_id(module) for module in await modules(node, operation)
+    ]
+    # a factory may have other defaults in another slave
+    return [label for label, _ in itertools.groupby(listed)]
 
 
 async def _modules(node, operation):
-    seconds = MODULES_TIME if operation == "get_loadable_modules" else None
+    if operation == "get_loadable_modules":
+        seconds = MODULES_TIME
+    else:
+        seconds = None
     return [dict(orb.properties(module.properties)) for module in await node.call(operation, seconds=seconds)]
 
 
@@ -143,20 +170,31 @@ async def _loaded(node):
 
 
 def component_id(properties):
-    """RTC:vendor:category:implementation:language:version of a module's properties, as create_component takes it."""
-    return ":".join(["RTC"] + [properties.get(key, "") for key in (
-        "vendor", "category", "implementation_id", "language", "version")])
+    """RTC:vendor:category:implementation:language:version of a module's properties,
+    as create_component takes it.
+    """
+    return ":".join(
+        ["RTC"]
+        + [
+            properties.get(key, "")
+            for key in ("vendor", "category", "implementation_id", "language", "version")
+        ]
+    )
 
 
-# ---- changing -------------------------------------------------------------------------------------------------
+# ---- changing ----------------------------------------------------------------------------------------------
+
 
 async def create(node, argument, wait=None):
     """Create a component and return its instance name. `argument` is MODULE[?key=value[&key=value…]].
 
-    `wait`: so many seconds until it is initialised and the manager lists it. Raises Refused with what is known of the reason.
+    `wait`: so many seconds until it is initialised and the manager lists it. Raises Refused with what is
+    known of the reason.
     """
     before = await components(node)
-    wanted = dict(pair.split("=", 1) for pair in argument.partition("?")[2].split("&") if "=" in pair).get("instance_name")
+    wanted = dict(pair.split("=", 1) for pair in argument.partition("?")[2].split("&") if "=" in pair).get(
+        "instance_name"
+    )
     if wanted in [name for name, _ in before]:
         # managers do not refuse it: two components of one name crash their process later (C++ 1.x)
         raise errors.Refused(str(node.path), f"has a component {printable(wanted)} already")
@@ -169,18 +207,23 @@ async def create(node, argument, wait=None):
     created = tree.Node(node.path, "component", ref)
     name = from_wire(await component.uncertain_if_refused(created.call("get_sdo_id")))
     if any(orb.same(ref, known.ref) for _, known in before):
-        raise errors.Refused(str(node.path), f"created nothing new: it returned {printable(name)}, which was there")
+        raise errors.Refused(
+            str(node.path), f"created nothing new: it returned {printable(name)}, which was there"
+        )
     if name in [known for known, _ in before]:
         raise errors.Refused(str(node.path), await _same_name(node, created, printable(name)))
     if wait is not None:
-        await _until(wait, lambda: _is_ready(node, name, created), str(node.path), f"{printable(name)} is not ready")
+        await _until(
+            wait, lambda: _is_ready(node, name, created), str(node.path), f"{printable(name)} is not ready"
+        )
     return name
 
 
 async def _same_name(node, created, name):
     """What a creation has come to that returned a new component under a name that was there before.
 
-    A Python factory keeps the last name that it was given, makes another component of that name, and lists it nowhere.
+    A Python factory keeps the last name that it was given, makes another component of that name, and lists it
+    nowhere.
     """
     if await component.uncertain_if_refused(_lists(node, created.ref)):
         return f"made a second component called {name}: only one of them is found by that name; delete one"
@@ -188,7 +231,8 @@ async def _same_name(node, created, name):
 
 
 async def _spellings(node, argument):
-    """The argument, and its other form: an identity has no language for C++ 1.1, and one for all later versions.
+    """The argument, and its other form: an identity has no language for C++ 1.1, and one for all later
+    versions.
 
     Without a language, it is first looked up, see `whole_id`.
     """
@@ -196,9 +240,14 @@ async def _spellings(node, argument):
     fields = ident.split(":")
     if fields[0] != "RTC" or len(fields) not in (5, 6):
         return [argument]
-    whole, is_old = await whole_id(node, ident), await _is_old(node)
-    if not is_old:  # it knows no id without a language, and a master of C++ 2.1 would start a slave to look there
-        return [whole + mark + rest] if whole.count(":") == 5 else []
+    whole = await whole_id(node, ident)
+    is_old = await _is_old(node)
+    if (
+        not is_old
+    ):  # it knows no id without a language, and a master of C++ 2.1 would start a slave to look there
+        if whole.count(":") == 5:
+            return [whole + mark + rest]
+        return []
     other = ":".join(fields[:4] + ([""] if whole.count(":") == 4 else []) + fields[-1:])
     return [whole + mark + rest, other + mark + rest]
 
@@ -209,10 +258,12 @@ async def _is_old(node):
 
 
 async def whole_id(node, ident):
-    """The id of a component (RTC:vendor:category:name:version) with its language, as a factory or a loadable module has it.
+    """The id of a component (RTC:vendor:category:name:version) with its language, as a factory or a loadable
+    module has it.
 
-    `name` may be that of the implementation or of the type. Returns `ident` where it has a language, or nothing like it is known.
-    A master of C++ 2.1 starts a new slave process for each creation by an id that no loaded factory has.
+    `name` may be that of the implementation or of the type. Returns `ident` where it has a language, or
+    nothing like it is known. A master of C++ 2.1 starts a new slave process for each creation by an id that
+    no loaded factory has.
     """
     fields = ident.split(":")
     if len(fields) == 6 and fields[4]:
@@ -222,7 +273,9 @@ async def whole_id(node, ident):
     for operation in ("get_factory_profiles", "get_loadable_modules"):
         for module in await modules(node, operation):
             is_named = name in (module.get("implementation_id"), module.get("type_name"))
-            if is_named and all(module.get(key, "") in ("", value) for key, value in wanted.items()):  # Python may not find out all
+            if is_named and all(
+                module.get(key, "") in ("", value) for key, value in wanted.items()
+            ):  # Python may not find out all
                 return component_id(module)
     return ident
 
@@ -230,7 +283,10 @@ async def whole_id(node, ident):
 async def _why_not(node, argument):
     """What can be found out of the reason: managers give none."""
     ident = argument.partition("?")[0]
-    wanted = ident.split(":")[3] if ident.count(":") > 3 else ident
+    if ident.count(":") > 3:
+        wanted = ident.split(":")[3]
+    else:
+        wanted = ident
     factories = await modules(node, "get_factory_profiles")
     alike = [factory for factory in factories if factory.get("implementation_id") == wanted]
     if not alike:
@@ -239,12 +295,17 @@ async def _why_not(node, argument):
     if ident != wanted and ident not in map(component_id, alike):
         return "there is " + printable(", ".join(map(component_id, alike)))
     most = alike[0].get("max_instance", "0")
-    limit = f"its max_instance of {printable(most)} is reached, " if most != "0" else ""
+    if most != "0":
+        limit = f"its max_instance of {printable(most)} is reached, "
+    else:
+        limit = ""
     return f"a wrong argument, {limit}or its own initialisation failed"
 
 
 async def _is_ready(node, name, created):
-    return name in [listed for listed, _ in await components(node)] and await component.state(created) not in ("Created", "Unknown")
+    return name in [listed for listed, _ in await components(node)] and await component.state(
+        created
+    ) not in ("Created", "Unknown")
 
 
 async def delete(node, instance):
@@ -254,8 +315,11 @@ async def delete(node, instance):
     """
     matching = [child for name, child in await components(node) if name == instance]
     if len(matching) != 1:
-        raise errors.NoSuch(str(node.path), "component" if not matching else "single component (its slaves have several)",
-                            printable(instance))
+        raise errors.NoSuch(
+            str(node.path),
+            "component" if not matching else "single component (its slaves have several)",
+            printable(instance),
+        )
     # a master returns BAD_PARAMETER for the name of a slave's component, or RTC_OK and does nothing (C++ 1.1)
     holder = node
     for slave in await _slaves(node):
@@ -269,6 +333,7 @@ async def delete(node, instance):
 
     async def is_forgotten():
         return not await _lists(node, matching[0].ref)
+
     await _until(SETTLE_TIME, is_forgotten, str(node.path), f"still lists {printable(instance)}")
 
 
@@ -281,11 +346,13 @@ async def _lists(node, ref):
 
 
 async def load(node, file_path, function):
-    """Load a module; `function` is its initialisation function. Raises Refused when it is not there afterwards.
+    """Load a module; `function` is its initialisation function. Raises Refused when it is not there
+    afterwards.
 
     Returns how many factories there are that were not there before.
     """
-    before, known = await _loaded(node), len(await _modules(node, "get_factory_profiles"))
+    before = await _loaded(node)
+    known = len(await _modules(node, "get_factory_profiles"))
     code = str(await node.call("load_module", to_wire(file_path), to_wire(function), seconds=CREATE_TIME))
     after = await _loaded(node)
     if code != "RTC_OK" or not meant(file_path, after) and len(after) <= len(before):
@@ -294,10 +361,11 @@ async def load(node, file_path, function):
 
 
 def meant(word, paths):
-    """Those of the loaded modules' paths that a word means: a path as it is listed, or what such a module is loaded by.
+    """Those of the loaded modules' paths that a word means: a path as it is listed, or what such a module is
+    loaded by.
 
-    That may be relative to the manager's load path, have ./ or // or a variable of its environment ($DIR/Camera.so) in it, and
-    for Python lack .py.
+    That may be relative to the manager's load path, have ./ or // or a variable of its environment
+    ($DIR/Camera.so) in it, and for Python lack .py.
     """
     exact = sorted({path for path in paths if path == word})
     tail = re.sub(r"^(\.\./)*", "", _plain(re.sub(r"^.*\$[^/]*/", "", word)))
@@ -305,8 +373,12 @@ def meant(word, paths):
 
     def ends(path):
         return path == tail or path.endswith("/" + tail.lstrip("/"))
-    return (exact or sorted(path for path, plain in whole.items() if ends(plain))
-            or sorted(path for path, plain in whole.items() if ends(posixpath.splitext(plain)[0])))
+
+    return (
+        exact
+        or sorted(path for path, plain in whole.items() if ends(plain))
+        or sorted(path for path, plain in whole.items() if ends(posixpath.splitext(plain)[0]))
+    )
 
 
 def _plain(path):
@@ -315,17 +387,22 @@ def _plain(path):
 
 
 async def unload(node, word):
-    """Unload the module that `word` means, see `meant`. Raises NoSuch, Failed while a component of it lives, Refused.
+    """Unload the module that `word` means, see `meant`. Raises NoSuch, Failed while a component of it lives,
+    Refused.
 
-    A master is asked to unload its own, else the slave that has it. Returns the name of a component that the manager still offers
-    to create although its code is gone, '' if none: to create it would end its process (C++ 2.1).
+    A master is asked to unload its own, else the slave that has it. Returns the name of a component that the
+    manager still offers to create although its code is gone, '' if none: to create it would end its process
+    (C++ 2.1).
     """
     slaves = await _slaves(node)
     loaded = [(holder, await _loaded(holder)) for holder in [node] + slaves]
     paths = meant(word, [path for _, listed in loaded for path in listed])
     if len(paths) != 1:
-        raise errors.NoSuch(str(node.path), "loaded module" if not paths else "single loaded module", printable(word))
-    path, code = paths[0], ""
+        raise errors.NoSuch(
+            str(node.path), "loaded module" if not paths else "single loaded module", printable(word)
+        )
+    path = paths[0]
+    code = ""
     for holder, listed in loaded:
         if path not in listed:
             continue
@@ -341,45 +418,80 @@ async def unload(node, word):
 
 
 async def _must_be_unused(node, path):
-    """Raise Failed if a component of a compiled module lives: to lose its code would end its process (C++ 2.1)."""
+    """Raise Failed if a component of a compiled module lives:
+    to lose its code would end its process (C++ 2.1).
+    """
     for answer in await profiles(node, lambda child: child.endpoint == node.endpoint):
         if not isinstance(answer, errors.Error) and _is_of(path, dict(answer[1].properties)):
             user = printable(answer[1].instance_name)
-            raise errors.Failed(str(node.path), f"{printable(path)} is in use by {user}, whose process would end; delete it first")
+            raise errors.Failed(
+                str(node.path),
+                f"{printable(path)} is in use by {user}, whose process would end; delete it first",
+            )
 
 
 async def _still_offered(node, path):
-    return next((factory["implementation_id"] for factory in await _modules(node, "get_factory_profiles") if _is_of(path, factory)), "")
+    return next(
+        (
+            factory["implementation_id"]
+            for factory in await _modules(node, "get_factory_profiles")
+            if _is_of(path, factory)
+        ),
+        "",
+    )
 
 
 def _is_of(path, properties):
-    """Whether a component or factory is of a compiled module, which usually has the name of its implementation."""
+    """Whether a component or factory is of a compiled module,
+    which usually has the name of its implementation.
+    """
     name = posixpath.splitext(posixpath.basename(path.replace("\\", "/")))[0]
     return properties.get("implementation_id") == name and properties.get("language") != "Python"
 
 
 async def set_configuration(node, key, value):
-    """Set a configuration value; many are read only when a manager starts. Raises Refused if it was not set."""
+    """Set a configuration value; many are read only when a manager starts.
+    Raises Refused if it was not set.
+    """
     code = str(await node.call("set_configuration", to_wire(key), to_wire(value)))
     now = dict(await configuration(node)).get(key)
     if code != "RTC_OK" or now != value:
-        shown = "missing" if now is None else printable(now) or "empty"
-        raise errors.Refused(str(node.path), f"did not set {printable(key)} (it returned {code}; the value is {shown})")
+        if now is None:
+            shown = "missing"
+        else:
+            shown = printable(now) or "empty"
+        raise errors.Refused(
+            str(node.path), f"did not set {printable(key)} (it returned {code}; the value is {shown})"
+        )
 
 
 async def shut_down(node, wait=None, above=()):
     """End the processes of a manager's slaves, then its own; lines and errors.Errors, see `cli.report`.
 
-    Slaves can only be found through their master, so it is left running if one of them is. A process may take `wait` seconds, or
-    END_TIME; it has ended when nobody listens there any more.
+    Slaves can only be found through their master, so it is left running if one of them is. A process may take
+    `wait` seconds, or END_TIME; it has ended when nobody listens there any more.
     """
     known = [node.ref] + list(above)
-    slaves = [slave for slave in await tree.slaves(node) if slave.kind != "zombie" and not any(orb.same(slave.ref, ref) for ref in known)]
-    parts = await tree.on_nodes([slave.error or slave for slave in slaves], lambda slave: shut_down(slave, wait, known))
+    slaves = [
+        slave
+        for slave in await tree.slaves(node)
+        if slave.kind != "zombie" and not any(orb.same(slave.ref, ref) for ref in known)
+    ]
+    parts = await tree.on_nodes(
+        [slave.error or slave for slave in slaves], lambda slave: shut_down(slave, wait, known)
+    )
     results = [result for part in parts for result in ([part] if isinstance(part, errors.Error) else part)]
-    left = [slave for slave, part in zip(slaves, parts) if isinstance(part, errors.Error) or not all(_done(line) for line in part)]
+    left = [
+        slave
+        for slave, part in zip(slaves, parts)
+        if isinstance(part, errors.Error) or not all(_done(line) for line in part)
+    ]
     if left:
-        return results + [errors.NotTried(str(node.path), f"its slave {left[0].path!s} still runs, and cannot be found without it")]
+        return results + [
+            errors.NotTried(
+                str(node.path), f"its slave {left[0].path!s} still runs, and cannot be found without it"
+            )
+        ]
     return results + [await _ended(node, END_TIME if wait is None else wait)]
 
 

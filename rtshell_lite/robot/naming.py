@@ -1,14 +1,18 @@
-"""Deleting names from name servers (CosNaming::NamingContext): unbind and destroy, and what must never be deleted by mistake."""
+"""Deleting names from name servers (CosNaming::NamingContext):
+unbind and destroy, and what must never be deleted by mistake.
+"""
+
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.path import Path
 from rtshell_lite.robot import aliases, tree
 from rtshell_lite.text import printable, shell_word
 
-
 MOST_WITNESSES = 8  # objects that are asked to find out whether a host lives
-WHY_LEFT = "its host refuses the connection, as a firewall would, and no other process there answers; " \
-           "netstat -ltnp | grep :%d there shows whether its process runs; -f deletes the name all the same"
+WHY_LEFT = (
+    "its host refuses the connection, as a firewall would, and no other process there answers; "
+    "netstat -ltnp | grep :%d there shows whether its process runs; -f deletes the name all the same"
+)
 
 
 async def delete(path, note, zombie_only=False, recursive=False, dry_run=False, force=False):
@@ -21,12 +25,19 @@ async def delete(path, note, zombie_only=False, recursive=False, dry_run=False, 
     Raises what `tree.resolve` raises, WrongKind, Refused, LeftAlone for what may live behind a firewall.
     """
     if path.port is not None or not path.names:
-        raise errors.WrongKind(str(path), "name that can be deleted", "port" if path.port is not None
-                               else "name server" if path.server else "root directory")
+        if path.port is not None:
+            kind = "port"
+        elif path.server:
+            kind = "name server"
+        else:
+            kind = "root directory"
+        raise errors.WrongKind(str(path), "name that can be deleted", kind)
     node = await tree.resolve(path)
     above = await tree.resolve(path.parent())
     if above.kind == "manager":
-        raise errors.WrongKind(str(path.parent()), "directory with names in it", "manager; rtmgr deletes its components")
+        raise errors.WrongKind(
+            str(path.parent()), "directory with names in it", "manager; rtmgr deletes its components"
+        )
     if zombie_only:
         yield await _delete_zombie(await _dead(node, force), dry_run, force)
     elif node.kind == "directory":
@@ -38,14 +49,22 @@ async def delete(path, note, zombie_only=False, recursive=False, dry_run=False, 
 
 
 async def zombies(top):
-    """What is or may be a zombie at and below the Node `top`, federated name servers aside: (Nodes, Nodes whose listing failed)."""
+    """What is or may be a zombie at and below the Node `top`, federated name servers aside:
+    (Nodes, Nodes whose listing failed).
+    """
     nodes = await aliases.within(await tree.walk(top, managers=False))
-    found = [node for node in await tree.check_alive(nodes) if node.kind == "zombie" or isinstance(node.error, errors.MaybeGone)]
+    found = [
+        node
+        for node in await tree.check_alive(nodes)
+        if node.kind == "zombie" or isinstance(node.error, errors.MaybeGone)
+    ]
     return found, [node for node in nodes if node.error is not None]
 
 
 async def delete_zombies(nodes, dry_run=False, force=False):
-    """Delete each of these zombies: a line, '' for one that lives after all, or an errors.Error; for `force` see `delete`."""
+    """Delete each of these zombies: a line, '' for one that lives after all, or an errors.Error;
+    for `force` see `delete`.
+    """
     results = []
     for node in nodes:
         try:
@@ -67,8 +86,10 @@ async def _delete_zombie(node, dry_run, force):
 
 
 async def _dead(node, force):
-    """Look at a node that should be a zombie and return it. Raises WrongKind, Silent if it does not answer, LeftAlone."""
-    node, = await tree.check_alive([node])
+    """Look at a node that should be a zombie and return it.
+    Raises WrongKind, Silent if it does not answer, LeftAlone.
+    """
+    (node,) = await tree.check_alive([node])
     if isinstance(node.error, errors.MaybeGone) and not force:
         node = await _with_witnesses(node)
     if isinstance(node.error, errors.MaybeGone):
@@ -83,11 +104,16 @@ async def _dead(node, force):
 
 
 async def _with_witnesses(node):
-    """Look at a Node again after others of its host that are bound beside it: if one of them answers, it is known to be gone."""
-    beside = [other for other in await tree.children(await tree.resolve(node.path.parent()))
-              if other.ref is not None and other.endpoint[0] == node.endpoint[0] and other.endpoint != node.endpoint]
+    """Look at a Node again after others of its host that are bound beside it:
+    if one of them answers, it is known to be gone.
+    """
+    beside = [
+        other
+        for other in await tree.children(await tree.resolve(node.path.parent()))
+        if other.ref is not None and other.endpoint[0] == node.endpoint[0] and other.endpoint != node.endpoint
+    ]
     await tree.check_alive(beside[:MOST_WITNESSES])
-    node, = await tree.check_alive([await tree.resolve(node.path)])
+    (node,) = await tree.check_alive([await tree.resolve(node.path)])
     return node
 
 
@@ -104,17 +130,24 @@ async def _unbind(path, dry_run, zombie=False):
     return str(path) + ": deleted"
 
 
-# ---- naming contexts ------------------------------------------------------------------------------------------
+# ---- naming contexts ---------------------------------------------------------------------------------------
+
 
 class _Bindings:
-    """The names by which the naming contexts of all name servers can be reached, and which can without one of the names."""
+    """The names by which the naming contexts of all name servers can be reached,
+    and which can without one of the names.
+    """
 
     def __init__(self):
-        self.known, self._names, self._roots = aliases.Known(), {}, set()
+        self.known = aliases.Known()
+        self._names = {}
+        self._roots = set()
         self._left = {}  # {Path of a directory: a path that leads there} without one of the names
 
     async def walk(self, path):
-        """Walk the name server of `path`, the naming context to delete, and those of RTCTREE_NAMESERVERS; returns self."""
+        """Walk the name server of `path`, the naming context to delete, and those of RTCTREE_NAMESERVERS;
+        returns self.
+        """
         places = {}  # Path of a directory: the Path by which it is known
         for node in await tree.walk_servers(await tree.known_servers(path.server), managers=False):
             if node.kind not in ("server", "directory"):
@@ -157,13 +190,18 @@ class _Deletion:
     """The deletion of a naming context; for `note` see `delete`."""
 
     def __init__(self, bindings, recursive, dry_run, note):
-        self.recursive, self.dry_run, self.note = recursive, dry_run, note
-        self.bindings, self._entered = bindings, aliases.Known()
+        self.recursive = recursive
+        self.dry_run = dry_run
+        self.note = note
+        self.bindings = bindings
+        self._entered = aliases.Known()
 
     async def lines(self, above, node):
-        """Delete the naming context `node`, bound in `above`, after what is below it; yields a line for each name.
+        """Delete the naming context `node`, bound in `above`, after what is below it; yields a line for each
+        name.
 
-        One that has another name, belongs to another name server or is bound inside itself loses only this name.
+        One that has another name, belongs to another name server or is bound inside itself loses only this
+        name.
         """
         if len(node.path.names) > tree.DEPTH:
             raise errors.Refused(str(node.path), f"more than {tree.DEPTH} directories deep")
@@ -189,13 +227,18 @@ class _Deletion:
         another = await self.bindings.elsewhere(node)
         if another is None and not await aliases.is_foreign(above, node):
             return False
-        what = "another name of " + str(another) if another else "a directory of the name server at %s:%d" % node.endpoint
+        if another:
+            what = "another name of " + str(another)
+        else:
+            what = "a directory of the name server at %s:%d" % node.endpoint
         self.note(f"{node.path}: {printable(what)}; only this name is deleted")
         return True
 
 
 async def _destroy(node):
-    """Destroy an empty context. The server refuses when a name has been bound in it since, which stops the deletion."""
+    """Destroy an empty context. The server refuses when a name has been bound in it since,
+    which stops the deletion.
+    """
     try:
         await node.call("destroy")
     except errors.Refused as e:

@@ -1,4 +1,5 @@
 """The objects of the RTC Tree: what each is, by its reference, and whether it lives, by asking it."""
+
 import collections
 import time
 
@@ -7,12 +8,17 @@ from rtshell_lite.corba import orb, session
 from rtshell_lite.path import Name
 from rtshell_lite.text import LONGEST, from_wire
 
-MOST, MOST_OCTETS = 50000, 16 << 20  # names in one context, and octets of them all: an iterator may have no end
+# names in one context, and octets of them all: an iterator may have no end
+MOST = 50000
+MOST_OCTETS = 16 << 20
 PATIENCE = 3  # times the timeout, in which all names of a context have to come
 DIRECTORIES = ("root", "server", "directory", "manager")
 
-_COMPONENTS = ("IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0", "IDL:omg.org/RTC/RTObject:1.0",
-               "IDL:openrtm.aist.go.jp/OpenRTM/FiniteStateMachineComponent:1.0")
+_COMPONENTS = (
+    "IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0",
+    "IDL:omg.org/RTC/RTObject:1.0",
+    "IDL:openrtm.aist.go.jp/OpenRTM/FiniteStateMachineComponent:1.0",
+)
 _RTOBJECT = "IDL:omg.org/RTC/RTObject:1.0"
 _MANAGER = "IDL:RTM/Manager:1.0"
 _CONTEXTS = ("IDL:omg.org/CosNaming/NamingContext:1.0", "IDL:omg.org/CosNaming/NamingContextExt:1.0")
@@ -22,26 +28,37 @@ class Node:
     """One object of the tree.
 
     path   its Path
-    kind   root, server, directory, component, manager; zombie, whose object is gone; silent, a component or manager whose
-           process does not answer; unknown, any other object; unsure, one that must be asked (`check_alive`), as its reference does not say
+    kind   root, server, directory, component, manager; zombie, whose object is gone; silent, a component or
+           manager whose process does not answer; unknown, any other object; unsure, one that must be asked
+           (`check_alive`), as its reference does not say
     ref    its object reference; None at the root and for a nil reference
-    error  for kind `silent` and `zombie`: the errors.Error that says why; for others: why what is below could not be listed
-    alias  the Path of the same directory where a walk entered it before; such a Node is not entered again; else None
-    foreign  True for a naming context of another name server than that where it is bound; see `aliases.within`
+    error  for kind `silent` and `zombie`: the errors.Error that says why; for others: why what is below could
+           not be listed
+    alias  the Path of the same directory where a walk entered it before; such a Node is not entered again;
+           else None
+    foreign  True for a naming context of another name server than that where it is bound; see
+             `aliases.within`
     """
 
-    __slots__ = ("path", "kind", "ref", "error", "alias", "foreign", "_endpoint", "_is_typed",
-                 "__weakref__")  # there may be 20,000
+    # there may be 20,000
+    __slots__ = ("path", "kind", "ref", "error", "alias", "foreign", "_endpoint", "_is_typed", "__weakref__")
 
     def __init__(self, path, kind, ref=None, error=None):
-        self.path, self.kind, self.ref, self.error = path, kind, ref, error
-        self.alias, self.foreign = None, False
-        self._endpoint, self._is_typed = None, False
+        self.path = path
+        self.kind = kind
+        self.ref = ref
+        self.error = error
+        self.alias = None
+        self.foreign = False
+        self._endpoint = None
+        self._is_typed = False
 
     @property
     def name(self):
         """The last name of its path, spelt for the terminal."""
-        return str(self.path.names[-1]) if self.path.names else str(self.path)[1:] or "/"
+        if self.path.names:
+            return str(self.path.names[-1])
+        return str(self.path)[1:] or "/"
 
     @property
     def endpoint(self):
@@ -54,21 +71,32 @@ class Node:
     def what(self):
         """Its kind in words, for errors."""
         if self.kind in ("unknown", "unsure"):
-            return "nil reference" if self.ref is None else "CORBA object of unknown kind"
-        words = {"root": "root directory", "server": "name server", "silent": "component that does not answer"}
+            if self.ref is None:
+                return "nil reference"
+            return "CORBA object of unknown kind"
+        words = {
+            "root": "root directory",
+            "server": "name server",
+            "silent": "component that does not answer",
+        }
         return words.get(self.kind, self.kind)
 
     @property
     def typed(self):
         """`ref` as a reference of the interface that its kind implies."""
         if not self._is_typed:
-            self.ref, self._is_typed = self._narrowed(), True  # only this one is kept: a reference takes 800 bytes
+            # only this one is kept: a reference takes 800 bytes
+            self.ref = self._narrowed()
+            self._is_typed = True
         return self.ref
 
     def _narrowed(self):
         if self.kind in ("server", "directory"):
             return orb.context(self.ref)
-        interface = "RTM.Manager" if self.kind == "manager" else "OpenRTM.DataFlowComponent"
+        if self.kind == "manager":
+            interface = "RTM.Manager"
+        else:
+            interface = "OpenRTM.DataFlowComponent"
         return orb.narrow(self.ref, interface)
 
     async def call(self, operation, *args, **more):
@@ -76,7 +104,9 @@ class Node:
         try:
             return await orb.call(self.path, self.typed, operation, *args, **more)
         except errors.ConnectionRefused as e:
-            raise errors.NoNameServer(*e.args) if self.kind in ("server", "directory") else await _refusal(self)
+            raise (
+                errors.NoNameServer(*e.args) if self.kind in ("server", "directory") else await _refusal(self)
+            )
         except errors.Gone as e:
             raise no_name_server(self) if self.kind == "server" else e
 
@@ -92,19 +122,25 @@ def no_name_server(node):
 def classified(path, ref, is_context=False):
     """The Node for a reference found under `path`, by the type in its IOR: no remote call.
 
-    `is_context`: it is bound as a naming context. The root of another name server, bound by federation, has no type.
+    `is_context`: it is bound as a naming context. The root of another name server, bound by federation, has
+    no type.
     """
     if ref is None:
         return Node(path, "unknown")
     address = orb.address(ref)
-    kind = "directory" if is_context and not address.type_id else _kind(address.type_id, path.names[-1])
+    if is_context and not address.type_id:
+        kind = "directory"
+    else:
+        kind = _kind(address.type_id, path.names[-1])
     node = Node(path, kind, ref)
     node._endpoint = address[1:3]
     return node
 
 
 def unusable(path, error):
-    """The Node for a name that is bound to a reference which must not be used, given the Garbled that says why."""
+    """The Node for a name that is bound to a reference which must not be used,
+    given the Garbled that says why.
+    """
     return Node(path, "silent", None, errors.Garbled(str(path), error.args[1]))
 
 
@@ -116,25 +152,33 @@ def _kind(type_id, name):
         return "component"
     if type_id == _MANAGER:
         return "manager"
-    return "unsure" if name.kind in ("rtc", "mgr") or not type_id else "unknown"
+    if name.kind in ("rtc", "mgr") or not type_id:
+        return "unsure"
+    return "unknown"
 
 
-# ---- liveness -------------------------------------------------------------------------------------------------
+# ---- liveness ----------------------------------------------------------------------------------------------
+
 
 async def check_alive(nodes):
     """Find out which of `nodes` live, in parallel, one call each; returns new nodes in the same order.
 
-    A component or manager that is gone becomes `zombie`, one that does not answer `silent`. They are asked `_non_existent`: a
-    profile query can end a component whose connection has died (docs/protocol.md 1.1, 1.3).
+    A component or manager that is gone becomes `zombie`, one that does not answer `silent`. They are asked
+    `_non_existent`: a profile query can end a component whose connection has died (docs/protocol.md 1.1,
+    1.3).
     """
     # a manager with an error has answered, though not to every question
-    objects = [node for node in nodes if node.kind in ("component", "manager", "unsure") and node.error is None]
+    objects = [
+        node for node in nodes if node.kind in ("component", "manager", "unsure") and node.error is None
+    ]
     answers = dict(zip(objects, await on_nodes(objects, _living)))
     return [await classify_answer(node, answers[node]) if node in answers else node for node in nodes]
 
 
 async def classify_answer(node, answer):
-    """The Node that `node` turns out to be, given what it answered: itself, or zombie or silent after an errors.Error."""
+    """The Node that `node` turns out to be, given what it answered:
+    itself, or zombie or silent after an errors.Error.
+    """
     if not isinstance(answer, errors.Error):
         return answer
     if isinstance(answer, errors.ConnectionRefused):
@@ -145,12 +189,15 @@ async def classify_answer(node, answer):
 
 async def _refusal(node):
     from rtshell_lite.corba import liveness  # few need it
+
     return await liveness.refusal(node.path, node.endpoint)
 
 
 async def _living(node):
     await orb.is_alive(node.path, node.ref)
-    return await _sure(node) if node.kind == "unsure" else node
+    if node.kind == "unsure":
+        return await _sure(node)
+    return node
 
 
 async def _sure(node):
@@ -165,7 +212,9 @@ async def _sure(node):
 
 
 async def on_nodes(nodes, function):
-    """What function(node) returns for each Node, awaited in parallel by the process that answers; an errors.Error stays in its place."""
+    """What function(node) returns for each Node, awaited in parallel by the process that answers;
+    an errors.Error stays in its place.
+    """
     values = iter(await session.each([node for node in nodes if isinstance(node, Node)], function, _place))
     return [next(values) if isinstance(node, Node) else node for node in nodes]
 
@@ -181,19 +230,22 @@ def _place(node):
     return node.endpoint, node.path
 
 
-# ---- what a naming context holds ------------------------------------------------------------------------------
+# ---- what a naming context holds ---------------------------------------------------------------------------
+
 
 def name_server_error(node, e):
     """The error for a Refused from what should be a name server or a naming context."""
-    return no_name_server(node) if e.name in ("BAD_OPERATION", "NO_IMPLEMENT", "INTF_REPOS") else e
+    if e.name in ("BAD_OPERATION", "NO_IMPLEMENT", "INTF_REPOS"):
+        return no_name_server(node)
+    return e
 
 
 async def bound(node):
     """The bindings of a naming context, however many there are: (Name, whether it is a naming context).
 
-    One call for all but the largest contexts; [] for other directories. Names above MOST, those not received in PATIENCE, and
-    those too long for a command line are left out, which is reported. A name that is listed again is the same name: an iterator that
-    does not end may repeat itself.
+    One call for all but the largest contexts; [] for other directories. Names above MOST, those not received
+    in PATIENCE, and those too long for a command line are left out, which is reported. A name that is listed
+    again is the same name: an iterator that does not end may repeat itself.
     """
     if node.kind not in ("server", "directory"):
         return []
@@ -201,13 +253,18 @@ async def bound(node):
     entries = collections.OrderedDict()  # of names that may come again and again, each is kept once
     async for bindings in _batches(node):
         for binding in [binding for binding in bindings if binding.binding_name]:
-            name, received = binding.binding_name[0], received + 1
+            name = binding.binding_name[0]
+            received = received + 1
             if len(name.id) + len(name.kind) >= LONGEST:
                 too_long += 1
                 continue
-            entries[Name(from_wire(name.id), from_wire(name.kind)), binding.binding_type._v == 1] = None  # 1: ncontext
+            entries[Name(from_wire(name.id), from_wire(name.kind)), binding.binding_type._v == 1] = (
+                None  # 1: ncontext
+            )
     if too_long:
-        notes.left_out(f"{node.path}: {too_long} of {received} names are left out: they are longer than {LONGEST} characters")
+        notes.left_out(
+            f"{node.path}: {too_long} of {received} names are left out: they are longer than {LONGEST} characters"
+        )
     return list(entries)
 
 
@@ -220,14 +277,21 @@ async def _batches(node, size=10000):
     yield bindings[:MOST]
     if iterator is None:
         return
-    received, octets, more, end = len(bindings), 0, True, time.monotonic() + PATIENCE * session.current().timeout
+    received = len(bindings)
+    octets = 0
+    more = True
+    end = time.monotonic() + PATIENCE * session.current().timeout
     try:
         while more and received < MOST and octets < MOST_OCTETS and time.monotonic() < end:
             more, bindings = await orb.call(str(node.path), iterator, "next_n", size)
-            yield bindings[:MOST - received]
+            yield bindings[: MOST - received]
             received += len(bindings)
-            octets += sum(len(name.id) + len(name.kind) for binding in bindings for name in binding.binding_name)
+            octets += sum(
+                len(name.id) + len(name.kind) for binding in bindings for name in binding.binding_name
+            )
     finally:
         await orb.call(str(node.path), iterator, "destroy")
     if more:
-        notes.left_out(f"{node.path}: only its first {min(received, MOST)} names are taken; its list of them does not end")
+        notes.left_out(
+            f"{node.path}: only its first {min(received, MOST)} names are taken; its list of them does not end"
+        )

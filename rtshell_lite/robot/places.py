@@ -1,4 +1,7 @@
-"""Where in the RTC Tree a reference is bound, and so whose the far ends of connections are: found by comparing references."""
+"""Where in the RTC Tree a reference is bound, and so whose the far ends of connections are:
+found by comparing references.
+"""
+
 import collections
 import time
 
@@ -18,38 +21,50 @@ class Places:
         self.everywhere = None
 
     async def path(self, instance, ref, known):
-        """The Path where the component `ref` with this instance name is bound, or None; `known` is the Node of one that knows it."""
+        """The Path where the component `ref` with this instance name is bound, or None;
+        `known` is the Node of one that knows it.
+        """
         directory = known.path.parent()
-        return await self._beside(directory.child(Name(instance, "rtc")), ref) or await self._anywhere(ref, directory.server)
+        return await self._beside(directory.child(Name(instance, "rtc")), ref) or await self._anywhere(
+            ref, directory.server
+        )
 
     async def _beside(self, path, ref):
         try:
-            return path if orb.same((await tree.resolve(path)).ref, ref) else None
+            if orb.same((await tree.resolve(path)).ref, ref):
+                return path
+            return None
         except errors.Error:
             return None
 
     async def _anywhere(self, ref, server):
         if self.everywhere is None:
-            self.everywhere = [node for node in await tree.walk_servers(await tree.known_servers(server), managers=False)
-                               if node.kind == "component" and node.ref is not None]
+            self.everywhere = [
+                node
+                for node in await tree.walk_servers(await tree.known_servers(server), managers=False)
+                if node.kind == "component" and node.ref is not None
+            ]
         return next((node.path for node in self.everywhere if orb.same(node.ref, ref)), None)
 
 
-# ---- the far ends of connections ------------------------------------------------------------------------------
+# ---- the far ends of connections ---------------------------------------------------------------------------
 
-# The port at an end of a connection: its reference; its ports.Port, whose `node` is None if its component is bound nowhere, or
-# None and the errors.Error `error`.
+# The port at an end of a connection: its reference; its ports.Port, whose `node` is None if its component is
+# bound nowhere, or None and the errors.Error `error`.
 End = collections.namedtuple("End", "ref port error")
 
 
 async def far_ends(near, silent=None):
-    """{identity of a port: End} of all ports that the Ports `near` are connected with, except these themselves.
+    """{identity of a port: End} of all ports that the Ports `near` are connected with, except these
+    themselves.
 
-    They are asked, one call each (see `ask`), unless their processes are `silent` ({endpoint: errors.Error}). Whose they are is found by
-    comparing their owners with what is bound in the name servers.
+    They are asked, one call each (see `ask`), unless their processes are `silent` ({endpoint: errors.Error}).
+    Whose they are is found by comparing their owners with what is bound in the name servers.
     """
-    own, silent = {orb.identity(port.ref) for port in near}, silent or {}
-    wanted = collections.OrderedDict()  # by identity: its reference, and the Node of a component that is connected with it
+    own = {orb.identity(port.ref) for port in near}
+    silent = silent or {}
+    # by identity: its reference, and the Node of a component that is connected with it
+    wanted = collections.OrderedDict()
     joining = collections.defaultdict(set)  # by identity: ids of the connectors that lead there
     for port in near:
         for connector in port.connectors:
@@ -57,19 +72,24 @@ async def far_ends(near, silent=None):
                 wanted.setdefault(orb.identity(ref), (ref, port.node))
                 joining[orb.identity(ref)].add(connector.id)
     answers = await ask([ref for ref, _ in wanted.values() if orb.endpoint(ref) not in silent], joining)
-    places, ends = Places(), {}
+    places = Places()
+    ends = {}
     for identity, (ref, node) in wanted.items():
         answer = silent.get(orb.endpoint(ref)) or next(answers)
         failed = isinstance(answer, errors.Error)
-        ends[identity] = End(ref, None, answer) if failed else End(ref, await _placed(answer, places, node), None)
+        if failed:
+            ends[identity] = End(ref, None, answer)
+        else:
+            ends[identity] = End(ref, await _placed(answer, places, node), None)
     return ends
 
 
 async def ask(refs, joining):
-    """An iterator of the Port of each reference, or an errors.Error; the Node of a Port has an address as its path.
+    """An iterator of the Port of each reference, or an errors.Error; the Node of a Port has an address as its
+    path.
 
-    A Port has no other connectors than those whose ids are in joining[its identity], as thousands of ports may each have a
-    thousand. Those that cannot be asked in PATIENCE are Late.
+    A Port has no other connectors than those whose ids are in joining[its identity], as thousands of ports
+    may each have a thousand. Those that cannot be asked in PATIENCE are Late.
     """
     end = time.monotonic() + PATIENCE * session.current().timeout
 
@@ -80,6 +100,7 @@ async def ask(refs, joining):
         ids = joining[orb.identity(ref)]
         joined = {connector.id: connector for connector in reversed(port.connectors) if connector.id in ids}
         return port._replace(connectors=list(joined.values()))
+
     return iter(await orb.each(refs, look))
 
 
@@ -89,7 +110,9 @@ async def _placed(port, places, known):
 
 
 async def far_names(near):
-    """A function reference → `name` of that end of a connection of the Ports `near`; None for one of these."""
+    """A function reference → `name` of that end of a connection of the Ports `near`;
+    None for one of these.
+    """
     ends = await far_ends(near)
 
     def name_of(ref):
@@ -97,13 +120,18 @@ async def far_names(near):
             return "Unknown (nil)"
         end = ends.get(orb.identity(ref))
         return end and name(end)
+
     return name_of
 
 
 def name(end):
-    """The path of the port at an End, as text; `Unknown (…)` for one that does not answer or is bound nowhere."""
+    """The path of the port at an End, as text;
+    `Unknown (…)` for one that does not answer or is bound nowhere.
+    """
     if end.port is None:
         return f"Unknown ({end.error})"
     if end.port.node is not None:
         return ports.label(end.port)
-    return f"Unknown ({printable(end.port.name)})" if end.port.owner is not None else printable(end.port.name)
+    if end.port.owner is not None:
+        return f"Unknown ({printable(end.port.name)})"
+    return printable(end.port.name)

@@ -1,4 +1,5 @@
 """Ports of components and their connectors, and why ports do not match. connectors.py changes them."""
+
 import collections
 import re
 
@@ -7,59 +8,101 @@ from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, tree
 from rtshell_lite.text import cut, from_wire, printable
 
-# One port. `name` is the full name (ConsoleIn0.out), `type` DataInPort, DataOutPort, CorbaPort or Port, `properties` a dict,
-# `owner` the reference of its component or None, `node` the Node it was found on.
+# One port. `name` is the full name (ConsoleIn0.out), `type` DataInPort, DataOutPort, CorbaPort or Port,
+# `properties` a dict, `owner` the reference of its component or None, `node` the Node it was found on.
 Port = collections.namedtuple("Port", "node name type properties interfaces connectors ref owner")
-Interface = collections.namedtuple("Interface", "instance_name type_name polarity")  # polarity: Provided or Required
-Connector = collections.namedtuple("Connector", "id name ports properties")  # ports: references; properties: pairs
+# polarity: Provided or Required
+Interface = collections.namedtuple("Interface", "instance_name type_name polarity")
+# ports: references; properties: pairs
+Connector = collections.namedtuple("Connector", "id name ports properties")
 
 DATA = ("DataInPort", "DataOutPort")
 # Properties of connections unless the user gives others; the data type is the first port's.
-DEFAULTS = (("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
-            ("dataport.subscription_type", "new"))
+DEFAULTS = (
+    ("dataport.dataflow_type", "push"),
+    ("dataport.interface_type", "corba_cdr"),
+    ("dataport.subscription_type", "new"),
+)
 
-RATES = ("dataport.publisher.push_rate", "dataport.push_rate", "dataport.outport.publisher.push_rate",
-         "dataport.outport.push_rate")  # where components look for the rate of a periodic connection
-# Properties of a connection that OpenRTM-aist reads (InPortConnector, OutPortConnector, PublisherNew, CdrRingBuffer)
-PROPERTIES = ["dataport." + name for name in (
-    "buffer.length", "buffer.read.empty_policy", "buffer.read.timeout", "buffer.write.full_policy", "buffer.write.timeout",
-    "data_type", "dataflow_type", "interface_type", "publisher.push_policy", "publisher.push_rate", "publisher.skip_count",
-    "serializer.cdr.endian", "subscription_type")]
-MOST_PORTS, MOST_PARTS, MOST_ENDS = 1000, 1000, 16  # of a component, of a port, of a connector; more are not taken
+# where components look for the rate of a periodic connection
+RATES = (
+    "dataport.publisher.push_rate",
+    "dataport.push_rate",
+    "dataport.outport.publisher.push_rate",
+    "dataport.outport.push_rate",
+)
+# Properties of a connection that OpenRTM-aist reads (InPortConnector, OutPortConnector, PublisherNew,
+# CdrRingBuffer)
+PROPERTIES = [
+    "dataport." + name
+    for name in (
+        "buffer.length",
+        "buffer.read.empty_policy",
+        "buffer.read.timeout",
+        "buffer.write.full_policy",
+        "buffer.write.timeout",
+        "data_type",
+        "dataflow_type",
+        "interface_type",
+        "publisher.push_policy",
+        "publisher.push_rate",
+        "publisher.skip_count",
+        "serializer.cdr.endian",
+        "subscription_type",
+    )
+]
+# of a component, of a port, of a connector; more are not taken
+MOST_PORTS = 1000
+MOST_PARTS = 1000
+MOST_ENDS = 16
 
 ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push
 
 
-# ---- asking ---------------------------------------------------------------------------------------------------
+# ---- asking ------------------------------------------------------------------------------------------------
+
 
 async def ports(node, brief=False):
-    """The Ports of a component in its own order: one call for the list and one a port; for `brief` see `port`."""
+    """The Ports of a component in its own order: one call for the list and one a port;
+    for `brief` see `port`.
+    """
     return [await port(node, ref, brief=brief) for ref in await refs(node)]
 
 
-# How the connectors of tools are called: ours, and those of rtshell, whose components are named like their connectors
-TOOLS = re.compile(r"rtshell_lite|rt(?:print|inject|log|mount)\Z|rt(?:print_reader|inject_writer|log_recorder|log_player)[0-9]")
-CORBA_INTERFACES = ("", "corba_cdr", "corba_any", "data_service", "direct", "shared_memory", "csp_channel")  # these join two ports
+# How the connectors of tools are called: ours, and those of rtshell, whose components are named like their
+# connectors
+TOOLS = re.compile(
+    r"rtshell_lite|rt(?:print|inject|log|mount)\Z|rt(?:print_reader|inject_writer|log_recorder|log_player)[0-9]"
+)
+# these join two ports
+CORBA_INTERFACES = ("", "corba_cdr", "corba_any", "data_service", "direct", "shared_memory", "csp_channel")
 
 
 def is_of_tool(connector):
     """Whether a Connector was made by a tool that looks or sends, and is no part of a system.
 
-    Its name shows that. A connector of one port alone is a tool's, too, if a CORBA interface carries its data: only other
-    transports, such as ROS and DDS, connect one port alone.
+    Its name shows that. A connector of one port alone is a tool's, too, if a CORBA interface carries its
+    data: only other transports, such as ROS and DDS, connect one port alone.
     """
     return bool(TOOLS.match(connector.name)) or len(connector.ports) == 1 and transport(connector) == ""
 
 
 def transport(connector):
-    """What carries the data of a Connector instead of CORBA, as its interface type has it (ros, fast-rtps, ssm); '' for CORBA."""
+    """What carries the data of a Connector instead of CORBA, as its interface type has it (ros, fast-rtps,
+    ssm); '' for CORBA.
+    """
     interface = dict(connector.properties).get("dataport.interface_type", "")
-    return "" if interface.lower() in CORBA_INTERFACES else interface
+    if interface.lower() in CORBA_INTERFACES:
+        return ""
+    return interface
 
 
 def in_system(listed):
     """The Ports without the connectors of tools, see `is_of_tool`."""
-    return [port._replace(connectors=[connector for connector in port.connectors if not is_of_tool(connector)]) for port in listed]
+    return [
+        port._replace(connectors=[connector for connector in port.connectors if not is_of_tool(connector)])
+        for port in listed
+    ]
 
 
 async def refs(node):
@@ -78,16 +121,28 @@ async def port(node, ref, failures=None, brief=False):
     except (errors.Gone, errors.ConnectionRefused):
         if orb.endpoint(ref) == node.endpoint:
             raise
-        why = "the process of one of its ports is gone; if that is a member's, restart this composite's process " \
-              "(until then, rtcomp -r MEMBER:PORT hides the port)"
+        why = (
+            "the process of one of its ports is gone; if that is a member's, restart this composite's process "
+            "(until then, rtcomp -r MEMBER:PORT hides the port)"
+        )
         raise errors.LostMember(str(node.path), why)
     properties = dict(orb.properties(profile.properties, "port.port_type" if brief else None))
     kind = properties.get("port.port_type")
-    interfaces = [] if brief else notes.first(MOST_PARTS, profile.interfaces, node.path, "interfaces of a port")
+    if brief:
+        interfaces = []
+    else:
+        interfaces = notes.first(MOST_PARTS, profile.interfaces, node.path, "interfaces of a port")
     connectors = notes.first(MOST_PARTS, profile.connector_profiles, node.path, "connectors of a port")
-    return Port(node, cut(from_wire(profile.name)), kind if kind in DATA + ("CorbaPort",) else "Port", properties,
-                [_interface(i) for i in interfaces], [connector(c, node.path) for c in connectors], ref,
-                orb.one_of(profile.owner, node.ref))
+    return Port(
+        node,
+        cut(from_wire(profile.name)),
+        kind if kind in DATA + ("CorbaPort",) else "Port",
+        properties,
+        [_interface(i) for i in interfaces],
+        [connector(c, node.path) for c in connectors],
+        ref,
+        orb.one_of(profile.owner, node.ref),
+    )
 
 
 def _interface(profile):
@@ -98,12 +153,19 @@ def _interface(profile):
 def connector(profile, where):
     """The Connector that a ConnectorProfile describes."""
     ends = notes.first(MOST_ENDS, profile.ports, where, "ends of a connector")
-    return Connector(from_wire(profile.connector_id), cut(from_wire(profile.name)), ends, orb.properties(profile.properties))
+    return Connector(
+        from_wire(profile.connector_id),
+        cut(from_wire(profile.name)),
+        ends,
+        orb.properties(profile.properties),
+    )
 
 
 def short_name(name, instance):
     """A port's name without the `INSTANCE.` that components put before it."""
-    return name[len(instance) + 1:] if instance and name.startswith(instance + ".") else name
+    if instance and name.startswith(instance + "."):
+        return name[len(instance) + 1 :]
+    return name
 
 
 def label(port):
@@ -114,10 +176,14 @@ def label(port):
 async def find(paths):
     """The Port that each path names, found in parallel, one call a port of its component.
 
-    An errors.Error takes the place of what failed: NoSuch with what there is, and what `tree.component` raises.
+    An errors.Error takes the place of what failed: NoSuch with what there is, and what `tree.component`
+    raises.
     """
     listed = await tree.on_components([path.object() for path in paths], ports)
-    return [answer if isinstance(answer, errors.Error) else named(path, answer) for path, answer in zip(paths, listed)]
+    return [
+        answer if isinstance(answer, errors.Error) else named(path, answer)
+        for path, answer in zip(paths, listed)
+    ]
 
 
 def named(path, listed):
@@ -132,7 +198,8 @@ def named(path, listed):
     return errors.NoSuch(str(path.object()), "port", f"{printable(path.port)} (its ports: {there})")
 
 
-# ---- matching -------------------------------------------------------------------------------------------------
+# ---- matching ----------------------------------------------------------------------------------------------
+
 
 def between(ends):
     """What an error about several ports names: `a.rtc:out to b.rtc:in`."""
@@ -140,9 +207,11 @@ def between(ends):
 
 
 def mismatches(ends, properties):
-    """Why the Ports `ends` cannot be connected with these properties (a dict): a list of reasons, empty when they can.
+    """Why the Ports `ends` cannot be connected with these properties (a dict): a list of reasons, empty when
+    they can.
 
-    Components check next to nothing of this themselves (they connect a TimedLong with a TimedDouble and return RTC_OK).
+    Components check next to nothing of this themselves (they connect a TimedLong with a TimedDouble and
+    return RTC_OK).
     """
     if len({orb.identity(port.ref) for port in ends}) < len(ends):
         return ["a port is named twice"]  # C++ 2.1 deadlocks for good on it: docs/protocol.md 3.1
@@ -161,7 +230,9 @@ def _data_mismatches(ends, types, properties):
     if len(ends) == 1 and interface.lower() not in CORBA_INTERFACES:
         return _not_offered(ends, "dataport.interface_type", interface)
     if len(set(types)) == 1:
-        return [f"{'it is' if len(ends) == 1 else 'each is'} a {types[0]}; a connection needs an in port and an out port"]
+        return [
+            f"{'it is' if len(ends) == 1 else 'each is'} a {types[0]}; a connection needs an in port and an out port"
+        ]
     reasons = []
     data_types = [port.properties.get("dataport.data_type", "") for port in ends]
     if not all(same_type(data_types[0], data_type) for data_type in data_types[1:]):
@@ -186,27 +257,40 @@ def _not_offered(ends, key, value):
 
 
 def offer_without(port, key, value):
-    """The values that a port offers for a property, spelt for the terminal, when `value` is none of them; else None."""
+    """The values that a port offers for a property, spelt for the terminal, when `value` is none of them;
+    else None.
+    """
     offer = _choices(port, key)
-    return None if offer is None or value in offer else printable(", ".join(offer))
+    if offer is None or value in offer:
+        return None
+    return printable(", ".join(offer))
 
 
 def _short_key(key):
-    return key[len("dataport."):] if key.startswith("dataport.") else key
+    if key.startswith("dataport."):
+        return key[len("dataport.") :]
+    return key
 
 
 def _short_type(type_id):
     """RTC/TimedLong of IDL:RTC/TimedLong:1.0."""
-    name = type_id[4:] if type_id.startswith("IDL:") else type_id
+    if type_id.startswith("IDL:"):
+        name = type_id[4:]
+    else:
+        name = type_id
     return name.rpartition(":")[0] or name
 
 
 def same_type(one, other):
-    """Repository ids name one type when their last parts agree and, where both have modules, the modules too."""
+    """Repository ids name one type when their last parts agree and, where both have modules,
+    the modules too.
+    """
     one, other = (_short_type(t).split("/") for t in (one, other))
     if "any" in (one[-1].lower(), other[-1].lower()) or [""] in (one, other):
         return True
-    return one == other if len(one) > 1 and len(other) > 1 else one[-1] == other[-1]
+    if len(one) > 1 and len(other) > 1:
+        return one == other
+    return one[-1] == other[-1]
 
 
 def _choices(port, key):
@@ -217,7 +301,9 @@ def _choices(port, key):
     values = [value.strip() for value in listed.split(",")]
     if key in ANY_CASE:
         values = [value.lower() for value in values]
-    return None if any(value.lower() == "any" for value in values) else values
+    if any(value.lower() == "any" for value in values):
+        return None
+    return values
 
 
 def _chosen(ends, key, preferred):
@@ -232,13 +318,17 @@ def _service_mismatches(ends, properties):
     reasons, (first, *others) = [], ends
     for interface in first.interfaces:
         for port in others:
-            if any(word.endswith("." + interface.instance_name) for item in properties.items() for word in item):
+            if any(
+                word.endswith("." + interface.instance_name) for item in properties.items() for word in item
+            ):
                 continue  # mapped by hand to an interface of another name
             named = [i for i in port.interfaces if i.instance_name == interface.instance_name]
             if not named:
                 reasons.append(f"{label(port)} has no interface {printable(interface.instance_name)}")
             elif all(i.polarity == interface.polarity for i in named):
-                reasons.append(f"both have interface {printable(interface.instance_name)} {interface.polarity.lower()}")
+                reasons.append(
+                    f"both have interface {printable(interface.instance_name)} {interface.polarity.lower()}"
+                )
     return reasons
 
 
@@ -257,7 +347,12 @@ def connection_properties(ends, given):
 def joining(ends):
     """The connectors of the first port that join it with any of the others."""
     others = [orb.identity(port.ref) for port in ends[1:]]
-    return [c for c in ends[0].connectors if any(orb.identity(ref) in others for ref in c.ports if ref is not None)]
+    found = []
+    for connector in ends[0].connectors:
+        joined = [orb.identity(ref) for ref in connector.ports if ref is not None]
+        if any(port in others for port in joined):
+            found.append(connector)
+    return found
 
 
 def check(ends, given):
@@ -272,14 +367,23 @@ def without_rate(ends, properties):
 
     C++ only returns RTC_ERROR then. The rate may be a property of the port, too.
     """
-    subscription, flow = [properties.get("dataport." + key, "").lower() for key in ("subscription_type", "dataflow_type")]
+    subscription, flow = [
+        properties.get("dataport." + key, "").lower() for key in ("subscription_type", "dataflow_type")
+    ]
     if subscription != "periodic" or flow == "pull" or not any(port.type == "DataOutPort" for port in ends):
         return []
-    rates = [given[key] for given in [properties] + [port.properties for port in ends] for key in RATES if key in given]
+    rates = [
+        given[key]
+        for given in [properties] + [port.properties for port in ends]
+        for key in RATES
+        if key in given
+    ]
     if not rates:
         return [f"a periodic connection needs a rate: {RATES[0]}=HZ"]
     try:
         positive = 0 < float(rates[0]) < float("inf")
     except ValueError:
         positive = False
-    return [] if positive else [f"a periodic connection needs a rate in Hz above 0, not {printable(rates[0])}"]
+    if positive:
+        return []
+    return [f"a periodic connection needs a rate in Hz above 0, not {printable(rates[0])}"]

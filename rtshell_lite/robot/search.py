@@ -1,4 +1,5 @@
 """Finding objects in the RTC Tree: by name, kind and state."""
+
 import collections
 import re
 
@@ -7,8 +8,8 @@ from rtshell_lite.robot import component, tree
 
 POLL = 0.5  # seconds between two searches of --wait
 
-# What to find: `names` a list of functions name → bool (any of them; empty: all names), `kinds` a set (empty: all),
-# `state` in lower case or None, `depth` levels or None.
+# What to find: `names` a list of functions name → bool (any of them; empty: all names), `kinds` a set (empty:
+# all), `state` in lower case or None, `depth` levels or None.
 Wanted = collections.namedtuple("Wanted", "names kinds state depth")
 
 # What a node of a kind may turn out to be.
@@ -16,9 +17,12 @@ CAN_BE = {"component": {"component", "silent", "zombie"}, "manager": {"manager",
 
 
 def patterns(exact, any_case):
-    """Functions for shell patterns, in which `*` is any text and `?` any character, on the whole of a name."""
+    """Functions for shell patterns, in which `*` is any text and `?` any character,
+    on the whole of a name.
+    """
     return [re.compile(_expression(p), re.DOTALL).match for p in exact] + [
-        re.compile(_expression(p), re.DOTALL | re.IGNORECASE).match for p in any_case]
+        re.compile(_expression(p), re.DOTALL | re.IGNORECASE).match for p in any_case
+    ]
 
 
 def _expression(pattern):
@@ -27,7 +31,8 @@ def _expression(pattern):
 
 
 async def find(paths, wanted):
-    """The Nodes at and below `paths` that are Wanted, in the order of the tree, a list of the errors met, and near misses.
+    """The Nodes at and below `paths` that are Wanted, in the order of the tree, a list of the errors met, and
+    near misses.
 
     These are nodes whose names would match without their kinds, if no name does.
     """
@@ -35,10 +40,17 @@ async def find(paths, wanted):
     nodes = [node for part in parts for node in part]
     failures += [node.error for node in nodes if node.error is not None and node.kind != "zombie"]
     named = [node for node in nodes if not wanted.names or _matches(node.name, wanted.names)]
-    close = [] if named else [node for node in nodes if node.path.names and _matches(node.path.names[-1].id, wanted.names)]
+    if named:
+        close = []
+    else:
+        close = [node for node in nodes if node.path.names and _matches(node.path.names[-1].id, wanted.names)]
     nodes = named
     if wanted.kinds:
-        nodes = [node for node in nodes if node.kind == "unsure" or wanted.kinds & CAN_BE.get(node.kind, {node.kind})]
+        nodes = [
+            node
+            for node in nodes
+            if node.kind == "unsure" or wanted.kinds & CAN_BE.get(node.kind, {node.kind})
+        ]
     if wanted.kinds or wanted.state:  # only then it matters what lives
         nodes = await tree.check_alive(nodes)
     if wanted.kinds:
@@ -69,5 +81,7 @@ async def _in_state(nodes, state):
     silent = [node.error for node in nodes if node.kind == "silent"]
     components = [node for node in nodes if node.kind == "component"]
     states = await tree.on_nodes(components, component.state)
-    return ([node for node, answer in zip(components, states) if answer == state],
-            silent + [answer for answer in states if isinstance(answer, errors.Error)])
+    return (
+        [node for node, answer in zip(components, states) if answer == state],
+        silent + [answer for answer in states if isinstance(answer, errors.Error)],
+    )

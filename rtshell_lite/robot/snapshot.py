@@ -2,17 +2,23 @@
 
 A new part is an attribute of Snapshot, and a line in PARTS with the function that asks for it.
 """
+
 import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.robot import component, ports
 
-# How much of a part is wanted. Ports and profile have BRIEF and FULL (see `ports.port`, `component.profile`), organisations have
-# BRIEF, without their members, and FULL; execution contexts have REFERENCES (no call each), BRIEF, with handles (one call),
-# RUNNING, with rates and whether they run (two), and FULL (three). All others have FULL.
-REFERENCES, BRIEF, RUNNING, FULL = "references", "brief", "running", "full"
-EACH = "each"  # of ports: FULL, and those that fail are noted in `refusing`; otherwise the first failure ends the questions
+# How much of a part is wanted. Ports and profile have BRIEF and FULL (see `ports.port`, `component.profile`),
+# organisations have BRIEF, without their members, and FULL; execution contexts have REFERENCES (no call
+# each), BRIEF, with handles (one call), RUNNING, with rates and whether they run (two), and FULL (three). All
+# others have FULL.
+REFERENCES = "references"
+BRIEF = "brief"
+RUNNING = "running"
+FULL = "full"
+# of ports: FULL, and those that fail are noted in `refusing`; otherwise the first failure ends the questions
+EACH = "each"
 
 
 class Snapshot:
@@ -26,28 +32,35 @@ class Snapshot:
 
     The parts:
 
-    ports          its ports.Ports; `refusing` (number from 1, errors.Error, endpoint) of those that failed, see EACH;
-                   `dropped` those Ports that have just dropped a connection whose far end is dead; `of_tools` (Port, Connector)
-                   of the connectors that are a tool's, where these were set apart
+    ports          its ports.Ports; `refusing` (number from 1, errors.Error, endpoint) of those that failed,
+                   see EACH; `dropped` those Ports that have just dropped a connection whose far end is dead;
+                   `of_tools` (Port, Connector) of the connectors that are a tool's, where these were set
+                   apart
     written        (Port, values that it writes a second) of the out port that was measured, or None
-    owned          component.Contexts of its own; `participating` those of others that execute it, too. Those of another process
-                   that does not answer have only their reference
+    owned          component.Contexts of its own; `participating` those of others that execute it, too. Those
+                   of another process that does not answer have only their reference
     states         its states in `contexts`
     configuration  its configuration.Configuration, None where it has none
     organisations  composites.Organisations that it owns
     composites     (id, name, path as text) of those that it is a member of; needs `participating`
     members        {id of an Organisation: paths of its members, as text}; needs `organisations`
-    names          {identity: instance name} of components that own its contexts, with FULL also of those that take part; needs these
+    names          {identity: instance name} of components that own its contexts, with FULL also of those that
+                   take part; needs these
     profile        its component.Profile, None where a port has failed
     """
 
-    asking, answered, error = "", False, None
+    asking = ""
+    answered = False
+    error = None
     ports = refusing = dropped = of_tools = owned = participating = states = organisations = composites = ()
     configuration = profile = written = None
     members, names = {}, {}  # type: dict, dict
 
     def __init__(self, node, others=(), rest=0):
-        self.node, self.others, self.rest, self._left_alone = node, others, rest, {}
+        self.node = node
+        self.others = others
+        self.rest = rest
+        self._left_alone = {}
 
     @property
     def where(self):
@@ -62,8 +75,8 @@ class Snapshot:
     async def ask(self, **parts):
         """Ask for the parts {name: how much}, in this order, the profile last. Raises the first errors.Error.
 
-        A profile query can end a component that has a connection with a dead far end; its ports notice that before: protocol
-        rule, see `component.once_more`.
+        A profile query can end a component that has a connection with a dead far end; its ports notice that
+        before: protocol rule, see `component.once_more`.
         """
         for name in sorted(parts, key="profile".__eq__):
             self.asking, function = PARTS[name]
@@ -78,7 +91,9 @@ class Snapshot:
         answer = await component.or_default(self.node, ref, ask(self.node, ref), None)
         if answer is None and self.rest:
             self._left_alone[orb.identity(ref)] = time.monotonic() + self.rest
-        return otherwise if answer is None else answer
+        if answer is None:
+            return otherwise
+        return answer
 
 
 async def of(node, **parts):
@@ -87,21 +102,31 @@ async def of(node, **parts):
 
 
 async def ask_all(snapshots, **parts):
-    """`ask` in parallel by the process that answers; what ended the questions becomes the `error` of a Snapshot."""
+    """`ask` in parallel by the process that answers;
+    what ended the questions becomes the `error` of a Snapshot.
+    """
+
     async def ask(snapshot):
         await snapshot.ask(**parts)
 
     answers = await session.each(snapshots, ask, lambda snapshot: (snapshot.node.endpoint, snapshot.where))
     for snapshot, answer in zip(snapshots, answers):
-        snapshot.error = answer if isinstance(answer, errors.Error) else None
+        if isinstance(answer, errors.Error):
+            snapshot.error = answer
+        else:
+            snapshot.error = None
 
 
-# ---- how each part is asked for -------------------------------------------------------------------------------
+# ---- how each part is asked for ----------------------------------------------------------------------------
+
 
 async def _ports(snapshot, how):
     refs = await ports.refs(snapshot.node)
     snapshot.answered = True
-    snapshot.ports, snapshot.refusing, snapshot.dropped = [], [], []  # those from before a failure are of use
+    # those from before a failure are of use
+    snapshot.ports = []
+    snapshot.refusing = []
+    snapshot.dropped = []
     for number, ref in enumerate(refs, 1):
         snapshot.asking = f"the profile of its port {number}"
         failed_once = []  # shows that the port had a connection with a dead far end
@@ -130,17 +155,27 @@ async def _contexts(snapshot, refs, how):
     if how == REFERENCES:
         return bare
     if how == BRIEF:
-        return [context._replace(handle=await snapshot.node.call("get_context_handle", context.ref)) for context in bare]
-    ask = component.context if how == FULL else component.running
+        return [
+            context._replace(handle=await snapshot.node.call("get_context_handle", context.ref))
+            for context in bare
+        ]
+    if how == FULL:
+        ask = component.context
+    else:
+        ask = component.running
     return [await snapshot.or_default(context.ref, ask, context) for context in bare]
 
 
 async def _states(snapshot, _):
-    return [await snapshot.or_default(context.ref, component.state_in, "Unknown") for context in snapshot.contexts]
+    return [
+        await snapshot.or_default(context.ref, component.state_in, "Unknown") for context in snapshot.contexts
+    ]
 
 
 async def _configuration(snapshot, _):
-    from rtshell_lite.robot import configuration  # not needed, and not loaded, for a listing; nor are composites
+    # not needed, and not loaded, for a listing; nor are composites
+    from rtshell_lite.robot import configuration
+
     try:
         return await configuration.of(snapshot.node)
     except errors.Refused:  # small implementations have none
@@ -149,21 +184,31 @@ async def _configuration(snapshot, _):
 
 async def _organisations(snapshot, how):
     from rtshell_lite.robot import composites
+
     return await composites.owned(snapshot.node, with_members=how == FULL)
 
 
 async def _composites(snapshot, _):
     from rtshell_lite.robot import composites
+
     return await composites.belonging(snapshot.node, snapshot.participating)
 
 
 async def _members(snapshot, _):
     from rtshell_lite.robot import composites
-    return {organisation.id: await composites.member_paths(snapshot.node, organisation) for organisation in snapshot.organisations}
+
+    return {
+        organisation.id: await composites.member_paths(snapshot.node, organisation)
+        for organisation in snapshot.organisations
+    }
 
 
 async def _names(snapshot, how):
-    refs = {orb.identity(context.owner): context.owner for context in snapshot.contexts if context.owner is not None}
+    refs = {
+        orb.identity(context.owner): context.owner
+        for context in snapshot.contexts
+        if context.owner is not None
+    }
     if how == FULL:
         refs.update((orb.identity(ref), ref) for context in snapshot.contexts for ref in context.participants)
     own = orb.identity(snapshot.node.ref)
@@ -171,11 +216,16 @@ async def _names(snapshot, how):
 
     async def name_of(identity):
         return await component.instance_name(snapshot.node, refs[identity])
-    return dict(zip(others, await session.each(others, name_of, lambda identity: (identity[:2], snapshot.where))))
+
+    return dict(
+        zip(others, await session.each(others, name_of, lambda identity: (identity[:2], snapshot.where)))
+    )
 
 
 async def _profile(snapshot, how):
-    return None if snapshot.refusing else await component.profile(snapshot.node, brief=how == BRIEF)
+    if snapshot.refusing:
+        return None
+    return await component.profile(snapshot.node, brief=how == BRIEF)
 
 
 # The parts by attribute: what is asked for in words, coroutine function(snapshot, how much).
@@ -189,4 +239,5 @@ PARTS = {
     "composites": ("its composites", _composites),
     "members": ("its members", _members),
     "names": ("the names of components in its execution contexts", _names),
-    "profile": ("its profile", _profile)}
+    "profile": ("its profile", _profile),
+}

@@ -1,4 +1,5 @@
 """Transitions between the states of a component, and in which of its execution contexts they are made."""
+
 import collections
 import time
 
@@ -10,59 +11,77 @@ from rtshell_lite.text import printable, shell_word
 
 JITTER = 0.03  # seconds that a cycle of an execution context may come late
 
-# What a transition is called, the operation that asks for it, the state it leads to, the state it starts from.
+# What a transition is called, the operation that asks for it, the state it leads to, the state it starts
+# from.
 Transition = collections.namedtuple("Transition", "name command operation target source")
 ACTIVATE = Transition("activate", "rtact", "activate_component", "Active", "Inactive")
 DEACTIVATE = Transition("deactivate", "rtdeact", "deactivate_component", "Inactive", "Active")
 RESET = Transition("reset", "rtreset", "reset_component", "Inactive", "Error")
 
-# A component in one of its execution contexts: the number of the context as -e counts, its reference, whether it is the
-# component's own, and the component's state there.
+# A component in one of its execution contexts: the number of the context as -e counts, its reference, whether
+# it is the component's own, and the component's state there.
 Placement = collections.namedtuple("Placement", "index ref is_own state")
 
 
 async def change_all(paths, transition, index=None, wait=None, dry_run=False):
-    """`change` for the component at each path, in parallel: a line that says what was done, or an errors.Error, for each.
+    """`change` for the component at each path, in parallel: a line that says what was done, or an
+    errors.Error, for each.
 
-    If one is something else than a component, none is changed, and only the WrongKinds are returned.
-    With `dry_run` nothing changes, and the line is the command that would change the component, '' where none is needed.
+    If one is something else than a component, none is changed, and only the WrongKinds are returned. With
+    `dry_run` nothing changes, and the line is the command that would change the component, '' where none is
+    needed.
     """
+
     async def change_one(node):
         if dry_run:
             return await _command(node, transition, index)
         now = await change(node, transition, index, wait)
         return f"{node.path}: {now}"
+
     orb.start()
     nodes = await tree.at_each(paths, tree.component)
-    return [node for node in nodes if isinstance(node, errors.WrongKind)] or await tree.on_nodes(nodes, change_one)
+    return [node for node in nodes if isinstance(node, errors.WrongKind)] or await tree.on_nodes(
+        nodes, change_one
+    )
 
 
 async def _command(node, transition, index):
     """The command that would take a component through a Transition, '' where none is needed."""
     if index is not None:
         now = await component.state_in(node, await component.context_ref(node, index))
-        return "" if now == transition.target else _words(transition, index, node)
+        if now == transition.target:
+            return ""
+        return _words(transition, index, node)
     places = await placements(node)
     if transition is ACTIVATE:
         place = await _to_activate(node, places)
-        return "" if place.state == "Active" else _words(transition, place.index or None, node)
+        if place.state == "Active":
+            return ""
+        return _words(transition, place.index or None, node)
     wanted = _to_leave(places)
     _check_that_one_answers(node, wanted)
-    return _words(transition, None, node) if wanted else ""
+    if wanted:
+        return _words(transition, None, node)
+    return ""
 
 
 def _words(transition, index, node):
-    option = [] if index is None else ["-e", str(index)]
+    if index is None:
+        option = []
+    else:
+        option = ["-e", str(index)]
     return " ".join([transition.command] + option + [shell_word(str(node.path))])
 
 
 async def placements(node):
-    """A Placement for each execution context of a component, as -e counts them, but not for those that are known to have ended.
+    """A Placement for each execution context of a component, as -e counts them, but not for those that are
+    known to have ended.
 
-    The state is Unknown in a context of another process that does not answer: the component may be Active there. Raises NoSuch if
-    it has no context.
+    The state is Unknown in a context of another process that does not answer: the component may be Active
+    there. Raises NoSuch if it has no context.
     """
-    owned, participating = await component.owned_context_refs(node), await component.participating_context_refs(node)
+    owned = await component.owned_context_refs(node)
+    participating = await component.participating_context_refs(node)
     found = []
     for index, ref in enumerate(owned + participating):
         try:
@@ -84,19 +103,28 @@ async def placements(node):
 
 
 async def _proves_death(failure, ref):
-    """Whether the failure of a call of the context `ref` proves that its process is gone: nothing is executed there."""
+    """Whether the failure of a call of the context `ref` proves that its process is gone:
+    nothing is executed there.
+    """
     if not isinstance(failure, errors.ConnectionRefused):
         return False
     from rtshell_lite.corba import liveness  # few need it
+
     return await liveness.is_gone(orb.endpoint(ref))
 
 
 async def _members_first(node, ref, wait):
-    """Deactivate the members of a composite of C++ 1.1 before it: the thread that deactivates it would wait for them in vain."""
+    """Deactivate the members of a composite of C++ 1.1 before it:
+    the thread that deactivates it would wait for them in vain.
+    """
     if not orb.address(ref).type_id.endswith("/ExtTrigExecutionContextService:1.0"):
         return
     raw = await orb.call(node.path, ref, "get_profile")
-    if not orb.same(raw.owner, node.ref) or not raw.participants or not await node.call("get_owned_organizations"):
+    if (
+        not orb.same(raw.owner, node.ref)
+        or not raw.participants
+        or not await node.call("get_owned_organizations")
+    ):
         return
     for member in raw.participants:
         if await component.state_of(node, ref, member) == "Active":
@@ -104,14 +132,16 @@ async def _members_first(node, ref, wait):
 
 
 async def change(node, transition, index=None, wait=None):
-    """Take a component through a Transition; returns the state reached or asked for, and where that is not its own first context.
+    """Take a component through a Transition; returns the state reached or asked for, and where that is not
+    its own first context.
 
-    `index` is the number of the execution context. Without it, a component becomes Inactive in all contexts in which it is not yet,
-    and Active in one: see `_activate`.
+    `index` is the number of the execution context. Without it, a component becomes Inactive in all contexts
+    in which it is not yet, and Active in one: see `_activate`.
 
-    `wait` (seconds) polls until the state is reached, and Active still there a period later. Contexts of 1.1 answer before the
-    state has changed, later ones answer RTC_ERROR when it takes longer than their own limit of 0.5 s but change it nevertheless:
-    so after RTC_ERROR the state is polled for the timeout. Raises Refused with the reason, Unreachable when it was not reached.
+    `wait` (seconds) polls until the state is reached, and Active still there a period later. Contexts of 1.1
+    answer before the state has changed, later ones answer RTC_ERROR when it takes longer than their own limit
+    of 0.5 s but change it nevertheless: so after RTC_ERROR the state is polled for the timeout. Raises
+    Refused with the reason, Unreachable when it was not reached.
     """
     if index is not None:
         await _change_in(node, await component.context_ref(node, index), transition, wait, _number(index))
@@ -121,7 +151,10 @@ async def change(node, transition, index=None, wait=None):
         await _leave(node, places, transition, wait)
         return transition.target
     place = await _activate(node, places, wait)
-    already = "already " if place.state == "Active" and place.index else ""
+    if place.state == "Active" and place.index:
+        already = "already "
+    else:
+        already = ""
     silent = _all_in(places, "Unknown")
     return already + await _where(node, place) + (f"; {_silence(silent[0])}" if silent else "")
 
@@ -135,7 +168,9 @@ def _all_in(places, state):
 
 
 def _to_leave(places):
-    """The Placements in which a component has to become Inactive. A context that does not know it (Created) is asked only if none does."""
+    """The Placements in which a component has to become Inactive.
+    A context that does not know it (Created) is asked only if none does.
+    """
     known = [place for place in places if place.state != "Created"] or places[:1]
     return [place for place in known if place.state != "Inactive"]
 
@@ -155,15 +190,22 @@ def _ignore(stage):
 
 
 async def _leave(node, places, transition, wait, stage=_ignore):
-    """Make a component Inactive in all Placements in which it is not: whether there was one. Raises the first failure, at the end.
+    """Make a component Inactive in all Placements in which it is not: whether there was one. Raises the first
+    failure, at the end.
 
-    All contexts are asked before one is waited for: where a component stops slowly, or never, it stops elsewhere all the same.
+    All contexts are asked before one is waited for: where a component stops slowly, or never, it stops
+    elsewhere all the same.
     """
-    wanted, asked, failures, start = _to_leave(places), [], [], time.monotonic()
+    wanted = _to_leave(places)
+    asked = []
+    failures = []
+    start = time.monotonic()
     for place in wanted:
         try:
             _check_that_one_answers(node, [place])
-            asked.append((place, await _request(node, place.ref, transition, wait, _number(place.index), stage)))
+            asked.append(
+                (place, await _request(node, place.ref, transition, wait, _number(place.index), stage))
+            )
         except errors.Error as e:
             failures.append(e)
     for place, code in asked:
@@ -177,10 +219,11 @@ async def _leave(node, places, transition, wait, stage=_ignore):
 
 
 async def _activate(node, places, wait, stage=_ignore):
-    """Make a component Active in one of its Placements, and return that: its state there is Active if it was so before.
+    """Make a component Active in one of its Placements, and return that: its state there is Active if it was
+    so before.
 
-    Robots of hrpsys and rtcloader run many components in the context of one. A component that is Active in two contexts is
-    executed by both, at the same time; so one that is Active anywhere stays as it is.
+    Robots of hrpsys and rtcloader run many components in the context of one. A component that is Active in
+    two contexts is executed by both, at the same time; so one that is Active anywhere stays as it is.
     """
     place = await _to_activate(node, places)
     await _change_in(node, place.ref, ACTIVATE, wait, _number(place.index), place.state, stage)
@@ -188,9 +231,11 @@ async def _activate(node, places, wait, stage=_ignore):
 
 
 async def _to_activate(node, places):
-    """The Placement in which a component is Active, or in Error, or is to become Active: the first one whose context runs.
+    """The Placement in which a component is Active, or in Error, or is to become Active: the first one whose
+    context runs.
 
-    Raises Unreachable where none is known to run, and the component may be Active in one that does not answer.
+    Raises Unreachable where none is known to run, and the component may be Active in one that does not
+    answer.
     """
     settled = _all_in(places, "Active") or _all_in(places, "Error")
     if settled or len(places) == 1:
@@ -210,17 +255,22 @@ async def _where(node, place):
     if place.is_own:
         return f"Active in {_number(place.index)}"
     profile = await component.or_default(node, place.ref, orb.call(node.path, place.ref, "get_profile"), None)
-    owner = printable(await component.instance_name(node, profile.owner)) if profile else ""
+    if profile:
+        owner = printable(await component.instance_name(node, profile.owner))
+    else:
+        owner = ""
     return f"Active in the context of {owner or 'another component'}"
 
 
 async def change_as_planned(node, transition, index, wait, stage):
     """`change` for a plan that names the execution context number `index`: whether there was something to do.
 
-    A component that is Active in the context of another component is not made Active in its own, nor the other way round; if the
-    one that the plan names is stopped, such another one that runs is meant. It becomes Inactive in all contexts.
+    A component that is Active in the context of another component is not made Active in its own, nor the
+    other way round; if the one that the plan names is stopped, such another one that runs is meant. It
+    becomes Inactive in all contexts.
 
-    If the component has to change, stage("asking") is called before it is asked, and stage("told") when it has accepted.
+    If the component has to change, stage("asking") is called before it is asked, and stage("told") when it
+    has accepted.
     """
     places = await placements(node)
     if transition is not ACTIVATE:
@@ -234,7 +284,9 @@ async def change_as_planned(node, transition, index, wait, stage):
 
 
 async def _change_in(node, ref, transition, wait, called, before=None, stage=_ignore):
-    """`change` in one execution context, which messages call so; `before` is the state there, if that has just been asked."""
+    """`change` in one execution context, which messages call so;
+    `before` is the state there, if that has just been asked.
+    """
     before = before or await component.state_in(node, ref)
     if before != transition.target:
         code = await _request(node, ref, transition, wait, called, stage)
@@ -261,7 +313,8 @@ async def _request(node, ref, transition, wait, called, stage):
 
 
 async def _reach(node, ref, transition, code, before, wait, start):
-    """See that a Transition from the state `before`, answered with `code`, is made; without `wait`, RTC_OK is enough.
+    """See that a Transition from the state `before`, answered with `code`, is made; without `wait`, RTC_OK is
+    enough.
 
     `wait` counts from `start`, by time.monotonic().
     """
@@ -269,8 +322,13 @@ async def _reach(node, ref, transition, code, before, wait, start):
         return
     now = await component.uncertain_if_refused(component.state_in(node, ref))
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
-        raise errors.Refused(str(node.path), f"cannot {transition.name}: {_reason(code, before, now, transition)}")
-    seconds = session.current().timeout if wait is None else wait
+        raise errors.Refused(
+            str(node.path), f"cannot {transition.name}: {_reason(code, before, now, transition)}"
+        )
+    if wait is None:
+        seconds = session.current().timeout
+    else:
+        seconds = wait
     await _until(node, ref, transition, now, seconds, start)
     if wait is not None:
         await check_still_active(node, ref, transition, start + seconds - time.monotonic())
@@ -285,7 +343,9 @@ async def state_as_planned(node, transition, wait):
     if transition is not ACTIVATE:
         wanted = _to_leave(places)
         _check_that_one_answers(node, wanted)
-        return component.merged([place.state for place in wanted]) if wanted else transition.target
+        if wanted:
+            return component.merged([place.state for place in wanted])
+        return transition.target
     active = _all_in(places, "Active")
     if not active:
         return component.merged([place.state for place in places])
@@ -294,9 +354,13 @@ async def state_as_planned(node, transition, wait):
 
 
 def _reason(code, before, now, transition):
-    """Why a request was refused: a component that fails in its transition answers as one in a wrong state does."""
+    """Why a request was refused: a component that fails in its transition answers as one in a wrong state
+    does.
+    """
     if code == "PRECONDITION_NOT_MET" and now == "Error":
-        return "it is in Error; reset it first" if before == "Error" else "it went to Error"
+        if before == "Error":
+            return "it is in Error; reset it first"
+        return "it went to Error"
     if code == "PRECONDITION_NOT_MET" and now != transition.source:
         return f"it is {now}, not {transition.source}"
     return f"{code}, it is {now}"
@@ -305,17 +369,20 @@ def _reason(code, before, now, transition):
 async def check_still_active(node, ref, transition, seconds):
     """Check that a component is still Active a period of its execution context `ref` later, within `seconds`.
 
-    Where onActivated fails, a component is Active for one period before it is in Error (all of OpenRTM-aist). Other states
-    last. Raises Refused, and Unreachable where a period takes longer.
+    Where onActivated fails, a component is Active for one period before it is in Error (all of OpenRTM-aist).
+    Other states last. Raises Refused, and Unreachable where a period takes longer.
     """
     if transition is not ACTIVATE:
         return
-    rate, start = await component.uncertain_if_refused(orb.call(node.path, ref, "get_rate")), time.monotonic()
+    rate = await component.uncertain_if_refused(orb.call(node.path, ref, "get_rate"))
+    start = time.monotonic()
     end = start + (1 / rate if rate > 0 else 0) + JITTER
     limit = start + max(seconds, component.POLL)
     while time.monotonic() < end:
         if time.monotonic() > limit:
-            raise errors.Late(str(node.path), f"Active, but not yet for a period ({1 / rate:g}s) of its execution context")
+            raise errors.Late(
+                str(node.path), f"Active, but not yet for a period ({1 / rate:g}s) of its execution context"
+            )
         await loop.sleep(max(0, min(component.POLL, end - time.monotonic())))
         now = await component.uncertain_if_refused(component.state_in(node, ref))
         if now != transition.target:
@@ -323,13 +390,17 @@ async def check_still_active(node, ref, transition, seconds):
 
 
 async def _until(node, ref, transition, now, seconds, start):
-    """Poll until the state is reached, for `seconds` from `start`, at first more often: most need a few periods only."""
-    limit, pause = start + seconds, component.POLL / 10
+    """Poll until the state is reached, for `seconds` from `start`, at first more often:
+    most need a few periods only.
+    """
+    limit = start + seconds
+    pause = component.POLL / 10
     while now != transition.target:
         if now == "Error" and transition.source != "Error":
             raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to Error")
         if not await orb.call(node.path, ref, "is_running"):
-            why = "its execution context is stopped; once started, it may still do so"  # OpenRTM-aist 2 remembers the request
+            # OpenRTM-aist 2 remembers the request
+            why = "its execution context is stopped; once started, it may still do so"
             raise errors.Refused(str(node.path), f"cannot {transition.name}: {why}")
         if time.monotonic() > limit:
             raise errors.Late(str(node.path), f"not {transition.target} within {seconds:g}s, still {now}")

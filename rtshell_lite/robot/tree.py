@@ -8,6 +8,7 @@ Resolution is lazy: only what a path names is asked. As a library:
             print(node.path, node.kind)
     loop.run(main())
 """
+
 import collections
 import functools
 import os
@@ -17,16 +18,28 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.robot import aliases
 from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_address
+
 # other modules use these as tree.check_alive, tree.Node …
-from rtshell_lite.robot.node import (DIRECTORIES, Node, bound, check_alive, classified, classify_answer, name_server_error, on_nodes,
-                                     stream_nodes, unusable)
+from rtshell_lite.robot.node import (
+    DIRECTORIES,
+    Node,
+    bound,
+    check_alive,
+    classified,
+    classify_answer,
+    name_server_error,
+    on_nodes,
+    stream_nodes,
+    unusable,
+)
 from rtshell_lite.text import closest, from_wire, printable
 
 AT_ONCE = 1000  # names whose objects are asked for at a time: a pending call takes memory
 DEPTH = 64  # contexts can be bound inside themselves by another name
 
 
-# ---- name servers ---------------------------------------------------------------------------------------------
+# ---- name servers ------------------------------------------------------------------------------------------
+
 
 def servers():
     """Addresses of the name servers of RTCTREE_NAMESERVERS (separated by semicolons), else localhost."""
@@ -35,7 +48,9 @@ def servers():
 
 
 async def known_servers(first):
-    """Nodes of the name server at the address `first`, and of those of `servers` whose addresses are valid; contacts nobody."""
+    """Nodes of the name server at the address `first`, and of those of `servers` whose addresses are valid;
+    contacts nobody.
+    """
     nodes = []
     for address in [first] + [address for address in servers() if address != first]:
         try:
@@ -48,7 +63,8 @@ async def known_servers(first):
 def tops(words):
     """Paths of what a command looks at as a whole. Raises BadPath, Usage.
 
-    A bare host:2809, 192.0.2.1 or [::1] is a name server, and so is a bare word without a dot: names of components have one.
+    A bare host:2809, 192.0.2.1 or [::1] is a name server, and so is a bare word without a dot: names of
+    components have one.
     """
     return [_top(word) for word in words]
 
@@ -66,7 +82,9 @@ def _is_server(word):
     host, port = split_address(word)
     if word in servers() or ":" in word and port is not None:
         return True
-    return host == word and ("." not in word and "\\" not in word or re.match(r"[0-9]+(\.[0-9]+){3}$", word) is not None)
+    return host == word and (
+        "." not in word and "\\" not in word or re.match(r"[0-9]+(\.[0-9]+){3}$", word) is not None
+    )
 
 
 def _server(path):
@@ -88,16 +106,20 @@ def _reference(server):
 
 def lane(path):
     """The endpoint of the name server that `path` begins with; None at the root."""
-    return _server(path).endpoint if path.server is not None else None
+    if path.server is not None:
+        return _server(path).endpoint
+    return None
 
 
-# ---- from a path to a node ------------------------------------------------------------------------------------
+# ---- from a path to a node ---------------------------------------------------------------------------------
+
 
 async def resolve(path):
-    """The Node at `path` (a Path or text; its port is left out). One call to the name server, none to a component.
+    """The Node at `path` (a Path or text; its port is left out). One call to the name server, none to a
+    component.
 
-    A component or manager comes back unasked: `check_alive` finds out whether it lives. Raises NotFound, Misspelt, WrongKind, and
-    Unreachable or Silent when the name server does not answer.
+    A component or manager comes back unasked: `check_alive` finds out whether it lives. Raises NotFound,
+    Misspelt, WrongKind, and Unreachable or Silent when the name server does not answer.
     """
     path = (parse(path) if isinstance(path, str) else path).object()
     if path.server is None:
@@ -109,7 +131,10 @@ async def _resolved(server, path):
     if not path.names:
         return server
     for size, name in enumerate(path.names[:-1], 1):
-        if name.kind in ("rtc", "mgr"):  # otherwise the name server asks this object whether it is a naming context
+        if name.kind in (
+            "rtc",
+            "mgr",
+        ):  # otherwise the name server asks this object whether it is a naming context
             above = await _directory(await _resolved(server, path._replace(names=path.names[:size])))
             if above.kind == "manager":
                 return await _descend(above, path.names[size:])
@@ -125,12 +150,16 @@ async def _resolved(server, path):
         raise e if isinstance(e, errors.Silent) else await _broken_off(server, path, e)
     node = classified(path, ref)
     if ref is not None and not orb.address(ref).type_id:  # how it is bound shows more
-        node = classified(path, ref, (path.names[-1], True) in await bound(await _resolved(server, path.parent())))
+        node = classified(
+            path, ref, (path.names[-1], True) in await bound(await _resolved(server, path.parent()))
+        )
     return node
 
 
 async def _broken_off(server, path, failure):
-    """The error for a path through several name servers, of which one cannot be reached; it names that one."""
+    """The error for a path through several name servers, of which one cannot be reached;
+    it names that one.
+    """
     node = server
     try:
         for size, name in enumerate(path.names[:-1], 1):
@@ -159,7 +188,7 @@ async def _descend(node, names):
 
 async def _directory(node):
     if node.kind == "unsure":
-        node, = await check_alive([node])
+        (node,) = await check_alive([node])
     if node.kind not in DIRECTORIES:
         raise errors.WrongKind(str(node.path), "directory", node.what)
     return node
@@ -181,7 +210,9 @@ def _by_id(names):
 
 def _near_miss(path, names):
     close = closest(path.names[-1].id, names)  # the kinds, all .rtc, would make any two names alike
-    return errors.NotFound(str(path)) if close is None else errors.Misspelt(str(path), str(names[close]))
+    if close is None:
+        return errors.NotFound(str(path))
+    return errors.Misspelt(str(path), str(names[close]))
 
 
 async def component(path, or_manager=False):
@@ -189,12 +220,15 @@ async def component(path, or_manager=False):
 
     Raises as `resolve` does, WrongKind (for a port, too), Gone for a zombie.
     """
-    path = parse(path) if isinstance(path, str) else path
+    if isinstance(path, str):
+        path = parse(path)
+    else:
+        path = path
     if path.port is not None:
         raise errors.WrongKind(str(path), "component", "port")
     node = await resolve(path)
     if node.kind == "unsure":
-        node, = await check_alive([node])
+        (node,) = await check_alive([node])
     if node.kind == "zombie":
         raise errors.Gone(str(node.path))
     if node.kind == "silent":
@@ -202,7 +236,9 @@ async def component(path, or_manager=False):
     if node.kind == "manager" and or_manager:
         return node
     if node.kind != "component":
-        raise errors.WrongKind(str(node.path), "component or manager" if or_manager else "component", node.what)
+        raise errors.WrongKind(
+            str(node.path), "component or manager" if or_manager else "component", node.what
+        )
     if path.directory:
         raise errors.WrongKind(str(path), "directory", "component")
     return node
@@ -214,7 +250,8 @@ async def component_or_manager(path):
 
 
 async def on_components(paths, function, or_managers=False):
-    """Call function(node) for the component at each path, in parallel; values in order, an errors.Error for what failed.
+    """Call function(node) for the component at each path, in parallel; values in order, an errors.Error for
+    what failed.
 
     With `or_managers`, managers are taken as well.
     """
@@ -233,17 +270,22 @@ async def _found(paths, or_managers):
 
 
 async def at_each(paths, function):
-    """Call function(path) for each path, in parallel by name server: the values in order, an errors.Error for what failed."""
+    """Call function(path) for each path, in parallel by name server:
+    the values in order, an errors.Error for what failed.
+    """
     return await session.each(paths, function, lambda path: (lane(path), str(path)))
 
 
-# ---- listing --------------------------------------------------------------------------------------------------
+# ---- listing -----------------------------------------------------------------------------------------------
+
 
 async def children(node):
-    """The nodes in a directory, sorted by name: one call for the names, one to the name server for each object.
+    """The nodes in a directory, sorted by name: one call for the names, one to the name server for each
+    object.
 
-    Nobody but the name server is asked (use `check_alive` on the result). At the root: the name servers. In a manager: its slaves
-    and components, which have to be asked for their names. Raises WrongKind for what is no directory, and Unreachable.
+    Nobody but the name server is asked (use `check_alive` on the result). At the root: the name servers. In a
+    manager: its slaves and components, which have to be asked for their names. Raises WrongKind for what is
+    no directory, and Unreachable.
     """
     if node.kind == "root":
         return _sorted(_server(parse("/" + address)) for address in servers())
@@ -251,10 +293,13 @@ async def children(node):
         return _sorted(await slaves(node) + await managed(node))
     if node.kind not in ("server", "directory"):
         raise errors.WrongKind(str(node.path), "directory", node.what)
-    context, server = node.typed, node.endpoint
-    names, nodes = await bound(node), []
+    context = node.typed
+    server = node.endpoint
+    names = await bound(node)
+    nodes = []
     while names:
-        batch, names = [(context, node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]], names[:-AT_ONCE]
+        batch = [(context, node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]]
+        names = names[:-AT_ONCE]
         for child in await session.each(batch, _child, lambda item: (server, item[1])):
             if isinstance(child, Node):
                 nodes.append(child)
@@ -264,10 +309,14 @@ async def children(node):
 
 
 async def _child(entry):
-    """The Node that an entry of a naming context, (context, path, whether it is a context itself), is bound to."""
+    """The Node that an entry of a naming context, (context, path, whether it is a context itself),
+    is bound to.
+    """
     context, path, is_context = entry
     try:
-        return classified(path, await orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])), is_context)
+        return classified(
+            path, await orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])), is_context
+        )
     except errors.Garbled as e:  # the others are listed all the same
         return unusable(path, e)
 
@@ -276,10 +325,13 @@ def _sorted(nodes):
     return sorted(nodes, key=lambda node: str(node.path))
 
 
-# ---- below a manager ------------------------------------------------------------------------------------------
+# ---- below a manager ---------------------------------------------------------------------------------------
+
 
 async def slaves(node):
-    """Nodes of a manager's slaves. Those of one name get their instance names, or process ids: manager_4711."""
+    """Nodes of a manager's slaves. Those of one name get their instance names, or process ids:
+    manager_4711.
+    """
     try:
         refs = [ref for ref in await node.call("get_slave_managers") if ref is not None]
     except errors.Refused as e:
@@ -288,9 +340,14 @@ async def slaves(node):
         raise
     asked = [Node(node.path.child(Name(f"slave{i}", "")), "manager", ref) for i, ref in enumerate(refs)]
     answers = await on_nodes(asked, _manager_profile)
-    return [await classify_answer(slave, answer) if isinstance(answer, errors.Error)
+    return [
+        (
+            await classify_answer(slave, answer)
+            if isinstance(answer, errors.Error)
             else Node(node.path.child(Name(name, "")), "manager", slave.ref)
-            for slave, answer, name in zip(asked, answers, _distinct_names(answers))]
+        )
+        for slave, answer, name in zip(asked, answers, _distinct_names(answers))
+    ]
 
 
 async def _manager_profile(node):
@@ -302,51 +359,73 @@ def _distinct_names(profiles):
     profiles = [{} if isinstance(profile, errors.Error) else profile for profile in profiles]
     names = [profile.get("name") or f"slave{i}" for i, profile in enumerate(profiles)]
     for key, form in (("instance_name", "{1}"), ("pid", "{0}_{1}")):
-        names = [form.format(name, profile[key]) if names.count(name) > 1 and profile.get(key) else name
-                 for name, profile in zip(names, profiles)]
+        names = [
+            form.format(name, profile[key]) if names.count(name) > 1 and profile.get(key) else name
+            for name, profile in zip(names, profiles)
+        ]
     return [name if name not in names[:i] else f"{name}_{i}" for i, name in enumerate(names)]
 
 
 async def managed(node):
     """Nodes of a manager's components; a master lists those of its slaves, too."""
     refs = [ref for ref in await node.call("get_components") if ref is not None]
-    asked = [Node(node.path.child(Name(f"unknown{i}", "rtc")), "component", ref) for i, ref in enumerate(refs)]
+    asked = [
+        Node(node.path.child(Name(f"unknown{i}", "rtc")), "component", ref) for i, ref in enumerate(refs)
+    ]
     names = await on_nodes(asked, _instance_name)
-    return [await classify_answer(child, name) if isinstance(name, errors.Error)  # dead or silent: it cannot give its name
-            else Node(node.path.child(Name(name, "rtc")), "component", child.ref) for child, name in zip(asked, names)]
+    return [
+        (
+            await classify_answer(child, name)
+            if isinstance(name, errors.Error)  # dead or silent: it cannot give its name
+            else Node(node.path.child(Name(name, "rtc")), "component", child.ref)
+        )
+        for child, name in zip(asked, names)
+    ]
 
 
 async def _instance_name(node):
     return from_wire(await node.call("get_sdo_id"))
 
 
-# ---- walking --------------------------------------------------------------------------------------------------
+# ---- walking -----------------------------------------------------------------------------------------------
+
 
 async def walk(node, depth=None, managers=True):
     """A list of `node` and everything below it, depth first, sorted.
 
-    A naming context or manager that is bound by several names is entered by the first of them in this order; by the others it
-    stands there with that Path as its `alias`. At most `depth` levels (None: DEPTH) are entered, managers unless `managers` is
-    False, and the contexts of other name servers where they are bound. A directory that cannot be listed has its `error` set,
-    a manager that does not answer is `zombie` or `silent`. Components are not asked whether they live.
+    A naming context or manager that is bound by several names is entered by the first of them in this order;
+    by the others it stands there with that Path as its `alias`. At most `depth` levels (None: DEPTH) are
+    entered, managers unless `managers` is False, and the contexts of other name servers where they are bound.
+    A directory that cannot be listed has its `error` set, a manager that does not answer is `zombie` or
+    `silent`. Components are not asked whether they live.
     """
-    depth = DEPTH if depth is None else min(depth, DEPTH)
+    if depth is None:
+        depth = DEPTH
+    else:
+        depth = min(depth, DEPTH)
     if node.kind != "root":
         return await _walk(node, depth, managers, aliases.Known())
     return [node] + (await walk_servers(await children(node), depth - 1, managers) if depth else [])
 
 
 async def walk_servers(servers, depth=DEPTH, managers=True):
-    """`walk` several name servers, Nodes, in parallel, as some may be silent; what two of them share is an alias in the second."""
-    parts = await session.each(servers, lambda server: _walk(server, depth, managers, aliases.Known(servers)),
-                               lambda server: (server.endpoint, str(server.path)))
-    known, found = aliases.Known(servers), []
+    """`walk` several name servers, Nodes, in parallel, as some may be silent;
+    what two of them share is an alias in the second.
+    """
+    parts = await session.each(
+        servers,
+        lambda server: _walk(server, depth, managers, aliases.Known(servers)),
+        lambda server: (server.endpoint, str(server.path)),
+    )
+    known = aliases.Known(servers)
+    found = []
     for server, part in zip(servers, parts):
         if isinstance(part, errors.Error):
-            server.error, part = part, [server]
+            server.error = part
+            part = [server]
         hidden = None
         for node in part:
-            if hidden is not None and node.path.names[:len(hidden)] == hidden:
+            if hidden is not None and node.path.names[: len(hidden)] == hidden:
                 continue
             hidden = None
             if node.kind in ("directory", "manager"):

@@ -1,9 +1,11 @@
 """Completion of an unfinished command line: commands, options, paths, ports, sets, parameters, files.
 
-An argument is completed by its choices or by its metavar (KINDS below); an attribute `completion` overrides the metavar. Words
-such as rtconf's `get` come from the lines of a docstring that show their use, `  rtconf PATH get PARAM`. So a new command needs
-nothing here.
+An argument is completed by its choices or by its metavar (KINDS below); an attribute `completion` overrides
+the metavar. Words
+such as rtconf's `get` come from the lines of a docstring that show their use, `  rtconf PATH get PARAM`. So a
+new command needs nothing here.
 """
+
 import argparse
 import collections
 import os
@@ -17,33 +19,40 @@ from rtshell_lite.robot import tree
 from rtshell_lite.shell import installation, setup
 from rtshell_lite.text import is_plain, printable
 
-# `text` replaces the whole last word; a `final` word is complete, others may be continued (a directory, an optional port).
+# `text` replaces the whole last word; a `final` word is complete, others may be continued (a directory, an
+# optional port).
 Candidate = collections.namedtuple("Candidate", "text final help")
 
 SECONDS = 0.7  # for everything: with the start of Python, an answer takes at most a second
 
 
 async def candidates(words, redirected=False):
-    """The Candidates for the last of `words`, a command line whose other words are complete; [] in case of any failure.
+    """The Candidates for the last of `words`, a command line whose other words are complete; [] in case of
+    any failure.
 
-    The text of a candidate begins with what was typed. With `redirected`, the last word is the file after a < or >. Asks at
-    most one name server and one component.
+    The text of a candidate begins with what was typed. With `redirected`, the last word is the file after a <
+    or >. Asks at most one name server and one component.
     """
     try:
         if redirected:
             found = await _files(words[-1], [])
         else:
-            found = await _arguments(os.path.basename(words[0]), words[1:-1], words[-1]) if words[1:] else _command_names()
+            if words[1:]:
+                found = await _arguments(os.path.basename(words[0]), words[1:-1], words[-1])
+            else:
+                found = _command_names()
     except (errors.Error, OSError):
         return []
-    return sorted({candidate.text: candidate for candidate in found if candidate.text.startswith(words[-1])}.values())
+    return sorted(
+        {candidate.text: candidate for candidate in found if candidate.text.startswith(words[-1])}.values()
+    )
 
 
 async def answers(which, line, typed, meant=lambda words: words):
     """The lines with completions of `line` for the shell `which`; none if they take longer than SECONDS.
 
-    `typed` is the end of the line that the shell replaces by one of them; `meant` turns the words of the line, as typed in
-    rtsh, into those of a command.
+    `typed` is the end of the line that the shell replaces by one of them; `meant` turns the words of the
+    line, as typed in rtsh, into those of a command.
     """
     line = setup.split(line, which == "fish")
     if line.open or not line.words[0]:
@@ -66,7 +75,9 @@ async def _arguments(command, before, word):
     positional, option, ended = parser.unfinished(before)
     if option:
         found = await _for_action(option, word, positional)
-        return found if found or option.nargs != "?" else await _positional(parser, module.__doc__, positional, word)
+        if found or option.nargs != "?":
+            return found
+        return await _positional(parser, module.__doc__, positional, word)
     if word.startswith("-") and not ended:
         return await _options(parser, word, positional)
     return await _positional(parser, module.__doc__, positional, word)
@@ -75,12 +86,19 @@ async def _arguments(command, before, word):
 async def _options(parser, word, positional):
     """Options, or the value of one after its equals sign."""
     name, equals, value = word.partition("=")
-    options = {text: action for action in parser._actions for text in action.option_strings
-               if action.help is not argparse.SUPPRESS}
+    options = {
+        text: action
+        for action in parser._actions
+        for text in action.option_strings
+        if action.help is not argparse.SUPPRESS
+    }
     if not equals:
         formatter = parser._get_formatter()
         return [Candidate(text, True, formatter._expand_help(action)) for text, action in options.items()]
-    found = await _for_action(options[name], value, positional) if name in options else []
+    if name in options:
+        found = await _for_action(options[name], value, positional)
+    else:
+        found = []
     return [candidate._replace(text=f"{name}={candidate.text}") for candidate in found]
 
 
@@ -98,19 +116,26 @@ async def _positional(parser, doc, positional, word):
         return [Candidate(use, True, "") for use in uses]
     if action.metavar == "ARG" and uses:
         chosen = uses.get(positional[number - 1], [])
-        kinds = chosen[len(positional) - number:] or [kind for kind in chosen[-1:] if kind == "PATH"]
-        return await _of_kind(kinds[0], word, positional) if kinds else []
+        kinds = chosen[len(positional) - number :] or [kind for kind in chosen[-1:] if kind == "PATH"]
+        if kinds:
+            return await _of_kind(kinds[0], word, positional)
+        return []
     return await _for_action(action, word, positional)
 
 
 def _uses(doc, prog):
-    """{command word: metavars after it} from lines such as `  rtconf PATH get PARAM` and `  rtec PATH start | stop   …`."""
+    """{command word: metavars after it} from lines such as `  rtconf PATH get PARAM` and `  rtec PATH start |
+    stop   …`.
+    """
     uses = {}
     for line in doc.partition("\nexamples:")[0].split("\n"):
         words = re.split(r" {2,}", line.strip())[0].replace(" ...", "").split(" ")
         if line.startswith(f"  {prog} PATH "):
             names = [word.strip("[]") for word in words[2:] if word.strip("[]").islower()]
-            uses.update((name, [word.strip("[]") for word in words[2:] if word.strip("[]").isupper()]) for name in names)
+            uses.update(
+                (name, [word.strip("[]") for word in words[2:] if word.strip("[]").isupper()])
+                for name in names
+            )
     return uses
 
 
@@ -123,10 +148,12 @@ async def _for_action(action, word, positional):
 
 async def _of_kind(kind, word, positional):
     complete = KINDS.get(kind)
-    return await complete(word, positional) if complete and word is not None else []
+    if complete and word is not None:
+        return await complete(word, positional)
+    return []
 
 
-# ---- the RTC Tree ---------------------------------------------------------------------------------------------
+# ---- the RTC Tree ------------------------------------------------------------------------------------------
 
 # A printable name in a directory; directory, manager, component (of kind rtc) or another object
 _Entry = collections.namedtuple("_Entry", "name kind")
@@ -134,26 +161,34 @@ _Entry = collections.namedtuple("_Entry", "name kind")
 
 def _paths(wanted, port_types=(), port_needed=False):
     """A function that completes paths to _Entries of the `wanted` kinds, and to ports of some types."""
+
     async def complete(word, _):
         above, last = _split(word)
         component, colon, _ = _cut_at_colon(last)
         if colon and parse(above or ".") != ROOT:
-            return await _ports(above + component, port_types) if port_types else []
+            if port_types:
+                return await _ports(above + component, port_types)
+            return []
         found = []
         for entry in await _entries(parse(above or ".")):
             descend = entry.kind == "directory" or entry.kind == "manager" and "manager" not in wanted
             if descend:
                 found.append(Candidate(_no_option(above + entry.name) + "/", False, ""))
             elif entry.kind == "component" and port_types:
-                found.append(Candidate(_no_option(above + entry.name) + (":" if port_needed else ""), False, ""))
+                found.append(
+                    Candidate(_no_option(above + entry.name) + (":" if port_needed else ""), False, "")
+                )
             elif entry.kind in wanted and not port_needed:
                 found.append(Candidate(_no_option(above + entry.name), True, ""))
         return found
+
     return complete
 
 
 def _no_option(word):
-    return "./" + word if word.startswith("-") else word
+    if word.startswith("-"):
+        return "./" + word
+    return word
 
 
 def _split(word):
@@ -164,20 +199,27 @@ def _split(word):
 
 def _cut_at_colon(name):
     found = re.match(r"((?:\\.|[^\\:])*)(:?)(.*)\Z", name, re.DOTALL)
-    return found.groups() if found else (name, "", "")
+    if found:
+        return found.groups()
+    return (name, "", "")
 
 
 async def _entries(path):
     """The _Entries of a directory, by one call: bindings and kinds of names say well enough what they are."""
     node = await tree.resolve(path)
     if node.kind == "unsure":
-        node, = await tree.check_alive([node])
+        (node,) = await tree.check_alive([node])
     if node.kind in ("server", "directory"):
-        return [_Entry(str(name), "directory" if context else _BY_NAME.get(name.kind, "object"))
-                for name, context in await tree.bound(node)]
+        return [
+            _Entry(str(name), "directory" if context else _BY_NAME.get(name.kind, "object"))
+            for name, context in await tree.bound(node)
+        ]
     if node.kind not in tree.DIRECTORIES:
         return []
-    return [_Entry(child.name, "directory" if child.kind == "server" else child.kind) for child in await tree.children(node)]
+    return [
+        _Entry(child.name, "directory" if child.kind == "server" else child.kind)
+        for child in await tree.children(node)
+    ]
 
 
 _BY_NAME = {"mgr": "manager", "rtc": "component"}  # kinds in names
@@ -186,39 +228,58 @@ _BY_NAME = {"mgr": "manager", "rtc": "component"}  # kinds in names
 async def _ports(component, types):
     """Paths of the ports of a component."""
     from rtshell_lite.robot import ports
+
     node = await tree.component(parse(component))
-    return [Candidate(component + ports.label(port)[len(str(node.path)):], True, port.properties.get("dataport.data_type", ""))
-            for port in await ports.ports(node) if port.type in types]
+    return [
+        Candidate(
+            component + ports.label(port)[len(str(node.path)) :],
+            True,
+            port.properties.get("dataport.data_type", ""),
+        )
+        for port in await ports.ports(node)
+        if port.type in types
+    ]
 
 
-# ---- configuration --------------------------------------------------------------------------------------------
+# ---- configuration -----------------------------------------------------------------------------------------
+
 
 async def _configuration(path):
     from rtshell_lite.robot import configuration
+
     return await configuration.of(await tree.component(parse(path)))
 
 
 async def _sets(_, positional):
-    return [Candidate(printable(one_set.id), True, "") for one_set in (await _configuration(positional[0])).sets()] if positional else []
+    if positional:
+        return [
+            Candidate(printable(one_set.id), True, "")
+            for one_set in (await _configuration(positional[0])).sets()
+        ]
+    return []
 
 
 async def _parameters(_, positional):
-    values = (await _configuration(positional[0])).set().values if positional else {}
+    if positional:
+        values = (await _configuration(positional[0])).set().values
+    else:
+        values = {}
     return [Candidate(printable(name), True, printable(value)) for name, value in values.items()]
 
 
-# ---- local files ----------------------------------------------------------------------------------------------
+# ---- local files -------------------------------------------------------------------------------------------
+
 
 async def _files(word, _):
     return await loop.on_thread(_listed, word)  # a directory of a hung file server is none of our business
 
 
 def _listed(word):
-    above = word[:word.rfind("/") + 1]
+    above = word[: word.rfind("/") + 1]
     found = []
     for name in os.listdir(os.path.expanduser(above) or "."):
         directory = os.path.isdir(os.path.join(os.path.expanduser(above), name))
-        hidden = name.startswith(".") and not word[len(above):].startswith(".")
+        hidden = name.startswith(".") and not word[len(above) :].startswith(".")
         if is_plain(name) and not hidden:
             found.append(Candidate(_no_option(above + name) + ("/" if directory else ""), not directory, ""))
     return found
@@ -228,22 +289,35 @@ async def _directories(word, positional):
     return [candidate for candidate in await _files(word, positional) if not candidate.final]
 
 
-_DATA, _ALL = ("DataInPort", "DataOutPort"), ("DataInPort", "DataOutPort", "CorbaPort", "Port")
+_DATA = ("DataInPort", "DataOutPort")
+_ALL = ("DataInPort", "DataOutPort", "CorbaPort", "Port")
 _OBJECTS = ("component", "object")
 
 
 async def _properties(_, __):
     """Properties of connections that OpenRTM knows."""
     from rtshell_lite.robot import ports
+
     return [Candidate(name + "=", False, "") for name in ports.PROPERTIES]
 
 
 KINDS = {
-    "PATH": _paths(_OBJECTS), "OTHER": _paths(_OBJECTS), "PATH|SERVER": _paths(_OBJECTS),
+    "PATH": _paths(_OBJECTS),
+    "OTHER": _paths(_OBJECTS),
+    "PATH|SERVER": _paths(_OBJECTS),
     "MANAGER[:NAME] | COMPOSITE": _paths(_OBJECTS),
-    "DIRECTORY": _paths(()), "SERVER": _paths(()), "MANAGER": _paths(("manager",)),
-    "PATH:PORT": _paths(_OBJECTS, _ALL, True), "PATH:PORT[.NAME]": _paths(_OBJECTS, _DATA, True),
-    "PATH[:PORT]": _paths(_OBJECTS, _ALL), "PATH[:PORT,…]": _paths(_OBJECTS, _ALL),
-    "PATH:OUT": _paths(_OBJECTS, _DATA[1:], True), "PATH:IN": _paths(_OBJECTS, _DATA[:1], True),
-    "SET": _sets, "PARAM": _parameters, "FILE": _files, "DIR": _directories, "KEY=VALUE": _properties,
+    "DIRECTORY": _paths(()),
+    "SERVER": _paths(()),
+    "MANAGER": _paths(("manager",)),
+    "PATH:PORT": _paths(_OBJECTS, _ALL, True),
+    "PATH:PORT[.NAME]": _paths(_OBJECTS, _DATA, True),
+    "PATH[:PORT]": _paths(_OBJECTS, _ALL),
+    "PATH[:PORT,…]": _paths(_OBJECTS, _ALL),
+    "PATH:OUT": _paths(_OBJECTS, _DATA[1:], True),
+    "PATH:IN": _paths(_OBJECTS, _DATA[:1], True),
+    "SET": _sets,
+    "PARAM": _parameters,
+    "FILE": _files,
+    "DIR": _directories,
+    "KEY=VALUE": _properties,
 }

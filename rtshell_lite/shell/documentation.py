@@ -1,8 +1,9 @@
 """Writes the documents that are generated: `python3 -m rtshell_lite.shell.documentation`, in a checkout.
 
-They are the manual pages below man/, and in README.ja.md a row for each command that its table lacks, in English until somebody
-translates it. tests/unit/test_documentation.py fails when one of them is out of date.
+They are the manual pages below man/, and in README.ja.md a row for each command that its table lacks, in
+English until somebody translates it. tests/unit/test_documentation.py fails when one of them is out of date.
 """
+
 import os
 import re
 
@@ -17,14 +18,18 @@ def documents():
     """All generated documents, {path below the checkout: text}."""
     english, japanese = (files.read(os.path.join(ROOT, name)) for name in ("README.md", "README.ja.md"))
     japanese = with_rows(japanese, english)
-    found = {"man/" + name: text for name, text in manpages.pages({"README.md": english, "README.ja.md": japanese}).items()}
+    found = {
+        "man/" + name: text
+        for name, text in manpages.pages({"README.md": english, "README.ja.md": japanese}).items()
+    }
     found["README.ja.md"] = japanese
     return found
 
 
 def with_rows(japanese, english):
     """The Japanese README with rows for the commands of the English one."""
-    source, target = manpages.sections(english)["Commands"], manpages.sections(japanese)["コマンド"]
+    source = manpages.sections(english)["Commands"]
+    target = manpages.sections(japanese)["コマンド"]
     wanted = [name for row in ROW.finditer(source) for name in _names(row)]
     present = [name for row in ROW.finditer(target) for name in _names(row)]
     rows = [_only(row, wanted) for row in ROW.finditer(target)]
@@ -41,7 +46,9 @@ def _names(row):
 def _only(row, wanted):
     """The row with only the wanted commands; "" without any."""
     names = [name for name in _names(row) if name in wanted]
-    return "| " + ", ".join(names) + row.group()[row.end(1) - row.start():] if names else ""
+    if names:
+        return "| " + ", ".join(names) + row.group()[row.end(1) - row.start() :]
+    return ""
 
 
 def main():

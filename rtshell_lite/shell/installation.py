@@ -1,4 +1,5 @@
 """The commands and files of this rtshell_lite, which is in a checkout, installed, or in a wheel file."""
+
 import ast
 import glob
 import importlib.machinery
@@ -22,17 +23,24 @@ def wheel():
 def commands():
     """The commands, {name: path}; a path may lead into the wheel file. Raises Error if there are none."""
     archive = wheel()
-    paths = _in_wheel(archive) if archive else next(filter(None, map(_in_directory, _places())), {})
+    if archive:
+        paths = _in_wheel(archive)
+    else:
+        paths = next(filter(None, map(_in_directory, _places())), {})
     if not paths:
         raise errors.Error(f"the commands are missing: they are not beside {PACKAGE}")
     return paths
 
 
 def manual_pages():
-    """The manual pages, {path below share/man: path}; a path may lead into the wheel file. {} if there are none."""
+    """The manual pages, {path below share/man: path}; a path may lead into the wheel file.
+    {} if there are none.
+    """
     archive = wheel()
     if archive:
-        found = re.findall(r"^(rtshell_lite-[^/]+\.data/data/share/man/(.+\.[17]))$", _members(archive), re.MULTILINE)
+        found = re.findall(
+            r"^(rtshell_lite-[^/]+\.data/data/share/man/(.+\.[17]))$", _members(archive), re.MULTILINE
+        )
         return {below: os.path.join(archive, *name.split("/")) for name, below in found}
     above = os.path.dirname(os.path.dirname(next(iter(commands().values()))))
     for top in os.path.join(above, "man"), os.path.join(above, "share", "man"):  # a checkout, an installation
@@ -49,7 +57,9 @@ def read(path):
 
 
 class _CommandLoader(importlib.machinery.SourceFileLoader):
-    """Reads a command's file, which has no .py and may be inside the wheel. (importlib.abc would take 20 ms to import.)"""
+    """Reads a command's file, which has no .py and may be inside the wheel.
+    (importlib.abc would take 20 ms to import.)
+    """
 
     def get_data(self, path):
         return read(path)
@@ -75,15 +85,28 @@ def summary(source):
 def summaries():
     """A line for each command: its name and the first line of its help."""
     import textwrap
+
     known = commands()
     size = max(map(len, known)) + 4
-    return [line for name, path in sorted(known.items()) for line in textwrap.wrap(
-        summary(read(path)), text.width() - 2, initial_indent=f"  {name}".ljust(size), subsequent_indent=" " * size)]
+    return [
+        line
+        for name, path in sorted(known.items())
+        for line in textwrap.wrap(
+            summary(read(path)),
+            text.width() - 2,
+            initial_indent=f"  {name}".ljust(size),
+            subsequent_indent=" " * size,
+        )
+    ]
 
 
 def _members(archive):
-    """The names of the files in the wheel file, a line each. (zipfile takes long to import; Debian's python3-minimal has none.)"""
-    record = read(os.path.join(archive, f"rtshell_lite-{rtshell_lite.__version__}.dist-info", "RECORD")).decode()
+    """The names of the files in the wheel file, a line each.
+    (zipfile takes long to import; Debian's python3-minimal has none.)
+    """
+    record = read(
+        os.path.join(archive, f"rtshell_lite-{rtshell_lite.__version__}.dist-info", "RECORD")
+    ).decode()
     return re.sub(",.*", "", record)
 
 

@@ -1,4 +1,5 @@
 """How rtsh reads commands and runs them in its own process, with one ORB and open connections."""
+
 import contextlib
 import io
 import os
@@ -10,9 +11,12 @@ from rtshell_lite.shell import installation
 from rtshell_lite.text import near, printable, quoted
 
 # A word of sh, an operator or a comment, after blanks.
-_TOKEN = re.compile(r"""\s*(?: (?P<word> (?: [^\s;&|<>()'"\\\#] | \\. | '[^']*' | "(?:[^"\\]|\\.)*" )
+_TOKEN = re.compile(
+    r"""\s*(?: (?P<word> (?: [^\s;&|<>()'"\\\#] | \\. | '[^']*' | "(?:[^"\\]|\\.)*" )
                                         (?: [^\s;&|<>()'"\\] | \\. | '[^']*' | "(?:[^"\\]|\\.)*" )* )
-                        | (?P<end> ; | \Z | \#.* ) | (?P<operator> &&? | \|\|? | <<? | >>? | [()] ) )""", re.VERBOSE | re.DOTALL)
+                        | (?P<end> ; | \Z | \#.* ) | (?P<operator> &&? | \|\|? | <<? | >>? | [()] ) )""",
+    re.VERBOSE | re.DOTALL,
+)
 
 
 LONGEST = 4 << 20  # characters of a line
@@ -23,35 +27,54 @@ class Left(Exception):
 
 
 def split(line):
-    """The commands of a line, each a list of words, quoted as in sh. Raises BadLine for what only a real shell can do."""
+    """The commands of a line, each a list of words, quoted as in sh.
+    Raises BadLine for what only a real shell can do.
+    """
     if "\0" in line:  # commands do not expect it, for shells cannot pass it
         raise errors.BadLine("a NUL character: " + printable(line.strip()))
-    commands, words, position = [], [], 0
+    commands = []
+    words = []
+    position = 0
     while position < len(line):
         token = _TOKEN.match(line, position)
         if not token:
-            raise errors.BadLine("a quote or a backslash without its other half: " + printable(line[position:].strip()))
+            raise errors.BadLine(
+                "a quote or a backslash without its other half: " + printable(line[position:].strip())
+            )
         if token.group("operator"):
-            raise errors.BadLine(f"{token.group('operator')}: only a real shell has that; quote it if it belongs to a word")
+            raise errors.BadLine(
+                f"{token.group('operator')}: only a real shell has that; quote it if it belongs to a word"
+            )
         if token.group("word"):
             words.append(_unquoted(token.group("word")))
         elif words:
             commands.append(words)
             words = []
-        position = token.end() if token.end() > position else len(line)
-    return commands + [words] if words else commands
+        if token.end() > position:
+            position = token.end()
+        else:
+            position = len(line)
+    if words:
+        return commands + [words]
+    return commands
 
 
 def _unquoted(word):
     """A word without its quotes and backslashes. (shlex.split needs half a minute for a word of 1 MB.)"""
     pieces = re.findall(r"""'([^']*)'|"((?:[^"\\]|\\.)*)"|\\(.)|([^'"\\]+)""", word, re.DOTALL)
-    return "".join(single + re.sub(r'\\([$`"\\])', r"\1", double) + escaped + plain
-                   for single, double, escaped, plain in pieces)
+    return "".join(
+        single + re.sub(r'\\([$`"\\])', r"\1", double) + escaped + plain
+        for single, double, escaped, plain in pieces
+    )
 
 
 def lines(read):
-    """(number of its first line, text) for each line of read(), which returns '' at the end; a final backslash joins two."""
-    number, first, text = 0, 1, ""
+    """(number of its first line, text) for each line of read(), which returns '' at the end;
+    a final backslash joins two.
+    """
+    number = 0
+    first = 1
+    text = ""
     while True:
         line = read()
         number += 1
@@ -63,7 +86,8 @@ def lines(read):
             text += part[:-1]
             continue
         yield first, text + part
-        first, text = number + 1, ""
+        first = number + 1
+        text = ""
 
 
 class Interpreter:
@@ -74,7 +98,10 @@ class Interpreter:
     """
 
     def __init__(self, command, stop=False, show=None):
-        self._command, self.stop, self.status, self.show = command, stop, 0, show
+        self._command = command
+        self.stop = stop
+        self.status = 0
+        self.show = show
         self.files = {name: path for name, path in installation.commands().items() if name != "rtsh"}
         self._modules = {}
 
@@ -115,14 +142,20 @@ class Interpreter:
     def _help(self, words):
         if words:
             return self.run(words[:1] + ["--help"])
-        self.show("\n".join(["commands, with or without rt; help COMMAND says more:"] + installation.summaries() + [
-            "  cd  changes the working directory, as rtcwd does", "  exit [STATUS]  ends rtsh"]))
+        self.show(
+            "\n".join(
+                ["commands, with or without rt; help COMMAND says more:"]
+                + installation.summaries()
+                + ["  cd  changes the working directory, as rtcwd does", "  exit [STATUS]  ends rtsh"]
+            )
+        )
         return 0
 
     def _run(self, name, words):
         if name not in self._modules:
             self._modules[name] = installation.load(self.files[name], "rtshell_lite " + name)
-        module, before = self._modules[name], sys.argv
+        module = self._modules[name]
+        before = sys.argv
         sys.argv = [self.files[name]] + words
         try:
             status = self._command(module.arguments, module.run, module.__doc__, words)

@@ -1,17 +1,33 @@
-"""Manual pages: of commands, from their docstrings and parsers; rtshell_lite(7), from README.md; in Japanese, from README.ja.md."""
+"""Manual pages: of commands, from their docstrings and parsers; rtshell_lite(7), from README.md;
+in Japanese, from README.ja.md.
+"""
+
 import argparse
 import re
 
 from rtshell_lite import __version__, options
 from rtshell_lite.shell import installation
 
-# Of rtshell_lite(7): the headings of NAME and DESCRIPTION, the sections taken from the README, the heading of SEE ALSO.
+# Of rtshell_lite(7): the headings of NAME and DESCRIPTION, the sections taken from the README, the heading of
+# SEE ALSO.
 SECTIONS = {
-    "README.md": ("NAME", "DESCRIPTION", ["Commands", "Paths", "Environment", "Exit status", "Scripts"], "SEE ALSO"),
-    "README.ja.md": ("名前", "説明", ["コマンド", "パス", "環境変数", "終了ステータス", "スクリプト"], "関連項目"),
+    "README.md": (
+        "NAME",
+        "DESCRIPTION",
+        ["Commands", "Paths", "Environment", "Exit status", "Scripts"],
+        "SEE ALSO",
+    ),
+    "README.ja.md": (
+        "名前",
+        "説明",
+        ["コマンド", "パス", "環境変数", "終了ステータス", "スクリプト"],
+        "関連項目",
+    ),
 }
-SUMMARIES = {"README.md": "shell commands for robots built from OpenRTM-aist components",
-             "README.ja.md": "OpenRTM-aist のコンポーネントで作られたロボットのためのシェルコマンド"}
+SUMMARIES = {
+    "README.md": "shell commands for robots built from OpenRTM-aist components",
+    "README.ja.md": "OpenRTM-aist のコンポーネントで作られたロボットのためのシェルコマンド",
+}
 WIDEST = 76
 DATE = "2026-11-22"  # of the pages, in their heads
 
@@ -30,7 +46,8 @@ def sections(markdown):
     return dict(re.findall(r"^#+ (.*)\n((?:```(?:.*\n)*?```\n|(?!#+ ).*\n)*)", markdown, re.MULTILINE))
 
 
-# ---- a command ------------------------------------------------------------------------------------------------
+# ---- a command ---------------------------------------------------------------------------------------------
+
 
 def _command_page(name, path):
     module = installation.load(path, "rtshell_lite command")
@@ -39,9 +56,16 @@ def _command_page(name, path):
     summary, _, rest = module.__doc__.strip().partition("\n\n")
     details, _, examples = ("\n" + rest).partition("\nexamples:\n")
     details, _, fields = details.partition("\nJSON:\n")
-    lines = [_header(name, 1), ".SH NAME", "%s \\- %s" % (name, _text(summary.rstrip(".").replace("\n", " "))),
-             ".SH SYNOPSIS", ".B " + name,
-             " ".join(["[\\fIoption\\fR ...]"] + [_argument(action) for action in shown if not action.option_strings])]
+    lines = [
+        _header(name, 1),
+        ".SH NAME",
+        "%s \\- %s" % (name, _text(summary.rstrip(".").replace("\n", " "))),
+        ".SH SYNOPSIS",
+        ".B " + name,
+        " ".join(
+            ["[\\fIoption\\fR ...]"] + [_argument(action) for action in shown if not action.option_strings]
+        ),
+    ]
     if details.strip():
         lines += [".SH DESCRIPTION"] + _paragraphs(details.strip("\n"))
     lines += [".SH OPTIONS"]
@@ -53,13 +77,20 @@ def _command_page(name, path):
     if fields:
         lines += [".SH JSON"] + _entries(fields)
     lines += [".SH EXAMPLES"] + _literal(examples.rstrip().split("\n"))
-    lines += [".SH SEE ALSO", ".BR rtshell_lite (7):", "options of all commands, paths, exit statuses, environment"]
+    lines += [
+        ".SH SEE ALSO",
+        ".BR rtshell_lite (7):",
+        "options of all commands, paths, exit statuses, environment",
+    ]
     return _page(lines)
 
 
 def _page(lines):
-    """The text of a page: lines of at most 79 columns, where they may be broken, and no paragraph that begins a section."""
-    page, literal = [], False
+    """The text of a page: lines of at most 79 columns, where they may be broken,
+    and no paragraph that begins a section.
+    """
+    page = []
+    literal = False
     for line in lines:
         literal = line == ".nf" or literal and line != ".fi"
         if line == ".PP" and page[-1].startswith(".SH "):
@@ -67,13 +98,18 @@ def _page(lines):
         if literal or line.startswith(".") or page[-1] == ".TP":
             page.append(line)
         else:
-            page += ["\\&" + part if part[0] in ".'" else part for part in re.findall(r"(?! ).{1,79}(?![^ ])|[^ ]+", line)]
+            page += [
+                "\\&" + part if part[0] in ".'" else part
+                for part in re.findall(r"(?! ).{1,79}(?![^ ])|[^ ]+", line)
+            ]
     return "\n".join(page) + "\n"
 
 
 def _header(name, section):
-    return '.\\" Written by python3 -m rtshell_lite.shell.documentation\n.TH %s %d %s "rtshell_lite %s" "rtshell_lite"\n.nh\n.ad l' % (
-        name.upper(), section, DATE, __version__)
+    return (
+        '.\\" Written by python3 -m rtshell_lite.shell.documentation\n.TH %s %d %s "rtshell_lite %s" "rtshell_lite"\n.nh\n.ad l'
+        % (name.upper(), section, DATE, __version__)
+    )
 
 
 def _argument(action):
@@ -107,15 +143,25 @@ def _paragraphs(text):
 
 def _entries(text):
     """A paragraph for each indented line; lines that are indented more continue the one before."""
-    return [line for entry in re.split("\n  (?! )", "\n" + text.rstrip())[1:] for line in (".PP", _text(" ".join(entry.split())))][1:]
+    return [
+        line
+        for entry in re.split("\n  (?! )", "\n" + text.rstrip())[1:]
+        for line in (".PP", _text(" ".join(entry.split())))
+    ][1:]
 
 
-# ---- the overview ---------------------------------------------------------------------------------------------
+# ---- the overview ------------------------------------------------------------------------------------------
+
 
 def _overview(readme, text, commands):
     name, description, titles, see_also = SECTIONS[readme]
     parts = sections(text)
-    lines = [_header("rtshell_lite", 7), ".SH " + name, "rtshell_lite \\- " + _text(SUMMARIES[readme]), ".SH " + description]
+    lines = [
+        _header("rtshell_lite", 7),
+        ".SH " + name,
+        "rtshell_lite \\- " + _text(SUMMARIES[readme]),
+        ".SH " + description,
+    ]
     lines += _markdown(parts["rtshell_lite"])
     for title in titles:
         lines += [".SH " + title.upper()] + _markdown(parts[title])
@@ -124,7 +170,9 @@ def _overview(readme, text, commands):
 
 
 def _markdown(text):
-    """The subset of Markdown in our READMEs: paragraphs, code, tables whose first column names what the others describe."""
+    """The subset of Markdown in our READMEs:
+    paragraphs, code, tables whose first column names what the others describe.
+    """
     lines = []
     for block in re.findall(r"```.*\n(?:.*\n)*?```|(?:(?!```).+\n?)+", text):
         rows = block.rstrip("\n").split("\n")
@@ -149,7 +197,8 @@ def _joined(rows):
     return text
 
 
-# ---- troff ----------------------------------------------------------------------------------------------------
+# ---- troff -------------------------------------------------------------------------------------------------
+
 
 def _text(s):
     """Plain text for troff; characters beyond ASCII are written so that every troff can show them."""
@@ -157,7 +206,9 @@ def _text(s):
     s = "".join(c if c < "\x80" or _wide(c) else f"\\[u{ord(c):04X}]" for c in s)
     # Japanese lines may break between any two characters except before 、。 and closing brackets
     s = re.sub("([\u3000-\u9fff\uff00-\uffef])(?=[\u3010-\u9fff])", r"\1\\:", s)
-    return "\\&" + s if s[:1] in (".", "'") else s
+    if s[:1] in (".", "'"):
+        return "\\&" + s
+    return s
 
 
 def _wide(c):
@@ -172,7 +223,11 @@ def _prose(s):
 
 
 def _literal(lines):
-    """Lines that stay as they are, each indented by two blanks or more; if they are too wide, remarks beside them go below."""
+    """Lines that stay as they are, each indented by two blanks or more;
+    if they are too wide, remarks beside them go below.
+    """
     if max(map(len, lines)) > WIDEST:
-        lines = [part for line in lines for part in re.sub(r"(?<=\S) {2,}", "\n        ", line, 1).split("\n")]
+        lines = [
+            part for line in lines for part in re.sub(r"(?<=\S) {2,}", "\n        ", line, 1).split("\n")
+        ]
     return [".PP", ".RS 2", ".nf"] + [_text(line[2:]) or "\\&" for line in lines] + [".fi", ".RE"]

@@ -1,4 +1,5 @@
 """Typing commands into rtsh: line editing, a history, and completion, where Python has readline."""
+
 import os
 
 from rtshell_lite import errors, files
@@ -35,7 +36,9 @@ class Editor:
             return self
         self.readline.set_completer(self._complete)
         self.readline.set_completer_delims(" \t;")
-        self.readline.parse_and_bind("bind ^I rl_complete" if "libedit" in (self.readline.__doc__ or "") else "tab: complete")
+        self.readline.parse_and_bind(
+            "bind ^I rl_complete" if "libedit" in (self.readline.__doc__ or "") else "tab: complete"
+        )
         try:
             self.readline.read_history_file(os.path.expanduser(HISTORY))
         except OSError:
@@ -55,10 +58,15 @@ class Editor:
     def _complete(self, typed, number):
         """Called by readline with 0, 1, …: the completions of `typed`, then None."""
         if number == 0:
-            line = self.readline.get_line_buffer()[:self.readline.get_endidx()]
+            line = self.readline.get_line_buffer()[: self.readline.get_endidx()]
             begins = line.rpartition(";")[2].strip() == typed  # the first word of a command
-            self._found = self._names(typed) if begins else loop.run(completion.answers("bash", line, typed, self._meant))
-        return self._found[number] if number < len(self._found) else None
+            if begins:
+                self._found = self._names(typed)
+            else:
+                self._found = loop.run(completion.answers("bash", line, typed, self._meant))
+        if number < len(self._found):
+            return self._found[number]
+        return None
 
     def _meant(self, words):
         try:
@@ -69,5 +77,8 @@ class Editor:
     def _names(self, typed):
         """Names of commands without rt, or with it if `typed` has it."""
         full = sorted(self.interpreter.files)
-        names = full if typed.startswith("rt") else sorted(["cd", "exit", "help"] + [name[len("rt"):] for name in full])
+        if typed.startswith("rt"):
+            names = full
+        else:
+            names = sorted(["cd", "exit", "help"] + [name[len("rt") :] for name in full])
         return [name + " " for name in names if name.startswith(typed)]

@@ -1,8 +1,11 @@
-"""What the user's shell evaluates, `eval "$(rtcwd --shell bash)"`: a function that changes RTCSH_CWD, and completion.
+"""What the user's shell evaluates, `eval "$(rtcwd --shell bash)"`: a function that changes RTCSH_CWD, and
+completion.
 
-rtcwd prints a path, never shell code with a path in it: rtshell's export RTCSH_CWD="…", evaluated, ran the command in a
-directory called $(command). For completion the shell passes the line up to the cursor, and gets words that are quoted for it.
+rtcwd prints a path, never shell code with a path in it: rtshell's export RTCSH_CWD="…", evaluated, ran the
+command in a directory called $(command). For completion the shell passes the line up to the cursor, and gets
+words that are quoted for it.
 """
+
 import collections
 import re
 
@@ -32,7 +35,8 @@ alias rtcwd 'setenv RTCSH_CWD "`\\rtcwd \\!*`"'
 
 FUNCTIONS = {"sh": _POSIX, "bash": _POSIX, "zsh": _POSIX, "fish": _FISH, "csh": _CSH}
 
-# $2 is what readline replaces: the word from its last colon or equals sign on (COMP_WORDBREAKS), or from its quote on.
+# $2 is what readline replaces: the word from its last colon or equals sign on (COMP_WORDBREAKS), or from its
+# quote on.
 _COMPLETE_BASH = """\
 _rtshell_lite() {
     local answers answer
@@ -76,20 +80,28 @@ def code(shell, commands):
     return FUNCTIONS[shell] + (completion % " ".join(sorted(commands)) if completion else "")
 
 
-# ---- words on a line that is being typed ----------------------------------------------------------------------
+# ---- words on a line that is being typed -------------------------------------------------------------------
 
-# The `words` of the last command, of which the last one is unfinished; the `quote` that it is in: '', ", ' or, after a backslash,
-# \; `open`: it will be expanded by the shell; `redirected`: it is a file after < or >.
+# The `words` of the last command, of which the last one is unfinished; the `quote` that it is in: '', ", '
+# or, after a backslash, \; `open`: it will be expanded by the shell; `redirected`: it is a file after < or >.
 Line = collections.namedtuple("Line", "words quote open redirected")
 
-_BETWEEN_COMMANDS, _EXPANDED = ";|&()\n", "$`*?[{"
+_BETWEEN_COMMANDS = ";|&()\n"
+_EXPANDED = "$`*?[{"
 
 
 def split(line, fish=False):
     """The Line of an unfinished command line, by the shell's rules of quoting."""
-    words, quote, opened, redirected = [], "", False, False
+    words = []
+    quote = ""
+    opened = False
+    redirected = False
     word = None  # type: str
-    special = "$" if fish else "$`"  # within double quotes
+    # within double quotes
+    if fish:
+        special = "$"
+    else:
+        special = "$`"
     rest = iter(line)
     for c in rest:
         if quote == "'":
@@ -105,18 +117,27 @@ def split(line, fish=False):
                 return Line(words + [word or ""], "\\", opened or bool(quote), redirected)
             word = (word or "") + ("\\" if quote and c not in special + '"\\' else "") + c
         elif quote:
-            quote = "" if c == '"' else quote
-            word += c if quote else ""
+            if c == '"':
+                quote = ""
+            else:
+                quote = quote
+            if quote:
+                word += c
+            else:
+                word += ""
             opened = opened or c in special
         elif c in "'\"":
-            quote, word = c, word or ""
+            quote = c
+            word = word or ""
         elif c in " \t" + _BETWEEN_COMMANDS + "<>":
             if word is not None and not (c in "<>" and word.isdigit()) and not redirected:
                 words.append(word)
             redirected = c in "<>" or redirected and word is None
-            word, opened = None, False
+            word = None
+            opened = False
             if c in _BETWEEN_COMMANDS:
-                words, redirected = [], False
+                words = []
+                redirected = False
         else:
             word = (word or "") + c
             opened = opened or c in _EXPANDED
@@ -124,15 +145,19 @@ def split(line, fish=False):
 
 
 def answers(shell, line, candidates, typed):
-    """The lines that complete a Line in a shell, for candidates (text, final, help); `typed` is what they replace."""
+    """The lines that complete a Line in a shell, for candidates (text, final, help);
+    `typed` is what they replace.
+    """
     if shell == "fish":  # which quotes by itself, and adds a blank after all but / : =
         more = [text + ":" for text, final, _ in candidates if not final and text[-1] not in "/:="]
         return [f"{text}\t{help}" if help else text for text, _, help in candidates] + more
     written = []
     for text, final, _ in candidates:
-        rest = _quoted(text[len(line.words[-1]):], line.quote)
+        rest = _quoted(text[len(line.words[-1]) :], line.quote)
         if line.quote != "\\" or rest.startswith("\\"):
-            written.append(typed + rest[line.quote == "\\":] + (" " if final and line.quote in ("", "\\") else ""))
+            written.append(
+                typed + rest[line.quote == "\\" :] + (" " if final and line.quote in ("", "\\") else "")
+            )
     return written
 
 

@@ -1,8 +1,9 @@
 """Install rtshell_lite and other wheels under a directory without pip.
 
-DIR/bin holds the commands, DIR/lib what they import, DIR/share/man the manual pages, where `man` looks for them. Shared
-libraries in a wheel are found as in site-packages: beside the module that needs them ($ORIGIN).
+DIR/bin holds the commands, DIR/lib what they import, DIR/share/man the manual pages, where `man` looks for
+them. Shared libraries in a wheel are found as in site-packages: beside the module that needs them ($ORIGIN).
 """
+
 import ast
 import compileall
 import os
@@ -25,7 +26,9 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.realpath
 
 
 def unpack(directory, wheels):
-    """Write everything under a directory; returns where the commands are. Raises Error; old commands then still work."""
+    """Write everything under a directory; returns where the commands are.
+    Raises Error; old commands then still work.
+    """
     files = Files(os.path.abspath(directory))
     own = installation.wheel()
     if own:
@@ -40,7 +43,8 @@ def unpack(directory, wheels):
         _check_tags(path)
         files.add_wheel(path)
     files.write()
-    compileall.compile_dir(os.path.join(files.directory, "lib"), quiet=2)  # else 20 ms a command in a read-only directory
+    # else 20 ms a command in a read-only directory
+    compileall.compile_dir(os.path.join(files.directory, "lib"), quiet=2)
     return os.path.join(files.directory, "bin")
 
 
@@ -60,7 +64,9 @@ class Files:
         above = os.path.dirname(package)
         for directory, subdirectories, names in os.walk(package):
             subdirectories[:] = [name for name in subdirectories if name != "__pycache__"]
-            for path in [os.path.join(directory, name) for name in names if not name.endswith((".pyc", ".tmp"))]:
+            for path in [
+                os.path.join(directory, name) for name in names if not name.endswith((".pyc", ".tmp"))
+            ]:
                 with open(path, "rb") as file:
                     self.add("/".join(["lib"] + os.path.relpath(path, above).split(os.sep)), file.read())
 
@@ -68,7 +74,9 @@ class Files:
         """Add what can be imported from a wheel; scripts, headers and data are left out."""
         try:
             with zipfile.ZipFile(path) as wheel:
-                if sum(member.file_size for member in wheel.infolist()) > LARGEST:  # no more of a member is read than it claims
+                if (
+                    sum(member.file_size for member in wheel.infolist()) > LARGEST
+                ):  # no more of a member is read than it claims
                     raise errors.Error(f"{path}: refused: it unpacks to more than {LARGEST >> 20} MB")
                 for member in wheel.infolist():
                     target = _target(path, member.filename)
@@ -80,7 +88,9 @@ class Files:
             raise errors.Error(f"{path}: not a wheel, or a damaged one ({e})")
 
     def write(self):
-        """Write beside the targets, flush to the disk, then rename; the commands last, so that they find what they import."""
+        """Write beside the targets, flush to the disk, then rename;
+        the commands last, so that they find what they import.
+        """
         for directory in {os.path.dirname(name) for name in self.contents}:
             self._check_links(directory)
         order = sorted(self.contents, key=lambda name: (name.startswith("bin/"), name))
@@ -130,7 +140,9 @@ def _target(wheel, name):
     data = re.match(r"[^/]+\.data/([^/]+)/(.*)", name)
     if data is None:
         return "lib/" + name
-    return "lib/" + data.group(2) if data.group(1) in ("purelib", "platlib") else None
+    if data.group(1) in ("purelib", "platlib"):
+        return "lib/" + data.group(2)
+    return None
 
 
 def _check_tags(path):
@@ -151,7 +163,9 @@ def _check_tags(path):
 
 
 def _command(source):
-    """A command's file with the running Python in its first line, and with FIND_LIBRARY after its docstring."""
+    """A command's file with the running Python in its first line,
+    and with FIND_LIBRARY after its docstring.
+    """
     python = sys.executable or "/usr/bin/env python3"
     if sys.executable and (re.search(r"\s", python) or len(os.fsencode(python)) > 120):
         raise errors.Error(f"{python}: cannot be named in the first line of a script (blanks, or too long)")

@@ -1,8 +1,10 @@
 """Carries out a list of steps.
 
-Each is looked at first, skipped if it is done already, and looked at again afterwards, so that the report is what there is. Steps
-that concern one component are done one by one, in their order where that matters, others at the same time.
+Each is looked at first, skipped if it is done already, and looked at again afterwards, so that the report is
+what there is. Steps that concern one component are done one by one, in their order where that matters, others
+at the same time.
 """
+
 import collections
 
 from rtshell_lite import errors
@@ -11,16 +13,22 @@ from rtshell_lite.net import loop
 from rtshell_lite.robot import tree
 from rtshell_lite.system import sites, steps
 
-DONE, ALREADY, FAILED, UNTRIED = "done", "already so", "failed", "not tried"
+DONE = "done"
+ALREADY = "already so"
+FAILED = "failed"
+UNTRIED = "not tried"
 UNSURE = "uncertain"  # a call was lost, and the look after it, too
-UNDONE, STUCK = "undone", "not undone"
+UNDONE = "undone"
+STUCK = "not undone"
 
 
 class Outcome:
     """What has become of a step: its `status`, one of the above, and the errors.Error that says why."""
 
     def __init__(self, step, status=UNTRIED, error=None):
-        self.step, self.status, self.error = step, status, error
+        self.step = step
+        self.status = status
+        self.error = error
         self.before = self.after = None  # the answers to its step's questions, before it was done and after
         self.running = False  # True while it is being done
         self.failure = None  # the errors.Error that doing it raised
@@ -38,18 +46,29 @@ class Outcome:
 
     def fail(self, error, status=FAILED):
         """Note why the step has failed."""
-        self.status, self.error = status, error
+        self.status = status
+        self.error = error
 
     def as_dict(self):
         """For JSON."""
         step = self.step
-        return {"step": step.kind, "path": step.where, "required": step.required, "command": step.command or None,
-                "result": "already" if self.status == ALREADY else self.status,
-                "error": str(self.error) if self.error is not None else None}
+        result = self.status
+        if result == ALREADY:
+            result = "already"
+        return {
+            "step": step.kind,
+            "path": step.where,
+            "required": step.required,
+            "command": step.command or None,
+            "result": result,
+            "error": str(self.error) if self.error is not None else None,
+        }
 
 
 async def assess(step):
-    """The Outcome of a step by what was found of its Sites: done already, to be done, not tried, or failed."""
+    """The Outcome of a step by what was found of its Sites:
+    done already, to be done, not tried, or failed.
+    """
     outcome = Outcome(step)
     if not step.tolerant:
         outcome.error = step.site_error()
@@ -66,7 +85,9 @@ async def assess(step):
 
 
 async def carry_out(outcomes, all_or_nothing=False):
-    """Do the pending steps. `all_or_nothing`: if anything required fails, or on an interruption, undo all of them."""
+    """Do the pending steps. `all_or_nothing`:
+    if anything required fails, or on an interruption, undo all of them.
+    """
     is_complete = False
     try:
         for level in _levels([outcome for outcome in outcomes if outcome.pending]):
@@ -94,9 +115,11 @@ async def _roll_back(outcomes):
         try:
             undone = not await outcome.step.is_done((await _answers([outcome]))[0])
         except errors.Error as e:
-            undone, failure = isinstance(e, errors.Gone), failure or e
+            undone = isinstance(e, errors.Gone)
+            failure = failure or e
         if undone and not outcome.running:
-            outcome.status, outcome.error = UNDONE, None
+            outcome.status = UNDONE
+            outcome.error = None
         else:
             outcome.fail(failure or errors.Refused(outcome.step.where, "is as it was made"), STUCK)
 
@@ -104,10 +127,13 @@ async def _roll_back(outcomes):
 def _levels(outcomes):
     """Lists of outcomes, one after the other, so that no two of a list share a Site.
 
-    The order of those that share one is kept, but among steps that are `free`: connections of one component after another
-    to the next would make a list each.
+    The order of those that share one is kept, but among steps that are `free`: connections of one component
+    after another to the next would make a list each.
     """
-    ends, taken, levels = {}, {}, []  # by id of a Site: the level that ends those in order, and all levels in use
+    # by id of a Site: the level that ends those in order, and all levels in use
+    ends = {}
+    taken = {}
+    levels = []
     for outcome in outcomes:
         keys = [id(site) for site in outcome.step.sites]
         level = max([ends.get(key, 0) for key in keys] or [0])
@@ -124,13 +150,18 @@ def _levels(outcomes):
     return levels
 
 
-# ---- looking ----------------------------------------------------------------------------------------------------
+# ---- looking -----------------------------------------------------------------------------------------------
+
 
 async def _answers(outcomes):
-    """For each outcome the list of answers to its step's questions; an errors.Error in the place of what failed."""
+    """For each outcome the list of answers to its step's questions;
+    an errors.Error in the place of what failed.
+    """
     asked = [_questions(outcome.step) for outcome in outcomes]
     questions = [question for part in asked if isinstance(part, list) for question in part]
-    values = iter(await session.each(questions, lambda question: question.ask(), lambda question: question[:2]))
+    values = iter(
+        await session.each(questions, lambda question: question.ask(), lambda question: question[:2])
+    )
     return [[next(values) for _ in part] if isinstance(part, list) else [part] for part in asked]
 
 
@@ -144,9 +175,13 @@ def _questions(step):
 
 async def _look(outcomes):
     """Ask how things are, and return those outcomes that are still to be done."""
-    ready, todo = [], []
+    ready = []
+    todo = []
     for outcome in outcomes:
-        dead = None if outcome.step.tolerant else outcome.step.site_error()
+        if outcome.step.tolerant:
+            dead = None
+        else:
+            dead = outcome.step.site_error()
         if dead is not None:
             outcome.error = dead
         else:
@@ -168,26 +203,43 @@ async def _mark_dead(outcomes, others=()):
 
     `others`: outcomes of which only the Sites in the same processes are looked at.
     """
-    answers = [answer for outcome in outcomes for answer in (outcome.before or []) + (outcome.after or []) + [outcome.error]]
+    answers = [
+        answer
+        for outcome in outcomes
+        for answer in (outcome.before or []) + (outcome.after or []) + [outcome.error]
+    ]
     if not any(isinstance(answer, errors.Unreachable) for answer in answers):
         return
     asked = _living_sites(outcomes)
     endpoints = {site.node.endpoint for site in asked.values()}
-    asked.update((key, site) for key, site in _living_sites(others).items() if site.node.endpoint in endpoints)
+    asked.update(
+        (key, site) for key, site in _living_sites(others).items() if site.node.endpoint in endpoints
+    )
     nodes = await tree.check_alive([site.node for site in asked.values()])
-    unsure = [type(node.error) is errors.Unreachable for node in nodes]  # a connection, which may have been an old one
-    again = iter(await tree.check_alive([site.node for site, is_unsure in zip(asked.values(), unsure) if is_unsure]))
+    # a connection, which may have been an old one
+    unsure = [type(node.error) is errors.Unreachable for node in nodes]
+    again = iter(
+        await tree.check_alive([site.node for site, is_unsure in zip(asked.values(), unsure) if is_unsure])
+    )
     for site, node, is_unsure in zip(asked.values(), nodes, unsure):
-        site.error = next(again).error if is_unsure else node.error
+        if is_unsure:
+            site.error = next(again).error
+        else:
+            site.error = node.error
 
 
 def _living_sites(outcomes):
     """{id of a Site: Site} of those of all steps that can be asked."""
-    return collections.OrderedDict((id(site), site) for outcome in outcomes for site in outcome.step.sites
-                                   if site.node is not None and site.error is None)
+    return collections.OrderedDict(
+        (id(site), site)
+        for outcome in outcomes
+        for site in outcome.step.sites
+        if site.node is not None and site.error is None
+    )
 
 
-# ---- doing ------------------------------------------------------------------------------------------------------
+# ---- doing -------------------------------------------------------------------------------------------------
+
 
 async def _carry_out(level, outcomes, all_or_nothing):
     """Do the steps of one level."""
@@ -199,7 +251,11 @@ async def _carry_out(level, outcomes, all_or_nothing):
             session.current().silent.pop(outcome.step.endpoint, None)
     for outcome, answers in zip(todo, await _answers(todo)):
         outcome.after = answers
-    lost = [outcome for outcome in todo if not outcome.step.tolerant and _lost(outcome.after) and not _lost(outcome.after, errors.Silent)]
+    lost = [
+        outcome
+        for outcome in todo
+        if not outcome.step.tolerant and _lost(outcome.after) and not _lost(outcome.after, errors.Silent)
+    ]
     for outcome, answers in zip(lost, await _answers(lost)):  # one more look: what was done has to be known
         outcome.after = answers
     await _mark_dead(level, outcomes)
@@ -213,7 +269,8 @@ async def _carry_out(level, outcomes, all_or_nothing):
 async def _act_on_all(outcomes, is_to_be_known):
     """Do these steps at the same time.
 
-    `is_to_be_known`: after Ctrl-C, what has begun goes on for as long as an answer may take; it is undone then.
+    `is_to_be_known`: after Ctrl-C, what has begun goes on for as long as an answer may take; it is undone
+    then.
     """
     over = loop.Bell()
 
@@ -239,7 +296,8 @@ async def _act(outcome, over):
     try:
         outcome.failure = await _tried(outcome.step.act(outcome.before))
         if outcome.failure is None:
-            outcome.status, outcome.error = DONE, None
+            outcome.status = DONE
+            outcome.error = None
     finally:
         outcome.running = False
         over.ring()
@@ -263,14 +321,20 @@ async def _judge(outcome, failure):
     """Decide by the look after a step what has become of it. `failure` is the error of `act`, or None."""
     try:
         if await outcome.step.is_done(outcome.after):
-            outcome.status, outcome.error = DONE, None
+            outcome.status = DONE
+            outcome.error = None
             return
         why = failure or errors.Refused(outcome.step.where, "was said to be done, but is not so")
     except errors.Error as e:
         e = next((site.error for site in outcome.step.sites if sites.is_gone(site.error)), e)
-        why = e if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Silent) else failure or e
+        if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Silent):
+            why = e
+        else:
+            why = failure or e
         if (_lost(outcome.after) is e or outcome.step.tolerant) and not sites.is_gone(e):
-            outcome.fail(errors.Unreachable(outcome.step.where, f"{e.why}; whether it was done is not known"), UNSURE)
+            outcome.fail(
+                errors.Unreachable(outcome.step.where, f"{e.why}; whether it was done is not known"), UNSURE
+            )
             return
     outcome.fail(why)
     await _tried(outcome.step.tidy(outcome.after))

@@ -1,4 +1,7 @@
-"""A system as a value: components, connections and configuration, asked of what is running, in the shape of an RtsProfile."""
+"""A system as a value: components, connections and configuration, asked of what is running,
+in the shape of an RtsProfile.
+"""
+
 import collections
 import functools
 import re
@@ -10,42 +13,69 @@ from rtshell_lite.robot.snapshot import BRIEF, FULL
 from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model, rtsprofile
 
-PATH_ID = "COMPONENT_PATH_ID"  # the property by which rtshell and RTSystemEditor say where the component of an end is bound
-MANAGER = "MANAGER"  # an extended property of a component: path of the manager that lists it, and can create it
+# the property by which rtshell and RTSystemEditor say where the component of an end is bound
+PATH_ID = "COMPONENT_PATH_ID"
+MANAGER = (
+    "MANAGER"  # an extended property of a component: path of the manager that lists it, and can create it
+)
 # Fields of a model.DataPortConnector that stand for properties `dataport.…` of the connection.
 DATA_FIELDS = ("data_type", "interface_type", "dataflow_type", "subscription_type")
 
-# What is asked of one component. `owned` are Contexts, `states` {handle: state} over all of its contexts, None if not asked,
-# `sets` configuration.Sets, hidden ones too, `members` (name, reference) of those that it is composed of.
+# What is asked of one component. `owned` are Contexts, `states` {handle: state} over all of its contexts,
+# None if not asked, `sets` configuration.Sets, hidden ones too, `members` (name, reference) of those that it
+# is composed of.
 Found = collections.namedtuple("Found", "node ports owned states sets active members profile")
 
-# `found` has the Found of each component of the RtsProfile `profile`, `unused` those that were left out because nothing is
-# connected to them, `failures` are errors, `notes` lines on what else is left out.
+# `found` has the Found of each component of the RtsProfile `profile`, `unused` those that were left out
+# because nothing is connected to them, `failures` are errors, `notes` lines on what else is left out.
 System = collections.namedtuple("System", "profile found unused failures notes")
 
-# Object references, some of them in the names of 1.1 to 2.1: they say where a port is today, and mislead tomorrow.
+# Object references, some of them in the names of 1.1 to 2.1: they say where a port is today, and mislead
+# tomorrow.
 _REFERENCE = re.compile(r"dataport\.corba_cdr\.(?:in|out)port_(?:ior|ref)\Z")
 
 
-# ---- asking ---------------------------------------------------------------------------------------------------
+# ---- asking ------------------------------------------------------------------------------------------------
+
 
 async def ask(node, brief=False, states=True):
     """The Found of a component. Its ports come before its profile (docs/protocol.md 1.1).
 
-    `brief`: of properties and references only those that go into a file or are compared with one, a quarter of the memory.
+    `brief`: of properties and references only those that go into a file or are compared with one, a quarter
+    of the memory.
     """
-    detail = BRIEF if brief else FULL
-    in_contexts = {"participating": BRIEF, "states": FULL} if states else {}
-    shown = await snapshot.of(node, ports=detail, owned=FULL, **in_contexts, configuration=FULL, organisations=FULL, profile=detail)
+    if brief:
+        detail = BRIEF
+    else:
+        detail = FULL
+    if states:
+        in_contexts = {"participating": BRIEF, "states": FULL}
+    else:
+        in_contexts = {}
+    shown = await snapshot.of(
+        node, ports=detail, owned=FULL, **in_contexts, configuration=FULL, organisations=FULL, profile=detail
+    )
     contexts = shown.owned
     if any(context.handle is None for context in contexts):
         raise errors.Unreachable(str(node.path), "one of its execution contexts does not answer")
     if brief:
         contexts = [context._replace(ref=None, owner=None, properties=()) for context in contexts]
-    sets, active = (shown.configuration.sets(with_hidden=True), shown.configuration.active) if shown.configuration else ([], "")
-    return Found(node, ports.in_system(shown.ports), contexts,
-                 {context.handle: state for context, state in zip(shown.contexts, shown.states)} if states else None,
-                 sets, active, [member for each in shown.organisations for member in each.members], shown.profile)
+    if shown.configuration:
+        sets = shown.configuration.sets(with_hidden=True)
+        active = shown.configuration.active
+    else:
+        sets = []
+        active = ""
+    return Found(
+        node,
+        ports.in_system(shown.ports),
+        contexts,
+        {context.handle: state for context, state in zip(shown.contexts, shown.states)} if states else None,
+        sets,
+        active,
+        [member for each in shown.organisations for member in each.members],
+        shown.profile,
+    )
 
 
 def component_id(profile):
@@ -63,17 +93,25 @@ def is_reference(name, value):
     return bool(_REFERENCE.match(name) or (value or "").startswith("IOR:"))
 
 
-# ---- capturing ------------------------------------------------------------------------------------------------
+# ---- capturing ---------------------------------------------------------------------------------------------
+
 
 async def capture(tops=(), all_components=False, with_states=False, with_managers=False):
-    """The System below the Paths `tops` (none: all name servers), sorted; only what is connected, or a composite of it.
+    """The System below the Paths `tops` (none: all name servers), sorted; only what is connected, or a
+    composite of it.
 
     `with_managers`: which manager lists a component goes into the profile.
     """
     nodes, managers, failures, notes = await components(tops)
-    holders = await _holders(managers, notes) if with_managers else {}
-    found, silent = [], {}
-    for node, answer in zip(nodes, await tree.on_nodes(nodes, functools.partial(ask, brief=True, states=with_states))):
+    if with_managers:
+        holders = await _holders(managers, notes)
+    else:
+        holders = {}
+    found = []
+    silent = {}
+    for node, answer in zip(
+        nodes, await tree.on_nodes(nodes, functools.partial(ask, brief=True, states=with_states))
+    ):
         if not isinstance(answer, errors.Error):
             found.append(answer)
         elif await _is_zombie(node, answer):
@@ -82,12 +120,19 @@ async def capture(tops=(), all_components=False, with_states=False, with_manager
             failures.append(answer)
             silent[node.endpoint] = answer
     connectors = await _connectors(found, silent, notes)
-    found, unused = (found, []) if all_components else _in_use(found)
+    if all_components:
+        found = found
+        unused = []
+    else:
+        found, unused = _in_use(found)
     found.sort(key=lambda each: path_uri(each.node))
     profile = model.RtsProfile(components=[_component(each, found, notes) for each in found])
     for each, made in zip(found, profile.components):
         holder = holders.get(orb.identity(each.node.ref))
-        made.properties += [model.Property(name=MANAGER, value=holder)] if holder else []
+        if holder:
+            made.properties += [model.Property(name=MANAGER, value=holder)]
+        else:
+            made.properties += []
     for connector in connectors:
         if len(connector.ends) == 1:
             profile.one_port_connectors.append(connector)
@@ -100,20 +145,24 @@ async def capture(tops=(), all_components=False, with_states=False, with_manager
 
 
 async def components(tops=()):
-    """(component nodes, each object once, by its first path; manager nodes; errors; notes) below the Paths (none: all name servers).
+    """(component nodes, each object once, by its first path; manager nodes; errors; notes) below the Paths
+    (none: all name servers).
 
     Components below managers are skipped: they are bound in a name server, too.
     """
     orb.start()
-    parts, failures = errors.split(await tree.at_each(
-        tops or [path.ROOT], _walk))
+    parts, failures = errors.split(await tree.at_each(tops or [path.ROOT], _walk))
     walked = [node for part in parts for node in part]
-    failures += [node.error for node in walked if node.kind in ("server", "directory") and node.error is not None]
+    failures += [
+        node.error for node in walked if node.kind in ("server", "directory") and node.error is not None
+    ]
     unsure = [node for node in walked if node.kind == "unsure"]
     sure = dict(zip(unsure, await tree.check_alive(unsure)))
     walked = sorted([sure.get(node, node) for node in walked], key=lambda node: str(node.path))
     managers = [node for node in walked if node.kind == "manager" and node.alias is None]
-    nodes, notes, seen = [], [], {}
+    nodes = []
+    notes = []
+    seen = {}
     for node in walked:
         if node.kind == "silent":
             failures.append(node.error)
@@ -132,9 +181,13 @@ async def _walk(top):
 
 
 async def _holders(managers, notes):
-    """{identity of a component: path of the manager that lists it, as an RtsProfile has it}; one that is dead lists none."""
+    """{identity of a component: path of the manager that lists it, as an RtsProfile has it};
+    one that is dead lists none.
+    """
     holders = {}
-    for node, answer in zip(managers, await tree.on_nodes(managers, lambda node: node.call("get_components"))):
+    for node, answer in zip(
+        managers, await tree.on_nodes(managers, lambda node: node.call("get_components"))
+    ):
         if isinstance(answer, (errors.Gone, errors.ConnectionRefused)):
             continue
         if isinstance(answer, errors.Error):
@@ -150,12 +203,14 @@ async def _is_zombie(node, failure):
     """Look whether a component that failed with `failure` is gone itself, and not something behind it."""
     if not isinstance(failure, (errors.Gone, errors.ConnectionRefused)):
         return False
-    now, = await tree.check_alive([node])
+    (now,) = await tree.check_alive([node])
     return now.kind == "zombie"
 
 
 def _in_use(found):
-    """Those of the Found that have a connection, that are composites of such, or their members; and the others."""
+    """Those of the Found that have a connection, that are composites of such, or their members;
+    and the others.
+    """
     used = {id(each) for each in found if any(port.connectors for port in each.ports)}
     for each in found:
         members = [_member(ref, found) for _, ref in each.members]
@@ -169,21 +224,34 @@ def _member(ref, found):
     return next((each for each in found if orb.same(each.node.ref, ref)), None)
 
 
-# ---- one component --------------------------------------------------------------------------------------------
+# ---- one component -----------------------------------------------------------------------------------------
+
 
 def _component(each, found, notes):
     """The model.Component of a Found."""
     instance = each.profile.instance_name
     made = model.Component(
-        id=component_id(each.profile), path_uri=path_uri(each.node), active_configuration_set=each.active,
-        instance_name=instance, is_required=True, location=model.Location())
+        id=component_id(each.profile),
+        path_uri=path_uri(each.node),
+        active_configuration_set=each.active,
+        instance_name=instance,
+        is_required=True,
+        location=model.Location(),
+    )
     for kind in ("DataInPort", "DataOutPort"):
         names = sorted(ports.short_name(port.name, instance) for port in each.ports if port.type == kind)
         made.data_ports += [model.DataPort(name=name) for name in names]
     names = sorted(ports.short_name(port.name, instance) for port in each.ports if port.type == "CorbaPort")
     made.service_ports = [model.ServicePort(name=name) for name in names]
-    made.configuration_sets = [model.ConfigurationSet(id=one.id, configuration_data=[
-        model.ConfigurationData(name=name, data=value) for name, value in one.values.items()]) for one in each.sets]
+    made.configuration_sets = [
+        model.ConfigurationSet(
+            id=one.id,
+            configuration_data=[
+                model.ConfigurationData(name=name, data=value) for name, value in one.values.items()
+            ],
+        )
+        for one in each.sets
+    ]
     made.execution_contexts = [_context(each, one, found, notes) for one in each.owned]
     if each.members:
         kind = each.profile.category.rpartition("composite.")[2]
@@ -193,7 +261,10 @@ def _component(each, found, notes):
         if member is not None:
             made.participants.append(model.Participant(component=_target(model.TargetComponent, member)))
             continue
-        name = "that does not answer" if isinstance(name, errors.Error) else printable(name)
+        if isinstance(name, errors.Error):
+            name = "that does not answer"
+        else:
+            name = printable(name)
         notes.append(f"{each.node.path}: its member {name} is not in the system, left out")
     made.participants.sort(key=lambda one: one.component.instance_name)
     return made
@@ -208,8 +279,10 @@ def _context(each, context, found, notes):
     for ref in () if each.members else context.participants:
         other = _member(ref, found)
         if other is None:
-            notes.append(f"{each.node.path}: a component that takes part in its execution context {context.handle} is not in the "
-                         "system, left out")
+            notes.append(
+                f"{each.node.path}: a component that takes part in its execution context {context.handle} is not in the "
+                "system, left out"
+            )
         elif other is not each:
             made.participants.append(_target(model.TargetComponent, other))
     made.participants.sort(key=lambda one: one.instance_name)
@@ -218,14 +291,20 @@ def _context(each, context, found, notes):
 
 def _target(kind, each, **more):
     """A reference to a component inside a profile."""
-    return kind(component_id=component_id(each.profile), instance_name=each.profile.instance_name,
-                properties=[model.Property(name=PATH_ID, value=path_uri(each.node))], **more)
+    return kind(
+        component_id=component_id(each.profile),
+        instance_name=each.profile.instance_name,
+        properties=[model.Property(name=PATH_ID, value=path_uri(each.node))],
+        **more,
+    )
 
 
-# ---- connections ----------------------------------------------------------------------------------------------
+# ---- connections -------------------------------------------------------------------------------------------
+
 
 async def _connectors(found, silent, notes):
-    """The model's connectors, each once, with all its ends; what ends outside the system is reported in `notes`.
+    """The model's connectors, each once, with all its ends; what ends outside the system is reported in
+    `notes`.
 
     `silent` are the processes that did not answer before, {endpoint: errors.Error}: they are not asked again.
     """
@@ -240,22 +319,31 @@ async def _connectors(found, silent, notes):
         for port in each.ports:
             for one in port.connectors:
                 refs = [ref for ref in one.ports if ref is not None]
-                connectors.setdefault((one.id, frozenset(orb.identity(ref) for ref in refs)), (port, one, refs))
+                connectors.setdefault(
+                    (one.id, frozenset(orb.identity(ref) for ref in refs)), (port, one, refs)
+                )
     outside = await places.far_ends([port for each in found for port in each.ports], silent)
     made = []
     for port, one, refs in connectors.values():
         known = [ends[orb.identity(ref)] for ref in refs if orb.identity(ref) in ends]
-        for name in [_name(outside[orb.identity(ref)], ref, silent) for ref in refs if orb.identity(ref) not in ends]:
-            notes.append("connection %s of %s: its end %s is not in the system, left out" % (
-                printable(one.id), ports.label(port), name))
+        for name in [
+            _name(outside[orb.identity(ref)], ref, silent) for ref in refs if orb.identity(ref) not in ends
+        ]:
+            notes.append(
+                "connection %s of %s: its end %s is not in the system, left out"
+                % (printable(one.id), ports.label(port), name)
+            )
         if len(known) > 1 or len(refs) == 1:
             made.append(_connector(one, known))
     return sorted(made, key=lambda one: ([_end_key(end) for end in one.ends], one.connector_id, one.name))
 
 
 def _owns(each, port):
-    return port.owner is not None and orb.same(port.owner, each.node.ref) or \
-        port.name.startswith(each.profile.instance_name + ".")
+    return (
+        port.owner is not None
+        and orb.same(port.owner, each.node.ref)
+        or port.name.startswith(each.profile.instance_name + ".")
+    )
 
 
 def _end_key(end):
@@ -269,28 +357,43 @@ def _name(end, ref, silent):
 
 
 def _connector(one, known):
-    """The model's connector of a ports.Connector with (Found, Port) as ends, an out port and an in port first."""
+    """The model's connector of a ports.Connector with (Found, Port) as ends,
+    an out port and an in port first.
+    """
     data = any(port.type in ports.DATA for _, port in known)
     if data:
-        first = [next((end for end in known if end[1].type == kind), None) for kind in ("DataOutPort", "DataInPort")]
+        first = [
+            next((end for end in known if end[1].type == kind), None)
+            for kind in ("DataOutPort", "DataInPort")
+        ]
         first = [end for end in first if end is not None]
         known = first + [end for end in known if end not in first]
-    ends = [_target(model.TargetPort, each, port_name="%s.%s" % (
-        each.profile.instance_name, ports.short_name(port.name, each.profile.instance_name))) for each, port in known]
+    ends = [
+        _target(
+            model.TargetPort,
+            each,
+            port_name="%s.%s"
+            % (each.profile.instance_name, ports.short_name(port.name, each.profile.instance_name)),
+        )
+        for each, port in known
+    ]
     properties = [(name, value) for name, value in sorted(one.properties) if not is_reference(name, value)]
     if data:
         given = dict(properties)
         made = model.DataPortConnector(**{key: given.get("dataport." + key, "") for key in DATA_FIELDS})
     else:
         made = model.ServicePortConnector()
-    made.connector_id, made.name, made.ends = one.id, one.name, ends
+    made.connector_id = one.id
+    made.name = one.name
+    made.ends = ends
     if len(known) == 1 and known[0][1].type == "DataInPort":
         made.source, made.target = None, made.source
     made.properties = [model.Property(name=name, value=value) for name, value in properties]
     return made
 
 
-# ---- files ----------------------------------------------------------------------------------------------------
+# ---- files -------------------------------------------------------------------------------------------------
+
 
 def path_of(each):
     """The Path of a component of a profile. Raises BadPath."""
@@ -298,7 +401,9 @@ def path_of(each):
 
 
 def shown_path(each):
-    """Where the file says that a component is bound, as commands take it, or, where that is no path, spelt for the terminal."""
+    """Where the file says that a component is bound, as commands take it, or, where that is no path,
+    spelt for the terminal.
+    """
     try:
         return str(path_of(each))
     except errors.BadPath:
@@ -308,17 +413,21 @@ def shown_path(each):
 def read(name, form=None):
     """The profile in a file (`-`: stdin). Raises OSError, BadProfile."""
     from rtshell_lite import files, notes
+
     notes.reading(name, "an RtsProfile")
     return rtsprofile.load(files.read(name), name, form)
 
 
 def locator(profile, strict=False):
-    """A function: the Component of a profile that an end, a participant or a target of an action names, or None.
+    """A function: the Component of a profile that an end, a participant or a target of an action names, or
+    None.
 
-    `strict`: by id, instance name and path together; else files may disagree with themselves where it is clear what is meant.
+    `strict`: by id, instance name and path together; else files may disagree with themselves where it is
+    clear what is meant.
     """
     by_path = {each.path_uri.lstrip("/"): each for each in profile.components}
-    by_both, by_instance = {}, {}
+    by_both = {}
+    by_instance = {}
     for each in profile.components:
         by_both.setdefault((each.id, each.instance_name), each)
         by_instance.setdefault(each.instance_name, []).append(each)
@@ -327,12 +436,15 @@ def locator(profile, strict=False):
         named = by_path.get((target.property(PATH_ID) or "").lstrip("/"))
         if strict:
             wanted = (target.component_id, target.instance_name)
-            return named if named is not None and (named.id, named.instance_name) == wanted else None
+            if named is not None and (named.id, named.instance_name) == wanted:
+                return named
+            return None
         both = by_both.get((target.component_id, target.instance_name))
         if named is not None and (both is None or named.instance_name == target.instance_name):
             return named
         alike = by_instance.get(target.instance_name, [])
         return both or (alike[0] if len(alike) == 1 else None)
+
     return locate
 
 
@@ -341,17 +453,22 @@ def port_of(end):
     return ports.short_name(end.port_name, end.instance_name)
 
 
-# ---- what is running of a profile -----------------------------------------------------------------------------
+# ---- what is running of a profile --------------------------------------------------------------------------
+
 
 async def look(profile, function=ask):
-    """function(node) for each component of a profile; an errors.Error in the place of one that is not there or fails."""
+    """function(node) for each component of a profile;
+    an errors.Error in the place of one that is not there or fails.
+    """
     paths = []
     for each in profile.components:
         try:
             paths.append(path_of(each))
         except errors.BadPath as e:
             paths.append(errors.Failed("/" + printable(each.path_uri), e))
-    answers = iter(await tree.on_components([one for one in paths if not isinstance(one, errors.Error)], function))
+    answers = iter(
+        await tree.on_components([one for one in paths if not isinstance(one, errors.Error)], function)
+    )
     return [one if isinstance(one, errors.Error) else next(answers) for one in paths]
 
 

@@ -1,7 +1,10 @@
-"""What rtcheck does: looks whether the steps that rtresurrect would take are done, and what state each component is in.
+"""What rtcheck does: looks whether the steps that rtresurrect would take are done, and what state each
+component is in.
 
-What differs is found by the steps themselves (steps.py); the order of checks, and the words, are those of rtshell.
+What differs is found by the steps themselves (steps.py); the order of checks, and the words, are those of
+rtshell.
 """
+
 import collections
 import functools
 import re
@@ -12,9 +15,9 @@ from rtshell_lite.robot import ports, tree
 from rtshell_lite.system import capture, connect_steps, sites, steps
 from rtshell_lite.text import printable
 
-# Where file and system differ: `message` as rtshell says it, `path` of the component or ports, what the file has (`expected`)
-# and what there is (`actual`), None where that is nothing. `check` is the kind of the check that found it, `brief` the message for
-# those who say the path, too.
+# Where file and system differ: `message` as rtshell says it, `path` of the component or ports, what the file
+# has (`expected`) and what there is (`actual`), None where that is nothing. `check` is the kind of the check
+# that found it, `brief` the message for those who say the path, too.
 Difference = collections.namedtuple("Difference", "check required message path expected actual brief")
 
 OTHER_ID = "connection id"  # the check that finds connections which only have another id: they are as good
@@ -42,10 +45,14 @@ MESSAGES = {
 
 
 class Result:
-    """What a comparison found: Differences, and errors of what could not be asked; `asked` counts what could."""
+    """What a comparison found: Differences, and errors of what could not be asked;
+    `asked` counts what could.
+    """
 
     def __init__(self):
-        self.differences, self.failures, self.asked = [], [], 0
+        self.differences = []
+        self.failures = []
+        self.asked = 0
 
 
 async def compare(profile, state, tell=lambda line: None, extra=False):
@@ -77,13 +84,16 @@ async def compare(profile, state, tell=lambda line: None, extra=False):
 def _is_silent(site):
     """True if it is not known whether a component is there: a failure, not a difference."""
     return site.error is not None and not (
-        sites.is_gone(site.error) or isinstance(site.error, (errors.WrongKind, errors.Failed)))
+        sites.is_gone(site.error) or isinstance(site.error, (errors.WrongKind, errors.Failed))
+    )
 
 
-# ---- what is checked ------------------------------------------------------------------------------------------
+# ---- what is checked ---------------------------------------------------------------------------------------
+
 
 def checks(profile, state, listed):
-    """The steps that are looked at, required ones first: components, connections, configuration, members, states.
+    """The steps that are looked at, required ones first: components, connections, configuration, members,
+    states.
 
     `state` is that in which the components are to be, `listed` is sites.of the profile.
     """
@@ -94,23 +104,43 @@ def checks(profile, state, listed):
     found += sorted(connect_steps.connecting(profile, site_of), key=lambda step: not _is_required(step))
     for site in listed:
         active = site.component.active_configuration_set
-        found += [steps.Active(site, active)] if active else []
-        found += [steps.Values(site, one.id, steps.wanted_values(one)) for one in site.component.configuration_sets]
+        if active:
+            found += [steps.Active(site, active)]
+        else:
+            found += []
+        found += [
+            steps.Values(site, one.id, steps.wanted_values(one)) for one in site.component.configuration_sets
+        ]
     found += [_Members(site, steps.members(site, site_of)) for site in listed if site.component.participants]
     for site in listed:
         for index, handle, wanted in steps.own_contexts(site):
-            others = [] if site.component.participants else steps.participants(site, wanted, site_of)
-            found += [steps.Participants(site, index, handle, others)] if others else []
+            if site.component.participants:
+                others = []
+            else:
+                others = steps.participants(site, wanted, site_of)
+            if others:
+                found += [steps.Participants(site, index, handle, others)]
+            else:
+                found += []
     for site in by_need:  # a state for each context; one over all where the file lists none by number
-        handles = [context.id for context in site.component.execution_contexts if context.id.isdigit()] or [None]
+        handles = [context.id for context in site.component.execution_contexts if context.id.isdigit()] or [
+            None
+        ]
         found += [_State(site, state, handle) for handle in handles]
     return found
 
 
 def _is_required(step):
     """Whether rtshell calls it an error when a step is not done."""
-    concerned = [site for site, _ in step.ends if site is not None] if step.kind == "connect" else step.sites[:1]
-    return step.kind in ("configuration", "active set") or bool(concerned) and all(site.required for site in concerned)
+    if step.kind == "connect":
+        concerned = [site for site, _ in step.ends if site is not None]
+    else:
+        concerned = step.sites[:1]
+    return (
+        step.kind in ("configuration", "active set")
+        or bool(concerned)
+        and all(site.required for site in concerned)
+    )
 
 
 class _Members(steps.Members):
@@ -120,18 +150,24 @@ class _Members(steps.Members):
         yield from super().differences(answers)
         for name, ref in answers[0].members:
             if not any(orb.same(ref, member.node.ref) for member in self.members):
-                name = "one that does not answer" if isinstance(name, errors.Error) else name
+                if isinstance(name, errors.Error):
+                    name = "one that does not answer"
+                else:
+                    name = name
                 yield steps.Difference("wrong member", name, None, printable(name), None)
 
 
 class _State(steps.Step):
-    """That a component is in a state, in the execution context with the id `handle`, or over all contexts (None)."""
+    """That a component is in a state, in the execution context with the id `handle`,
+    or over all contexts (None).
+    """
 
     kind = "state"
 
     def __init__(self, site, state, handle):
         super().__init__([site], site.where, "")
-        self.state, self.handle = state, handle
+        self.state = state
+        self.handle = handle
 
     def differences(self, answers):
         actual = self._in_context(answers[0]) or capture.state(answers[0])
@@ -141,8 +177,8 @@ class _State(steps.Step):
     def _in_context(self, found):
         """The state in that context; None where there is none, or where another one counts.
 
-        That of a member of a composite is stopped; a component that is Active in the context of another component is not to be
-        Active in its own, too.
+        That of a member of a composite is stopped; a component that is Active in the context of another
+        component is not to be Active in its own, too.
         """
         if self.handle is None:
             return None
@@ -155,42 +191,60 @@ class _State(steps.Step):
         return found.states.get(handle)
 
 
-# ---- in rtshell's words ---------------------------------------------------------------------------------------
+# ---- in rtshell's words ------------------------------------------------------------------------------------
+
 
 def plan(profile, state):
     """The checks that would be done, as lines."""
-    return [f"Check {line}{' (Required)' if _is_required(step) else ''}"
-            for step in checks(profile, state, sites.of(profile)) for line in _lines(step, 'for {0} component "{1}", "{2}" at path {3}')]
+    return [
+        f"Check {line}{' (Required)' if _is_required(step) else ''}"
+        for step in checks(profile, state, sites.of(profile))
+        for line in _lines(step, 'for {0} component "{1}", "{2}" at path {3}')
+    ]
 
 
 def _lines(step, component='for {0} component {3} with ID "{1}" and instance name "{2}"'):
     """What a step checks, in words that complete "Checking …"."""
     where = step.where
     if step.kind == "component":
-        return [component.format(_need(step), printable(step.site.component.id), printable(step.site.instance), where)]
+        return [
+            component.format(
+                _need(step), printable(step.site.component.id), printable(step.site.instance), where
+            )
+        ]
     if step.kind == "connect":
-        return [f"for connection {'of' if len(step.ends) == 1 else 'between'} " + " and ".join(_end_names(step))]
+        return [
+            f"for connection {'of' if len(step.ends) == 1 else 'between'} " + " and ".join(_end_names(step))
+        ]
     if step.kind == "active set":
         return [f'configuration set "{printable(step.set_id)}" is active on component {where}']
     if step.kind == "configuration":
         shown = printable(step.set_id)
-        return [f'parameter "{printable(name)}" in set "{shown}" on component "{where}" is "{printable(value)}"'
-                for name, value in step.values.items()] or [f'for set "{shown}" on component "{where}"']
+        return [
+            f'parameter "{printable(name)}" in set "{shown}" on component "{where}" is "{printable(value)}"'
+            for name, value in step.values.items()
+        ] or [f'for set "{shown}" on component "{where}"']
     if step.kind == "members":
         return [f"members of {where}"]
     if step.kind == "participants":
         return [f"participants in execution context {step.handle} of {where}"]
-    return [f"state is {step.state} for {where}{'' if step.handle is None else f' in execution context {step.handle}'}"]
+    return [
+        f"state is {step.state} for {where}{'' if step.handle is None else f' in execution context {step.handle}'}"
+    ]
 
 
 def _need(step):
-    return "required" if step.required else "optional"
+    if step.required:
+        return "required"
+    return "optional"
 
 
 def _end_names(step):
     """What the ends of a connection are called, also where the file has no component for one."""
-    return [(f"({printable(end.instance_name)})" if site is None else site.where) + ":" + printable(port)
-            for (site, port), end in zip(step.ends, step.connector.ends)]
+    return [
+        (f"({printable(end.instance_name)})" if site is None else site.where) + ":" + printable(port)
+        for (site, port), end in zip(step.ends, step.connector.ends)
+    ]
 
 
 def _differences(step):
@@ -208,7 +262,10 @@ def _remarks(step):
     if not isinstance(step, connect_steps.Connect) or any(site.found is None for site in step.sites):
         return []
     at = step.found()
-    actual = None if errors.split(at)[1] else step.other_id(at)
+    if errors.split(at)[1]:
+        actual = None
+    else:
+        actual = step.other_id(at)
     if actual is None:
         return []
     remark = _in_words(step, steps.Difference("other id", None, step.connector.connector_id, actual, None))
@@ -216,19 +273,30 @@ def _remarks(step):
 
 
 def _missing(step):
-    """Differences for a component that is missing; for the components, or else the ports, that are missing of a connection."""
+    """Differences for a component that is missing;
+    for the components, or else the ports, that are missing of a connection.
+    """
     if isinstance(step, steps.Present):
         ends = [(_need(step).capitalize(), step.site, None)]
     elif isinstance(step, connect_steps.Connect):
-        ends = [("Destination" if number else "Source", site, port) for number, (site, port) in enumerate(step.ends)]
+        ends = [
+            ("Destination" if number else "Source", site, port)
+            for number, (site, port) in enumerate(step.ends)
+        ]
     else:
         return []
-    components = [_difference(step, f"{role} component missing[: {{path}}]", site.where, site.where)
-                  for role, site, _ in ends if site.error is not None]
+    components = [
+        _difference(step, f"{role} component missing[: {{path}}]", site.where, site.where)
+        for role, site, _ in ends
+        if site.error is not None
+    ]
     if components:
         return components
-    lost = [(role, f"{site.where}:{printable(port)}", port) for role, site, port in ends
-            if port is not None and isinstance(site.port(port), errors.Error)]
+    lost = [
+        (role, f"{site.where}:{printable(port)}", port)
+        for role, site, port in ends
+        if port is not None and isinstance(site.port(port), errors.Error)
+    ]
     return [_difference(step, f"{role} port missing[: {{path}}]", where, port) for role, where, port in lost]
 
 
@@ -237,21 +305,32 @@ def _in_words(step, difference):
     path = step.where
     if step.kind == "connect":
         path = (" to " if difference.what == "property" else " and ").join(_end_names(step))
-    words = {"set": printable(getattr(step, "set_id", "")), "name": printable(str(difference.name)), "member": difference.expected,
-             "between": "of" if len(step.sites) == 1 else "between"}
+    words = {
+        "set": printable(getattr(step, "set_id", "")),
+        "name": printable(str(difference.name)),
+        "member": difference.expected,
+        "between": "of" if len(step.sites) == 1 else "between",
+    }
     return _difference(step, MESSAGES[difference.what], path, difference.expected, difference.actual, words)
 
 
 def _difference(step, template, path, expected=None, actual=None, words=()):
     """The Difference with a message as in MESSAGES; `words` are more that the template may name."""
-    check = "connection" if step.kind == "connect" else step.kind
+    if step.kind == "connect":
+        check = "connection"
+    else:
+        check = step.kind
     named = dict(words, path=path)
-    named.update((key, "" if value is None else printable(str(value))) for key, value in (("expected", expected), ("actual", actual)))
+    named.update(
+        (key, "" if value is None else printable(str(value)))
+        for key, value in (("expected", expected), ("actual", actual))
+    )
     message, brief = [re.sub(pattern, "", template).format(**named) for pattern in (r"[][]", r"\[.*?\]")]
     return Difference(check, _is_required(step), message, path, expected, actual, brief)
 
 
-# ---- what there is beyond the profile -------------------------------------------------------------------------
+# ---- what there is beyond the profile ----------------------------------------------------------------------
+
 
 def _beyond(check, required, message, path, actual):
     return Difference(check, required, message, path, None, actual, message)
@@ -261,32 +340,53 @@ async def _strangers(listed, result):
     """Add to the Result the components in the name servers of the Sites `listed` that are none of these."""
     servers = {site.path._replace(names=()) for site in listed if site.path.server is not None}
     nodes, _, failures, _ = await capture.components(sorted(servers, key=str))
-    known = {orb.identity(site.node.ref) for site in listed if site.found is not None} | {site.where for site in listed}
+    known = {orb.identity(site.node.ref) for site in listed if site.found is not None} | {
+        site.where for site in listed
+    }
     strange = [node for node in nodes if orb.identity(node.ref) not in known and str(node.path) not in known]
     for node in await tree.check_alive(strange):
         if node.kind == "silent":
             failures.append(node.error)
         elif node.kind == "component":
             path = str(node.path)
-            result.differences.append(_beyond("component", True, "Component not in the file: " + path, path, path))
+            result.differences.append(
+                _beyond("component", True, "Component not in the file: " + path, path, path)
+            )
     result.failures += [failure for failure in failures if str(failure) not in map(str, result.failures)]
 
 
 def _extra(listed, there):
-    """Differences for what the components at the Sites `there` have beyond the profile: connections, configuration.
+    """Differences for what the components at the Sites `there` have beyond the profile: connections,
+    configuration.
 
     `listed` are the ids of the connections that the profile has.
     """
-    names = {orb.identity(port.ref): f"{site.where}:{printable(ports.short_name(port.name, site.found.profile.instance_name))}"
-             for site in there for port in site.found.ports}
+    names = {
+        orb.identity(
+            port.ref
+        ): f"{site.where}:{printable(ports.short_name(port.name, site.found.profile.instance_name))}"
+        for site in there
+        for port in site.found.ports
+    }
     differences = []
     for site in there:
         for connector in [connector for port in site.found.ports for connector in port.connectors]:
             if connector.id not in listed:
                 listed.add(connector.id)
-                ends = " and ".join(names.get(orb.identity(ref), "a port outside the file") for ref in connector.ports if ref is not None)
-                differences.append(_beyond("connection", site.required, f"Connection not in the file: {printable(connector.id)} "
-                                           f"between {ends}", ends, connector.id))
+                ends = " and ".join(
+                    names.get(orb.identity(ref), "a port outside the file")
+                    for ref in connector.ports
+                    if ref is not None
+                )
+                differences.append(
+                    _beyond(
+                        "connection",
+                        site.required,
+                        f"Connection not in the file: {printable(connector.id)} " f"between {ends}",
+                        ends,
+                        connector.id,
+                    )
+                )
         differences += _extra_configuration(site)
     return differences
 
@@ -296,10 +396,21 @@ def _extra_configuration(site):
     listed = {one.id: steps.wanted_values(one) for one in site.component.configuration_sets}
     for one in site.found.sets:
         if one.id not in listed:
-            yield _beyond("configuration", True, f"Configuration set not in the file: {printable(one.id)} on component {site.where}",
-                          site.where, one.id)
+            yield _beyond(
+                "configuration",
+                True,
+                f"Configuration set not in the file: {printable(one.id)} on component {site.where}",
+                site.where,
+                one.id,
+            )
             continue
         for name in one.values:
             if name not in listed[one.id]:
-                yield _beyond("configuration", True, f"Configuration parameter not in the file: {printable(name)} in set "
-                              f"{printable(one.id)} on component {site.where}", site.where, one.values[name])
+                yield _beyond(
+                    "configuration",
+                    True,
+                    f"Configuration parameter not in the file: {printable(name)} in set "
+                    f"{printable(one.id)} on component {site.where}",
+                    site.where,
+                    one.values[name],
+                )

@@ -1,4 +1,5 @@
 """Steps that make connections and remove them; see steps.py."""
+
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import connectors, ports
@@ -39,19 +40,26 @@ class Unplaced(steps.Step):
     def __init__(self, connector, ends):
         where = f"connection {printable(connector.connector_id) or 'without id'}"
         super().__init__([], where, where)
-        self.connector, self.ends = connector, ends
+        self.connector = connector
+        self.ends = ends
 
     def found(self):
         return []
 
     def differences(self, answers):
         lost = next(end for end, (site, _) in zip(self.connector.ends, self.ends) if site is None)
-        yield Difference("unplaced", self.connector.connector_id, None, None, errors.Failed(
-            self.where, f"the file has no component for its end {printable(lost.port_name)}"))
+        yield Difference(
+            "unplaced",
+            self.connector.connector_id,
+            None,
+            None,
+            errors.Failed(self.where, f"the file has no component for its end {printable(lost.port_name)}"),
+        )
 
 
 class Connection(steps.Step):
-    """What connecting and disconnecting share: a connector of the profile, and its `ends` as (Site, port name).
+    """What connecting and disconnecting share: a connector of the profile, and its `ends` as (Site, port
+    name).
 
     `ids` are those of all connectors in the profile.
     """
@@ -66,8 +74,11 @@ class Connection(steps.Step):
                 concerned.append(site)
         label = printable(connector.connector_id) or "without id"
         super().__init__(concerned, " to ".join(paths), f"connection {label} of {' to '.join(paths)}")
-        self.connector, self.ends, self.paths = connector, ends, paths
-        self.ids, self.wanted = ids, wanted_properties(connector)
+        self.connector = connector
+        self.ends = ends
+        self.paths = paths
+        self.ids = ids
+        self.wanted = wanted_properties(connector)
 
     def questions(self):
         return [site.port_question(name) for site, name in self._living()]
@@ -85,22 +96,28 @@ class Connection(steps.Step):
         return site.port_question(name).endpoint
 
     def having(self, at):
-        """[(Port, its ports.Connector)] of the Ports `at`, all that it is to join, for those that have the connection.
+        """[(Port, its ports.Connector)] of the Ports `at`, all that it is to join, for those that have the
+        connection.
 
-        That is the one with the id in the profile; else one that is like it in all but the id, see `equal`; where the profile has
-        no id, any that joins the same ports.
+        That is the one with the id in the profile; else one that is like it in all but the id, see `equal`;
+        where the profile has no id, any that joins the same ports.
         """
-        wanted_id, wanted = self.connector.connector_id, {orb.identity(port.ref) for port in at}
+        wanted_id = self.connector.connector_id
+        wanted = {orb.identity(port.ref) for port in at}
         if wanted_id:
             return _with_id(at, wanted_id) or self.equal(at)
 
         def is_meant(connector):
-            return wanted == _joined(connector) if len(wanted) == 1 else wanted <= _joined(connector)
+            if len(wanted) == 1:
+                return wanted == _joined(connector)
+            return wanted <= _joined(connector)
+
         firsts = [(port, next(filter(is_meant, port.connectors), None)) for port in at]
         return [(port, connector) for port, connector in firsts if connector is not None]
 
     def equal(self, at):
-        """As `having`, for a connection that joins the same ports with the same properties, under an id that the profile has not.
+        """As `having`, for a connection that joins the same ports with the same properties, under an id that
+        the profile has not.
 
         Somebody has made it again by hand, or the component itself at its start.
         """
@@ -113,9 +130,18 @@ class Connection(steps.Step):
         return []
 
     def others(self, at):
-        """The connectors of the first of the Ports `at` that join as many, others of them too, under ids that the profile has not."""
-        joining = ports.joining(at) if len(at) > 1 else [one for port in ports.in_system(at) for one in port.connectors]
-        return [connector for connector in joining if connector.id not in self.ids and len(connector.ports) == len(at)]
+        """The connectors of the first of the Ports `at` that join as many, others of them too,
+        under ids that the profile has not.
+        """
+        if len(at) > 1:
+            joining = ports.joining(at)
+        else:
+            joining = [one for port in ports.in_system(at) for one in port.connectors]
+        return [
+            connector
+            for connector in joining
+            if connector.id not in self.ids and len(connector.ports) == len(at)
+        ]
 
     async def disconnect(self, having):
         """Remove the connection from what `having` returned; returns the errors of the ports that fail."""
@@ -136,8 +162,11 @@ def _with_id(at, connector_id):
 def _differing(wanted, connector):
     """(name, expected, actual) of the properties, a dict, that a ports.Connector lacks or has otherwise."""
     properties = dict(connector.properties)
-    return [(name, expected, properties.get(name)) for name, expected in sorted(wanted.items())
-            if not _agree(name, expected, properties.get(name))]
+    return [
+        (name, expected, properties.get(name))
+        for name, expected in sorted(wanted.items())
+        if not _agree(name, expected, properties.get(name))
+    ]
 
 
 def _joined(connector):
@@ -145,7 +174,8 @@ def _joined(connector):
     return {orb.identity(ref) for ref in connector.ports if ref is not None}
 
 
-# ---- connecting -------------------------------------------------------------------------------------------------
+# ---- connecting --------------------------------------------------------------------------------------------
+
 
 class Connect(Connection):
     """Make a connection with the id, name and properties that the profile gives it."""
@@ -155,14 +185,19 @@ class Connect(Connection):
     def __init__(self, connector, ends, ids):
         super().__init__(connector, ends, ids)
         self.requested = dict(self.wanted)
-        if not self.requested.get("dataport.data_type", "").startswith("IDL:"):  # a short name: the ports know the long one
+        if not self.requested.get("dataport.data_type", "").startswith(
+            "IDL:"
+        ):  # a short name: the ports know the long one
             self.requested.pop("dataport.data_type", None)
         self.command = connectors.command(self.paths, connector.name, connector.connector_id, self.requested)
 
     def leftovers(self, at):
         """What `having` returns for a connection that is not complete; [] for one that is, or is nowhere."""
-        having, wanted = self.having(at), {orb.identity(port.ref) for port in at}
-        return [] if len(having) == len(at) and all(_joined(connector) == wanted for _, connector in having) else having
+        having = self.having(at)
+        wanted = {orb.identity(port.ref) for port in at}
+        if len(having) == len(at) and all(_joined(connector) == wanted for _, connector in having):
+            return []
+        return having
 
     def differences(self, answers):
         having = self.having(answers)
@@ -173,15 +208,25 @@ class Connect(Connection):
         if obstacle:
             yield Difference("ends", None, len(answers), len(having[0][1].ports), obstacle)
         for name, expected, actual in _differing(self.wanted, having[0][1]):
-            yield Difference("property", name, expected, actual, errors.Refused(
-                self.where, f"is connected with {printable(name)}={printable(actual or '')}, not {printable(expected)}; "
-                            "rtdis removes that"))
+            yield Difference(
+                "property",
+                name,
+                expected,
+                actual,
+                errors.Refused(
+                    self.where,
+                    f"is connected with {printable(name)}={printable(actual or '')}, not {printable(expected)}; "
+                    "rtdis removes that",
+                ),
+            )
 
     def _incomplete(self, at):
         """The Incomplete of a connection that some of the Ports `at` lack, or that joins others; or None."""
         if not self.leftovers(at):
             return None
-        return Incomplete(self.where, f"connection {printable(self.connector.connector_id)} is there, but not complete")
+        return Incomplete(
+            self.where, f"connection {printable(self.connector.connector_id)} is there, but not complete"
+        )
 
     def _absence(self, at, obstacle):
         """The Difference of a connection that is not there, or not as a whole."""
@@ -195,20 +240,26 @@ class Connect(Connection):
         return Difference("connection", None, wanted_id, joining[0].id if joining else None, obstacle)
 
     def _obstacle(self, at):
-        """The error that says why the Ports `at` cannot be connected, or None. A port alone may have several connections."""
+        """The error that says why the Ports `at` cannot be connected, or None.
+        A port alone may have several connections.
+        """
         try:
             ports.check(at, self.requested)
         except errors.Error as e:
             return e
         for other in self.others(at) if len(at) > 1 else []:
-            return errors.Refused(self.where, f"already connected with another id ({printable(other.id)}); rtdis removes that")
+            return errors.Refused(
+                self.where, f"already connected with another id ({printable(other.id)}); rtdis removes that"
+            )
         return None
 
     def other_id(self, at):
         """The id of a connection in the place of this one that is like it in all but the id; or None."""
         having = self.having(at)
         is_other = having and having[0][1].id != self.connector.connector_id and self.connector.connector_id
-        return having[0][1].id if is_other else None
+        if is_other:
+            return having[0][1].id
+        return None
 
     async def act(self, answers):
         await connectors.connect(answers, self.connector.name, self.connector.connector_id, self.requested)
@@ -222,9 +273,16 @@ class Connect(Connection):
 
 def wanted_properties(connector):
     """{name: value} of the properties that the profile gives, without references to where ports once were."""
-    wanted = {item.name: item.value or "" for item in connector.properties
-              if item.name and not capture.is_reference(item.name, item.value)}
-    wanted.update(("dataport." + name, getattr(connector, name)) for name in capture.DATA_FIELDS if getattr(connector, name, ""))
+    wanted = {
+        item.name: item.value or ""
+        for item in connector.properties
+        if item.name and not capture.is_reference(item.name, item.value)
+    }
+    wanted.update(
+        ("dataport." + name, getattr(connector, name))
+        for name in capture.DATA_FIELDS
+        if getattr(connector, name, "")
+    )
     return wanted
 
 
@@ -233,10 +291,13 @@ def _agree(name, expected, actual):
         return False
     if name == "dataport.data_type":
         return ports.same_type(expected, actual)
-    return expected.lower() == actual.lower() if name in ports.ANY_CASE else expected == actual
+    if name in ports.ANY_CASE:
+        return expected.lower() == actual.lower()
+    return expected == actual
 
 
-# ---- disconnecting ----------------------------------------------------------------------------------------------
+# ---- disconnecting -----------------------------------------------------------------------------------------
+
 
 class Disconnect(Connection):
     """Remove a connection from all of its ends that live."""
@@ -246,7 +307,9 @@ class Disconnect(Connection):
     command = ""  # once it has been seen that it is there
 
     def _living(self):
-        return [(site, name) for site, name in self.ends if site.error is None and not self._is_lost(site, name)]
+        return [
+            (site, name) for site, name in self.ends if site.error is None and not self._is_lost(site, name)
+        ]
 
     @staticmethod
     def _is_lost(site, name):
@@ -254,7 +317,9 @@ class Disconnect(Connection):
 
     def lost_ports(self):
         """The errors.NoSuch of ends whose component is there without that port."""
-        return [site.port(name) for site, name in self.ends if site.error is None and self._is_lost(site, name)]
+        return [
+            site.port(name) for site, name in self.ends if site.error is None and self._is_lost(site, name)
+        ]
 
     async def is_done(self, answers):
         living, failures = errors.split(answers)
@@ -272,5 +337,7 @@ class Disconnect(Connection):
     async def undo(self, before, after):
         living = errors.split(after)[0]
         removed = self.having(errors.split(before)[0])[0][1]
-        properties = {name: value for name, value in removed.properties if not capture.is_reference(name, value)}
+        properties = {
+            name: value for name, value in removed.properties if not capture.is_reference(name, value)
+        }
         await connectors.connect(living, removed.name, removed.id, properties)

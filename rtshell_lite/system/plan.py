@@ -1,40 +1,52 @@
 """The order in which a system starts and stops: a section of an RtsProfile as a plan, and who may go when.
 
-The conditions mean what they mean in rtshell (rtshell 4.2, plan.py). Components without a condition come first, all at once.
-Those with a sequence number alone follow in its order, each number when the one before has ended. Then the clock starts for all
-others: they wait for their time (Wait), until another component is in its state (Sync), or until another one has accepted the
-command (After), at most as long as the condition's timeout. Nothing here calls a component or reads a clock.
+The conditions mean what they mean in rtshell (rtshell 4.2, plan.py). Components without a condition come
+first, all at once. Those with a sequence number alone follow in its order, each number when the one before
+has ended. Then the clock starts for all others: they wait for their time (Wait), until another component is
+in its state (Sync), or until another one has accepted the command (After), at most as long as the condition's
+timeout. Nothing here calls a component or reads a clock.
 """
+
 import collections
 
 from rtshell_lite import errors
 from rtshell_lite.system import capture
 from rtshell_lite.text import printable
 
-# One component to be taken through a transition in one of its contexts. `context` is the context's id in the file, and
-# `place` its place there; `path` the component's, spelt for the terminal. Of its conditions: `order`, the smallest sequence
-# number (None: it has no condition), `wait` (milliseconds, None: it has none), `after` (Afters), `texts` as they are shown.
-Action = collections.namedtuple("Action", "number component context place path required order wait after texts")
+# One component to be taken through a transition in one of its contexts. `context` is the context's id in the
+# file, and `place` its place there; `path` the component's, spelt for the terminal. Of its conditions:
+# `order`, the smallest sequence number (None: it has no condition), `wait` (milliseconds, None: it has none),
+# `after` (Afters), `texts` as they are shown.
+Action = collections.namedtuple(
+    "Action", "number component context place path required order wait after texts"
+)
 
-# That an action waits for the action `number`: with `sync` until that one has reached its state, else until its component has
-# accepted the command. `timeout` in milliseconds, 0: as long as it takes.
+# That an action waits for the action `number`: with `sync` until that one has reached its state, else until
+# its component has accepted the command. `timeout` in milliseconds, 0: as long as it takes.
 After = collections.namedtuple("After", "number sync timeout text")
 
 # `actions` in the order of their numbers, from 1; `notes` are lines on what is odd in the file, and harmless.
 Plan = collections.namedtuple("Plan", "actions notes")
 
 # What became of an action. A component that is gone counts as stopped: nothing has to wait for it.
-DONE, ALREADY, GONE, FAILED, UNCERTAIN, NOT_TRIED = "done", "already", "gone", "failed", "uncertain", "not tried"
+DONE = "done"
+ALREADY = "already"
+GONE = "gone"
+FAILED = "failed"
+UNCERTAIN = "uncertain"
+NOT_TRIED = "not tried"
 REACHED = (DONE, ALREADY, GONE)
 
 
-# ---- from a profile to a plan ---------------------------------------------------------------------------------
+# ---- from a profile to a plan ------------------------------------------------------------------------------
+
 
 def make(profile, section, name, start=True):
     """The Plan of the `section` (activation, deactivation) of a profile; `name` is its file in messages.
 
-    In a plan that is to `start` a system, required components come first, and what waits for one depends on it. Raises
-    errors.Failed with all that is wrong: circles, names that the file does not have, contradictions.
+    In a plan that is to `start` a system, required components come first, and what waits for one depends on
+    it. Raises errors.Failed with all that is wrong: circles, names that the file does not have,
+    contradictions.
     """
     actions = _actions(profile, start)
     targets = _Targets(profile, actions)
@@ -55,14 +67,33 @@ def make(profile, section, name, start=True):
 
 
 def _actions(profile, start):
-    """An Action without conditions for each context of each component; a component that lists none has one."""
-    components = sorted(profile.components, key=lambda component: not component.is_required) if start else profile.components
+    """An Action without conditions for each context of each component;
+    a component that lists none has one.
+    """
+    if start:
+        components = sorted(profile.components, key=lambda component: not component.is_required)
+    else:
+        components = profile.components
     actions = []
     for component in components:
-        contexts = [context.id or str(place) for place, context in enumerate(component.execution_contexts)] or ["0"]
+        contexts = [
+            context.id or str(place) for place, context in enumerate(component.execution_contexts)
+        ] or ["0"]
         for place, context in enumerate(contexts):
-            actions.append(Action(len(actions) + 1, component, context, place, capture.shown_path(component),
-                                  start and component.is_required, None, None, (), ()))
+            actions.append(
+                Action(
+                    len(actions) + 1,
+                    component,
+                    context,
+                    place,
+                    capture.shown_path(component),
+                    start and component.is_required,
+                    None,
+                    None,
+                    (),
+                    (),
+                )
+            )
     return actions
 
 
@@ -72,14 +103,17 @@ class _Targets:
     def __init__(self, profile, actions):
         self.problems = []
         self._locate = capture.locator(profile)
-        self._actions, self._alike = {}, {}
+        self._actions = {}
+        self._alike = {}
         for action in actions:
             self._actions.setdefault(id(action.component), []).append(action)
         for each in profile.components:
             self._alike.setdefault((each.id, each.instance_name), []).append(each)
 
     def of(self, target):
-        """Numbers of the actions: one, or all of a component whose context is not named; [] after a problem."""
+        """Numbers of the actions: one, or all of a component whose context is not named;
+        [] after a problem.
+        """
         component = self._locate(target)
         called = f"{printable(target.instance_name)} ({printable(target.component_id)})"
         if component is None:
@@ -93,13 +127,17 @@ class _Targets:
         actions = self._actions[id(component)]
         found = [action.number for action in actions if target.id in ("", action.context)]
         if not found:
-            self.problems.append(f"{actions[0].path} has no execution context {printable(target.id)} in the file")
+            self.problems.append(
+                f"{actions[0].path} has no execution context {printable(target.id)} in the file"
+            )
         return found
 
 
 def _with_conditions(action, conditions, targets, notes):
     """An Action with what the conditions aimed at it say."""
-    waits, after, texts = [], [], []
+    waits = []
+    after = []
+    texts = []
     for condition in conditions:
         order = "Order %d" % condition.sequence
         said = []
@@ -110,27 +148,40 @@ def _with_conditions(action, conditions, targets, notes):
             sync = condition.preceding.sending_timing.upper() == "SYNC"
             for target in condition.preceding.preceding_components:
                 text = ("Sync to %s" if sync else "After %s's action") % printable(target.instance_name)
-                after += [After(number, sync, condition.preceding.timeout, text) for number in targets.of(target)]
+                after += [
+                    After(number, sync, condition.preceding.timeout, text) for number in targets.of(target)
+                ]
                 said.append(f"{order}/{text}")
         texts += said or [order]
     for text in _once(text for text in texts if texts.count(text) > 1):
-        notes.append(f"{action.path} in execution context {printable(action.context)} has a condition twice: {text}")
-    return action._replace(order=min([condition.sequence for condition in conditions], default=None), wait=max(waits, default=None),
-                           after=tuple(_once(after)), texts=tuple(_once(texts)))
+        notes.append(
+            f"{action.path} in execution context {printable(action.context)} has a condition twice: {text}"
+        )
+    return action._replace(
+        order=min([condition.sequence for condition in conditions], default=None),
+        wait=max(waits, default=None),
+        after=tuple(_once(after)),
+        texts=tuple(_once(texts)),
+    )
 
 
 def _contradictions(action, conditions):
     """Lines on conditions of one action that cannot be meant together."""
     where = f"{action.path} in execution context {printable(action.context)}: "
-    plain = {one.sequence for one in conditions if one.wait_time is None and
-             (one.preceding is None or not one.preceding.preceding_components)}
+    plain = {
+        one.sequence
+        for one in conditions
+        if one.wait_time is None and (one.preceding is None or not one.preceding.preceding_components)
+    }
     waits = {one.wait_time.wait_time for one in conditions if one.wait_time is not None}
     times = waits | {after.timeout for after in action.after}
     twice = collections.OrderedDict()
     for after in action.after:
         twice.setdefault(after.number, []).append("%s within %dms" % (after.text, after.timeout))
-    for texts in [["Order %d" % one for one in sorted(plain)], ["Wait %dms" % one for one in sorted(waits)]] + \
-            list(twice.values()):
+    for texts in [
+        ["Order %d" % one for one in sorted(plain)],
+        ["Wait %dms" % one for one in sorted(waits)],
+    ] + list(twice.values()):
         if len(texts) > 1:
             yield where + " contradicts ".join(texts)
     for time in sorted(time for time in times if time < 0):
@@ -147,7 +198,7 @@ def _circles(actions):
         way = [min(waiting)]
         while way[-1] not in way[:-1]:
             way.append(min(number for number in waiting[way[-1]] if number in waiting))
-        circle = way[way.index(way[-1]):]
+        circle = way[way.index(way[-1]) :]
         yield "these wait for each other: " + " for ".join(actions[number - 1].path for number in circle)
         for number in circle[1:]:
             del waiting[number]
@@ -169,39 +220,58 @@ def _remove_free(waiting):
 
 
 def _optional_before_required(actions):
-    return ['action {%d} depends on an optional action: "%s"' % (action.number, after.text) for action in actions
-            if action.required for after in action.after if not actions[after.number - 1].required]
+    return [
+        'action {%d} depends on an optional action: "%s"' % (action.number, after.text)
+        for action in actions
+        if action.required
+        for after in action.after
+        if not actions[after.number - 1].required
+    ]
 
 
 def _once(items):
     return list(collections.OrderedDict.fromkeys(items))
 
 
-# ---- showing a plan -------------------------------------------------------------------------------------------
+# ---- showing a plan ----------------------------------------------------------------------------------------
+
 
 def checks(profile):
     """What is checked before a system starts: a line for each required component."""
-    return ['Check for required component "%s", "%s" at path %s (Required)' % (
-        printable(component.id), printable(component.instance_name), capture.shown_path(component))
-        for component in profile.components if component.is_required]
+    return [
+        'Check for required component "%s", "%s" at path %s (Required)'
+        % (printable(component.id), printable(component.instance_name), capture.shown_path(component))
+        for component in profile.components
+        if component.is_required
+    ]
 
 
 def lines(actions, verb):
-    """The actions as rtshell shows a plan; `verb` is Activate or Deactivate. An empty line stands for an empty plan."""
-    return ["{%d} %s%s" % (action.number, "[%s] " % ", ".join(action.texts) if action.texts else "",
-                           plain_line(action, verb)) for action in in_order(actions)] or [""]
+    """The actions as rtshell shows a plan; `verb` is Activate or Deactivate.
+    An empty line stands for an empty plan.
+    """
+    return [
+        "{%d} %s%s"
+        % (action.number, "[%s] " % ", ".join(action.texts) if action.texts else "", plain_line(action, verb))
+        for action in in_order(actions)
+    ] or [""]
 
 
 def plain_line(action, verb):
     """An action without its number and its conditions."""
-    return "%s %s in execution context %s%s" % (verb, action.path, printable(action.context),
-                                                " (Required)" if action.required else "")
+    return "%s %s in execution context %s%s" % (
+        verb,
+        action.path,
+        printable(action.context),
+        " (Required)" if action.required else "",
+    )
 
 
 def in_order(actions):
     """The actions in the order to expect: in their steps, then those that wait."""
     return [action for step in _steps(actions) for action in step] + sorted(
-        (action for action in actions if _waits(action)), key=lambda action: action.order)
+        (action for action in actions if _waits(action)), key=lambda action: action.order
+    )
 
 
 def _waits(action):
@@ -209,9 +279,14 @@ def _waits(action):
 
 
 def _steps(actions):
-    """Lists of actions, each to begin when the one before has ended; a composite before its members, which change with it."""
-    members = {(participant.component.component_id, participant.component.instance_name)
-               for action in actions for participant in action.component.participants}
+    """Lists of actions, each to begin when the one before has ended;
+    a composite before its members, which change with it.
+    """
+    members = {
+        (participant.component.component_id, participant.component.instance_name)
+        for action in actions
+        for participant in action.component.participants
+    }
     steps = {}
     for action in actions:
         if not _waits(action):
@@ -220,10 +295,12 @@ def _steps(actions):
     return [steps[key] for key in sorted(steps)]
 
 
-# ---- carrying it out, without doing anything ------------------------------------------------------------------
+# ---- carrying it out, without doing anything ---------------------------------------------------------------
+
 
 class Schedule:
-    """Decides when each action may begin. The caller reports what happens and the time (seconds, of any clock).
+    """Decides when each action may begin. The caller reports what happens and the time (seconds, of any
+    clock).
 
     ended    {number: one of DONE … NOT_TRIED}
     """
@@ -256,11 +333,14 @@ class Schedule:
         return len(self.ended) == len(self.actions)
 
     def due(self, now):
-        """What is to be done at the time `now`: (Action, None) to start it, (Action, reason) when it will not be tried."""
+        """What is to be done at the time `now`:
+        (Action, None) to start it, (Action, reason) when it will not be tried.
+        """
         found = []
         while self._step is not None and all(action.number in self.ended for action in self._step):
             if not self._steps:
-                self._step, self.armed = None, now
+                self._step = None
+                self.armed = now
                 break
             self._step = self._steps.popleft()
             found += [self._judged(action, self._obstacle(action)) for action in self._step]
@@ -286,8 +366,14 @@ class Schedule:
         open_ones = [after for after in action.after if not self._holds(after)]
         for after in open_ones:
             if after.timeout and now >= self.armed + after.timeout / 1000:
-                return "%s: not %s within %dms" % (after.text, self.target if after.sync else "told", after.timeout)
-        return "wait" if open_ones or now < self.armed + (action.wait or 0) / 1000 else None
+                return "%s: not %s within %dms" % (
+                    after.text,
+                    self.target if after.sync else "told",
+                    after.timeout,
+                )
+        if open_ones or now < self.armed + (action.wait or 0) / 1000:
+            return "wait"
+        return None
 
     def _holds(self, after):
         outcome = self.ended.get(after.number)
@@ -301,14 +387,18 @@ class Schedule:
             if action.order is not None and other.order < action.order:
                 return self._reason("comes after", other)
         for after in action.after:
-            other, outcome = self.actions[after.number], self.ended.get(after.number)
+            other = self.actions[after.number]
+            outcome = self.ended.get(after.number)
             stops = after.sync or other.required or outcome == NOT_TRIED
             if outcome is not None and outcome not in REACHED and stops:
                 return self._reason("waits for", other)
         return None
 
     def _reason(self, how, other):
-        failed = "was not tried" if self.ended[other.number] == NOT_TRIED else "failed"
+        if self.ended[other.number] == NOT_TRIED:
+            failed = "was not tried"
+        else:
+            failed = "failed"
         return f"it {how} {other.path}, which {failed}"
 
     def next_time(self, now):
@@ -316,6 +406,12 @@ class Schedule:
         if self.armed is None:
             return None
         times = [action.wait or 0 for action in self._waiting]
-        times += [after.timeout for action in self._waiting for after in action.after
-                  if after.timeout and not self._holds(after)]
-        return min((self.armed + time / 1000 for time in times if self.armed + time / 1000 > now), default=None)
+        times += [
+            after.timeout
+            for action in self._waiting
+            for after in action.after
+            if after.timeout and not self._holds(after)
+        ]
+        return min(
+            (self.armed + time / 1000 for time in times if self.armed + time / 1000 > now), default=None
+        )

@@ -1,4 +1,5 @@
 """--map OLD=NEW: where the components of a profile are now, when they are elsewhere than they were."""
+
 import re
 
 from rtshell_lite import errors, path
@@ -8,7 +9,8 @@ from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model
 
 PATHS = (capture.PATH_ID, capture.MANAGER)  # extended properties that hold a path
-LISTS = ("members", composites.EXPORTED)  # parameters of composites that list names of instances and of their ports
+# parameters of composites that list names of instances and of their ports
+LISTS = ("members", composites.EXPORTED)
 TARGETS = (model.TargetComponent, model.TargetPort, model.TargetExecutionContext)
 
 
@@ -28,7 +30,9 @@ def read(name, form=None, words=()):
 
 
 def _move(profile, maps):
-    """Change paths, and the names of instances that are bound under another name now, wherever the profile has them."""
+    """Change paths, and the names of instances that are bound under another name now,
+    wherever the profile has them.
+    """
     locate = capture.locator(profile)
     targets = [(each, locate(each)) for each in _elements(profile) if isinstance(each, TARGETS)]
     members = {id(each): [locate(one.component) for one in each.participants] for each in profile.components}
@@ -48,10 +52,14 @@ def _move(profile, maps):
 
 
 def _move_components(components, maps):
-    """Change their paths; returns {id of a component: the names of its instance, before and now}. Raises Failed: two at one place."""
-    names, taken = {}, {}
+    """Change their paths; returns {id of a component: the names of its instance, before and now}.
+    Raises Failed: two at one place.
+    """
+    names = {}
+    taken = {}
     for each in components:
-        before, each.path_uri = path_in(each.path_uri), _moved(each.path_uri, maps)
+        before = path_in(each.path_uri)
+        each.path_uri = _moved(each.path_uri, maps)
         now = path_in(each.path_uri)
         if now.names and taken.setdefault(now, before) != before:
             raise errors.Failed(str(now), "the file has two components here")
@@ -68,8 +76,10 @@ def _refuse_unclear(targets, components, names):
     for target, _ in targets:
         key = target.component_id, target.instance_name
         if not target.property(capture.PATH_ID) and len(called.get(key, ())) > 1:
-            raise errors.Failed(f"{printable(key[1])} ({printable(key[0])})",
-                                f"there are several, of which --map renames some (the property {capture.PATH_ID} tells which is meant)")
+            raise errors.Failed(
+                f"{printable(key[1])} ({printable(key[0])})",
+                f"there are several, of which --map renames some (the property {capture.PATH_ID} tells which is meant)",
+            )
 
 
 def _elements(element):
@@ -83,7 +93,8 @@ def _elements(element):
 
 
 def _rename(elements, own, within):
-    """Elements that have the name of an instance, or ports that begin with it: `own` is that name, before and now.
+    """Elements that have the name of an instance, or ports that begin with it: `own` is that name, before and
+    now.
 
     `within` {before: now} are the names of a composite's members, with which the ports begin that it exports.
     """
@@ -95,37 +106,53 @@ def _rename(elements, own, within):
             port = getattr(element, field, None)
             if port is not None:
                 is_own = port.startswith(old + ".")
-                rest = _renamed(port[len(old) + 1:] if is_own else port, within)
+                rest = _renamed(port[len(old) + 1 :] if is_own else port, within)
                 setattr(element, field, new + "." + rest if is_own else rest)
 
 
 def _rename_lists(composite, within):
-    """Rename members in the configuration of a composite: with their former names it would lose the ports that it exports."""
+    """Rename members in the configuration of a composite:
+    with their former names it would lose the ports that it exports.
+    """
     for one_set in composite.configuration_sets:
         for item in one_set.configuration_data:
             if item.name in LISTS and item.data:
-                item.data = re.sub(r"[^,\s](?:[^,]*[^,\s])?", lambda found: _renamed(found.group(), within), item.data)
+                item.data = re.sub(
+                    r"[^,\s](?:[^,]*[^,\s])?", lambda found: _renamed(found.group(), within), item.data
+                )
 
 
 def _renamed(word, names):
-    """The name of an instance, or of its port INSTANCE.port, with the name that `names` {before: now} have for it."""
-    for name, dot, rest in ((word, "", ""), word.partition("."), word.rpartition(".")):  # names and ports may have dots
+    """The name of an instance, or of its port INSTANCE.port, with the name that `names` {before:
+    now} have for it.
+    """
+    for name, dot, rest in (
+        (word, "", ""),
+        word.partition("."),
+        word.rpartition("."),
+    ):  # names and ports may have dots
         if name and name in names:
             return names[name] + dot + rest
     return word
 
 
 def _moved(text, maps):
-    """A path in a profile (without the first slash) after the Maps; text that is not a path stays as it is."""
+    """A path in a profile (without the first slash) after the Maps;
+    text that is not a path stays as it is.
+    """
     where = path_in(text)
     if where.server is None or text.startswith("corbaloc:"):
         return text
     now = mapped(where, maps)
-    return text if now == where else str(now)[1:]
+    if now == where:
+        return text
+    return str(now)[1:]
 
 
 def path_in(text):
-    """The Path that a text in a profile (without the first slash) means; the root for text that is not a path."""
+    """The Path that a text in a profile (without the first slash) means;
+    the root for text that is not a path.
+    """
     try:
         return path.parse("/" + text.lstrip("/"))
     except errors.BadPath:
@@ -133,7 +160,8 @@ def path_in(text):
 
 
 class Map:
-    """OLD=NEW: whole elements of paths and what replaces them; anywhere, or, with a slash before OLD, at the start.
+    """OLD=NEW: whole elements of paths and what replaces them; anywhere, or, with a slash before OLD, at the
+    start.
 
     Raises Usage for a word that is not OLD=NEW, BadPath.
     """
@@ -142,7 +170,8 @@ class Map:
         found = re.match(r"((?:[^=\\]|\\.)+)=(.+)\Z", word, re.DOTALL)
         if not found or not all(side.strip("/") for side in found.groups()):
             raise errors.Usage(f"not OLD=NEW: {printable(word)}")
-        self.word, self.used = word, False
+        self.word = word
+        self.used = False
         old, new = found.groups()
         self.anchored = old.startswith("/")
         self.top, self.names = self._elements(old)
@@ -150,7 +179,9 @@ class Map:
 
     @staticmethod
     def _elements(word):
-        """The Path of a word as the start of a path, and its names as the rest of one, None where it can only be the start."""
+        """The Path of a word as the start of a path, and its names as the rest of one,
+        None where it can only be the start.
+        """
         word = word.strip("/")
         top = path.parse("/" + word)
         if top.server is None:
@@ -167,12 +198,18 @@ class Map:
         """How many names after the server of a Path it replaces; None if it does not fit there."""
         count = len(self.top.names)
         same = path.split_address(self.top.server) == path.split_address(where.server)
-        return count if same and where.names[:count] == self.top.names else None
+        if same and where.names[:count] == self.top.names:
+            return count
+        return None
 
     def fits(self, names):
         """True if it replaces the first of these names."""
-        return not self.anchored and self.names is not None and self.new_names is not None \
-            and names[:len(self.names)] == self.names
+        return (
+            not self.anchored
+            and self.names is not None
+            and self.new_names is not None
+            and names[: len(self.names)] == self.names
+        )
 
 
 def mapped(where, maps):
@@ -180,17 +217,26 @@ def mapped(where, maps):
     if where.server is None:
         return where
     for each in maps:
-        each.used = each.used or each.at_start(where) is not None or any(each.fits(where.names[i:]) for i in range(len(where.names)))
+        each.used = (
+            each.used
+            or each.at_start(where) is not None
+            or any(each.fits(where.names[i:]) for i in range(len(where.names)))
+        )
     fitting = [(each.at_start(where), each) for each in maps if each.at_start(where) is not None]
-    server, at, names = where.server, 0, ()
+    server = where.server
+    at = 0
+    names = ()
     if fitting:
         at, first = max(fitting, key=lambda pair: pair[0])
-        server, names = first.new_top.server, first.new_top.names
+        server = first.new_top.server
+        names = first.new_top.names
     while at < len(where.names):
         fitting = [each for each in maps if each.fits(where.names[at:])]
         if not fitting:
-            names, at = names + where.names[at:at + 1], at + 1
+            names = names + where.names[at : at + 1]
+            at = at + 1
             continue
         one = max(fitting, key=lambda each: len(each.names))
-        names, at = names + one.new_names, at + len(one.names)
+        names = names + one.new_names
+        at = at + len(one.names)
     return where._replace(server=server, names=names)

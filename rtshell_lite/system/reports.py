@@ -1,4 +1,7 @@
-"""Reports, for people and as JSON, on the steps that change a system (rtresurrect, rtteardown) and on plans (rtstart, rtstop)."""
+"""Reports, for people and as JSON, on the steps that change a system (rtresurrect,
+rtteardown) and on plans (rtstart, rtstop).
+"""
+
 import collections
 
 from rtshell_lite import notes, text
@@ -7,8 +10,8 @@ from rtshell_lite import notes, text
 async def of_steps(args, outcomes, carry_out):
     """Carry out steps (apply.Outcomes), print what became of each, and return the exit status.
 
-    With --dry-run, print the commands that would do them by hand instead. As in rtshell, the failure of a step that is not
-    required leaves the status 0. An interruption is raised again, after the report.
+    With --dry-run, print the commands that would do them by hand instead. As in rtshell, the failure of a
+    step that is not required leaves the status 0. An interruption is raised again, after the report.
     """
     try:
         if not args.dry_run:
@@ -19,7 +22,8 @@ async def of_steps(args, outcomes, carry_out):
 
 
 def _report(args, outcomes):
-    tally, counts = notes.Tally(), collections.OrderedDict((status, 0) for status in ("done", "already so"))
+    tally = notes.Tally()
+    counts = collections.OrderedDict((status, 0) for status in ("done", "already so"))
     for outcome in outcomes:
         counts[outcome.status] = counts.get(outcome.status, 0) + 1
         if args.json:
@@ -30,14 +34,20 @@ def _report(args, outcomes):
             is_good = outcome.status in ("done", "already so") or args.dry_run and outcome.pending
             tally.done += is_good and not args.rollback
             if outcome.status != "already so":
-                why = " because of " + outcome.error.where if outcome.error else ""
+                if outcome.error:
+                    why = " because of " + outcome.error.where
+                else:
+                    why = ""
                 notes.detail(f"{outcome.step.title}: {outcome.status}{why}")
         elif outcome.step.required:
             tally.add(outcome.error)
         else:
             notes.note(f"{outcome.error} (not required)")
     if any(counts.values()) and not args.dry_run:
-        tell = notes.note if tally.statuses else notes.detail
+        if tally.statuses:
+            tell = notes.note
+        else:
+            tell = notes.detail
         tell(", ".join("%d %s" % (number, status) for status, number in counts.items() if number))
     return tally.status()
 
@@ -48,15 +58,20 @@ class Progress(notes.Tally):
     def __init__(self, as_json, verb, state):
         """`verb` names the action (Activate), `state` the state that it leads to (Active)."""
         super().__init__()
-        self.as_json, self.verb, self.state = as_json, verb, state
+        self.as_json = as_json
+        self.verb = verb
+        self.state = state
 
     def starting(self, action, line):
         """An action begins, described by `line`."""
         notes.progress("Executing {%d} %s" % (action.number, line))
 
     def ended(self, result):
-        """An action has ended, or will not be tried; failures of optional components do not change the exit status."""
-        action, error = result.action, result.error
+        """An action has ended, or will not be tried;
+        failures of optional components do not change the exit status.
+        """
+        action = result.action
+        error = result.error
         self._as_json(result)
         if error is None:
             self.add(action)
@@ -71,8 +86,19 @@ class Progress(notes.Tally):
         self._as_json(result)
 
     def _as_json(self, result):
-        action, error = result.action, result.error
+        action = result.action
+        error = result.error
         if self.as_json:
-            print(text.json_line({
-                "action": self.verb.lower(), "number": action.number, "path": action.path, "context": action.context,
-                "required": action.component.is_required, "result": result.outcome, "error": str(error) if error else None}))
+            print(
+                text.json_line(
+                    {
+                        "action": self.verb.lower(),
+                        "number": action.number,
+                        "path": action.path,
+                        "context": action.context,
+                        "required": action.component.is_required,
+                        "result": result.outcome,
+                        "error": str(error) if error else None,
+                    }
+                )
+            )

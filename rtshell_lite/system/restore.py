@@ -1,4 +1,7 @@
-"""From an RtsProfile to the steps that bring a running system to it (rtresurrect), or that take its connections away (rtteardown)."""
+"""From an RtsProfile to the steps that bring a running system to it (rtresurrect),
+or that take its connections away (rtteardown).
+"""
+
 import collections
 
 from rtshell_lite import errors
@@ -7,24 +10,28 @@ from rtshell_lite.robot import manager, ports
 from rtshell_lite.system import apply, capture, connect_steps, relocate, sites, steps
 from rtshell_lite.text import printable
 
-# How a profile is to be restored. `create` whether missing components are to be created, `manager` the path of the manager for
-# those that the profile names none for, `strict` is --strict-path.
+# How a profile is to be restored. `create` whether missing components are to be created, `manager` the path
+# of the manager for those that the profile names none for, `strict` is --strict-path.
 Options = collections.namedtuple("Options", "create manager strict")
 
 
 def _sites(profile):
     """sites.of a profile. Raises Failed for two components at one place."""
-    listed, taken = sites.of(profile), {}
+    listed = sites.of(profile)
+    taken = {}
     for site in listed:
         if site.error is None and taken.setdefault(site.path, site) is not site:
             raise errors.Failed(site.where, "the file has two components here")
     return listed
 
 
-# ---- restoring --------------------------------------------------------------------------------------------------
+# ---- restoring ---------------------------------------------------------------------------------------------
+
 
 async def restoring(profile, options):
-    """The apply.Outcomes of the steps that restore a profile: pending, done already, or known not to be possible."""
+    """The apply.Outcomes of the steps that restore a profile:
+    pending, done already, or known not to be possible.
+    """
     listed = _sites(profile)
     await sites.look(listed)
     locate = capture.locator(profile, options.strict)
@@ -50,7 +57,8 @@ async def _presence(site):
 
 async def _creations(profile, outcomes, options, locate):
     """The outcomes of `_presence`, with a Create in the place of each component that is missing."""
-    named, creators = _named_managers(profile, locate), {}
+    named = _named_managers(profile, locate)
+    creators = {}
     result = []
     for outcome in outcomes:
         site = outcome.step.site
@@ -58,11 +66,15 @@ async def _creations(profile, outcomes, options, locate):
             manager_path = named.get(id(site.component)) or _above(site.path) or options.manager
             try:
                 if not manager_path:
-                    raise errors.Failed(site.where, "is not there, and nothing names a manager to create it (see --manager)")
+                    raise errors.Failed(
+                        site.where, "is not there, and nothing names a manager to create it (see --manager)"
+                    )
                 if manager_path not in creators:
                     creators[manager_path] = await _creator(manager_path)
                 creator = creators[manager_path]
-                outcome = apply.Outcome(steps.Create(site, creator, await creator.identity(site.component.id)))
+                outcome = apply.Outcome(
+                    steps.Create(site, creator, await creator.identity(site.component.id))
+                )
                 site.error = None
             except errors.Error as e:
                 site.error = e
@@ -80,14 +92,19 @@ async def _creator(path):
 class Creator:
     """A manager that is to create components; a Create lists it among its Sites."""
 
-    required, error, found = True, None, None
+    required = True
+    error = None
+    found = None
 
     def __init__(self, node):
-        self.node, self.where = node, str(node.path)
+        self.node = node
+        self.where = str(node.path)
         self._identities = {}
 
     async def identity(self, component_id):
-        """The id by which it creates a component: profiles have the type's name in their ids and no language."""
+        """The id by which it creates a component:
+        profiles have the type's name in their ids and no language.
+        """
         if component_id not in self._identities:
             self._identities[component_id] = await manager.whole_id(self.node, component_id)
         return self._identities[component_id]
@@ -97,30 +114,41 @@ def _named_managers(profile, locate):
     """{id of a Component: path of the manager that the profile names for it}."""
     managers = {}
     targets = [end for connector in profile.connectors for end in connector.ends]
-    targets += [participant.component for component in profile.components for participant in component.participants]
+    targets += [
+        participant.component for component in profile.components for participant in component.participants
+    ]
     for target in targets:
-        component, uri = locate(target), target.property(capture.PATH_ID)
+        component = locate(target)
+        uri = target.property(capture.PATH_ID)
         if component is not None and uri:
             managers.setdefault(id(component), _above(relocate.path_in(uri)))
     for component in profile.components:
         own = component.property(capture.MANAGER)
         if own:
-            managers[id(component)] = own if own.startswith("corbaloc:") else "/" + own.lstrip("/")
+            if own.startswith("corbaloc:"):
+                managers[id(component)] = own
+            else:
+                managers[id(component)] = "/" + own.lstrip("/")
     return managers
 
 
 def _above(where):
     """The path of the manager above the Path of a component, or None."""
     above = where.parent()
-    return str(above) if above.names and above.names[-1].kind == "mgr" else None
+    if above.names and above.names[-1].kind == "mgr":
+        return str(above)
+    return None
 
 
-# ---- components -------------------------------------------------------------------------------------------------
+# ---- components --------------------------------------------------------------------------------------------
+
 
 async def _memberships(site, site_of):
     """Whether a composite has its members; those that are not there are reported apart from the others."""
     members = steps.members(site, site_of)
-    parts = [member for member in members if member.error is None], [member for member in members if member.error is not None]
+    parts = [member for member in members if member.error is None], [
+        member for member in members if member.error is not None
+    ]
     return [await apply.assess(steps.Members(site, part)) for part in parts if part]
 
 
@@ -130,50 +158,75 @@ async def _configurations(site):
     for one in site.component.configuration_sets:
         wanted = steps.wanted_values(one)
         unknown = steps.Values(site, one.id, wanted).unknown()  # do not keep the others from their values
-        known = collections.OrderedDict((name, value) for name, value in wanted.items() if name not in unknown)
+        known = collections.OrderedDict(
+            (name, value) for name, value in wanted.items() if name not in unknown
+        )
         for part in [{name: wanted[name]} for name in unknown] + [known] * bool(known):
             outcomes.append(await apply.assess(steps.Values(site, one.id, part)))
     if site.component.active_configuration_set:
         active = await apply.assess(steps.Active(site, site.component.active_configuration_set))
         if active.status == apply.ALREADY and any(outcome.pending for outcome in outcomes):
-            active.status, active.likely = apply.UNTRIED, True  # setting values deactivates, until the set is activated again
+            # setting values deactivates, until the set is activated again
+            active.status = apply.UNTRIED
+            active.likely = True
         outcomes.append(active)
     return outcomes
 
 
 async def _rates(site):
     """Whether the execution contexts that a component owns have their rates."""
-    return [await apply.assess(steps.Rate(site, index, handle, wanted.rate)) for index, handle, wanted in steps.own_contexts(site)
-            if 0 < wanted.rate < float("inf") and wanted.kind.upper()[:8] == "PERIODIC"]
+    return [
+        await apply.assess(steps.Rate(site, index, handle, wanted.rate))
+        for index, handle, wanted in steps.own_contexts(site)
+        if 0 < wanted.rate < float("inf") and wanted.kind.upper()[:8] == "PERIODIC"
+    ]
 
 
 async def _participations(site, site_of):
-    """Whether other components take part in its contexts, as on robots that run many in one; a composite lists its members itself."""
+    """Whether other components take part in its contexts, as on robots that run many in one;
+    a composite lists its members itself.
+    """
     outcomes = []
     for index, handle, wanted in steps.own_contexts(site):
-        others = [] if site.component.participants else steps.participants(site, wanted, site_of)
+        if site.component.participants:
+            others = []
+        else:
+            others = steps.participants(site, wanted, site_of)
         present = [other for other in others if other.error is None]
-        outcomes += [await apply.assess(steps.Participants(site, index, handle, part)) for part in (
-            present, [other for other in others if other.error is not None]) if part]
+        absent = [other for other in others if other.error is not None]
+        for part in (present, absent):
+            if part:
+                outcomes.append(await apply.assess(steps.Participants(site, index, handle, part)))
     return outcomes
 
 
-# ---- connections ------------------------------------------------------------------------------------------------
+# ---- connections -------------------------------------------------------------------------------------------
+
 
 async def _connections(profile, site_of):
     """Whether the connections are there; what is left of one that has lost an end is removed first."""
     outcomes = [await apply.assess(step) for step in connect_steps.connecting(profile, site_of)]
     broken = [outcome for outcome in outcomes if isinstance(outcome.error, connect_steps.Incomplete)]
     strange = [_strange_ends(outcome.step) for outcome in broken]
-    answers = iter(await orb.each([ref for refs in strange for ref in refs], lambda ref: orb.is_alive("", ref)))
+    answers = iter(
+        await orb.each([ref for refs in strange for ref in refs], lambda ref: orb.is_alive("", ref))
+    )
     for outcome, refs in zip(broken, strange):
         ends = [next(answers) for _ in refs]
         if any(isinstance(answer, errors.Silent) or not isinstance(answer, errors.Error) for answer in ends):
-            outcome.fail(errors.Refused(outcome.step.where, "connection %s joins other ports; rtdis removes it" % (
-                printable(outcome.step.connector.connector_id))))
+            outcome.fail(
+                errors.Refused(
+                    outcome.step.where,
+                    "connection %s joins other ports; rtdis removes it"
+                    % (printable(outcome.step.connector.connector_id)),
+                )
+            )
         else:
-            outcome.status, outcome.error = apply.UNTRIED, None
-            removal = await apply.assess(connect_steps.Disconnect(outcome.step.connector, outcome.step.ends, outcome.step.ids))
+            outcome.status = apply.UNTRIED
+            outcome.error = None
+            removal = await apply.assess(
+                connect_steps.Disconnect(outcome.step.connector, outcome.step.ends, outcome.step.ids)
+            )
             outcomes.insert(outcomes.index(outcome), removal)
     return outcomes
 
@@ -182,16 +235,24 @@ def _strange_ends(step):
     """References of the ports that the rest of a connection joins, and that are not those of the profile."""
     at = step.found()
     known = {orb.identity(port.ref) for port in at}
-    refs = {orb.identity(ref): ref for _, connector in step.leftovers(at) for ref in connector.ports if ref is not None}
+    refs = {
+        orb.identity(ref): ref
+        for _, connector in step.leftovers(at)
+        for ref in connector.ports
+        if ref is not None
+    }
     return [ref for key, ref in sorted(refs.items()) if key not in known]
 
 
-# ---- tearing down -----------------------------------------------------------------------------------------------
+# ---- tearing down ------------------------------------------------------------------------------------------
+
 
 async def tearing_down(profile, options):
-    """(the apply.Outcomes of the steps that remove the connections of a profile, notes on components and ports that are gone).
+    """(the apply.Outcomes of the steps that remove the connections of a profile, notes on components and
+    ports that are gone).
 
-    Where one end is gone, the others are freed. That not even the directories of components are there is a failure.
+    Where one end is gone, the others are freed. That not even the directories of components are there is a
+    failure.
     """
     listed = _sites(profile)
     await sites.look(listed, _ports_only)
@@ -206,7 +267,8 @@ async def tearing_down(profile, options):
     if not some:
         for outcome in outcomes:
             if outcome.status == apply.ALREADY:
-                outcome.status, outcome.error = apply.UNTRIED, lost[0].error
+                outcome.status = apply.UNTRIED
+                outcome.error = lost[0].error
     return outcomes, notes
 
 

@@ -1,4 +1,7 @@
-"""Starting and stopping a system: a plan carried out on running components, in parallel where nothing orders them."""
+"""Starting and stopping a system: a plan carried out on running components,
+in parallel where nothing orders them.
+"""
+
 import collections
 import time
 
@@ -11,10 +14,12 @@ from rtshell_lite.text import printable
 
 AT_ONCE = 4  # components of one process that are changed at a time: each is asked often until it has changed
 
-# What became of an action: `outcome` is one of plan.DONE …, `error` an errors.Error that says why, None where all is well.
+# What became of an action: `outcome` is one of plan.DONE …, `error` an errors.Error that says why, None where
+# all is well.
 Result = collections.namedtuple("Result", "action outcome error")
 
-# The execution contexts of a component: their handles in the order in which -e counts, and how many of them it owns.
+# The execution contexts of a component: their handles in the order in which -e counts, and how many of them
+# it owns.
 _Contexts = collections.namedtuple("_Contexts", "handles owned")
 
 # What is asked of a component before anything starts.
@@ -29,11 +34,15 @@ class Run:
 
         `wait`: how long a component may take to reach its state, in seconds (default: the timeout).
         """
-        self.actions, self.transition, self.progress = actions, transition, progress
+        self.actions = actions
+        self.transition = transition
+        self.progress = progress
         self.wait = wait or session.current().timeout
-        self._found = {}  # for each component of the profile, by its id(): (node, _Contexts or None) or an error
+        # for each component of the profile, by its id(): (node, _Contexts or None) or an error
+        self._found = {}
         self._asked = set()  # numbers of the actions whose component may have been asked to change
-        self._waiting = collections.defaultdict(collections.deque)  # by endpoint: (action, node, contexts) that are due
+        # by endpoint: (action, node, contexts) that are due
+        self._waiting = collections.defaultdict(collections.deque)
         self._busy = collections.Counter()  # by endpoint: how many are being changed
         self._changed = loop.Bell()  # rings when something may be due
         self._schedule = plan.Schedule(actions, transition.target)
@@ -43,19 +52,24 @@ class Run:
     async def check(self, profile, tell=lambda line: None):
         """Find the components and their contexts, and check that they are those of the profile.
 
-        Returns the errors of required components: after any of these, nothing is to be started. `tell` is called with a line
-        for each of them.
+        Returns the errors of required components: after any of these, nothing is to be started. `tell` is
+        called with a line for each of them.
         """
         failures = []
         for wanted, answer in zip(profile.components, await self._look(profile, _ask)):
             if wanted.is_required:
-                tell("Checking for required component %s with ID \"%s\" and instance name \"%s\"" % (
-                    capture.shown_path(wanted), printable(wanted.id), printable(wanted.instance_name)))
+                tell(
+                    'Checking for required component %s with ID "%s" and instance name "%s"'
+                    % (capture.shown_path(wanted), printable(wanted.id), printable(wanted.instance_name))
+                )
             try:
                 self._found[id(wanted)] = await self._checked(wanted, answer)
             except errors.Error as e:
                 self._found[id(wanted)] = e
-                failures += [e] if wanted.is_required else []
+                if wanted.is_required:
+                    failures += [e]
+                else:
+                    failures += []
         return failures
 
     def refuse(self):
@@ -69,7 +83,9 @@ class Run:
                 self.progress.skipped(Result(action, plan.NOT_TRIED, error))
 
     async def _checked(self, wanted, answer):
-        """(node, _Contexts) of a component of the profile. Raises WrongKind, NoSuch, or `answer` if that is an error."""
+        """(node, _Contexts) of a component of the profile.
+        Raises WrongKind, NoSuch, or `answer` if that is an error.
+        """
         if isinstance(answer, errors.Error):
             raise answer
         await steps.Present(sites.Site(wanted)).is_done([answer])
@@ -81,7 +97,10 @@ class Run:
     async def find(self, profile):
         """Find the components; their contexts are asked for when it is their turn."""
         for wanted, answer in zip(profile.components, await self._look(profile, _unasked)):
-            self._found[id(wanted)] = answer if isinstance(answer, errors.Error) else (answer, None)
+            if isinstance(answer, errors.Error):
+                self._found[id(wanted)] = answer
+            else:
+                self._found[id(wanted)] = (answer, None)
 
     async def _look(self, profile, function):
         """capture.look; when an exception interrupts it, all actions are reported as not tried."""
@@ -100,7 +119,9 @@ class Run:
     # ---- doing it ----
 
     async def carry_out(self):
-        """Do all actions. When an exception interrupts it, nothing more begins, and actions that have not ended are reported."""
+        """Do all actions. When an exception interrupts it, nothing more begins,
+        and actions that have not ended are reported.
+        """
         try:
             async with loop.Group() as group:
                 while not self._schedule.is_over():
@@ -109,7 +130,9 @@ class Run:
                         if reason is None:
                             self._start(action, group)
                         else:
-                            self.progress.ended(Result(action, plan.NOT_TRIED, errors.NotTried(action.path, reason)))
+                            self.progress.ended(
+                                Result(action, plan.NOT_TRIED, errors.NotTried(action.path, reason))
+                            )
                     await self._wait(self._schedule.next_time(now))
         finally:
             self._leave()
@@ -163,11 +186,13 @@ class Run:
 
     async def _change(self, action, node, contexts):
         """Take a component through the transition, and return the Result."""
+
         def stage(name):
             self._asked.add(action.number)
             if name == "told":
                 self._schedule.told(action.number)
                 self._changed.ring()
+
         try:
             index = _context(node, contexts or await _contexts(node), action)
             has_changed = await transitions.change_as_planned(node, self.transition, index, self.wait, stage)
@@ -181,11 +206,14 @@ class Run:
 
     async def _seen(self, action, node, failure):
         """The Result of an action whose answer was lost: the component may have changed, so look."""
-        where, why = failure.where, failure.why
+        where = failure.where
+        why = failure.why
         if session.current().silence(node.endpoint):
             return Result(action, plan.UNCERTAIN, errors.Uncertain(where, why))
         try:
-            now = await component.uncertain_if_refused(transitions.state_as_planned(node, self.transition, self.wait))
+            now = await component.uncertain_if_refused(
+                transitions.state_as_planned(node, self.transition, self.wait)
+            )
         except (errors.Gone, errors.ConnectionRefused, errors.Refused) as e:
             return self._failed(action, e)
         except errors.Error:
@@ -201,7 +229,8 @@ class Run:
         return Result(action, plan.GONE if gone else plan.FAILED, error)
 
 
-# ---- asking ---------------------------------------------------------------------------------------------------
+# ---- asking ------------------------------------------------------------------------------------------------
+
 
 async def _unasked(node):
     return node
@@ -216,7 +245,9 @@ async def _ask(node):
 async def _contexts(node):
     """The _Contexts of a component."""
     owned, participating = await component.context_refs(node)
-    return _Contexts([await node.call("get_context_handle", ref) for ref in owned + participating], len(owned))
+    return _Contexts(
+        [await node.call("get_context_handle", ref) for ref in owned + participating], len(owned)
+    )
 
 
 def _context(node, contexts, action):
@@ -227,4 +258,6 @@ def _context(node, contexts, action):
     elif action.place < contexts.owned:  # some files give names to contexts
         return action.place
     handles = ", ".join(str(handle) for handle in sorted(contexts.handles)) or "none"
-    raise errors.NoSuch(str(node.path), "execution context", f"{printable(action.context)} (it has {handles})")
+    raise errors.NoSuch(
+        str(node.path), "execution context", f"{printable(action.context)} (it has {handles})"
+    )

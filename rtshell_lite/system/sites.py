@@ -1,4 +1,7 @@
-"""The components that an RtsProfile lists, each with its place and with what one look at the running system found there."""
+"""The components that an RtsProfile lists,
+each with its place and with what one look at the running system found there.
+"""
+
 import collections
 
 from rtshell_lite import errors
@@ -6,7 +9,8 @@ from rtshell_lite.corba import orb
 from rtshell_lite.robot import ports, tree
 from rtshell_lite.system import capture, relocate
 
-# Something to ask: `endpoint` of the process that answers, `where`, the path of the object, for errors, and a coroutine function.
+# Something to ask: `endpoint` of the process that answers, `where`, the path of the object, for errors, and a
+# coroutine function.
 Question = collections.namedtuple("Question", "endpoint where ask")
 
 MISSING = (errors.NotFound, errors.Gone, errors.ProcessGone)
@@ -26,17 +30,27 @@ class Site:
     """
 
     def __init__(self, component):
-        self.component, self.instance, self.required = component, component.instance_name, component.is_required
-        self.path, self.where = relocate.path_in(component.path_uri), capture.shown_path(component)
+        self.component = component
+        self.instance = component.instance_name
+        self.required = component.is_required
+        self.path = relocate.path_in(component.path_uri)
+        self.where = capture.shown_path(component)
         self.found = self.node = self.error = None
         if not self.path.names:
             self.error = errors.Failed(self.where, "not the path of a component")
 
     def port(self, name, known=None):
-        """The Port that a profile calls `name`, of the Ports `known` (default: those found), or the error NoSuch."""
-        known = self.found.ports if known is None else known
+        """The Port that a profile calls `name`, of the Ports `known` (default:
+        those found), or the error NoSuch.
+        """
+        if known is None:
+            known = self.found.ports
+        else:
+            known = known
         names = [name, self.instance + "." + name]
-        return next((port for port in known if port.name in names), None) or ports.named(self.path.with_port(name), known)
+        return next((port for port in known if port.name in names), None) or ports.named(
+            self.path.with_port(name), known
+        )
 
     def port_question(self, name):
         """A Question that asks the component for its port called `name`. Raises NoSuch."""
@@ -58,16 +72,21 @@ def of(profile):
 
 
 async def look(sites, ask=capture.ask):
-    """Find the components of Sites, and what `ask(node)`, which returns a Found, says of each; `error` where that fails."""
+    """Find the components of Sites, and what `ask(node)`, which returns a Found, says of each;
+    `error` where that fails.
+    """
     asked = [site for site in sites if site.error is None]
     for site, found in zip(asked, await tree.on_components([site.path for site in asked], ask)):
         if isinstance(found, errors.Error):
             site.error = found
         else:
-            site.found, site.node = found, found.node
+            site.found = found
+            site.node = found.node
 
 
 def finder(locate, sites):
-    """A function: the one of `sites` that an end or a participant in the profile names, or None; `locate` is a capture.locator."""
+    """A function: the one of `sites` that an end or a participant in the profile names, or None;
+    `locate` is a capture.locator.
+    """
     by_component = {id(site.component): site for site in sites}
     return lambda target: by_component.get(id(locate(target)))

@@ -1,4 +1,7 @@
-"""Single changes to a running system: what differs from the profile, the command that mends it, how to do that and undo it."""
+"""Single changes to a running system: what differs from the profile, the command that mends it,
+how to do that and undo it.
+"""
+
 import collections
 
 from rtshell_lite import errors
@@ -8,9 +11,9 @@ from rtshell_lite.system import capture, sites
 from rtshell_lite.system.sites import Question
 from rtshell_lite.text import printable, shell_word
 
-# Where the system differs from what a step wants: `what` is a key of compare.MESSAGES; `name` that of the parameter, property,
-# member …; `expected` in the profile and `actual`, None for nothing; `obstacle` the errors.Error that says why the step cannot
-# mend it, None if it can.
+# Where the system differs from what a step wants: `what` is a key of compare.MESSAGES; `name` that of the
+# parameter, property, member …; `expected` in the profile and `actual`, None for nothing; `obstacle` the
+# errors.Error that says why the step cannot mend it, None if it can.
 Difference = collections.namedtuple("Difference", "what name expected actual obstacle")
 
 # The answer that Values and Active get of a component: `sets` and `active` as in capture.Found.
@@ -31,7 +34,9 @@ class Step:
     free = False  # True if others of the kind may come before or after it
 
     def __init__(self, concerned, where, title):
-        self.sites, self.where, self.title = list(concerned), where, title
+        self.sites = list(concerned)
+        self.where = where
+        self.title = title
         self.required = all(site.required for site in self.sites)
 
     @property
@@ -55,7 +60,9 @@ class Step:
         return []
 
     async def is_done(self, answers):
-        """Whether nothing differs, by the answers to its questions. Raises an errors.Error if that is not known, or cannot be mended."""
+        """Whether nothing differs, by the answers to its questions.
+        Raises an errors.Error if that is not known, or cannot be mended.
+        """
         differences = list(self.differences(raise_first(answers)))
         for difference in differences:
             if difference.obstacle is not None:
@@ -93,27 +100,45 @@ class Present(Step):
         self.site = site
 
     def differences(self, answers):
-        profile, wanted = answers[0].profile, self.site.component
+        profile = answers[0].profile
+        wanted = self.site.component
         if profile.instance_name != wanted.instance_name:
-            names = [f"component named {printable(name)}" for name in (wanted.instance_name, profile.instance_name)]
-            yield Difference("instance name", None, wanted.instance_name, profile.instance_name,
-                             errors.WrongKind(self.where, *names))
+            names = [
+                f"component named {printable(name)}" for name in (wanted.instance_name, profile.instance_name)
+            ]
+            yield Difference(
+                "instance name",
+                None,
+                wanted.instance_name,
+                profile.instance_name,
+                errors.WrongKind(self.where, *names),
+            )
         actual = capture.component_id(profile)
         if actual != wanted.id:
-            yield Difference("id", None, wanted.id, actual, errors.WrongKind(self.where, printable(wanted.id), printable(actual)))
+            yield Difference(
+                "id",
+                None,
+                wanted.id,
+                actual,
+                errors.WrongKind(self.where, printable(wanted.id), printable(actual)),
+            )
 
 
-# ---- making components ------------------------------------------------------------------------------------------
+# ---- making components -------------------------------------------------------------------------------------
+
 
 class Create(Step):
-    """Let the manager `holder` (restore.Creator) create the component that it knows as `identity`, with the wanted name."""
+    """Let the manager `holder` (restore.Creator) create the component that it knows as `identity`,
+    with the wanted name.
+    """
 
     kind = "create"
 
     def __init__(self, site, holder, identity):
         super().__init__([site, holder], site.where, f"component {site.where}, created by {holder.where}")
         self.required = site.required
-        self.site, self.holder = site, holder
+        self.site = site
+        self.holder = holder
         self.argument = f"{identity}?instance_name={site.instance}"
         self.command = f"rtmgr -c {shell_word(self.argument)} --wait {shell_word(holder.where)}"
         if any(c in site.instance + identity for c in "?&="):
@@ -136,7 +161,7 @@ class Create(Step):
         return node
 
     async def is_done(self, answers):
-        self.site.node, = raise_first(answers)
+        (self.site.node,) = raise_first(answers)
         return self.site.node is not None
 
     async def act(self, answers):
@@ -147,9 +172,12 @@ class Create(Step):
 
         async def is_there():
             return await self._created() is not None
+
         if not await component.until(is_there, manager.SETTLE_TIME):
             await manager.delete(self.holder.node, name)
-            raise errors.Refused(self.where, f"{self.holder.where} made it, but it is not bound here; deleted again")
+            raise errors.Refused(
+                self.where, f"{self.holder.where} made it, but it is not bound here; deleted again"
+            )
 
     async def undo(self, before, after):
         await manager.delete(self.holder.node, self.site.instance)
@@ -166,8 +194,13 @@ class Members(Step):
     def __init__(self, site, members):
         names = ", ".join(printable(member.instance) for member in members)
         super().__init__([site] + members, site.where, f"members {names} of {site.where}")
-        self.site, self.members = site, members
-        added = [member for member in members if member.node is None or site.found is None or _is_missing(member, site.found)]
+        self.site = site
+        self.members = members
+        added = [
+            member
+            for member in members
+            if member.node is None or site.found is None or _is_missing(member, site.found)
+        ]
         words = ["rtcomp"] + [word for member in added for word in ("-a", member.where)] + [site.where]
         self.command = " ".join(map(shell_word, words))
 
@@ -175,7 +208,10 @@ class Members(Step):
         return [Question(self.endpoint, self.where, lambda: composites.first_organisation(self.site.node))]
 
     def differences(self, answers):
-        return [Difference("member", member.instance, str(member.node.path), None, None) for member in self._missing(answers)]
+        return [
+            Difference("member", member.instance, str(member.node.path), None, None)
+            for member in self._missing(answers)
+        ]
 
     async def is_done(self, answers):
         missing = self._missing(answers)
@@ -184,8 +220,12 @@ class Members(Step):
 
     def _missing(self, answers):
         """composites.Members: those that are to be members, and are none by the answers."""
-        composite, = raise_first(answers)  # a Found, or an Organisation
-        return [composites.Member(member.instance, member.node, []) for member in self.members if _is_missing(member, composite)]
+        (composite,) = raise_first(answers)  # a Found, or an Organisation
+        return [
+            composites.Member(member.instance, member.node, [])
+            for member in self.members
+            if _is_missing(member, composite)
+        ]
 
     async def act(self, answers):
         await composites.add(self.site.node, answers[0], self._missing(answers))
@@ -204,14 +244,16 @@ def _is_missing(member, composite):
     return not any(orb.same(ref, member.node.ref) for _, ref in composite.members)
 
 
-# ---- configuration ----------------------------------------------------------------------------------------------
+# ---- configuration -----------------------------------------------------------------------------------------
+
 
 class _Configuring(Step):
     """What steps on a configuration set share."""
 
     def __init__(self, site, set_id, title):
         super().__init__([site], site.where, f"{title} {printable(set_id)} of {site.where}")
-        self.site, self.set_id = site, set_id
+        self.site = site
+        self.set_id = set_id
         self.unknown_set = errors.NoSuch(site.where, "configuration set", printable(set_id))
 
     def questions(self):
@@ -224,7 +266,9 @@ class _Configuring(Step):
 
 def wanted_values(configuration_set):
     """{parameter: value} of a model.ConfigurationSet, in its order."""
-    return collections.OrderedDict((item.name, item.data or "") for item in configuration_set.configuration_data)
+    return collections.OrderedDict(
+        (item.name, item.data or "") for item in configuration_set.configuration_data
+    )
 
 
 class Values(_Configuring):
@@ -237,7 +281,9 @@ class Values(_Configuring):
         self.values = values
         self.active_before = None  # the set that was active, and has to be again
         present = (self._present(site.found) if site.found else None) or {}
-        changed = [(name, value) for name, value in values.items() if present.get(name) != value] or values.items()
+        changed = [
+            (name, value) for name, value in values.items() if present.get(name) != value
+        ] or values.items()
         self.command = configuration.command(site.where, set_id, "set", *["%s=%s" % item for item in changed])
 
     def _present(self, answer):
@@ -251,8 +297,17 @@ class Values(_Configuring):
             return
         for name, value in self.values.items():
             if name not in present:
-                yield Difference("parameter", name, value, None, errors.NoSuch(
-                    self.where, "configuration parameter", f"{printable(name)} in set {printable(self.set_id)}"))
+                yield Difference(
+                    "parameter",
+                    name,
+                    value,
+                    None,
+                    errors.NoSuch(
+                        self.where,
+                        "configuration parameter",
+                        f"{printable(name)} in set {printable(self.set_id)}",
+                    ),
+                )
             elif present[name] != value:
                 yield Difference("value", name, value, present[name], None)
         if self.active_before is not None and answers[0].active != self.active_before:
@@ -262,10 +317,12 @@ class Values(_Configuring):
         """Names of parameters that a set which was found lacks."""
         if self.site.found is None:
             return []
-        return [difference.name for difference in self.differences(self.found()) if difference.what == "parameter"]
+        return [
+            difference.name for difference in self.differences(self.found()) if difference.what == "parameter"
+        ]
 
     async def act(self, answers):
-        now, = answers
+        (now,) = answers
         if not self.site.component.active_configuration_set:  # else the next step activates that
             self.active_before = now.active
         await self._store(self.values, now)
@@ -288,32 +345,53 @@ class Active(_Configuring):
         self.command = configuration.command(site.where, set_id, "act")
 
     def differences(self, answers):
-        now, = answers
+        (now,) = answers
         present = [one.id for one in now.sets]
         if now.active == self.set_id or self.set_id == "default" and all(map(configuration.hidden, present)):
-            return  # components without configuration have no set at all, and files name this one nevertheless
-        yield Difference("active set", None, self.set_id, now.active or None,
-                         None if self.set_id in present else self.unknown_set)
+            # components without configuration have no set at all, and files name this one nevertheless
+            return
+        yield Difference(
+            "active set",
+            None,
+            self.set_id,
+            now.active or None,
+            None if self.set_id in present else self.unknown_set,
+        )
 
     async def act(self, answers):
         await answers[0].configuration.activate(self.set_id)
 
     async def undo(self, before, after):
         if not before[0].active:
-            raise errors.Refused(self.where, "had no active configuration set before, and cannot get rid of one")
+            raise errors.Refused(
+                self.where, "had no active configuration set before, and cannot get rid of one"
+            )
         await after[0].configuration.activate(before[0].active)
 
 
 class Participants(Step):
-    """Let the components at other Sites take part in the execution context with a handle: number `index` of those of one component."""
+    """Let the components at other Sites take part in the execution context with a handle:
+    number `index` of those of one component.
+    """
 
     kind = "participants"
 
     def __init__(self, site, index, handle, participants):
         names = ", ".join(printable(participant.instance) for participant in participants)
-        super().__init__([site] + participants, site.where, f"participants {names} in execution context {handle} of {site.where}")
-        self.site, self.index, self.handle, self.participants = site, index, handle, participants
-        attached = [participant for participant in participants if site.found is None or self._is_missing(participant, site.found.owned)]
+        super().__init__(
+            [site] + participants,
+            site.where,
+            f"participants {names} in execution context {handle} of {site.where}",
+        )
+        self.site = site
+        self.index = index
+        self.handle = handle
+        self.participants = participants
+        attached = [
+            participant
+            for participant in participants
+            if site.found is None or self._is_missing(participant, site.found.owned)
+        ]
         words = ["rtec"] + ["-e", str(index)] * bool(index) + [site.where, "attach"]
         self.command = " ".join(map(shell_word, words + [participant.where for participant in attached]))
 
@@ -325,7 +403,10 @@ class Participants(Step):
 
     def differences(self, answers):
         _with_handle(self, answers)
-        return [Difference("participant", participant.instance, participant.where, None, None) for participant in self._missing(answers)]
+        return [
+            Difference("participant", participant.instance, participant.where, None, None)
+            for participant in self._missing(answers)
+        ]
 
     def _missing(self, answers):
         return [participant for participant in self.participants if self._is_missing(participant, answers[0])]
@@ -344,8 +425,13 @@ class Participants(Step):
 
 
 def own_contexts(site):
-    """(number as -e counts, handle, model.ExecutionContext) of the contexts that the file lists for a component and that it owns."""
-    owned = [context.handle for context in site.found.owned] if site.found else None
+    """(number as -e counts, handle, model.ExecutionContext) of the contexts that the file lists for a
+    component and that it owns.
+    """
+    if site.found:
+        owned = [context.handle for context in site.found.owned]
+    else:
+        owned = None
     for place, wanted in enumerate(site.component.execution_contexts):
         if wanted.id.isdigit() and owned is None:
             yield place, int(wanted.id), wanted
@@ -354,7 +440,9 @@ def own_contexts(site):
 
 
 def participants(site, context, site_of):
-    """The Sites of the components that the profile lets take part in a context of another one; not of itself."""
+    """The Sites of the components that the profile lets take part in a context of another one;
+    not of itself.
+    """
     found = [site_of(target) for target in context.participants]
     return [participant for participant in found if participant is not None and participant is not site]
 
@@ -372,13 +460,18 @@ def _with_handle(step, answers):
 
 
 class Rate(Step):
-    """Set the rate (Hz) of the execution context with a handle: number `index` of those that the component owns."""
+    """Set the rate (Hz) of the execution context with a handle:
+    number `index` of those that the component owns.
+    """
 
     kind = "rate"
 
     def __init__(self, site, index, handle, rate):
         super().__init__([site], site.where, "rate of execution context %d of %s" % (handle, site.where))
-        self.site, self.index, self.handle, self.rate = site, index, handle, rate
+        self.site = site
+        self.index = index
+        self.handle = handle
+        self.rate = rate
         words = ["rtec"] + ["-e", str(index)] * bool(index) + [site.where, "rate", f"{rate!r}"]
         self.command = " ".join(map(shell_word, words))
 

@@ -1,8 +1,10 @@
 """A whole system, polled: what rttop shows, as plain values that can be read without waiting.
 
-At most IN_FLIGHT remote calls are made at a time, to all processes together. Each look asks a component for its state; its
-contexts, rates and connections, which change less often and cost more, are asked for less often.
+At most IN_FLIGHT remote calls are made at a time, to all processes together. Each look asks a component for
+its state; its contexts, rates and connections, which change less often and cost more, are asked for less
+often.
 """
+
 import collections
 import time
 
@@ -22,7 +24,8 @@ PORTS_SILENT = 60.0  # the same, for one that does not answer that
 REST = 5.0  # seconds before what is dead or silent is asked again
 
 
-# ---- one component --------------------------------------------------------------------------------------------
+# ---- one component -----------------------------------------------------------------------------------------
+
 
 class _Entry:
     """A component that the task of its group looks at."""
@@ -30,9 +33,12 @@ class _Entry:
     def __init__(self, node):
         self.node = node
         self.group = node.endpoint
-        self.kind, self.state, self.failure = "component", None, None
+        self.kind = "component"
+        self.state = None
+        self.failure = None
         self.ports = self.connections = None
-        self.snapshot = snapshot.Snapshot(node, rest=REST)  # of its contexts; its ports would take much memory
+        # of its contexts; its ports would take much memory
+        self.snapshot = snapshot.Snapshot(node, rest=REST)
         self.looked = False  # whether its state, or its failure, is known
         self.silenced = 0.0  # when it was silent last
         self._again = self._contexts_due = self._ports_due = 0.0
@@ -52,7 +58,7 @@ class _Entry:
             raise
         except errors.Error as e:  # of the component, or passed on by it?
             self._again = now + REST
-            node, = await tree.check_alive([self.node])
+            (node,) = await tree.check_alive([self.node])
             if node.kind == "silent" and isinstance(node.error, errors.Silent):
                 raise node.error
             self.fail("silent" if node.kind == "component" else node.kind, node.error or e)
@@ -76,12 +82,20 @@ class _Entry:
             self.connections = len({connector.id for port in listed for connector in port.connectors})
         except errors.Error as e:  # it has just given its state: the ports are what is wrong
             self.ports = self.connections = None
-            pause = PORTS_SILENT if isinstance(e, errors.Silent) else PORTS
+            if isinstance(e, errors.Silent):
+                pause = PORTS_SILENT
+            else:
+                pause = PORTS
         self._ports_due = time.monotonic() + pause
 
     def fail(self, kind, failure):
         """Note that it is dead, or does not answer, and forget what was known of it."""
-        self.kind, self.state, self.failure = kind, "-" if kind == "zombie" else "?", failure
+        self.kind = kind
+        if kind == "zombie":
+            self.state = "-"
+        else:
+            self.state = "?"
+        self.failure = failure
         self.ports = self.connections = None
         self.snapshot = snapshot.Snapshot(self.node, rest=REST)
         self._contexts_due = self._ports_due = 0.0
@@ -91,18 +105,32 @@ class _Entry:
         """Its Row."""
         contexts = self.snapshot.contexts
         first = next((context for context in contexts if context.running), contexts[0] if contexts else None)
-        running = any(context.running for context in contexts) if contexts else None
-        return Row(path, name, self.kind, self.state, first and first.rate, running, self.ports, self.connections,
-                   self.failure)
+        if contexts:
+            running = any(context.running for context in contexts)
+        else:
+            running = None
+        return Row(
+            path,
+            name,
+            self.kind,
+            self.state,
+            first and first.rate,
+            running,
+            self.ports,
+            self.connections,
+            self.failure,
+        )
 
 
-# ---- the system -----------------------------------------------------------------------------------------------
+# ---- the system --------------------------------------------------------------------------------------------
+
 
 class Slots:
     """At most `most` tasks at a time are within `async with slots:`, first come, first served."""
 
     def __init__(self, most):
-        self._free, self._waiting = most, collections.deque()
+        self._free = most
+        self._waiting = collections.deque()
 
     async def __aenter__(self):
         if self._free:
@@ -167,7 +195,11 @@ class Top:
         while True:
             nodes, failed = await _walk(top)
             lost = any(isinstance(error, errors.Unreachable) for error in failed.values())
-            identities = dict(self._found.get(top, {})) if lost else {}  # without their name server, they may still live
+            # without their name server, they may still live
+            if lost:
+                identities = dict(self._found.get(top, {}))
+            else:
+                identities = {}
             for node in nodes:
                 identities[str(node.path)] = orb.identity(node.ref)
                 self._entries.setdefault(orb.identity(node.ref), _Entry(node))
@@ -180,7 +212,9 @@ class Top:
     # ---- looking ----
 
     def _look_after_all(self):
-        """Start a task for each new group of components: a process, or one that hangs while its process does not."""
+        """Start a task for each new group of components:
+        a process, or one that hangs while its process does not.
+        """
         for entry in self._entries.values():
             if entry.group not in self._groups:
                 self._groups.add(entry.group)
@@ -205,7 +239,8 @@ class Top:
 
         If two are silent, or the only one, the process hangs: the rest is not asked.
         """
-        heard, silent = False, []
+        heard = False
+        silent = []
         for entry in sorted(entries, key=lambda entry: entry.silenced):
             try:
                 heard = await entry.look() or heard
@@ -237,7 +272,8 @@ class Top:
 
     def rows(self):
         """A Row for each component, and for each part of the tree that cannot be listed, sorted by name."""
-        paths_of, failed = {}, {}
+        paths_of = {}
+        failed = {}
         for top in self._found:
             for path, identity in sorted(self._found[top].items()):
                 paths_of.setdefault(identity, path)  # the first, if it is bound twice
@@ -245,13 +281,18 @@ class Top:
         entries = [(path, self._entries[identity]) for identity, path in paths_of.items()]
         unique = len({entry.node.name for _, entry in entries}) == len(entries)
         rows = [entry.row(path, entry.node.name if unique else path) for path, entry in entries]
-        rows += [Row(path, path, "unknown", "?", None, None, None, None, failure) for path, failure in failed.items()]
+        rows += [
+            Row(path, path, "unknown", "?", None, None, None, None, failure)
+            for path, failure in failed.items()
+        ]
         return sorted(rows, key=lambda row: (row.name, row.path))
 
     # ---- acting ----
 
     def change(self, path, transition):
-        """Take the component at a path (text) through a component.Transition; `news` returns its state then."""
+        """Take the component at a path (text) through a component.Transition;
+        `news` returns its state then.
+        """
         self._act(path, transition.command, lambda node: transitions.change(node, transition))
 
     def show(self, path):
@@ -272,6 +313,7 @@ class Top:
                 result = e
             entry.hurry()
             self._add_news(command, path, result)
+
         self._tasks.start(act(), entry.node.endpoint)
 
     def _add_news(self, command, path, result):
@@ -280,7 +322,8 @@ class Top:
 
     def news(self):
         """Results of `change` and `show` since the last call: ((command, path), value or errors.Error)."""
-        news, self._news = self._news, []
+        news = self._news
+        self._news = []
         return news
 
 
@@ -294,9 +337,14 @@ async def _walk(top):
     unsure = [node for node in walked if node.kind == "unsure"]
     sure = dict(zip(unsure, await tree.check_alive(unsure)))
     nodes = [sure.get(node, node) for node in walked]
-    failed = {str(node.path): node.error for node in nodes
-              if node.error and (node.kind in tree.DIRECTORIES or node.ref is None)}
-    return [node for node in nodes if node.kind in ("component", "zombie", "silent") and node.ref is not None], failed
+    failed = {
+        str(node.path): node.error
+        for node in nodes
+        if node.error and (node.kind in tree.DIRECTORIES or node.ref is None)
+    }
+    return [
+        node for node in nodes if node.kind in ("component", "zombie", "silent") and node.ref is not None
+    ], failed
 
 
 def _each_server(tops):
@@ -311,4 +359,6 @@ def _each_server(tops):
 
 async def _description(node):
     described = await describe.collect(node, 1)
-    return list(describe.lines(described, 1, await places.far_names(described.ports), lambda word, role=None: word))
+    return list(
+        describe.lines(described, 1, await places.far_names(described.ports), lambda word, role=None: word)
+    )

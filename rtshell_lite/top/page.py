@@ -1,4 +1,5 @@
 """The live page of rttop. curses draws it, and so sends to a terminal only the cells that have changed."""
+
 import _signal  # see start.py
 import contextlib
 import curses
@@ -15,8 +16,11 @@ from rtshell_lite.top import rows
 TICK = 0.1  # seconds after Esc without a character after which it counts as the key of that name
 PAUSE = 1.0  # seconds without a character after which a paste counts as complete
 ESCAPE = "\x1b"
-PASTE, PASTE_END = "\x1b[200~", "\x1b[201~"  # around what is pasted, once a terminal has got BRACKETS (mode 2004 of xterm)
-BRACKETS, NO_BRACKETS = b"\x1b[?2004h", b"\x1b[?2004l"
+# around what is pasted, once a terminal has got BRACKETS (mode 2004 of xterm)
+PASTE = "\x1b[200~"
+PASTE_END = "\x1b[201~"
+BRACKETS = b"\x1b[?2004h"
+NO_BRACKETS = b"\x1b[?2004l"
 ENTER = ("\n", "\r", curses.KEY_ENTER)
 BACKSPACE = ("\x08", "\x7f", curses.KEY_BACKSPACE)
 HINTS = "? keys  q end  / filter  s sort  a activate  d deactivate  r reset  c cat"
@@ -37,26 +41,36 @@ STATE is ? of what does not answer, - of a zombie. RATE is the execution
 context's, in Hz. CONN counts connections."""
 
 # curses colours of states: (number of the pair, foreground, background, attributes); -1 is the terminal's own
-COLOURS = {"Active": (1, curses.COLOR_GREEN, -1, curses.A_BOLD), "Inactive": (2, curses.COLOR_BLUE, -1, curses.A_BOLD),
-           "Error": (3, curses.COLOR_WHITE, curses.COLOR_RED, curses.A_BOLD), "?": (4, curses.COLOR_RED, -1, curses.A_BOLD)}
+COLOURS = {
+    "Active": (1, curses.COLOR_GREEN, -1, curses.A_BOLD),
+    "Inactive": (2, curses.COLOR_BLUE, -1, curses.A_BOLD),
+    "Error": (3, curses.COLOR_WHITE, curses.COLOR_RED, curses.A_BOLD),
+    "?": (4, curses.COLOR_RED, -1, curses.A_BOLD),
+}
 
 
-# ---- the terminal ---------------------------------------------------------------------------------------------
+# ---- the terminal ------------------------------------------------------------------------------------------
+
 
 def impossible():
     """Why there can be no page on this terminal; '' if there can."""
     try:
         curses.setupterm(os.environ.get("TERM") or "unknown", sys.stdout.fileno())
     except curses.error:
-        return f"the terminal {text.printable(os.environ.get('TERM') or '(TERM is not set)')} is not known here"
-    return "" if curses.tigetstr("cup") else f"the terminal {text.printable(os.environ['TERM'])} has no pages"
+        return (
+            f"the terminal {text.printable(os.environ.get('TERM') or '(TERM is not set)')} is not known here"
+        )
+    if curses.tigetstr("cup"):
+        return ""
+    return f"the terminal {text.printable(os.environ['TERM'])} has no pages"
 
 
 @contextlib.contextmanager
 def screen():
     """The terminal as a curses window; restored afterwards."""
     locale.setlocale(locale.LC_CTYPE, "")
-    os.environ.setdefault("ESCDELAY", "200")  # ms that Esc waits for the rest of a key; the default is a second
+    # ms that Esc waits for the rest of a key; the default is a second
+    os.environ.setdefault("ESCDELAY", "200")
     for name in "LINES", "COLUMNS":  # readline sets them in rtsh; the terminal knows better
         os.unsetenv(name)
     try:
@@ -81,7 +95,9 @@ def _attributes():
         return {"Error": curses.A_BOLD, "?": curses.A_BOLD}
     for number, foreground, background, _ in COLOURS.values():
         curses.init_pair(number, foreground, background)
-    return {state: curses.color_pair(number) | attributes for state, (number, _, _, attributes) in COLOURS.items()}
+    return {
+        state: curses.color_pair(number) | attributes for state, (number, _, _, attributes) in COLOURS.items()
+    }
 
 
 def _has_colours():
@@ -96,7 +112,7 @@ def _has_colours():
 def _clipped(line, columns):
     """As much of a line as fits."""
     if len(line) > columns:  # a long line would take long
-        line = line[:4 * columns]
+        line = line[: 4 * columns]
     while text.cells(line) > columns:
         line = line[:-1]
     return line
@@ -111,23 +127,29 @@ def _wrapped(line, columns):
         if part != line and blank > len(part) / 2:
             part = part[:blank]
         lines.append(part)
-        line = line[len(part):]
+        line = line[len(part) :]
     return lines
 
 
-# ---- the page -------------------------------------------------------------------------------------------------
+# ---- the page ----------------------------------------------------------------------------------------------
+
 
 class Page:
     """Shows a top.Top on a curses window until the user has seen enough."""
 
     def __init__(self, window, looking, meters, sort, wanted):
         """`meters`: statistics.Meters; `sort` one of rows.SORTS, and `wanted` the filter, to begin with."""
-        self.window, self.looking, self.meters = window, looking, meters
-        self.sort, self.wanted = sort, wanted
+        self.window = window
+        self.looking = looking
+        self.meters = meters
+        self.sort = sort
+        self.wanted = wanted
         self.attributes = _attributes()
         self.rows = []  # that match the filter
         self.selected = None  # the path of a Row
-        self.number = self.first = self.room = 0  # index of the selected Row, of the first one shown; how many can be shown
+        self.number = self.first = self.room = (
+            0  # index of the selected Row, of the first one shown; how many can be shown
+        )
         self.message = ""
         self.typing = False  # whether the user types the filter
         self.asked = None  # the transitions.Transition and the Row that wait for a y
@@ -138,7 +160,8 @@ class Page:
 
     async def follow(self):
         """Show the page and handle keys until q."""
-        here, terminal = loop.current(), sys.stdin.fileno()
+        here = loop.current()
+        terminal = sys.stdin.fileno()
         here.watch(terminal, select.POLLIN, self.typed.ring)
         if "readline" not in sys.modules:  # in rtsh the signal is readline's, which would not get it back
             here.hear(_signal.SIGWINCH, self.looking.bell.ring)
@@ -160,7 +183,10 @@ class Page:
     async def _key(self):
         """A character, or a number for other keys; Esc with all that comes at once with it: a paste, say."""
         key = await self._character(None)
-        more = await self._character(0) if key == ESCAPE else None
+        if key == ESCAPE:
+            more = await self._character(0)
+        else:
+            more = None
         while more is not None:
             key += str(more)
             if key.startswith(PASTE) and key.endswith(PASTE_END):
@@ -189,7 +215,9 @@ class Page:
             if isinstance(value, Exception):
                 self.message = f"{command}: {value}"
             elif command == "rtcat":
-                self.message, self.overlay, self.overlay_first = "", value, 0
+                self.message = ""
+                self.overlay = value
+                self.overlay_first = 0
             else:
                 self.message = f"{command}: {path}: {value}"
 
@@ -214,12 +242,16 @@ class Page:
         if key in ENTER:
             self.typing = False
         elif key == ESCAPE:
-            self.typing, self.wanted = False, ""
+            self.typing = False
+            self.wanted = ""
         elif key in BACKSPACE:
             self.wanted = self.wanted[:-1]
         elif isinstance(key, str):
             pasted = key.replace(PASTE, "").replace(PASTE_END, "")
-            self.wanted += "" if pasted.startswith(ESCAPE) else "".join(filter(str.isprintable, pasted))
+            if pasted.startswith(ESCAPE):
+                self.wanted += ""
+            else:
+                self.wanted += "".join(filter(str.isprintable, pasted))
 
     def _obey_overlay(self, key):
         step = self._step(key)
@@ -235,7 +267,8 @@ class Page:
         elif key == "q":
             self.ended = True
         elif key in ("h", "?"):
-            self.overlay, self.overlay_first = HELP.split("\n"), 0
+            self.overlay = HELP.split("\n")
+            self.overlay_first = 0
         elif key == "s":
             self.sort = rows.SORTS[(rows.SORTS.index(self.sort) + 1) % len(rows.SORTS)]
             self.message = "sorted by " + self.sort
@@ -250,13 +283,25 @@ class Page:
 
     def _step(self, key):
         """How many lines a key goes down; None for one that does not."""
-        page, all_of_them = max(self.room - 1, 1), 10**9
-        return {curses.KEY_DOWN: 1, "j": 1, curses.KEY_UP: -1, "k": -1, curses.KEY_NPAGE: page, curses.KEY_PPAGE: -page,
-                curses.KEY_HOME: -all_of_them, curses.KEY_END: all_of_them}.get(key)
+        page = max(self.room - 1, 1)
+        all_of_them = 10**9
+        return {
+            curses.KEY_DOWN: 1,
+            "j": 1,
+            curses.KEY_UP: -1,
+            "k": -1,
+            curses.KEY_NPAGE: page,
+            curses.KEY_PPAGE: -page,
+            curses.KEY_HOME: -all_of_them,
+            curses.KEY_END: all_of_them,
+        }.get(key)
 
     def _select(self, number):
         self.number = max(0, min(number, len(self.rows) - 1))
-        self.selected = self.rows[self.number].path if self.rows else None
+        if self.rows:
+            self.selected = self.rows[self.number].path
+        else:
+            self.selected = None
 
     def _act(self, key):
         transition = {"a": transitions.ACTIVATE, "d": transitions.DEACTIVATE, "r": transitions.RESET}.get(key)
@@ -284,7 +329,7 @@ class Page:
         self._select(paths.index(self.selected) if self.selected in paths else self.number)
         self.window.erase()
         top = self._draw_head(components, height, width)
-        foot = self._foot(width)[:max(height - top - 1, 1)]
+        foot = self._foot(width)[: max(height - top - 1, 1)]
         self.room = max(height - top - len(foot), 0)
         if self.overlay is None:
             self._draw_rows(top)
@@ -296,35 +341,49 @@ class Page:
 
     def _draw_head(self, components, height, width):
         """The summary, the flow of ports, the head of the columns; returns the number of lines."""
-        matching = f"; {len(self.rows)} with: {self.wanted}" if self.wanted else ""
+        if self.wanted:
+            matching = f"; {len(self.rows)} with: {self.wanted}"
+        else:
+            matching = ""
         self._put(0, f"{rows.summary(components)}{matching}", curses.A_BOLD)
         rates = [rows.rate_line(meter.rate()) for meter in self.meters]
         most = max(height // 3, 1)
         if len(rates) > most:
-            rates[most - 1:] = [f"{len(rates) - most + 1} more ports"]
+            rates[most - 1 :] = [f"{len(rates) - most + 1} more ports"]
         for i, line in enumerate(rates, 1):
             self._put(i, line)
-        head = rows.HEAD if self.overlay is None else ""
+        if self.overlay is None:
+            head = rows.HEAD
+        else:
+            head = ""
         self._put(1 + len(rates), text.padded(head, max(width, len(head))), curses.A_REVERSE)
         return 2 + len(rates)
 
     def _draw_rows(self, top):
         last = min(self.first, self.number, max(len(self.rows) - self.room, 0))
         self.first = max(last, self.number - self.room + 1)
-        for y, row in enumerate(self.rows[self.first:self.first + self.room], top):
-            chosen = curses.A_REVERSE if row.path == self.selected else 0
+        for y, row in enumerate(self.rows[self.first : self.first + self.room], top):
+            if row.path == self.selected:
+                chosen = curses.A_REVERSE
+            else:
+                chosen = 0
             self._put(y, rows.line(row), chosen)
             self._put(y, row.state or "", chosen or self.attributes.get(row.state, 0))
 
     def _draw_overlay(self, top, width):
         lines = [part for line in self.overlay for part in _wrapped(self._spelt(line), max(width, 1))]
         self.overlay_first = max(0, min(self.overlay_first, len(lines) - self.room))
-        for y, line in enumerate(lines[self.overlay_first:self.overlay_first + self.room], top):
+        for y, line in enumerate(lines[self.overlay_first : self.overlay_first + self.room], top):
             self._put(y, line)
 
     def _foot(self, width):
-        """The last lines: what is typed, what was done, what is wrong with the selected component, or the keys."""
-        row = self.rows[self.number] if self.rows else None
+        """The last lines: what is typed, what was done, what is wrong with the selected component,
+        or the keys.
+        """
+        if self.rows:
+            row = self.rows[self.number]
+        else:
+            row = None
         if self.asked:
             line = f"{self.asked[0].name} {self.asked[1].name}? y/N"
         elif self.typing:
@@ -343,7 +402,9 @@ class Page:
         height, width = self.window.getmaxyx()
         if y >= height:
             return
-        with contextlib.suppress(curses.error):  # the cursor cannot go after the last cell; it is written all the same
+        with contextlib.suppress(
+            curses.error
+        ):  # the cursor cannot go after the last cell; it is written all the same
             self.window.addstr(y, 0, _clipped(self._spelt(line), width), attributes)
 
     def _spelt(self, line):

@@ -1,16 +1,18 @@
 """What rttop shows of a system, as lines and as JSON; sorting and filtering its rows."""
+
 import collections
 
 from rtshell_lite import text
 from rtshell_lite.views.listing import MARKS
 
 SORTS = ("name", "state", "rate", "connections")
-STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)  # the order by state: trouble first
+# the order by state: trouble first
+STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)
 
-# One component. `name` is its own, or the path where two have the same; `kind` is component, zombie or silent, or unknown: a
-# part of the tree that cannot be listed. `state` is ? for what does not answer and - for a zombie; `rate` in Hz, of the first
-# context that runs, else of the first one; `running` whether any does; `ports` and `connections` are counts. None is unknown
-# (yet). `failure` is an errors.Error or None.
+# One component. `name` is its own, or the path where two have the same; `kind` is component, zombie or
+# silent, or unknown: a part of the tree that cannot be listed. `state` is ? for what does not answer and -
+# for a zombie; `rate` in Hz, of the first context that runs, else of the first one; `running` whether any
+# does; `ports` and `connections` are counts. None is unknown (yet). `failure` is an errors.Error or None.
 Row = collections.namedtuple("Row", "path name kind state rate running ports connections failure")
 
 HEAD = "STATE         RATE  CONN  COMPONENT"
@@ -22,9 +24,17 @@ def arranged(rows, sort="name", wanted=""):
     A word, in any case, matches part of a path, or a whole state.
     """
     words = wanted.lower().split()
-    rows = [row for row in rows if all(word in row.path.lower() or word == (row.state or "").lower() for word in words)]
-    keys = {"name": lambda row: 0, "state": lambda row: STATES.index(row.state),
-            "rate": lambda row: -(row.rate or 0), "connections": lambda row: -(row.connections or 0)}
+    rows = [
+        row
+        for row in rows
+        if all(word in row.path.lower() or word == (row.state or "").lower() for word in words)
+    ]
+    keys = {
+        "name": lambda row: 0,
+        "state": lambda row: STATES.index(row.state),
+        "rate": lambda row: -(row.rate or 0),
+        "connections": lambda row: -(row.connections or 0),
+    }
     return sorted(rows, key=keys[sort])
 
 
@@ -34,15 +44,34 @@ def summary(rows):
     total = sum(counts.values())
     words = {"-": "zombie", "?": "silent", None: "not asked yet"}
     states = ", ".join(f"{counts[state]} {words.get(state, state)}" for state in STATES if counts[state])
-    return f"{total} component{'' if total == 1 else 's'}{': ' + states if states else ''}"
+    number = f"{total} component{'' if total == 1 else 's'}"
+    if states:
+        return f"{number}: {states}"
+    return number
 
 
 def line(row):
     """A Row as a line below HEAD; it begins with the state."""
-    rate = "-" if row.rate is None else "stopped" if row.running is False else f"{row.rate:g}"
-    connections = "-" if row.connections is None else str(row.connections)
-    why = ": " + reason(row.path, row.failure) if row.failure else ""
-    return "%-8s  %8s  %4s  %s" % (row.state or "", rate, connections, MARKS.get(row.kind, "") + row.name + why)
+    if row.rate is None:
+        rate = "-"
+    elif row.running is False:
+        rate = "stopped"
+    else:
+        rate = f"{row.rate:g}"
+    if row.connections is None:
+        connections = "-"
+    else:
+        connections = str(row.connections)
+    if row.failure:
+        why = ": " + reason(row.path, row.failure)
+    else:
+        why = ""
+    return "%-8s  %8s  %4s  %s" % (
+        row.state or "",
+        rate,
+        connections,
+        MARKS.get(row.kind, "") + row.name + why,
+    )
 
 
 def rate_line(rate):
@@ -68,13 +97,31 @@ def reason(path, failure):
 
 def as_dict(row, now):
     """The JSON object of a Row; `now` in seconds since 1970."""
-    fields = {"time": now, "path": row.path, "name": row.name, "kind": row.kind, "state": row.state, "rate": row.rate,
-              "running": row.running, "ports": row.ports, "connections": row.connections}
-    return dict(fields, error=str(row.failure)) if row.failure else fields
+    fields = {
+        "time": now,
+        "path": row.path,
+        "name": row.name,
+        "kind": row.kind,
+        "state": row.state,
+        "rate": row.rate,
+        "running": row.running,
+        "ports": row.ports,
+        "connections": row.connections,
+    }
+    if row.failure:
+        return dict(fields, error=str(row.failure))
+    return fields
 
 
 def rate_as_dict(rate, now):
     """The JSON object of a statistics.Rate."""
-    fields = {"time": now, "path": rate.path, "kind": "port", "values_per_second": rate.values and round(rate.values, 3),
-              "bytes_per_second": rate.bytes and round(rate.bytes, 1)}
-    return dict(fields, error=str(rate.failure)) if rate.failure else fields
+    fields = {
+        "time": now,
+        "path": rate.path,
+        "kind": "port",
+        "values_per_second": rate.values and round(rate.values, 3),
+        "bytes_per_second": rate.bytes and round(rate.bytes, 1),
+    }
+    if rate.failure:
+        return dict(fields, error=str(rate.failure))
+    return fields

@@ -1,4 +1,5 @@
 """What rtcat shows of a component or a port, as lines or as JSON."""
+
 from rtshell_lite import text
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, ports
@@ -11,15 +12,26 @@ async def collect(node, level=0):
 
     `level` is how often -l was given: from 1 on, all parts are full.
     """
-    detail = FULL if level else BRIEF
-    parts = {"ports": detail, "owned": detail, "participating": FULL, "states": FULL, "organisations": detail, "composites": FULL,
-             "names": FULL if level > 1 else BRIEF}
+    if level:
+        detail = FULL
+    else:
+        detail = BRIEF
+    parts = {
+        "ports": detail,
+        "owned": detail,
+        "participating": FULL,
+        "states": FULL,
+        "organisations": detail,
+        "composites": FULL,
+        "names": FULL if level > 1 else BRIEF,
+    }
     if level:
         parts["members"] = FULL
     return await Snapshot(node).ask(**parts, profile=detail)
 
 
-# ---- lines ----------------------------------------------------------------------------------------------------
+# ---- lines -------------------------------------------------------------------------------------------------
+
 
 def lines(snapshot, level, ends, paint):
     """The lines of rtcat for a component, given its Snapshot.
@@ -30,18 +42,37 @@ def lines(snapshot, level, ends, paint):
     """
     profile = snapshot.profile
     yield f"{snapshot.node.name}  {paint(component.merged(snapshot.states))}"
-    kind = ("Composite" if snapshot.organisations else "Monolithic") + (" composite member" if snapshot.composites else "")
-    yield from _pairs([("Category", profile.category), ("Description", profile.description),
-                       ("Instance name", profile.instance_name), ("Type name", profile.type_name),
-                       ("Vendor", profile.vendor), ("Version", profile.version), ("Parent", profile.parent),
-                       ("Type", kind)], "  ")
+    if snapshot.organisations:
+        kind = "Composite"
+    else:
+        kind = "Monolithic"
+    if snapshot.composites:
+        kind += " composite member"
+    yield from _pairs(
+        [
+            ("Category", profile.category),
+            ("Description", profile.description),
+            ("Instance name", profile.instance_name),
+            ("Type name", profile.type_name),
+            ("Vendor", profile.vendor),
+            ("Version", profile.version),
+            ("Parent", profile.parent),
+            ("Type", kind),
+        ],
+        "  ",
+    )
     if profile.properties and level < 2:
         yield " +Extra properties"
     elif profile.properties:
         yield "  Extra properties:"
         yield from _pairs(sorted(profile.properties), "    ")
     # with -ll rtshell indents the following by a blank or two more, and there are scripts that cut by column
-    tag, more = (" ", "  ") if level > 1 else ("", "")
+    if level > 1:
+        tag = " "
+        more = "  "
+    else:
+        tag = ""
+        more = ""
     yield from composition_lines(snapshot, level, tag, more, paint)
     for context, state in zip(snapshot.contexts, snapshot.states):
         yield from context_lines(context, state, snapshot, level, tag, more, paint)
@@ -50,7 +81,9 @@ def lines(snapshot, level, ends, paint):
 
 
 def _pairs(items, indent):
-    return text.pairs([(printable(text.cut(name)), printable(text.cut(value))) for name, value in items], indent)
+    return text.pairs(
+        [(printable(text.cut(name)), printable(text.cut(value))) for name, value in items], indent
+    )
 
 
 def composition_lines(snapshot, level, tag, more, paint):
@@ -58,7 +91,10 @@ def composition_lines(snapshot, level, tag, more, paint):
 
     Here and below, `tag` comes before headings, `more` before what is below them.
     """
-    sign = "-" if level else "+"
+    if level:
+        sign = "-"
+    else:
+        sign = "+"
     for organisation in snapshot.organisations:
         yield f"{tag}{sign}Composition {paint(printable(snapshot.profile.instance_name), 'bold')}"
         if level:
@@ -71,8 +107,13 @@ def composition_lines(snapshot, level, tag, more, paint):
 
 
 def context_lines(context, state, snapshot, level, tag, more, paint):
-    """The lines of one execution context; with the state of the component there if it is in several, and the owner if that is another."""
-    sign = "-" if level else "+"
+    """The lines of one execution context; with the state of the component there if it is in several,
+    and the owner if that is another.
+    """
+    if level:
+        sign = "-"
+    else:
+        sign = "+"
     if context.handle is None:
         yield f"{tag}+Execution Context of another component, which does not answer  {paint(state)}"
         return
@@ -82,7 +123,11 @@ def context_lines(context, state, snapshot, level, tag, more, paint):
     yield words if len(snapshot.contexts) == 1 else f"{words}  {paint(state)}"
     if not level:
         return
-    items = [("State", "Running" if context.running else "Stopped"), ("Kind", context.kind), ("Rate", str(float(context.rate)))]
+    items = [
+        ("State", "Running" if context.running else "Stopped"),
+        ("Kind", context.kind),
+        ("Rate", str(float(context.rate))),
+    ]
     owner = _instance(context.owner, snapshot)
     yield from _pairs(items + ([("Owner", owner)] if owner else []), more + "  ")
     if context.participants:
@@ -115,16 +160,24 @@ def port_lines(port, instance, level, ends, paint, tag="", more=""):
     listed = 0
     for connector in port.connectors:
         far = [end for end in map(ends, connector.ports) if end]
-        carrier = printable(ports.transport(connector)) if len(connector.ports) == 1 else ""
+        if len(connector.ports) == 1:
+            carrier = printable(ports.transport(connector))
+        else:
+            carrier = ""
         listed += len(far) or bool(carrier)
         if not far and not carrier:
             continue
-        how = "Connected to" if far else "Connected by"
+        if far:
+            how = "Connected to"
+        else:
+            how = "Connected by"
         yield f"{more} {'-' if level > 1 else '+'}{how}  {paint((far or [carrier])[0], 'bold')}"
         for end in far[1:]:
             yield more + " " * 16 + paint(end, "bold")
         if level > 1:
-            yield from _pairs([("Name", connector.name), ("ID", connector.id)] + _shown(connector), more + "    ")
+            yield from _pairs(
+                [("Name", connector.name), ("ID", connector.id)] + _shown(connector), more + "    "
+            )
     others = len(port.connectors) - listed
     if others > 0:
         yield f"{more}  ({others} other connection{'s' if others > 1 else ''})"
@@ -132,31 +185,67 @@ def port_lines(port, instance, level, ends, paint, tag="", more=""):
 
 def _shown(connector):
     """Properties except references of data ports, which mean nothing to a person."""
-    return [(name, value) for name, value in connector.properties if not name.endswith(("inport_ref", "inport_ior"))]
+    return [
+        (name, value)
+        for name, value in connector.properties
+        if not name.endswith(("inport_ref", "inport_ior"))
+    ]
 
 
-# ---- JSON -----------------------------------------------------------------------------------------------------
+# ---- JSON --------------------------------------------------------------------------------------------------
+
 
 def as_dict(snapshot, ends):
     """The JSON object of a component."""
-    fields = dict(snapshot.profile._asdict(), properties=dict(snapshot.profile.properties), path=str(snapshot.node.path),
-                  state=component.merged(snapshot.states), composite=bool(snapshot.organisations),
-                  composite_member=bool(snapshot.composites))
-    fields["compositions"] = [{"id": organisation.id, "members": snapshot.members[organisation.id]}
-                              for organisation in snapshot.organisations]
-    fields["parent_compositions"] = [{"id": organisation_id, "name": name, "path": path}
-                                     for organisation_id, name, path in snapshot.composites]
+    fields = dict(
+        snapshot.profile._asdict(),
+        properties=dict(snapshot.profile.properties),
+        path=str(snapshot.node.path),
+        state=component.merged(snapshot.states),
+        composite=bool(snapshot.organisations),
+        composite_member=bool(snapshot.composites),
+    )
+    fields["compositions"] = [
+        {"id": organisation.id, "members": snapshot.members[organisation.id]}
+        for organisation in snapshot.organisations
+    ]
+    fields["parent_compositions"] = [
+        {"id": organisation_id, "name": name, "path": path}
+        for organisation_id, name, path in snapshot.composites
+    ]
     fields["execution_contexts"] = [
-        {"handle": c.handle, "kind": c.kind, "rate": c.rate, "running": c.running, "owner": _instance(c.owner, snapshot),
-         "participants": [_instance(p, snapshot) for p in c.participants], "properties": dict(c.properties),
-         "state": state} for c, state in zip(snapshot.contexts, snapshot.states) if c.handle is not None]
+        {
+            "handle": c.handle,
+            "kind": c.kind,
+            "rate": c.rate,
+            "running": c.running,
+            "owner": _instance(c.owner, snapshot),
+            "participants": [_instance(p, snapshot) for p in c.participants],
+            "properties": dict(c.properties),
+            "state": state,
+        }
+        for c, state in zip(snapshot.contexts, snapshot.states)
+        if c.handle is not None
+    ]
     fields["ports"] = [port_dict(port, ends) for port in snapshot.ports]
     return fields
 
 
 def port_dict(port, ends):
     """The JSON object of a port."""
-    return {"path": ports.label(port), "name": port.name, "type": port.type, "properties": port.properties,
-            "interfaces": [dict(i._asdict()) for i in port.interfaces],
-            "connectors": [{"id": c.id, "name": c.name, "properties": dict(c.properties),
-                            "connected_to": [end for end in map(ends, c.ports) if end]} for c in port.connectors]}
+    return {
+        "path": ports.label(port),
+        "name": port.name,
+        "type": port.type,
+        "properties": port.properties,
+        "interfaces": [dict(i._asdict()) for i in port.interfaces],
+        "connectors": [
+            {
+                "id": c.id,
+                "name": c.name,
+                "properties": dict(c.properties),
+                "connected_to": [end for end in map(ends, c.ports) if end],
+            }
+            for c in port.connectors
+        ],
+    }

@@ -1,4 +1,7 @@
-"""A system as a picture: boxes for components, with their connected ports, and lines between them; as DOT for Graphviz."""
+"""A system as a picture: boxes for components, with their connected ports, and lines between them;
+as DOT for Graphviz.
+"""
+
 import collections
 import re
 
@@ -6,11 +9,17 @@ from rtshell_lite.system import capture
 from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model
 
-# A picture. `edges` are (from box, from port, to box, to port, True for a service) with indexes of boxes, and port names;
-# `tops` are indexes of the boxes that are not members of a composite.
+# A picture. `edges` are (from box, from port, to box, to port, True for a service) with indexes of boxes, and
+# port names; `tops` are indexes of the boxes that are not members of a composite.
 Graph = collections.namedtuple("Graph", "boxes edges tops")
 
-COLOURS = {"Inactive": "lightblue", "Active": "palegreen", "Error": "salmon", "Created": "white", "Unknown": "lightgrey"}
+COLOURS = {
+    "Inactive": "lightblue",
+    "Active": "palegreen",
+    "Error": "salmon",
+    "Created": "white",
+    "Unknown": "lightgrey",
+}
 INDENTED = 50  # levels: nobody reads more
 _KEYWORDS = {"node", "edge", "graph", "digraph", "subgraph", "strict"}
 _COMPASS = {"n", "ne", "e", "se", "s", "sw", "w", "nw", "c", "_"}
@@ -23,8 +32,12 @@ class Box:
     """
 
     def __init__(self, name, state=None, missing=False):
-        self.name, self.state, self.missing = name, state, missing
-        self.left, self.right, self.members = [], [], []
+        self.name = name
+        self.state = state
+        self.missing = missing
+        self.left = []
+        self.right = []
+        self.members = []
 
     def use(self, port, side):
         """Note a port in use, on the first side where it is."""
@@ -32,14 +45,16 @@ class Box:
             side.append(port)
 
 
-# ---- from a profile -------------------------------------------------------------------------------------------
+# ---- from a profile ----------------------------------------------------------------------------------------
+
 
 def of(profile, states=None):
     """The Graph of an RtsProfile. `states` gives those of its components, by path_uri."""
     states = states or {}
     boxes = [Box(component.instance_name, states.get(component.path_uri)) for component in profile.components]
     numbers = {id(component): number for number, component in enumerate(profile.components)}
-    locate, strangers = capture.locator(profile), {}
+    locate = capture.locator(profile)
+    strangers = {}
 
     def box_of(end):
         component = locate(end)
@@ -78,8 +93,9 @@ def _edges(connector, service, boxes, box_of):
 
 def _edge_alone(connector, boxes, box_of, transport):
     """The Edge between a port that is connected alone and the box of what carries its data."""
-    end, = connector.ends
-    box, port = box_of(end), capture.port_of(end)
+    (end,) = connector.ends
+    box = box_of(end)
+    port = capture.port_of(end)
     if connector.source is None:
         boxes[box].use(port, boxes[box].left)
         boxes[transport].use("", boxes[transport].right)
@@ -107,7 +123,8 @@ def _compose(profile, boxes, numbers, locate):
     return [number for number in range(len(boxes)) if number not in inside]
 
 
-# ---- what drawings share --------------------------------------------------------------------------------------
+# ---- what drawings share -----------------------------------------------------------------------------------
+
 
 def heads(graph, number):
     """The lines at the top of a box: name, state and composites around it; its members."""
@@ -118,13 +135,19 @@ def heads(graph, number):
     if box.state is not None:
         words.append(box.state)
     words += [f"(in {printable(composite.name)})" for composite in graph.boxes if number in composite.members]
-    members = ["made of " + ", ".join(printable(graph.boxes[member].name) for member in box.members)] if box.members else []
+    if box.members:
+        members = ["made of " + ", ".join(printable(graph.boxes[member].name) for member in box.members)]
+    else:
+        members = []
     return ["  ".join(words)] + members
 
 
 def in_order(graph):
-    """Numbers of the boxes, so that data flows downwards where it can; circles in the order of the profile."""
-    waiting, order = collections.OrderedDict.fromkeys(range(len(graph.boxes))), []
+    """Numbers of the boxes, so that data flows downwards where it can;
+    circles in the order of the profile.
+    """
+    waiting = collections.OrderedDict.fromkeys(range(len(graph.boxes)))
+    order = []
     above = {number: set() for number in waiting}
     for source, _, target, _, service in graph.edges:
         if source != target and not service:
@@ -133,7 +156,10 @@ def in_order(graph):
     left = {number: len(above[number]) for number in waiting}
     ready = collections.deque(number for number in waiting if not left[number])
     while waiting:
-        number = ready.popleft() if ready else next(iter(waiting))
+        if ready:
+            number = ready.popleft()
+        else:
+            number = next(iter(waiting))
         if number not in waiting:
             continue
         del waiting[number]
@@ -145,7 +171,8 @@ def in_order(graph):
     return order
 
 
-# ---- DOT ------------------------------------------------------------------------------------------------------
+# ---- DOT ---------------------------------------------------------------------------------------------------
+
 
 def dot(graph):
     """Lines of DOT."""
@@ -161,7 +188,10 @@ def dot(graph):
             yield f"  {_node_id(name)} [{', '.join(_attributes(box, ids))}];"
     yield from _clusters(graph, names)
     for service in (False, True):
-        style = ' [arrowhead="odot"]' if service else ""
+        if service:
+            style = ' [arrowhead="odot"]'
+        else:
+            style = ""
         for source, out, target, into, is_service in graph.edges:
             if is_service == service:
                 ends = f"{_node_id(names[source])}:{ports[source][out]} -> {_node_id(names[target])}:{ports[target][into]}"
@@ -214,9 +244,11 @@ def _word(name):
 
 def _distinct(names):
     """The names, with numbers added to those that were used before."""
-    seen, distinct = set(), []
+    seen = set()
+    distinct = []
     for name in names:
-        number, wanted = 1, name
+        number = 1
+        wanted = name
         while wanted in seen:
             number, wanted = number + 1, f"{name}_{number + 1}"
         seen.add(wanted)
@@ -240,8 +272,15 @@ def _port_ids(box):
     ids = {}
     for number, port in enumerate(box.left + box.right, 1):
         short = port.rpartition(".")[2]
-        plain = re.match(r"[A-Za-z_][A-Za-z_0-9]*\Z", short) and short.lower() not in _KEYWORDS and short not in _COMPASS
-        ids[port] = short if plain and short not in ids.values() else f"port{number}"
+        plain = (
+            re.match(r"[A-Za-z_][A-Za-z_0-9]*\Z", short)
+            and short.lower() not in _KEYWORDS
+            and short not in _COMPASS
+        )
+        if plain and short not in ids.values():
+            ids[port] = short
+        else:
+            ids[port] = f"port{number}"
     return ids
 
 

@@ -1,34 +1,45 @@
 """A system as SVG: boxes in columns as the data flows, from left to right, and lines between their ports.
 
-The layout is the usual one for such graphs, in its simplest form (Sugiyama, Tagawa, Toda 1981): a column for each box by the
-longest way to it, places within a column by those of its neighbours, and lines below all boxes for what goes back or far.
+The layout is the usual one for such graphs, in its simplest form (Sugiyama, Tagawa, Toda 1981): a column for
+each box by the longest way to it, places within a column by those of its neighbours, and lines below all
+boxes for what goes back or far.
 """
+
 import collections
 
 from rtshell_lite.text import cells, printable
 from rtshell_lite.views import graph
 
-_CELL, _ROW = 9, 20  # pixels: width of a character, height of a line of text
-_BESIDE, _BELOW = 90, 24  # pixels between columns, and between boxes in one
+# pixels: width of a character, height of a line of text
+_CELL = 9
+_ROW = 20
+# pixels between columns, and between boxes in one
+_BESIDE = 90
+_BELOW = 24
 _MARGIN = 40
 _LANE = 10  # pixels between lines below the boxes
 _FAR = 8  # columns; lines that cross more of them go below
 _SWEEPS = 4  # times that the places are improved, forwards and backwards
 
-_HEAD = ('<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" font-family="monospace" font-size="14">\n'
-         '<defs><marker id="arrow" markerWidth="8" markerHeight="8" refX="7" refY="4" orient="auto">'
-         '<path d="M0,0 L8,4 L0,8 z"/></marker><marker id="dot" markerWidth="9" markerHeight="9" refX="7" refY="4">'
-         '<circle cx="4" cy="4" r="3" fill="white" stroke="black"/></marker></defs>\n'
-         '<rect width="100%%" height="100%%" fill="white"/>')
+_HEAD = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" font-family="monospace" font-size="14">\n'
+    '<defs><marker id="arrow" markerWidth="8" markerHeight="8" refX="7" refY="4" orient="auto">'
+    '<path d="M0,0 L8,4 L0,8 z"/></marker><marker id="dot" markerWidth="9" markerHeight="9" refX="7" refY="4">'
+    '<circle cx="4" cy="4" r="3" fill="white" stroke="black"/></marker></defs>\n'
+    '<rect width="100%%" height="100%%" fill="white"/>'
+)
 
 
 class _Item:
     """A box, or a line that passes (`box` is None), in a column. x, y: its upper left corner."""
 
     def __init__(self, box=None, heads=()):
-        self.box, self.heads = box, heads
+        self.box = box
+        self.heads = heads
         self.x = self.y = self.place = 0
-        self.before, self.after = [], []  # Items in the columns to the left and right that lines lead to
+        # Items in the columns to the left and right that lines lead to
+        self.before = []
+        self.after = []
         self.width = self.height = 0
         if box is not None:
             sides = [max([cells(printable(port)) for port in side] or [0]) for side in (box.left, box.right)]
@@ -65,7 +76,8 @@ def lines(picture):
     yield "</svg>"
 
 
-# ---- where things are -----------------------------------------------------------------------------------------
+# ---- where things are --------------------------------------------------------------------------------------
+
 
 def _columns(picture, boxes):
     """(columns, lists of Items; for each edge the Items that it passes, None for one that goes below)."""
@@ -120,7 +132,9 @@ def _number(items):
 
 
 def _mean(values, otherwise):
-    return sum(values) / len(values) if values else otherwise
+    if values:
+        return sum(values) / len(values)
+    return otherwise
 
 
 def _place(columns):
@@ -129,7 +143,11 @@ def _place(columns):
     for items in columns:
         width = max([item.width for item in items] or [0])
         for item in items:
-            item.x, item.width = x, item.width if item.box is not None else width
+            item.x = x
+            if item.box is not None:
+                item.width = item.width
+            else:
+                item.width = width
         x += width + _BESIDE
         _stack(items, [0] * len(items))
     for _ in range(_SWEEPS):
@@ -157,14 +175,21 @@ def _stack(items, wanted):
         item.y = int(item.y + shift)
 
 
-# ---- drawing --------------------------------------------------------------------------------------------------
+# ---- drawing -----------------------------------------------------------------------------------------------
+
 
 def _drawn(item):
     """The lines for a box."""
     box = item.box
     colour = graph.COLOURS.get(box.state, "white" if box.state is None else "lightgrey")
     yield '<rect x="%d" y="%d" width="%d" height="%d" rx="5" fill="%s" stroke="black"%s/>' % (
-        item.x, item.y, item.width, item.height, colour, ' stroke-dasharray="4"' if box.missing else "")
+        item.x,
+        item.y,
+        item.width,
+        item.height,
+        colour,
+        ' stroke-dasharray="4"' if box.missing else "",
+    )
     for row, head in enumerate(item.heads):
         yield _text(item.x + item.width // 2, item.y + row * _ROW + 19, "middle", head)
     for port in box.left + box.right:
@@ -181,20 +206,37 @@ def _escaped(text):
 
 
 def _line(edge, boxes, way, lane):
-    """The line for an edge; a browser shows what it connects when the mouse points at it. `lane`: y of one that goes below."""
+    """The line for an edge; a browser shows what it connects when the mouse points at it.
+    `lane`: y of one that goes below.
+    """
     source, out, target, into, service = edge
     (x, y, side), (to_x, to_y, to_side) = boxes[source].port(out), boxes[target].port(into)
     if way is None:
         beside = _LANE + lane % (4 * _LANE)
-        path = "M%d,%d H%d V%d H%d V%d H%d" % (x, y, x + side * beside, lane, to_x + to_side * beside, to_y, to_x)
+        path = "M%d,%d H%d V%d H%d V%d H%d" % (
+            x,
+            y,
+            x + side * beside,
+            lane,
+            to_x + to_side * beside,
+            to_y,
+            to_x,
+        )
     else:
         path = "M%d,%d" % (x, y)
         for item in way:
             path += _curve(x, y, side, item.x, item.middle, -1) + " H%d" % (item.x + item.width)
-            x, y, side = item.x + item.width, item.middle, 1
+            x = item.x + item.width
+            y = item.middle
+            side = 1
         path += _curve(x, y, side, to_x, to_y, to_side)
-    looks = 'stroke-dasharray="5,3" marker-end="url(#dot)"' if service else 'marker-end="url(#arrow)"'
-    name = "%s:%s to %s:%s" % tuple(map(printable, (boxes[source].box.name, out, boxes[target].box.name, into)))
+    if service:
+        looks = 'stroke-dasharray="5,3" marker-end="url(#dot)"'
+    else:
+        looks = 'marker-end="url(#arrow)"'
+    name = "%s:%s to %s:%s" % tuple(
+        map(printable, (boxes[source].box.name, out, boxes[target].box.name, into))
+    )
     return f'<path d="{path}" fill="none" stroke="black" {looks}><title>{_escaped(name)}</title></path>'
 
 

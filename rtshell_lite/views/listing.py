@@ -1,4 +1,5 @@
 """What rtls and rtfind show of nodes: their kind at a glance, a row of figures, or JSON."""
+
 import collections
 
 from rtshell_lite import errors, text
@@ -7,22 +8,33 @@ from rtshell_lite.robot import tree
 
 MARKS = {"zombie": "*", "silent": "?"}
 
-# The figures of a component: its state, and a list of (number of ports, number of connected ones) of each kind.
-COUNTED = (("ports", None), ("in_ports", "DataInPort"), ("out_ports", "DataOutPort"), ("service_ports", "CorbaPort"))
+# The figures of a component: its state, and a list of (number of ports, number of connected ones) of each
+# kind.
+COUNTED = (
+    ("ports", None),
+    ("in_ports", "DataInPort"),
+    ("out_ports", "DataOutPort"),
+    ("service_ports", "CorbaPort"),
+)
 
 
 async def all_blocks(paths, recurse, typed):
-    """`blocks` for each path, in parallel by name server; an errors.Error for what failed. `typed` is for the headers."""
-    return await session.each(list(zip(paths, typed)), lambda item: blocks(item[0], recurse, text.safe(item[1])),
-                              lambda item: (tree.lane(item[0]), str(item[0])))
+    """`blocks` for each path, in parallel by name server; an errors.Error for what failed.
+    `typed` is for the headers.
+    """
+    return await session.each(
+        list(zip(paths, typed)),
+        lambda item: blocks(item[0], recurse, text.safe(item[1])),
+        lambda item: (tree.lane(item[0]), str(item[0])),
+    )
 
 
 async def blocks(path, recurse=False, shown="."):
     """What to list at `path`: [(header, [Node, …])]; the header is None for a single object.
 
-    With `recurse`, a block for every directory below, its header relative to `shown` as in ls -R; a directory bound by several
-    names has one for the first. One that cannot be listed is in its parent's block with its `error` set. Raises what
-    `tree.resolve` raises, and WrongKind.
+    With `recurse`, a block for every directory below, its header relative to `shown` as in ls -R; a directory
+    bound by several names has one for the first. One that cannot be listed is in its parent's block with its
+    `error` set. Raises what `tree.resolve` raises, and WrongKind.
     """
     top = await _resolved(path)
     if top.kind not in tree.DIRECTORIES:
@@ -34,7 +46,7 @@ async def blocks(path, recurse=False, shown="."):
     listed = collections.OrderedDict()
     for node in await tree.walk(top):
         if node.kind in tree.DIRECTORIES and node.alias is None:
-            below = str(node.path)[len(str(top.path)):].strip("/")
+            below = str(node.path)[len(str(top.path)) :].strip("/")
             listed[node.path] = (shown.rstrip("/") + ("/" + below if below else "") + ":", [])
         if node is not top:
             listed[node.path.parent()][1].append(node)
@@ -65,12 +77,18 @@ async def look(nodes, long=False):
     nodes = [(await tree.check_alive([node]))[0] if node.kind == "unsure" else node for node in nodes]
     asked = [node for node in nodes if node.kind == "component"]
     answers = dict(zip(asked, await tree.on_nodes(asked, _figures)))
-    others = dict(zip([n for n in nodes if n not in answers], await tree.check_alive([n for n in nodes if n not in answers])))
+    others = dict(
+        zip(
+            [n for n in nodes if n not in answers],
+            await tree.check_alive([n for n in nodes if n not in answers]),
+        )
+    )
     rows = []
     for node in nodes:
         answer = answers.get(node)
         if isinstance(answer, errors.Error):
-            node, answer = await tree.classify_answer(node, answer), None
+            node = await tree.classify_answer(node, answer)
+            answer = None
         rows.append((others.get(node, node), answer))
     return rows
 
@@ -78,14 +96,23 @@ async def look(nodes, long=False):
 async def _figures(node):
     """The figures of a component, whose reference is dropped."""
     from rtshell_lite.robot import component, snapshot  # not needed, and not loaded, for names alone
+
     shown = snapshot.Snapshot(node)
     try:
-        await shown.ask(owned=snapshot.REFERENCES, participating=snapshot.REFERENCES, states=snapshot.FULL, ports=snapshot.BRIEF)
+        await shown.ask(
+            owned=snapshot.REFERENCES,
+            participating=snapshot.REFERENCES,
+            states=snapshot.FULL,
+            ports=snapshot.BRIEF,
+        )
     except (errors.Gone, errors.ConnectionRefused) as e:
         if not shown.answered:
             raise
         # a port or context passed on that another component is gone
-        why = "one of them is gone" if isinstance(e, errors.Gone) else "connection refused"
+        if isinstance(e, errors.Gone):
+            why = "one of them is gone"
+        else:
+            why = "connection refused"
         raise errors.Unreachable(str(node.path), f"does not report its ports or states ({why})")
     finally:
         node.ref = None  # 20,000 of them take 16 MB
@@ -97,7 +124,9 @@ async def _figures(node):
 
 
 def short(node, paint, name=None):
-    """(a node's name without -l, the same without colour): directories end in a slash, zombies and silent ones are marked."""
+    """(a node's name without -l, the same without colour):
+    directories end in a slash, zombies and silent ones are marked.
+    """
     name = name or node.name
     if node.kind in tree.DIRECTORIES:
         return paint(name, "directory") + "/" + first_name(node), name + "/" + first_name(node)
@@ -107,7 +136,9 @@ def short(node, paint, name=None):
 
 def first_name(node):
     """` -> PATH` for a directory that a walk has entered by another name, else ''."""
-    return " -> " + str(node.alias) if node.alias else ""
+    if node.alias:
+        return " -> " + str(node.alias)
+    return ""
 
 
 def row(node, figures, paint, name=None):
@@ -115,14 +146,21 @@ def row(node, figures, paint, name=None):
     name = name or node.name
     if figures is None:
         cells = [paint("?") if node.kind == "silent" else "-"] + ["-"] * len(COUNTED)
-        role = "directory" if node.kind in tree.DIRECTORIES else "zombie" if node.kind in ("zombie", "unknown") else None
+        if node.kind in tree.DIRECTORIES:
+            role = "directory"
+        elif node.kind in ("zombie", "unknown"):
+            role = "zombie"
+        else:
+            role = None
         return cells + [MARKS.get(node.kind, "") + paint(name, role) + first_name(node)]
     state, counts = figures
     return [paint(state)] + [f"{paint(str(count), 'bold')}/{linked}" for count, linked in counts] + [name]
 
 
 def place(node):
-    """The path and kind of a node for its JSON object; `alias` is the first path of a directory bound by several names."""
+    """The path and kind of a node for its JSON object;
+    `alias` is the first path of a directory bound by several names.
+    """
     fields = {"path": str(node.path), "kind": node.kind}
     if node.alias is not None:
         fields["alias"] = str(node.alias)
@@ -146,4 +184,6 @@ def silent_ones(nodes):
     silent = [node.name for node in nodes if node.kind == "silent"]
     names = ", ".join(silent[:5] + ["…"] * (len(silent) > 5))
     objects = [node for node in nodes if node.kind in ("component", "manager", "silent", "zombie")]
-    return f"{len(silent)} of {len(objects)} did not answer ({names})" if silent else ""
+    if silent:
+        return f"{len(silent)} of {len(objects)} did not answer ({names})"
+    return ""

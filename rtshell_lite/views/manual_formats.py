@@ -1,4 +1,5 @@
 """A Manual in reStructuredText, HTML and LaTeX, as lines. The component's text is escaped in each of them."""
+
 from rtshell_lite.text import cells, safe
 from rtshell_lite.views.manual import Graph, Table
 
@@ -8,7 +9,8 @@ def _lines_of(text):
     return [safe(line) for line in text.expandtabs().replace("\r\n", "\n").split("\n")]
 
 
-# ---- reStructuredText -----------------------------------------------------------------------------------------
+# ---- reStructuredText --------------------------------------------------------------------------------------
+
 
 def rst(manual):
     """reStructuredText, as rtshell lays it out."""
@@ -28,8 +30,12 @@ def _underlined(title, mark):
 
 def _rst_part(part):
     if isinstance(part, Table):
-        lines = [".. csv-table:: " + part.title, "   :header: " + _csv(part.header),
-                 "   :widths: " + ", ".join(str(width) for width in part.widths), "   "]
+        lines = [
+            ".. csv-table:: " + part.title,
+            "   :header: " + _csv(part.header),
+            "   :widths: " + ", ".join(str(width) for width in part.widths),
+            "   ",
+        ]
         return lines + ["   " + _csv(row) for row in part.rows]
     if isinstance(part, Graph):
         return [".. digraph:: comp", ""] + ["   " + line for line in part.lines]
@@ -40,7 +46,7 @@ def _csv(row):
     return ", ".join('"%s"' % " ".join(_lines_of(cell)).replace('"', "'") for cell in row)
 
 
-# ---- HTML -----------------------------------------------------------------------------------------------------
+# ---- HTML --------------------------------------------------------------------------------------------------
 
 _STYLE = """\
 body { font-family: sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em }
@@ -55,8 +61,20 @@ pre { background: #eee; padding: .6em }"""
 def html(manual):
     """One self-contained HTML page."""
     title = _html(manual.title)
-    lines = ["<!DOCTYPE html>", '<html lang="en">', "<head>", '<meta charset="utf-8">', f"<title>{title}</title>",
-             "<style>", _STYLE, "</style>", "</head>", "<body>", f"<h1>{title}</h1>", f"<p>{_html(manual.description)}</p>"]
+    lines = [
+        "<!DOCTYPE html>",
+        '<html lang="en">',
+        "<head>",
+        '<meta charset="utf-8">',
+        f"<title>{title}</title>",
+        "<style>",
+        _STYLE,
+        "</style>",
+        "</head>",
+        "<body>",
+        f"<h1>{title}</h1>",
+        f"<p>{_html(manual.description)}</p>",
+    ]
     lines += ["<dl>"] + [f"<dt>{_html(n)}</dt><dd>{_html(v)}</dd>" for n, v in manual.fields] + ["</dl>"]
     for section in manual.sections:
         lines.append(f"<h2>{_html(section.title)}</h2>")
@@ -67,6 +85,7 @@ def html(manual):
 
 def _html(text):
     from html import escape
+
     return escape("\n".join(_lines_of(text)))
 
 
@@ -78,20 +97,40 @@ def _html_part(part):
         return lines + ["</table>"]
     if isinstance(part, Graph):
         return ["<pre>digraph comp {"] + ["  " + _html(line) for line in part.lines] + ["}</pre>"]
-    return ["<p>%s</p>" % _html(paragraph.strip("\n")) for paragraph in part.split("\n\n") if paragraph.strip()]
+    return [
+        "<p>%s</p>" % _html(paragraph.strip("\n")) for paragraph in part.split("\n\n") if paragraph.strip()
+    ]
 
 
-# ---- LaTeX ----------------------------------------------------------------------------------------------------
+# ---- LaTeX -------------------------------------------------------------------------------------------------
 
-_LATEX = {"\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "#": r"\#", "$": r"\$", "%": r"\%", "&": r"\&", "_": r"\_",
-          "^": r"\textasciicircum{}", "~": r"\textasciitilde{}"}
+_LATEX = {
+    "\\": r"\textbackslash{}",
+    "{": r"\{",
+    "}": r"\}",
+    "#": r"\#",
+    "$": r"\$",
+    "%": r"\%",
+    "&": r"\&",
+    "_": r"\_",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+}
 
 
 def latex(manual):
     """A LaTeX document."""
-    lines = [r"\documentclass{article}", r"\usepackage[utf8]{inputenc}", r"\usepackage[T1]{fontenc}", r"\usepackage{longtable}",
-             r"\begin{document}", r"\section*{%s}" % _latex(manual.title), _latex(manual.description), "",
-             r"\begin{description}"]
+    lines = [
+        r"\documentclass{article}",
+        r"\usepackage[utf8]{inputenc}",
+        r"\usepackage[T1]{fontenc}",
+        r"\usepackage{longtable}",
+        r"\begin{document}",
+        r"\section*{%s}" % _latex(manual.title),
+        _latex(manual.description),
+        "",
+        r"\begin{description}",
+    ]
     lines += [rf"\item[{_latex(n)}] {_latex(v)}" for n, v in manual.fields] + [r"\end{description}"]
     for section in manual.sections:
         lines.append(r"\subsection*{%s}" % _latex(section.title))
@@ -108,10 +147,17 @@ def _latex_part(part):
     if isinstance(part, Table):
         total = float(sum(part.widths))
         columns = "|" + "".join(r"p{%.2f\textwidth}|" % (0.9 * width / total) for width in part.widths)
-        rows = [" & ".join(_latex(cell).replace("\n", " ") for cell in row) + r" \\ \hline" for row in [part.header] + part.rows]
+        rows = [
+            " & ".join(_latex(cell).replace("\n", " ") for cell in row) + r" \\ \hline"
+            for row in [part.header] + part.rows
+        ]
         return [r"\begin{longtable}{%s}" % columns, r"\hline"] + rows + [r"\end{longtable}"]
     if isinstance(part, Graph):
-        return [r"\begin{verbatim}", "digraph comp {"] + ["  " + line for line in part.lines] + ["}", r"\end{verbatim}"]
+        return (
+            [r"\begin{verbatim}", "digraph comp {"]
+            + ["  " + line for line in part.lines]
+            + ["}", r"\end{verbatim}"]
+        )
     return [_latex(part)]
 
 

@@ -1,7 +1,9 @@
 """What rtprint shows of the values that come from ports: lines, JSON, bytes, or figures on their flow.
 
-Values are formatted and written on a thread, a batch at a time: however long that takes, components get their answers.
+Values are formatted and written on a thread, a batch at a time: however long that takes, components get their
+answers.
 """
+
 import importlib
 import math
 import os
@@ -17,22 +19,32 @@ TICK = 0.2  # seconds between two looks at anything but values: dead ports, the 
 SHOW = 1.0  # seconds between two lines of figures
 PORTION = 1 << 16  # characters that are written at once
 LONG = 8  # elements of a sequence that are shown on a terminal
-USER_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)  # what a formatter may raise
+# what a formatter may raise
+USER_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 
 
-# ---- channels -------------------------------------------------------------------------------------------------
+# ---- channels ----------------------------------------------------------------------------------------------
+
 
 class Channel:
     """One port that is read, and how its values are shown; `type` is None when they are shown as bytes."""
 
     def __init__(self, target, type, formatter=None, field=None):
-        self.label, self.type, self.formatter, self.field = target.label, type, formatter, field
+        self.label = target.label
+        self.type = type
+        self.formatter = formatter
+        self.field = field
         self.path = str(target.port.node.path.with_port(target.port.name.rpartition(".")[2]))
         self.type_id = target.port.properties.get("dataport.data_type", "")
-        members = datatypes.members(self.type_id) if type else None
+        if type:
+            members = datatypes.members(self.type_id)
+        else:
+            members = None
         self.stamped = bool(members) and members[0] == ("tm", "Time")
         self.flow = statistics.Flow()
-        self.shown = self.failed = False  # whether any of its values could be shown, and whether any could not
+        self.shown = self.failed = (
+            False  # whether any of its values could be shown, and whether any could not
+        )
 
     def value(self, message):
         """The Python value of a Message, or its member `field`. Raises errors.Error."""
@@ -40,12 +52,17 @@ class Channel:
             value = self.type.decode(message.data, message.little)
         except errors.BadData as e:
             raise errors.BadData(self.path, "%s: %s" % e.args)
-        return values.field(value, self.field) if self.field else value
+        if self.field:
+            return values.field(value, self.field)
+        return value
 
     def line(self, message):
         """A Message as a line for people; its bytes are several lines."""
         if self.type is None:
-            limit = 4 * LONG if sys.stdout.isatty() else None
+            if sys.stdout.isatty():
+                limit = 4 * LONG
+            else:
+                limit = None
             return "\n".join(text.safe(line) for line in values.raw(message.data, message.little, limit))
         value = self.value(message)
         if self.formatter is None:
@@ -73,12 +90,16 @@ class Channel:
                 return None
             sec, nsec = struct.unpack_from("<LL" if message.little else ">LL", message.data)
             return sec * 10**9 + nsec
-        stamp = values.timestamp(self.type.decode(message.data, message.little)) if self.type else None
+        if self.type:
+            stamp = values.timestamp(self.type.decode(message.data, message.little))
+        else:
+            stamp = None
         return stamp and stamp[0] * 10**9 + stamp[1]
 
 
 def formatter(name, directories=()):
-    """The function called `module.function`, which formats a value; `directories` are searched first. Raises NoSuch, Failed.
+    """The function called `module.function`, which formats a value; `directories` are searched first. Raises
+    NoSuch, Failed.
 
     `rtshell.rawpy`, as with rtshell, is repr.
     """
@@ -88,7 +109,10 @@ def formatter(name, directories=()):
     before = list(sys.path)
     sys.path[:0] = [os.path.abspath(directory) for directory in directories]
     try:
-        function = getattr(importlib.import_module(module), attribute, None) if module else None
+        if module:
+            function = getattr(importlib.import_module(module), attribute, None)
+        else:
+            function = None
     except (ImportError, SyntaxError) as e:
         raise errors.Failed("#" + name, f"cannot import {module} ({e})")
     finally:
@@ -98,14 +122,18 @@ def formatter(name, directories=()):
     return function
 
 
-# ---- as they come ---------------------------------------------------------------------------------------------
+# ---- as they come ------------------------------------------------------------------------------------------
+
 
 async def batches(box, opened, seconds=math.inf, rate=None):
-    """Yield lists of (key, Message) from an Inbox, as they come; until `seconds` are over or no connection of `opened` is left.
+    """Yield lists of (key, Message) from an Inbox, as they come; until `seconds` are over or no connection of
+    `opened` is left.
 
-    With a rate, so many times a second, and only the newest of each key. At least every TICK a list, maybe empty, is yielded.
+    With a rate, so many times a second, and only the newest of each key. At least every TICK a list, maybe
+    empty, is yielded.
     """
-    end, is_last = time.monotonic() + seconds, False
+    end = time.monotonic() + seconds
+    is_last = False
     while not is_last:
         left = end - time.monotonic()
         is_last = left <= 0 or not opened.live()
@@ -120,23 +148,31 @@ async def batches(box, opened, seconds=math.inf, rate=None):
 
 def portions(lines):
     """Lines joined to strings of about PORTION: many small writes cost time, a large one memory."""
-    pending, size = [], 0
+    pending = []
+    size = 0
     for line in lines:
         pending.append(line)
         size += len(line)
         if size >= PORTION:
             yield "".join(pending)
-            pending, size = [], 0
+            pending = []
+            size = 0
     yield "".join(pending)
 
 
-# ---- figures --------------------------------------------------------------------------------------------------
+# ---- figures -----------------------------------------------------------------------------------------------
+
 
 class Board:
-    """Figures for each Channel, written by write(text): in place on a terminal, else a line each time, or JSON; totals at the end."""
+    """Figures for each Channel, written by write(text):
+    in place on a terminal, else a line each time, or JSON; totals at the end.
+    """
 
     def __init__(self, channels, box, json, write):
-        self.channels, self.box, self.json, self.write = channels, box, json, write
+        self.channels = channels
+        self.box = box
+        self.json = json
+        self.write = write
         self.dropped = [0] * len(channels)
         self.in_place = not json and sys.stdout.isatty()
         self.lines = 0
@@ -148,7 +184,8 @@ class Board:
             self.channels[key].count(message)
         if not self.is_due():
             return
-        now, figures = time.monotonic(), []
+        now = time.monotonic()
+        figures = []
         for key, channel in enumerate(self.channels):
             dropped, self.dropped[key] = self.box.dropped[key] - self.dropped[key], self.box.dropped[key]
             figures.append(channel.flow.look().summary(now - self.shown, dropped))
@@ -162,20 +199,32 @@ class Board:
     def end(self):
         """Show the figures from the beginning until `ended`."""
         seconds = self.ended - self.begun
-        self._write([channel.flow.total.summary(seconds, self.box.dropped[key]) for key, channel in enumerate(self.channels)],
-                    "all in all: ")
+        self._write(
+            [
+                channel.flow.total.summary(seconds, self.box.dropped[key])
+                for key, channel in enumerate(self.channels)
+            ],
+            "all in all: ",
+        )
 
     def _write(self, figures, prefix):
         if self.json:
-            lines = [text.json_line(dict(of_port, path=channel.path, total=bool(prefix)))
-                     for channel, of_port in zip(self.channels, figures)]
+            lines = [
+                text.json_line(dict(of_port, path=channel.path, total=bool(prefix)))
+                for channel, of_port in zip(self.channels, figures)
+            ]
         else:
-            lines = [prefix + (channel.label + ": " if len(figures) > 1 else "") + text.safe(figure_line(of_port))
-                     for channel, of_port in zip(self.channels, figures)]
+            lines = [
+                prefix + (channel.label + ": " if len(figures) > 1 else "") + text.safe(figure_line(of_port))
+                for channel, of_port in zip(self.channels, figures)
+            ]
         start = ""
         if self.in_place:
             width = text.width() - 1
-            start = "\x1b[%dA" % self.lines if self.lines else ""
+            if self.lines:
+                start = "\x1b[%dA" % self.lines
+            else:
+                start = ""
             lines = ["\x1b[2K" + line[:width] for line in lines]
             self.lines = len(lines)
         self.write(start + "".join(line + "\n" for line in lines))
@@ -187,8 +236,11 @@ def figure_line(figures):
         return "no values"
     words = [f"{figures['values']} values"]
     if figures["rate"] is not None:
-        words += [f"{figures['rate']:.1f} Hz", "gap %s/%s/%s ms" % tuple(_ms(figures[k]) for k in ("gap_min", "gap_mean", "gap_max")),
-                  f"jitter {_ms(figures['jitter'])} ms"]
+        words += [
+            f"{figures['rate']:.1f} Hz",
+            "gap %s/%s/%s ms" % tuple(_ms(figures[k]) for k in ("gap_min", "gap_mean", "gap_max")),
+            f"jitter {_ms(figures['jitter'])} ms",
+        ]
     if figures["bytes_per_second"] is not None:
         words.append(_bytes(figures["bytes_per_second"]) + "/s")
     if figures["age_mean"] is not None:
@@ -202,7 +254,9 @@ def figure_line(figures):
 
 
 def _ms(seconds):
-    return f"{seconds * 1000:.3g}" if abs(seconds) < 1 else f"{seconds * 1000:.0f}"
+    if abs(seconds) < 1:
+        return f"{seconds * 1000:.3g}"
+    return f"{seconds * 1000:.0f}"
 
 
 def _bytes(number):

@@ -1,7 +1,9 @@
-"""Characters that XML cannot hold, most controls and lone surrogates, are spelt _xHHHH_: names of peers may hold any bytes.
+"""Characters that XML cannot hold, most controls and lone surrogates, are spelt _xHHHH_: names of peers may
+hold any bytes.
 
 Other formats in XML have the same spelling. Other text stays as it is, unless it looks like such a spelling.
 """
+
 import re
 
 from rtshell_lite.text import is_plain, judged
@@ -12,8 +14,10 @@ _SPELT = "(?:00(?:0[0-8BCEF]|1[0-9A-F]|5F)|D[89A-F][0-9A-F]{2}|FFF[EF])"
 _TO_SPELL = re.compile(f"[{_ILLEGAL}]|_(?=x{_SPELT}[_{_ILLEGAL}])")
 _TO_READ = re.compile(f"_x({_SPELT})_")
 _ILLEGAL_ONE = re.compile(f"[{_ILLEGAL}]")
-_INVISIBLE = "\x7f-\x9f\xad\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb\U000e0000-\U000e0fff"
-_MARKUP = re.compile(f"[&<>\"\t\n\r{_INVISIBLE}]")
+_INVISIBLE = (
+    "\x7f-\x9f\xad\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb\U000e0000-\U000e0fff"
+)
+_MARKUP = re.compile(f'[&<>"\t\n\r{_INVISIBLE}]')
 
 
 def quoted(text):
@@ -26,8 +30,13 @@ def quoted(text):
 
 
 def marked(text):
-    """`text`, which XML can hold, with references for markup, tabs and line ends, and what is not printable."""
-    text = _MARKUP.sub(_reference, text) if _MARKUP.search(text) else text
+    """`text`, which XML can hold, with references for markup, tabs and line ends,
+    and what is not printable.
+    """
+    if _MARKUP.search(text):
+        text = _MARKUP.sub(_reference, text)
+    else:
+        text = text
     if is_plain(text):
         return text
     return "".join(c if plain or c < "\u0300" else "&#%d;" % ord(c) for c, plain in judged(text))
@@ -47,4 +56,6 @@ def _reference(character):
 
 def unspelt(text):
     """The reverse of `quoted`, after the XML parser has replaced references."""
-    return _TO_READ.sub(lambda spelling: chr(int(spelling.group(1), 16)), text) if "_x" in text else text
+    if "_x" in text:
+        return _TO_READ.sub(lambda spelling: chr(int(spelling.group(1), 16)), text)
+    return text

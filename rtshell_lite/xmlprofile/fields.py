@@ -1,7 +1,14 @@
-"""What the classes of an RtsProfile (model.py) are made of: fields with their names in files, elements, foreign parts."""
+"""What the classes of an RtsProfile (model.py) are made of:
+fields with their names in files, elements, foreign parts.
+"""
+
 import itertools
 
-TEXT, BOOLEAN, INTEGER, NUMBER, DATE = "text", "true or false", "whole number", "number", "date"
+TEXT = "text"
+BOOLEAN = "true or false"
+INTEGER = "whole number"
+NUMBER = "number"
+DATE = "date"
 
 
 class Field:
@@ -9,8 +16,12 @@ class Field:
 
     child = many = False
 
-    def __init__(self, name, tag, kind=TEXT, default="", required=False, always=False, choices=None, also=(), key=None):
-        """A value, an attribute in XML. `always`: written even if it has its default. `also`: misspellings to accept."""
+    def __init__(
+        self, name, tag, kind=TEXT, default="", required=False, always=False, choices=None, also=(), key=None
+    ):
+        """A value, an attribute in XML. `always`: written even if it has its default.
+        `also`: misspellings to accept.
+        """
         self.name = name
         self.tag = tag
         self.prefix, self.local = tag.split(":")
@@ -20,7 +31,10 @@ class Field:
         self.always = always
         self.choices = choices
         self.also = also
-        self.key = key or (self.prefix + "::" if self.prefix != "rts" else "") + self.local[0].lower() + self.local[1:]
+        self.key = (
+            key
+            or (self.prefix + "::" if self.prefix != "rts" else "") + self.local[0].lower() + self.local[1:]
+        )
         self.within = None  # the key of a mapping that YAML puts around it
 
 
@@ -57,8 +71,12 @@ class Foreign:
         return bool(self.attributes or self.elements or self.keys)
 
     def __eq__(self, other):
-        return isinstance(other, Foreign) and self.attributes == other.attributes \
-            and self.elements == other.elements and same(self.keys, other.keys)
+        return (
+            isinstance(other, Foreign)
+            and self.attributes == other.attributes
+            and self.elements == other.elements
+            and same(self.keys, other.keys)
+        )
 
     __hash__ = None
 
@@ -78,13 +96,22 @@ class ForeignElement:
 
 
 def tidy(content):
-    """The content of an XML element with adjacent texts joined, and without blanks that only indent children."""
+    """The content of an XML element with adjacent texts joined,
+    and without blanks that only indent children.
+    """
     if len(content) == 1 and content[0] != "":
         return content
     joined = []
     for is_text, items in itertools.groupby(content, lambda item: isinstance(item, str)):
-        joined += ["".join(items)] if is_text else items
-    return [item for item in joined if not isinstance(item, str) or (item if len(joined) == 1 else item.strip(" \t\r\n"))]
+        if is_text:
+            joined += ["".join(items)]
+        else:
+            joined += items
+    return [
+        item
+        for item in joined
+        if not isinstance(item, str) or (item if len(joined) == 1 else item.strip(" \t\r\n"))
+    ]
 
 
 class Element:
@@ -92,12 +119,17 @@ class Element:
 
     FIELDS = ()
     XSI_TYPE = None  # the xsi:type in XML; rtsprofile writes it on some elements only, and so do we
-    comments_before = comments_inside = ()  # of XML: texts before the element, and after the last element inside; no part of its value
+    comments_before = (
+        comments_inside
+    ) = ()  # of XML: texts before the element, and after the last element inside; no part of its value
 
     def __init__(self, **values):
         own = self.__dict__
         for field in self.FIELDS:
-            own[field.name] = [] if field.many else field.default
+            if field.many:
+                own[field.name] = []
+            else:
+                own[field.name] = field.default
         own["foreign"] = None
         known = len(own)
         own.update(values)
@@ -113,7 +145,9 @@ class Element:
 
     def __repr__(self):
         values = [(field.name, getattr(self, field.name), field.default) for field in self.FIELDS]
-        shown = ", ".join(f"{name}={value!r}" for name, value, default in values if value != default and value != [])
+        shown = ", ".join(
+            f"{name}={value!r}" for name, value, default in values if value != default and value != []
+        )
         return f"{type(self).__name__}({shown})"
 
     def fault(self, given):
@@ -124,7 +158,9 @@ class Element:
         return None
 
     def property(self, name, default=None):
-        """The value of the extended property `name` (the first one: files repeat names), which may be None."""
+        """The value of the extended property `name` (the first one:
+        files repeat names), which may be None.
+        """
         for item in getattr(self, "properties", ()):
             if item.name == name:
                 return item.value

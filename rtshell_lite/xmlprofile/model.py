@@ -6,22 +6,51 @@ FIELDS of a class is its whole schema, by which both file forms are read and wri
 
 A field that is not given has its default. `foreign` holds what is not in the schema.
 """
-from rtshell_lite.xmlprofile.fields import BOOLEAN, DATE, INTEGER, NUMBER, TEXT, Child, Children, Element, Field
+
+from rtshell_lite.xmlprofile.fields import (
+    BOOLEAN,
+    DATE,
+    INTEGER,
+    NUMBER,
+    TEXT,
+    Child,
+    Children,
+    Element,
+    Field,
+)
 
 # Files spell these in any case, version 0.1 has other names, and rtsprofile misspells one.
-COMPOSITE_TYPES = {name.lower(): name for name in (
-    "None", "PeriodicECShared", "PeriodicStateShared", "Grouping", "FsmECShared", "FsmStateShared")}
-COMPOSITE_TYPES.update({"choice": "None", "ecshared": "PeriodicECShared", "allshared": "PeriodicStateShared",
-                        "nonshared": "Grouping"})
+COMPOSITE_TYPES = {
+    name.lower(): name
+    for name in (
+        "None",
+        "PeriodicECShared",
+        "PeriodicStateShared",
+        "Grouping",
+        "FsmECShared",
+        "FsmStateShared",
+    )
+}
+COMPOSITE_TYPES.update(
+    {
+        "choice": "None",
+        "ecshared": "PeriodicECShared",
+        "allshared": "PeriodicStateShared",
+        "nonshared": "Grouping",
+    }
+)
 DIRECTIONS = {name.lower(): name for name in ("DOWN", "RIGHT", "UP", "LEFT")}
 
 
-# ---- what elements share ----------------------------------------------------------------------------------------
+# ---- what elements share -----------------------------------------------------------------------------------
+
 
 class Property(Element):
     FIELDS = (
         Field("name", "rtsExt:name", required=True, always=True, key="name"),
-        Field("value", "rtsExt:value", default=None, key="value"),  # many files have properties without values
+        Field(
+            "value", "rtsExt:value", default=None, key="value"
+        ),  # many files have properties without values
     )
 
 
@@ -57,7 +86,8 @@ class TargetExecutionContext(Element):
     )
 
 
-# ---- components -------------------------------------------------------------------------------------------------
+# ---- components --------------------------------------------------------------------------------------------
+
 
 class DataPort(Element):
     XSI_TYPE = "rtsExt:dataport_ext"
@@ -101,8 +131,13 @@ class Location(Element):
     """Where a component is in a drawing of the system."""
 
     FIELDS = tuple(
-        Field(name, "rtsExt:" + name, INTEGER, 0, always=True, key=name) for name in ("x", "y", "height", "width")) + (
-        Field("direction", "rtsExt:direction", default="DOWN", always=True, choices=DIRECTIONS, key="direction"),)
+        Field(name, "rtsExt:" + name, INTEGER, 0, always=True, key=name)
+        for name in ("x", "y", "height", "width")
+    ) + (
+        Field(
+            "direction", "rtsExt:direction", default="DOWN", always=True, choices=DIRECTIONS, key="direction"
+        ),
+    )
 
 
 class Component(Element):
@@ -133,10 +168,13 @@ class Group(Element):
     )
 
 
-# ---- connections ------------------------------------------------------------------------------------------------
+# ---- connections -------------------------------------------------------------------------------------------
+
 
 class Connector(Element):
-    """A connection. The schema has a source and a target; further ends are in an element that other tools ignore."""
+    """A connection. The schema has a source and a target;
+    further ends are in an element that other tools ignore.
+    """
 
     @property
     def ends(self):
@@ -188,19 +226,28 @@ class ServicePortConnector(Connector):
     )
 
 
-# ---- the order of starting and stopping -------------------------------------------------------------------------
+# ---- the order of starting and stopping --------------------------------------------------------------------
+
 
 class WaitTime(Element):
-    FIELDS = (Field("wait_time", "rts:waitTime", INTEGER, 0, always=True),)  # milliseconds, counted as plan.py says
+    # milliseconds, counted as plan.py says
+    FIELDS = (Field("wait_time", "rts:waitTime", INTEGER, 0, always=True),)
 
 
 class Preceding(Element):
-    """Wait for other components: SYNC until they are in the state, ASYNC until they have been asked to change."""
+    """Wait for other components: SYNC until they are in the state,
+    ASYNC until they have been asked to change.
+    """
 
     FIELDS = (
         Field("timeout", "rts:timeout", INTEGER, 0, always=True),  # milliseconds; 0: for ever
         Field("sending_timing", "rts:sendingTiming"),  # SYNC, ASYNC, NO_SYNC; often missing
-        Children("preceding_components", "rts:PrecedingComponents", TargetExecutionContext, also=("PrecedingComponent",)),
+        Children(
+            "preceding_components",
+            "rts:PrecedingComponents",
+            TargetExecutionContext,
+            also=("PrecedingComponent",),
+        ),
     )
 
 
@@ -229,38 +276,58 @@ class System(Element):
     FIELDS = (Field("path", "rtsExt:path", required=True, always=True, key="path"),)
 
 
-SECTIONS = tuple(Child(name, "rts:" + local, MessageSending) for name, local in (
-    ("start_up", "StartUp"), ("shut_down", "ShutDown"), ("activation", "Activation"), ("deactivation", "Deactivation"),
-    ("resetting", "Resetting"), ("initializing", "Initializing"), ("finalizing", "Finalizing")))
+SECTIONS = tuple(
+    Child(name, "rts:" + local, MessageSending)
+    for name, local in (
+        ("start_up", "StartUp"),
+        ("shut_down", "ShutDown"),
+        ("activation", "Activation"),
+        ("deactivation", "Deactivation"),
+        ("resetting", "Resetting"),
+        ("initializing", "Initializing"),
+        ("finalizing", "Finalizing"),
+    )
+)
 
 
 class RtsProfile(Element):
-    """A whole system. Dates are text as in XML, such as 2024-03-05T14:07:09, perhaps with fraction and zone."""
+    """A whole system. Dates are text as in XML, such as 2024-03-05T14:07:09,
+    perhaps with fraction and zone.
+    """
 
     FIELDS = (
-        Field("id", "rts:id", always=True),
-        Field("abstract", "rts:abstract", always=True),
-        Field("creation_date", "rts:creationDate", DATE),
-        Field("update_date", "rts:updateDate", DATE),
-        Field("version", "rts:version", default="0.2", always=True),
-        COMMENT,
-        Children("components", "rts:Components", Component, also=("Component",)),
-        Children("groups", "rts:Groups", Group),
-        Children("data_port_connectors", "rts:DataPortConnectors", DataPortConnector),
-        Children("service_port_connectors", "rts:ServicePortConnectors", ServicePortConnector),
-        Children("one_port_connectors", "rtsExt:OnePortConnectors", DataPortConnector),
-    ) + SECTIONS + (
-        Children("version_up_logs", "rtsExt:VersionUpLogs", TEXT, also=("VersionUpLog",)),
-        PROPERTIES,
-        Children("systems", "rtsExt:Systems", System),
+        (
+            Field("id", "rts:id", always=True),
+            Field("abstract", "rts:abstract", always=True),
+            Field("creation_date", "rts:creationDate", DATE),
+            Field("update_date", "rts:updateDate", DATE),
+            Field("version", "rts:version", default="0.2", always=True),
+            COMMENT,
+            Children("components", "rts:Components", Component, also=("Component",)),
+            Children("groups", "rts:Groups", Group),
+            Children("data_port_connectors", "rts:DataPortConnectors", DataPortConnector),
+            Children("service_port_connectors", "rts:ServicePortConnectors", ServicePortConnector),
+            Children("one_port_connectors", "rtsExt:OnePortConnectors", DataPortConnector),
+        )
+        + SECTIONS
+        + (
+            Children("version_up_logs", "rtsExt:VersionUpLogs", TEXT, also=("VersionUpLog",)),
+            PROPERTIES,
+            Children("systems", "rtsExt:Systems", System),
+        )
     )
 
     @property
     def connectors(self):
         """All connections, those of data ports first.
 
-        The schema lets a connection have two ends. Those of one port, whose data goes by ROS, DDS or the like, are in an element of
-        our own, which other tools ignore; those of one end among the others were a tool's, and are left out.
+        The schema lets a connection have two ends. Those of one port, whose data goes by ROS, DDS or the
+        like, are in an element of our own, which other tools ignore; those of one end among the others were a
+        tool's, and are left out.
         """
-        joining = [connector for connector in self.data_port_connectors + self.service_port_connectors if len(connector.ends) > 1]
+        joining = [
+            connector
+            for connector in self.data_port_connectors + self.service_port_connectors
+            if len(connector.ends) > 1
+        ]
         return joining + [connector for connector in self.one_port_connectors if len(connector.ends) == 1]

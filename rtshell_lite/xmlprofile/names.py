@@ -2,6 +2,7 @@
 
 XML names are as in expat: namespace, SEPARATOR, name. The model has "{namespace}name".
 """
+
 from rtshell_lite.xmlprofile import escape
 
 SEPARATOR = "\x01"  # cannot occur in XML
@@ -14,10 +15,12 @@ NAMESPACES = {
 XML = "http://www.w3.org/XML/1998/namespace"
 XMLNS = "http://www.w3.org/2000/xmlns/"
 TYPE = NAMESPACES["xsi"] + SEPARATOR + "type"
-YAML_KEY = "urn:rtshell_lite:yaml" + SEPARATOR + "key"  # an XML element for a foreign key of YAML; its text is YAML
+# an XML element for a foreign key of YAML; its text is YAML
+YAML_KEY = "urn:rtshell_lite:yaml" + SEPARATOR + "key"
 
 # YAML keys for foreign attributes and elements of XML.
-ATTRIBUTES, ELEMENTS = "xml::attributes", "xml::elements"
+ATTRIBUTES = "xml::attributes"
+ELEMENTS = "xml::elements"
 
 
 def exact(field):
@@ -28,29 +31,43 @@ def exact(field):
 def clark(name):
     """The model's form of a name from expat."""
     space, separator, local = name.rpartition(SEPARATOR)
-    return f"{{{space}}}{local}" if separator else name
+    if separator:
+        return f"{{{space}}}{local}"
+    return name
 
 
 def parts(clark_name):
     """(namespace or "", name) of a name in the model's form."""
-    space, _, local = clark_name[1:].rpartition("}") if clark_name.startswith("{") else ("", "", clark_name)
+    if clark_name.startswith("{"):
+        space, _, local = clark_name[1:].rpartition("}")
+    else:
+        space = ""
+        _ = ""
+        local = clark_name
     return space, local
 
 
 def raw(clark_name):
     """expat's form of a name of the model."""
     space, local = parts(clark_name)
-    return space + SEPARATOR + local if space else local
+    if space:
+        return space + SEPARATOR + local
+    return local
 
 
 def _spellings(field):
     """Accepted names for a field: with the right namespace, with the other one, without."""
-    return [space + local for local in (field.local,) + tuple(field.also)
-            for space in (NAMESPACES["rts"] + SEPARATOR, NAMESPACES["rtsExt"] + SEPARATOR, "")]
+    return [
+        space + local
+        for local in (field.local,) + tuple(field.also)
+        for space in (NAMESPACES["rts"] + SEPARATOR, NAMESPACES["rtsExt"] + SEPARATOR, "")
+    ]
 
 
 class Table:
-    """The fields of a class of elements by their names in files; the loose tables also have wrong spellings."""
+    """The fields of a class of elements by their names in files;
+    the loose tables also have wrong spellings.
+    """
 
     def __init__(self, cls):
         values = [field for field in cls.FIELDS if not field.child]
@@ -92,6 +109,7 @@ def is_clark(name):
     if not local or set(local) & set(" \t\r\n<>&/=\"':!?"):
         return False
     from xml.parsers import expat  # which Debian's python3-minimal lacks, and YAML does not need
+
     try:
         expat.ParserCreate().Parse(f"<{local}/>", True)
     except (expat.ExpatError, UnicodeError):

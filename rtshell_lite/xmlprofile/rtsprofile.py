@@ -1,14 +1,16 @@
 """RtsProfile files, read and written.
 
-    profile = rtsprofile.load(files.read(name), name)
-    for component in profile.components: ...
-    files.write(name, rtsprofile.dump(profile, "yaml"))
+profile = rtsprofile.load(files.read(name), name)
+for component in profile.components: ...
+files.write(name, rtsprofile.dump(profile, "yaml"))
 """
+
 import gc
 
 from rtshell_lite import errors
 
-XML, YAML = "xml", "yaml"
+XML = "xml"
+YAML = "yaml"
 
 
 def load(data, name, form=None):
@@ -28,8 +30,10 @@ def load(data, name, form=None):
     try:
         if (form or form_of(data)) == XML:
             from rtshell_lite.xmlprofile import xml
+
             return xml.read(data, name)
         from rtshell_lite.xmlprofile.yaml import form as yaml_form
+
         return yaml_form.read(data, name)
     finally:
         if collecting:
@@ -39,13 +43,17 @@ def load(data, name, form=None):
 def form_of(data):
     """XML or YAML, by the first character of a file."""
     start = data[:1024].lstrip(b"\xef\xbb\xbf\xff\xfe\x00 \t\r\n")  # byte order marks, in UTF-16 too
-    return XML if start.startswith(b"<") else YAML
+    if start.startswith(b"<"):
+        return XML
+    return YAML
 
 
 def dump(profile, form):
     """The text of a file in XML or YAML, to be written as UTF-8."""
     if form == XML:
         from rtshell_lite.xmlprofile import xml
+
         return xml.write(profile)
     from rtshell_lite.xmlprofile.yaml import form as yaml_form
+
     return yaml_form.write(profile)

@@ -1,4 +1,5 @@
 """The values of fields as text, and back. Raises ValueError with a message for users."""
+
 import re
 
 from rtshell_lite.xmlprofile import fields
@@ -11,7 +12,9 @@ _LONGEST_NUMBER = 100  # characters: long ones take quadratic time
 def from_text(field, text):
     """The value of a field for its text in a file."""
     if field.kind == fields.TEXT:
-        return _choice(field, text) if field.choices else text
+        if field.choices:
+            return _choice(field, text)
+        return text
     if field.kind == fields.DATE:
         return text
     word = text.strip()
@@ -28,7 +31,9 @@ def from_text(field, text):
 
 def _choice(field, text):
     word = text.strip().lower()
-    return field.choices.get(word, text) if word else field.default
+    if word:
+        return field.choices.get(word, text)
+    return field.default
 
 
 def _boolean(word):
@@ -56,7 +61,7 @@ def from_number(field, value):
         raise ValueError(f"{str(value).lower()}: not a number")
     if field.kind == fields.NUMBER:
         return scalars.as_float(value)
-    if value != value or abs(value) >= 10 ** 18 or value != int(value):
+    if value != value or abs(value) >= 10**18 or value != int(value):
         raise ValueError(f"{value}: not a whole number")
     return int(value)
 
@@ -64,7 +69,9 @@ def from_number(field, value):
 def to_text(field, value):
     """The text of a value in XML."""
     if field.kind == fields.BOOLEAN:
-        return "true" if value else "false"
+        if value:
+            return "true"
+        return "false"
     if field.kind == fields.NUMBER:
         return _SPECIAL.get(repr(float(value)), repr(float(value)))
     return str(value)

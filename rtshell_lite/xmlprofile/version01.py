@@ -1,8 +1,9 @@
 """Turns nodes of xml.py of an RtsProfile 0.1 into those of 0.2.
 
-In 0.1 a connection is inside its source port and names only its target, and a component holds its own conditions for starting
-up. Names that differ only in spelling are handled by the fields.
+In 0.1 a connection is inside its source port and names only its target, and a component holds its own
+conditions for starting up. Names that differ only in spelling are handled by the fields.
 """
+
 import re
 
 from rtshell_lite.xmlprofile import model, names
@@ -11,7 +12,9 @@ RTS = names.NAMESPACES["rts"] + names.SEPARATOR
 _SECTIONS = {field.local for field in model.SECTIONS}
 _CONNECTORS = {"DataPortConnectors": "sourceDataPort", "ServicePortConnectors": "sourceServicePort"}
 MOST_COPIES = 250000  # values of a section that are copied into its conditions
-_DURATION = re.compile(r"P(?:(\d{1,6})D)?(?:T(?:(\d{1,6})H)?(?:(\d{1,6})M)?(?:(\d{1,9}(?:\.\d{1,9})?)S)?)?\Z", re.ASCII)
+_DURATION = re.compile(
+    r"P(?:(\d{1,6})D)?(?:T(?:(\d{1,6})H)?(?:(\d{1,6})M)?(?:(\d{1,9}(?:\.\d{1,9})?)S)?)?\Z", re.ASCII
+)
 
 
 def upgrade(root, fail):
@@ -58,8 +61,13 @@ def _remove(node, children):
 
 
 def _owner(component):
-    return {RTS + name: value for name, value in (("componentId", _value(component, "id")),
-                                                  ("instanceName", _value(component, "instanceName")))}
+    return {
+        RTS + name: value
+        for name, value in (
+            ("componentId", _value(component, "id")),
+            ("instanceName", _value(component, "instanceName")),
+        )
+    }
 
 
 def _hoist_connectors(root, component):
@@ -78,7 +86,8 @@ class _Hoist:
     """Moves the conditions of components into the sections of the whole system."""
 
     def __init__(self, root, fail):
-        self.root, self.fail = root, fail
+        self.root = root
+        self.fail = fail
         self.sections = {node.local: node for node in reversed(root.children()) if node.local in _SECTIONS}
         self.copies = 0
 
@@ -86,7 +95,9 @@ class _Hoist:
         sections = [node for node in component.children() if node.local in _SECTIONS]
         _remove(component, sections)
         for section in sections:
-            conditions = [node for node in section.children() if node.local == "Condition"] or [_node(section, "Condition")]
+            conditions = [node for node in section.children() if node.local == "Condition"] or [
+                _node(section, "Condition")
+            ]
             others = [node for node in section.children() if node.local != "Condition"]
             self.copies += len(conditions) * (len(others) + len(section.attributes))
             if self.copies > MOST_COPIES:
@@ -97,7 +108,10 @@ class _Hoist:
                     if node.local == "WaitTime":
                         _milliseconds(node, self.fail)
                 self._place(section).content.append(
-                    _node(section, "targets", dict(section.attributes), condition.children() + others + [target]))
+                    _node(
+                        section, "targets", dict(section.attributes), condition.children() + others + [target]
+                    )
+                )
 
     def _place(self, section):
         """The section of the whole system with the name of a component's section."""
@@ -109,7 +123,10 @@ class _Hoist:
 
 def _milliseconds(wait, fail):
     """0.1 has a duration such as PT1.5S as the text of the element, 0.2 has milliseconds in an attribute."""
-    text = "".join(wait.content).strip() if not wait.children() else ""
+    if not wait.children():
+        text = "".join(wait.content).strip()
+    else:
+        text = ""
     if not text:
         return
     duration = _DURATION.match(text)

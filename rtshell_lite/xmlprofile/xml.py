@@ -1,8 +1,10 @@
 """RtsProfile files in XML, as RTSystemEditor, rtcryo and people write and read them.
 
-Elements and attributes are found by namespace and name, whatever the prefixes and the order; names in the wrong one of the two
-namespaces, or in none, are accepted. The parser is expat, without entities, external files or a DTD.
+Elements and attributes are found by namespace and name, whatever the prefixes and the order; names in the
+wrong one of the two namespaces, or in none, are accepted. The parser is expat, without entities, external
+files or a DTD.
 """
+
 import codecs
 import re
 from xml.parsers import expat
@@ -13,19 +15,24 @@ from rtshell_lite.xmlprofile import escape, fields, model, names, values, versio
 from rtshell_lite.xmlprofile.yaml import reader as yaml_reader, scalars, writer as yaml_writer
 
 MOST_BYTES = 16 << 20
-MOST_ELEMENTS = 250000  # 16 MiB of <a/> would take 1 GB; a system of 1,000 components has about 50,000 elements
+MOST_ELEMENTS = (
+    250000  # 16 MiB of <a/> would take 1 GB; a system of 1,000 components has about 50,000 elements
+)
 LONGEST_TAG = 1 << 20  # expat keeps a whole tag: 16 MiB of attributes would take 500 MB
 DEEPEST = 64  # levels take 300 bytes each here, and later Python's stack
 _CHUNK = 1 << 16
 _NO_ATTRIBUTES = {}  # shared: it is half of the memory of an empty element
 
 # Encodings that expat cannot decode itself. Not all codecs of Python: some take quadratic time.
-_CODECS = re.compile(r"(shift_?jis|sjis|ms932|ms_kanji|cp932|windows_31j|euc_?(jp|kr)|ujis|iso_?2022_?jp|gbk|gb2312|gb18030"
-                     r"|big5|cp949|ks_c_5601_1987|(iso_?8859|windows|cp|koi8)_\w+|cp\d+|latin_?1)\Z")
-_DECLARATION = re.compile(br"""\s*<\?xml[^>]{0,200}?\sencoding\s*=\s*["']([A-Za-z][\w.:-]*)["']""")
+_CODECS = re.compile(
+    r"(shift_?jis|sjis|ms932|ms_kanji|cp932|windows_31j|euc_?(jp|kr)|ujis|iso_?2022_?jp|gbk|gb2312|gb18030"
+    r"|big5|cp949|ks_c_5601_1987|(iso_?8859|windows|cp|koi8)_\w+|cp\d+|latin_?1)\Z"
+)
+_DECLARATION = re.compile(rb"""\s*<\?xml[^>]{0,200}?\sencoding\s*=\s*["']([A-Za-z][\w.:-]*)["']""")
 
 
-# ---- reading: text to nodes -------------------------------------------------------------------------------------
+# ---- reading: text to nodes --------------------------------------------------------------------------------
+
 
 class Node:
     """An XML element; names are as in expat. `before` and `inside` are comments, as in fields.Element."""
@@ -56,7 +63,8 @@ class _Reader:
 
     def __init__(self, name):
         self.name = name
-        self.open, self.comments = [], []
+        self.open = []
+        self.comments = []
         self.root = None
         self.count = self.fed = 0
         self.parser = expat.ParserCreate("utf-8", names.SEPARATOR)
@@ -68,7 +76,9 @@ class _Reader:
         self.parser.StartDoctypeDeclHandler = self.doctype
 
     def fail(self, reason):
-        raise errors.BadProfile(self.name, self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1, reason)
+        raise errors.BadProfile(
+            self.name, self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1, reason
+        )
 
     def doctype(self, *_):
         self.fail("a DOCTYPE is not supported here")
@@ -81,7 +91,8 @@ class _Reader:
         """The comments since the last tag."""
         if not self.comments:
             return ()
-        taken, self.comments = tuple(self.comments), []
+        taken = tuple(self.comments)
+        self.comments = []
         return taken
 
     def one_more(self):
@@ -93,7 +104,12 @@ class _Reader:
         self.one_more()
         if len(self.open) >= DEEPEST:
             self.fail("more than %d levels of elements" % DEEPEST)
-        node = Node(tag, attributes or _NO_ATTRIBUTES, self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1)
+        node = Node(
+            tag,
+            attributes or _NO_ATTRIBUTES,
+            self.parser.CurrentLineNumber,
+            self.parser.CurrentColumnNumber + 1,
+        )
         node.before = self.taken()
         if self.open:
             self.open[-1].content.append(node)
@@ -103,7 +119,8 @@ class _Reader:
 
     def end(self, _):
         node = self.open.pop()
-        node.content, node.inside = fields.tidy(node.content), self.taken()
+        node.content = fields.tidy(node.content)
+        node.inside = self.taken()
 
     def data(self, text):
         if self.open:
@@ -127,11 +144,17 @@ def _nodes(data, name):
     if len(data) > MOST_BYTES:
         reader.fail("more than %d MiB" % (MOST_BYTES >> 20))
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) or data[:4] in (b"<\0?\0", b"\0<\0?"):
-        decoder = codecs.getincrementaldecoder("utf-16" if data[0] >= 0xFE else "utf-16-be" if data[0] == 0 else "utf-16-le")()
+        if data[0] >= 0xFE:
+            encoding = "utf-16"
+        elif data[0] == 0:
+            encoding = "utf-16-be"
+        else:
+            encoding = "utf-16-le"
+        decoder = codecs.getincrementaldecoder(encoding)()
     else:
         decoder = _decoder(data, reader)
     for start in range(0, len(data), _CHUNK):
-        chunk = data[start:start + _CHUNK]
+        chunk = data[start : start + _CHUNK]
         reader.feed(_decoded(decoder, chunk, start + _CHUNK >= len(data), reader) if decoder else chunk)
     reader.feed(b"", True)
     reader.root.inside += reader.taken()
@@ -141,12 +164,19 @@ def _nodes(data, name):
 def _decoder(data, reader):
     """The decoder for a declared encoding that expat lacks; None for UTF-8."""
     declaration = _DECLARATION.match(data[3:] if data.startswith(codecs.BOM_UTF8) else data, 0)
-    encoding = declaration.group(1).decode("ascii").lower().replace("-", "_") if declaration else "utf_8"
+    if declaration:
+        encoding = declaration.group(1).decode("ascii").lower().replace("-", "_")
+    else:
+        encoding = "utf_8"
     if encoding in ("utf_8", "utf8", "us_ascii", "ascii"):
         return None
     try:
         if _CODECS.match(encoding):
-            encoding = "cp932" if encoding in ("shift_jis", "shiftjis", "sjis") else encoding  # that of Windows
+            # that of Windows
+            if encoding in ("shift_jis", "shiftjis", "sjis"):
+                encoding = "cp932"
+            else:
+                encoding = encoding
             return codecs.getincrementaldecoder(encoding)()
     except LookupError:
         pass
@@ -160,7 +190,8 @@ def _decoded(decoder, chunk, final, reader):
         reader.fail(f"not in the encoding that it declares ({getattr(e, 'reason', e)})")
 
 
-# ---- reading: nodes to the model --------------------------------------------------------------------------------
+# ---- reading: nodes to the model ---------------------------------------------------------------------------
+
 
 def read(data, name):
     """The profile in `data`, the bytes of an XML file. Raises BadProfile; `name` is for messages."""
@@ -168,6 +199,7 @@ def read(data, name):
 
     def fail(node, reason):
         raise errors.BadProfile(name, node.line, node.column, reason)
+
     if root.local not in ("RtsProfile", "RTSystemProfile"):  # the latter in version 0.1
         fail(root, f"not an RtsProfile: its root element is {values.shown(root.local)}")
     version01.upgrade(root, fail)
@@ -182,7 +214,10 @@ def _element(node, cls, fail):
         if field is None or field.kind == fields.TEXT and not _is_plain_text(child):
             _keep_element(found, cls, child)
         elif field.many:
-            item = child.text() if field.kind == fields.TEXT else _element(child, field.kind, fail)
+            if field.kind == fields.TEXT:
+                item = child.text()
+            else:
+                item = _element(child, field.kind, fail)
             found.setdefault(field.name, []).append(item)
         elif field.name in found:
             fail(child, f"more than one {child.local} in {node.local}")
@@ -190,7 +225,8 @@ def _element(node, cls, fail):
             found[field.name] = _element(child, field.kind, fail)
     element = cls(**found)
     if node.before or node.inside:
-        element.comments_before, element.comments_inside = node.before, node.inside
+        element.comments_before = node.before
+        element.comments_inside = node.inside
     fault = element.fault(found)
     if fault:
         fail(node, f"{node.local}: {fault}")
@@ -199,7 +235,8 @@ def _element(node, cls, fail):
 
 def _attributes(node, table, fail):
     """The values of a node's attributes by field name; foreign ones are in "foreign"."""
-    found, others = {}, []
+    found = {}
+    others = []
     for name, text in node.attributes.items():
         field = table.attributes.get(name)
         if field:
@@ -208,7 +245,8 @@ def _attributes(node, table, fail):
             others.append(name)
     for name in others:
         field = table.loose_attributes.get(name)
-        # An attribute that would not be written must not hide one in the wrong namespace: else a second reading differs.
+        # An attribute that would not be written must not hide one in the wrong namespace: else a second
+        # reading differs.
         if field and (field.name not in found or not field.always and found[field.name] == field.default):
             found[field.name] = _value(node, field, node.attributes[name], fail)
         else:
@@ -237,7 +275,12 @@ def _keep_element(found, cls, node):
     """Keep an element that the schema does not have: a key of a YAML file, or something else."""
     foreign = _foreign(found)
     key = escape.unspelt(node.attributes.get("name", ""))
-    if node.tag == names.YAML_KEY and not node.children() and key not in foreign.keys and not names.is_own_key(cls, key):
+    if (
+        node.tag == names.YAML_KEY
+        and not node.children()
+        and key not in foreign.keys
+        and not names.is_own_key(cls, key)
+    ):
         try:
             foreign.keys[key] = scalars.plain(yaml_reader.parse(node.text(), "")[1])
             return
@@ -248,20 +291,28 @@ def _keep_element(found, cls, node):
 
 def _foreign_element(node):
     attributes = {names.clark(name): escape.unspelt(text) for name, text in node.attributes.items()}
-    return fields.ForeignElement(names.clark(node.tag), attributes, [
-        escape.unspelt(item) if isinstance(item, str) else _foreign_element(item) for item in node.content])
+    return fields.ForeignElement(
+        names.clark(node.tag),
+        attributes,
+        [escape.unspelt(item) if isinstance(item, str) else _foreign_element(item) for item in node.content],
+    )
 
 
-# ---- writing ----------------------------------------------------------------------------------------------------
+# ---- writing -----------------------------------------------------------------------------------------------
+
 
 def write(profile):
     """The text of an XML file, which declares UTF-8."""
     writer = _Writer()
     writer.element("rts:RtsProfile", profile, "")
-    spaces = "".join(f' xmlns:{prefix}="{escape.marked(uri)}"' for uri, prefix in writer.prefixes.items()
-                     if uri != names.XML)
-    head, comments = "<rts:RtsProfile", _comments(profile.comments_before, "")
-    writer.lines[0] = head + spaces + writer.lines[0][len(head):]  # all namespaces are known only now
+    spaces = "".join(
+        f' xmlns:{prefix}="{escape.marked(uri)}"'
+        for uri, prefix in writer.prefixes.items()
+        if uri != names.XML
+    )
+    head = "<rts:RtsProfile"
+    comments = _comments(profile.comments_before, "")
+    writer.lines[0] = head + spaces + writer.lines[0][len(head) :]  # all namespaces are known only now
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + "\n".join(comments + writer.lines) + "\n"
 
 
@@ -290,7 +341,10 @@ class _Writer:
             if field.many:
                 children += [(field, item) for item in value]
             elif field.child:
-                children += [(field, value)] if value is not None else []
+                if value is not None:
+                    children += [(field, value)]
+                else:
+                    children += []
             elif value is not None and (field.always or value != field.default):
                 head.append(f' {field.tag}="{escape.quoted(values.to_text(field, value))}"')
         foreign = element.foreign or _NOTHING
@@ -304,7 +358,9 @@ class _Writer:
         for item in foreign.elements:
             self.lines.append(indent + "    " + self.foreign(item))
         for key, data in sorted(foreign.keys.items()):
-            item = fields.ForeignElement(names.clark(names.YAML_KEY), {"name": key}, [yaml_writer.write(data)])
+            item = fields.ForeignElement(
+                names.clark(names.YAML_KEY), {"name": key}, [yaml_writer.write(data)]
+            )
             self.lines.append(indent + "    " + self.foreign(item))
         self.lines += _comments(element.comments_inside, indent + "    ")
         self.lines.append(f"{indent}</{tag}>")
@@ -331,5 +387,9 @@ class _Writer:
         """On one line: blanks would become text of mixed content."""
         tag = self.name(element.tag)
         head = "<" + tag + "".join(self.attribute(*pair) for pair in sorted(element.attributes.items()))
-        content = "".join(escape.quoted(item) if isinstance(item, str) else self.foreign(item) for item in element.content)
-        return f"{head}>{content}</{tag}>" if content else head + "/>"
+        content = "".join(
+            escape.quoted(item) if isinstance(item, str) else self.foreign(item) for item in element.content
+        )
+        if content:
+            return f"{head}>{content}</{tag}>"
+        return head + "/>"

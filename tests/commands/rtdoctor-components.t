@@ -118,7 +118,7 @@ Managers: what they list must be there:
   ok    /localhost:$PORT/mgr.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/mgr.host_cxt/manager.mgr: manager of 2 components, 2 slaves, at 127.0.0.1:* (glob)
   $ doctor -q ../lost.host_cxt
-  fail  /localhost:$PORT/lost.host_cxt/ConsoleOut0.rtc: dead (zombie): nothing listens at 127.0.0.1:*; try: rtdel -z /localhost:$PORT/lost.host_cxt/ConsoleOut0.rtc (glob)
+  fail  /localhost:$PORT/lost.host_cxt/ConsoleOut0.rtc: dead (zombie): * at 127.0.0.1:*; try: rtdel -z /localhost:$PORT/lost.host_cxt/ConsoleOut0.rtc (glob)
   fail  /localhost:$PORT/lost.host_cxt/manager.mgr: lists a slave that is gone; try: restart it; rtls /localhost:$PORT/lost.host_cxt/manager.mgr marks what is gone
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/lost.host_cxt/ConsoleIn0.rtc
   [1]

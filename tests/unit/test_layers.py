@@ -174,6 +174,64 @@ class OneColour(unittest.TestCase):
         self.assertEqual(wrong, [])
 
 
+COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+WIDTH = 110  # columns
+
+
+def inner_nodes(statement):
+    """The nodes of a statement, without those of the statements inside it."""
+    waiting = list(ast.iter_child_nodes(statement))
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, (ast.stmt, ast.ExceptHandler)):
+            continue
+        yield node
+        waiting += ast.iter_child_nodes(node)
+
+
+def is_filtered(comprehension):
+    return any(loop.ifs for loop in comprehension.generators)
+
+
+class PlainCode(unittest.TestCase):
+    """Statements that are read once."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.paths = below("rtshell_lite") + below("bin")
+
+    def statements(self):
+        """(place, its inner nodes) of every statement."""
+        for path in self.paths:
+            for node in walk(parsed(path)):
+                if isinstance(node, ast.stmt):
+                    yield "%s:%d" % (path, node.lineno), list(inner_nodes(node))
+
+    def test_a_statement_has_one_choice(self):
+        wrong = [place for place, nodes in self.statements() if sum(isinstance(node, ast.IfExp) for node in nodes) > 1]
+        self.assertEqual(wrong, [])
+
+    def test_filters_are_not_nested(self):
+        wrong = []
+        for place, nodes in self.statements():
+            filtered = [node for node in nodes if isinstance(node, COMPREHENSIONS) and is_filtered(node)]
+            if any(other in walk(node)[1:] for node in filtered for other in filtered):
+                wrong.append(place)
+        self.assertEqual(wrong, [])
+
+    @unittest.skipIf(sys.version_info < (3, 8), "Python before 3.8 does not say where a string ends")
+    def test_lines_are_short(self):
+        """Those with sentences for people may be longer."""
+        wrong = []
+        for path in self.paths:
+            long = {number for number, line in enumerate(source(path).splitlines(), 1) if len(line) > WIDTH}
+            for node in walk(parsed(path)):
+                if isinstance(node, ast.JoinedStr) or isinstance(node, ast.Constant) and isinstance(node.value, str):
+                    long -= set(range(node.lineno, node.end_lineno + 1))
+            wrong += ["%s:%d" % (path, number) for number in sorted(long)]
+        self.assertEqual(wrong, [])
+
+
 class Rules(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

@@ -1,4 +1,5 @@
 """One call: its request as octets, what its reply says, and what its failure means."""
+
 import time
 from _socket import gaierror
 from struct import error as StructError
@@ -22,16 +23,34 @@ class Request:
     ref        whom it is sent to: another object than at first where that has forwarded it
     seconds    how long its answer may take
     sent       time.monotonic() when it was sent
-    retried    how often it has been sent again, as a connection was lost, here or by the peer, that may have begun it
+    retried    how often it has been sent again, as a connection was lost, here or by the peer, that may have
+               begun it
     """
 
-    __slots__ = ("call", "resume", "ref", "operation", "seconds", "sent", "retried", "_forwards", "_spent", "_mode")
+    __slots__ = (
+        "call",
+        "resume",
+        "ref",
+        "operation",
+        "seconds",
+        "sent",
+        "retried",
+        "_forwards",
+        "_spent",
+        "_mode",
+    )
 
     def __init__(self, call, resume):
-        self.call, self.resume, self.ref = call, resume, call.ref
+        self.call = call
+        self.resume = resume
+        self.ref = call.ref
         self.operation = operations.operation(call.ref.interface, call.operation)
         self.seconds = max(call.seconds or 0, session.current().timeout)
-        self.sent, self.retried, self._forwards, self._spent, self._mode = None, 0, 0, 0.0, messages.KEY
+        self.sent = None
+        self.retried = 0
+        self._forwards = 0
+        self._spent = 0.0
+        self._mode = messages.KEY
 
     @property
     def endpoint(self):
@@ -46,29 +65,36 @@ class Request:
     @property
     def max_reply(self):
         """Octets that its reply may have."""
-        return messages.HEADER + messages.LARGEST if self.operation.carries_data else messages.LARGE
+        if self.operation.carries_data:
+            return messages.HEADER + messages.LARGEST
+        return messages.LARGE
 
     def others(self):
         """Further endpoints of the object."""
         return ior.addresses(self.ref.text())
 
     def octets(self, number, latest, via):
-        """The request, in the version of GIOP that its reference names, or in the `latest` that the peer understands; `via` is the
-        endpoint that it is sent to.
+        """The request, in the version of GIOP that its reference names, or in the `latest` that the peer
+        understands; `via` is the endpoint that it is sent to.
 
-        Raises OSError where the reference has no address, Refused for what CORBA cannot send, TypeError for arguments of another type.
+        Raises OSError where the reference has no address, Refused for what CORBA cannot send, TypeError for
+        arguments of another type.
         """
         version, mode, target = self.ref.target(self._mode, via)
         arguments = list(zip(self.operation.arguments, self.call.args))
         try:
-            return messages.request(number, version if version < latest else latest, mode, target, self.call.operation, arguments)
+            return messages.request(
+                number, version if version < latest else latest, mode, target, self.call.operation, arguments
+            )
         except marshal.Unsendable as e:
             raise errors.Refused(str(self.call.where), f"cannot be asked: {e}", name="BAD_PARAM")
         except (ValueError, StructError) as e:
             raise TypeError(f"{self.call.operation}: {e}")
 
     def answered(self, status, data, at, little):
-        """Take the reply; True if the request is to be sent again, to `ref`, which has forwarded it or wants another form."""
+        """Take the reply; True if the request is to be sent again, to `ref`,
+        which has forwarded it or wants another form.
+        """
         value = error = None
         allowance.begin()
         try:
@@ -78,7 +104,9 @@ class Request:
                 value = _values(self.operation.results[little], data, at)
             elif status == messages.SYSTEM_EXCEPTION:
                 name, label = _system_exception(data, at, little)
-                if name == "COMM_FAILURE" and self.is_idempotent and not self.retried:  # the peer has lost a connection of its own
+                if (
+                    name == "COMM_FAILURE" and self.is_idempotent and not self.retried
+                ):  # the peer has lost a connection of its own
                     self.retried = 1
                     return True
                 error = failures.system(str(self.call.where), name, label)
@@ -116,7 +144,9 @@ class Request:
         if type_id not in self.operation.raised:
             return failures.system(str(self.call.where), "UNKNOWN", "CORBA.UNKNOWN")
         raised, _ = operations.reader(idl.descriptor(type_id), little)(data, start)
-        return failures.user(str(self.call.where), type_id.split(":")[1].rpartition("/")[2], getattr(raised, "description", ""))
+        return failures.user(
+            str(self.call.where), type_id.split(":")[1].rpartition("/")[2], getattr(raised, "description", "")
+        )
 
     def failed(self, e):
         """It ends with an errors.Error for an exception."""
@@ -133,7 +163,9 @@ class Request:
         if isinstance(e, OSError):
             session.current().note_shortage(e, self.ref.address.host)
             return errors.Unreachable(where, "cannot be reached" + (f" ({e.strerror})" if e.strerror else ""))
-        if isinstance(e, ior.BadReference):  # the answer can be read; it costs what the reference is bound to, not who sent it
+        if isinstance(
+            e, ior.BadReference
+        ):  # the answer can be read; it costs what the reference is bound to, not who sent it
             return errors.Garbled(where, str(e))
         return errors.Unreachable(where, f"garbled answer ({_words(e)})")
 
@@ -142,14 +174,21 @@ def _words(e):
     """What is wrong with an answer, by what reading it raised."""
     if isinstance(e, RecursionError):
         return "nested too deep"
-    return "it ends too early" if isinstance(e, (StructError, IndexError)) else e
+    if isinstance(e, (StructError, IndexError)):
+        return "it ends too early"
+    return e
 
 
 def _system_exception(data, at, little):
-    """(name, label) of a system exception, which is sent as its id, its minor code, and whether the operation was completed."""
+    """(name, label) of a system exception, which is sent as its id, its minor code,
+    and whether the operation was completed.
+    """
     name, at = operations.reader(marshal.TEXT, little)(data, at)
     minor, at = operations.reader(descriptors.ULONG, little)(data, at)
-    name = name.split(":")[1].rpartition("/")[2] if name.count(":") == 2 else "UNKNOWN"
+    if name.count(":") == 2:
+        name = name.split(":")[1].rpartition("/")[2]
+    else:
+        name = "UNKNOWN"
     return name, idl.MINORS.get(name, {}).get(minor) or "CORBA." + printable(name[:LONGEST_NAME])
 
 
@@ -158,4 +197,6 @@ def _values(readers, data, at):
     for read in readers:
         value, at = read(data, at)
         values.append(value)
-    return values[0] if len(values) == 1 else tuple(values) or None
+    if len(values) == 1:
+        return values[0]
+    return tuple(values) or None

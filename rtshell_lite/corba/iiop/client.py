@@ -1,4 +1,7 @@
-"""Our own ORB, as orb.py needs it: references, and values as texts; peers.py makes the calls, server.py has servants."""
+"""Our own ORB, as orb.py needs it: references, and values as texts;
+peers.py makes the calls, server.py has servants.
+"""
+
 import re
 import sys
 
@@ -23,7 +26,8 @@ def version():
     return "builtin ORB"
 
 
-# ---- references -----------------------------------------------------------------------------------------------
+# ---- references --------------------------------------------------------------------------------------------
+
 
 def from_url(where, url):
     """The reference of a corbaloc; contacts nobody. Raises BadPath."""
@@ -31,7 +35,13 @@ def from_url(where, url):
     place, slash, key = rest.partition("/")
     version, _, place = place.rpartition("@")
     host, port = split_address(place)
-    if corbaloc != "corbaloc" or protocol not in ("", "iiop") or version not in _MINORS or not slash or port is None:
+    if (
+        corbaloc != "corbaloc"
+        or protocol not in ("", "iiop")
+        or version not in _MINORS
+        or not slash
+        or port is None
+    ):
         raise errors.BadPath(where, "not an address (the builtin ORB speaks IIOP only)")
     key = key.encode("utf-8", "surrogateescape")
     if b"%" in key:
@@ -40,7 +50,9 @@ def from_url(where, url):
 
 
 def from_text(where, text):
-    """The reference in a stringified IOR that a peer has sent. Raises Unreachable where the text is no reference."""
+    """The reference in a stringified IOR that a peer has sent.
+    Raises Unreachable where the text is no reference.
+    """
     try:
         return references.from_text(ior.checked(text))
     except ValueError as e:
@@ -60,7 +72,9 @@ def address(ref):
 def narrow(ref, interface):
     """`ref` as a reference of an interface by its name, on trust."""
     type_id = idl.id_of(interface)
-    return ref if ref.interface == type_id else ref.narrowed(type_id)
+    if ref.interface == type_id:
+        return ref
+    return ref.narrowed(type_id)
 
 
 def same(one, other):
@@ -68,24 +82,36 @@ def same(one, other):
     return one.profiles == other.profiles or bool(one.address.host) and one.address[1:] == other.address[1:]
 
 
-# ---- servants -------------------------------------------------------------------------------------------------
+# ---- servants ----------------------------------------------------------------------------------------------
+
 
 def serve(servant):
-    """Let others call a servant: the stringified reference to it, and a function that ends that. Raises Usage."""
+    """Let others call a servant: the stringified reference to it, and a function that ends that.
+    Raises Usage.
+    """
     from rtshell_lite.corba.iiop import server
+
     return server.serve(servant)
 
 
-# ---- values ---------------------------------------------------------------------------------------------------
+# ---- values ------------------------------------------------------------------------------------------------
+
 
 def properties(nvlist, only=None):
-    """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to text.
+    """An SDOPackage::NVList as a list of (name, value) texts in its order; other values are converted to
+    text.
 
     `only`: those of this name.
     """
     only = only and only.encode()
-    return [(sys.intern(_text(name)), _text(value) if type(value) is bytes else _as_text(value.content, value.descriptor))
-            for name, value in nvlist if not only or name == only]
+    return [
+        (
+            sys.intern(_text(name)),
+            _text(value) if type(value) is bytes else _as_text(value.content, value.descriptor),
+        )
+        for name, value in nvlist
+        if not only or name == only
+    ]
 
 
 def _text(octets):
@@ -99,10 +125,15 @@ def _as_text(value, descriptor):
     if kind in _STRUCTURES:
         return f"<{from_wire(descriptors.type_id(descriptor))}>"
     if kind == descriptors.OBJECT:
-        return "" if value is None else value.text()
+        if value is None:
+            return ""
+        return value.text()
     if any(descriptors.kind(inner) in _STRUCTURES for _, inner in descriptors.walk(descriptor, "")):
-        return f"<{from_wire(descriptors.words(descriptor))}>"  # their texts may be a thousand times as long as they, or without end
-    return str(value) if value is not None else ""
+        # their texts may be a thousand times as long as they, or without end
+        return f"<{from_wire(descriptors.words(descriptor))}>"
+    if value is not None:
+        return str(value)
+    return ""
 
 
 descriptor = idl.known
@@ -110,7 +141,10 @@ descriptor = idl.known
 
 def descriptor_in(nvlist, name):
     """The descriptor of the type of the value with this name in an SDOPackage::NVList, or None."""
-    return next((value.descriptor for known, value in nvlist if known == name.encode() and type(value) is not bytes), None)
+    return next(
+        (value.descriptor for known, value in nvlist if known == name.encode() and type(value) is not bytes),
+        None,
+    )
 
 
 def nvlist(pairs):

@@ -1,4 +1,7 @@
-"""Connections to processes. Nothing here waits, but `replies` where it is told to, for a moment; what comes is bounded."""
+"""Connections to processes. Nothing here waits, but `replies` where it is told to, for a moment;
+what comes is bounded.
+"""
+
 import _socket  # which `socket` is made of: that one takes long to import
 import errno
 import functools
@@ -14,7 +17,9 @@ from rtshell_lite.giop import messages
 
 PIECE = 16384  # octets received at a time: buffers of more are slow to allocate
 AT_A_TIME = 64  # pieces of one connection; then others have their turn, too
-IN_FLIGHT = 4  # calls to a process at a time: real-time threads keep their period, and omniORB has 5 connections
+IN_FLIGHT = (
+    4  # calls to a process at a time: real-time threads keep their period, and omniORB has 5 connections
+)
 MOST_STRAYS = 100  # replies of one connection that nobody waits for
 _AT_ONCE = _socket.MSG_DONTWAIT
 SWEEP = 10.0  # seconds between two looks for idle connections that the peer has closed
@@ -25,7 +30,9 @@ of_one_reply = set()  # endpoints of peers that close the connection after each 
 
 
 class Closed(Exception):
-    """The peer has closed the connection; `not_started`: it says that it has begun nothing of what it was asked."""
+    """The peer has closed the connection; `not_started`:
+    it says that it has begun nothing of what it was asked.
+    """
 
     def __init__(self, not_started=False):
         super().__init__()
@@ -60,7 +67,9 @@ def forget(*endpoints):
 
 
 def _sweep():
-    """Close what the peers have closed: a process that is started again has another port, and this one is never asked for again."""
+    """Close what the peers have closed: a process that is started again has another port,
+    and this one is never asked for again.
+    """
     global _swept
     _swept = time.monotonic()
     for endpoint in list(_idle):
@@ -82,14 +91,22 @@ class Connection:
 
     def __init__(self, endpoint, others=tuple):
         """`others()` gives further endpoints, for where nobody listens at the first."""
-        self.endpoint, self.requests, self.has_answered = endpoint, {}, False
+        self.endpoint = endpoint
+        self.requests = {}
+        self.has_answered = False
         self.waits_for = "address"
         self.end = None
-        self._number, self._given_up, self._strays = 0, set(), 0
-        self._version, self._via = (1, _spoken.get(endpoint, 2)), endpoint  # the latest GIOP to speak; where it is connected
+        self._number = 0
+        self._given_up = set()
+        self._strays = 0
+        self._version = (1, _spoken.get(endpoint, 2))  # the latest GIOP to speak
+        self._via = endpoint  # where it is connected
         self._socket, self._candidates, self._error = None, self._all_candidates(others), None
-        self._out, self._not_begun = bytearray(), {}  # what is to be sent; requests until there is a connection, by number
-        self._pieces, self._have, self._need = [], 0, messages.HEADER
+        self._out = bytearray()  # what is to be sent
+        self._not_begun = {}  # requests until there is a connection, by number
+        self._pieces = []
+        self._have = 0
+        self._need = messages.HEADER
         self._to_discard = 0  # octets to come, the rest of a message that is too long
         self._fragments = messages.Fragments()
 
@@ -109,7 +126,9 @@ class Connection:
     # ---- connecting ----
 
     def _all_candidates(self, others):
-        """The places to connect with, as of getaddrinfo, one after the other; None while a name is looked up."""
+        """The places to connect with, as of getaddrinfo, one after the other;
+        None while a name is looked up.
+        """
         for host, port in itertools.chain([self.endpoint], _lazily(others)):
             look_up = hosts.LookUp(host)
             while look_up.found is None:
@@ -123,7 +142,9 @@ class Connection:
                 yield (*way, place[:1] + (port,) + place[2:])
 
     def go_on(self):
-        """Take the next step towards a connection. Raises OSError, that of the first place, when there is no way left."""
+        """Take the next step towards a connection.
+        Raises OSError, that of the first place, when there is no way left.
+        """
         if self.waits_for == "peer":
             code = self._socket.getsockopt(_socket.SOL_SOCKET, _socket.SO_ERROR)
             if not code:
@@ -161,9 +182,14 @@ class Connection:
     def _connected(self):
         self._socket.setblocking(True)
         _limit(self._socket, session.TICK)
-        self.waits_for, self._candidates = None, None  # the latter holds the first request, and so its answer
+        # the latter holds the first request, and so its answer
+        self.waits_for = None
+        self._candidates = None
         if self._via != self.endpoint:  # where objects may have other keys
-            self._not_begun = {number: self.requests[number].octets(number, self._version, self._via) for number in self._not_begun}
+            self._not_begun = {
+                number: self.requests[number].octets(number, self._version, self._via)
+                for number in self._not_begun
+            }
         self._out += b"".join(self._not_begun.values())
         self._not_begun.clear()
         self.flush()
@@ -215,7 +241,9 @@ class Connection:
         return self.requests.pop(number, None)
 
     def give_up(self, number):
-        """The request with this number, whose reply is not to be waited for; it is not sent any more if it has not been."""
+        """The request with this number, whose reply is not to be waited for;
+        it is not sent any more if it has not been.
+        """
         if self._not_begun.pop(number, None) is None:
             self._given_up.add(number)
         return self.requests.pop(number)
@@ -225,19 +253,30 @@ class Connection:
         return [self.give_up(number) for number in list(self.requests)]
 
     def not_started(self):
-        """The requests that the peer has not begun, when it says so as it closes: none whose reply has begun to come."""
+        """The requests that the peer has not begun, when it says so as it closes:
+        none whose reply has begun to come.
+        """
         begun = self._fragments.begun
-        return set() if None in begun else {request for number, request in self.requests.items() if number not in begun}
+        if None in begun:
+            return set()
+        return {request for number, request in self.requests.items() if number not in begun}
 
     def may_speak_older(self, end):
-        """Whether a peer that has ended this connection before any reply, with an exception, may understand an older GIOP.
+        """Whether a peer that has ended this connection before any reply, with an exception, may understand
+        an older GIOP.
 
-        If so, that is spoken with it from now on. Some say which; omniORB that is limited to GIOP 1.1 just closes.
+        If so, that is spoken with it from now on. Some say which; omniORB that is limited to GIOP 1.1 just
+        closes.
         """
         _, minor = self._version
         if isinstance(end, messages.Misunderstood):
             older = end.minor
-        elif isinstance(end, Closed) and not end.not_started and not self._pieces and self.endpoint not in session.current().answered:
+        elif (
+            isinstance(end, Closed)
+            and not end.not_started
+            and not self._pieces
+            and self.endpoint not in session.current().answered
+        ):
             older = minor - 1
         else:
             return False
@@ -251,7 +290,9 @@ class Connection:
     # ---- receiving ----
 
     def replies(self, may_wait):
-        """The whole replies that have come, as octets; may wait for session.TICK. What ends the connection is noted in `end`."""
+        """The whole replies that have come, as octets; may wait for session.TICK.
+        What ends the connection is noted in `end`.
+        """
         found = []
         try:
             for _ in range(AT_A_TIME):
@@ -280,18 +321,28 @@ class Connection:
         self._pieces.append(piece)
         self._have += len(piece)
         while self._have >= self._need:
-            data = self._pieces[0] if len(self._pieces) == 1 else b"".join(self._pieces)
+            if len(self._pieces) == 1:
+                data = self._pieces[0]
+            else:
+                data = b"".join(self._pieces)
             whole = messages.HEADER + messages.size(data)
             size = whole
             if whole > messages.LARGE:
                 size = min(whole, 1 + self._most())
             if self._have < size:
-                self._pieces, self._need = [data], size
+                self._pieces = [data]
+                self._need = size
                 return
-            rest, self._to_discard = data[size:], whole - size
+            rest = data[size:]
+            self._to_discard = whole - size
             if self._to_discard:
                 rest = self._wanted(rest)
-            self._pieces, self._have, self._need = [rest] if rest else [], len(rest), messages.HEADER
+            if rest:
+                self._pieces = [rest]
+            else:
+                self._pieces = []
+            self._have = len(rest)
+            self._need = messages.HEADER
             self._message(data[:size] if size < len(data) else data, found)
 
     def _wanted(self, octets):
@@ -301,7 +352,9 @@ class Connection:
         return octets[dropped:]
 
     def _most(self, number=None):
-        """Octets that the reply to a request may have; None is any request. Raises Garbled where there was none."""
+        """Octets that the reply to a request may have; None is any request.
+        Raises Garbled where there was none.
+        """
         if number is None:
             return max((request.max_reply for request in self.requests.values()), default=messages.LARGE)
         if number in self.requests:
@@ -331,7 +384,9 @@ class Connection:
     # ---- ending ----
 
     def is_idle(self):
-        """True while nothing has come that nobody asked for, such as the end: then what is sent would be lost."""
+        """True while nothing has come that nobody asked for, such as the end:
+        then what is sent would be lost.
+        """
         try:
             self._socket.recv(1, _AT_ONCE | _socket.MSG_PEEK)
         except BlockingIOError:
@@ -364,8 +419,11 @@ def _lazily(function):
 
 
 def _limit(sock, seconds):
-    """Let `recv` wait for so long at most; a timeout of Python's own would cost a system call more each time."""
-    whole, fraction = int(seconds), int(seconds % 1 * 1e6)
+    """Let `recv` wait for so long at most;
+    a timeout of Python's own would cost a system call more each time.
+    """
+    whole = int(seconds)
+    fraction = int(seconds % 1 * 1e6)
     try:
         sock.setsockopt(_socket.SOL_SOCKET, _socket.SO_RCVTIMEO, struct.pack("ll", whole, fraction))
     except OSError:  # 32-bit systems whose time has 64 bits

@@ -1,8 +1,10 @@
-"""The processes that are asked: who may be sent what and when, what has been silent for too long, what a lost connection means.
+"""The processes that are asked: who may be sent what and when, what has been silent for too long, what a lost
+connection means.
 
-At most connections.IN_FLIGHT requests are on their way to a process, any number to a name server. The first silence of a process
-fails the rest of what it is asked.
+At most connections.IN_FLIGHT requests are on their way to a process, any number to a name server. The first
+silence of a process fails the rest of what it is asked.
 """
+
 import collections
 import functools
 import time
@@ -15,7 +17,9 @@ from rtshell_lite.giop import messages
 from rtshell_lite.net import loop
 
 LOOK = 0.005  # seconds between looks at whether the address of a host has been found
-MOST_RETRIED = 2  # times that a question is asked again as a connection was lost by which others were answered
+MOST_RETRIED = (
+    2  # times that a question is asked again as a connection was lost by which others were answered
+)
 NAMING = "IDL:omg.org/CosNaming/"  # interfaces of name servers begin so
 
 
@@ -32,7 +36,9 @@ async def invoke(call):
     try:
         return await wait
     except errors.Silent as e:
-        if request.endpoint != endpoint:  # the silence of whom it was forwarded to says nothing about this one
+        if (
+            request.endpoint != endpoint
+        ):  # the silence of whom it was forwarded to says nothing about this one
             raise errors.Unreachable(*e.args)
         raise
     finally:
@@ -48,20 +54,24 @@ class _Peer:
         self.heard = time.monotonic()
         self.moved_on = 0.0  # when the request that had waited for longest was answered
         self.waiting = collections.deque()  # calls.Requests that are not on their way
-        self.connection, self.watched = None, (None, 0)  # what the loop looks for
+        # what the loop looks for
+        self.connection = None
+        self.watched = (None, 0)
 
     def may_send(self):
         """Whether the first that waits may be sent now.
 
-        At each answer, not two at every second one: a peer without TCP_NODELAY sends the second when the first is acknowledged, by the
-        next request or 40 ms later.
+        At each answer, not two at every second one: a peer without TCP_NODELAY sends the second when the
+        first is acknowledged, by the next request or 40 ms later.
         """
         if self.endpoint in connections.of_one_reply:
             return not self.connection.requests
         return len(self.connection.requests) < connections.IN_FLIGHT or _is_naming(self.waiting[0])
 
     def needs_connection(self):
-        """Whether the first that waits must not be lost again with a connection that the peer may close after its reply."""
+        """Whether the first that waits must not be lost again with a connection that the peer may close after
+        its reply.
+        """
         if self.connection is None or self.endpoint not in connections.of_one_reply:
             return False
         request = self.waiting[0]
@@ -71,23 +81,30 @@ class _Peer:
     def overdue(self, now):
         """Give up the requests that have waited too long, and return them.
 
-        A name server gets many at once, so each of its answers restarts the clock of all. Another process may do
-        one request after the other: the clock of the next one starts when the one before is answered.
+        A name server gets many at once, so each of its answers restarts the clock of all. Another process may
+        do one request after the other: the clock of the next one starts when the one before is answered.
         """
         late = []
         for number, request in self.connection.requests.items():
-            begun = self.heard if _is_naming(request) else self.moved_on
+            if _is_naming(request):
+                begun = self.heard
+            else:
+                begun = self.moved_on
             if now - max(request.sent, begun) > request.seconds:
                 late.append(number)
         return [self.connection.give_up(number) for number in late]
 
     def unanswered(self, found_silent, timeout):
-        """Give up the questions that were on their way when it was found silent, and return them: they would cost one more timeout.
+        """Give up the questions that were on their way when it was found silent, and return them: they would
+        cost one more timeout.
 
         A request that changes something keeps its time, and so does one that may take longer than others.
         """
-        vain = [number for number, request in self.connection.requests.items()
-                if request.sent < found_silent and request.is_idempotent and request.seconds <= timeout]
+        vain = [
+            number
+            for number, request in self.connection.requests.items()
+            if request.sent < found_silent and request.is_idempotent and request.seconds <= timeout
+        ]
         return [self.connection.give_up(number) for number in vain]
 
 
@@ -102,7 +119,9 @@ class Peers:
     """
 
     def __init__(self, of):
-        self.loop, self.session, self.known = of, session.current(), {}
+        self.loop = of
+        self.session = session.current()
+        self.known = {}
         self._changed = set()  # peers to which requests may be sent
         self._asked = set()  # peers with requests under way
         self._watches = 0  # connections that the loop watches
@@ -143,9 +162,10 @@ class Peers:
     def _send_all(self):
         while self._changed:
             self._send(self._changed.pop())
-        self.loop.alone, self.loop.idle = None, self._watches - 1
+        self.loop.alone = None
+        self.loop.idle = self._watches - 1
         if len(self._asked) == 1:
-            peer, = self._asked
+            (peer,) = self._asked
             if peer.connection is not None and peer.connection.is_quiet:
                 self.loop.alone = functools.partial(self._take, peer, True)
 
@@ -220,7 +240,9 @@ class Peers:
                     self._reply(peer, data)
                 if connection.end:
                     raise connection.end
-                if not connection.requests and connection.has_begun():  # nobody waits for this reply, and it may have no end
+                if (
+                    not connection.requests and connection.has_begun()
+                ):  # nobody waits for this reply, and it may have no end
                     self._drop(peer)
                     return
                 connection.flush()
@@ -243,23 +265,32 @@ class Peers:
         self._changed.add(peer)
         if request is None or not request.answered(status, data, at, little):
             return
-        silence = None if request.endpoint == peer.endpoint else self.session.silence(request.endpoint)
+        if request.endpoint == peer.endpoint:
+            silence = None
+        else:
+            silence = self.session.silence(request.endpoint)
         if silence:  # of who it has been forwarded to
             request.resume(None, errors.Silent(str(request.call.where), silence))
         else:
             self.submit(request)
 
     def _lose(self, peer, e):
-        """A connection has failed, or was never made: what was asked by it is asked again, where that does no harm, or fails."""
+        """A connection has failed, or was never made:
+        what was asked by it is asked again, where that does no harm, or fails.
+        """
         connection = self._drop(peer)
         lost = list(connection.requests.values())
         if connection.waits_for:
             lost += peer.waiting
             peer.waiting.clear()
         is_cut = isinstance(e, (connections.Closed, ConnectionResetError, BrokenPipeError))
-        not_started = connection.not_started() if getattr(e, "not_started", False) else ()
+        if getattr(e, "not_started", False):
+            not_started = connection.not_started()
+        else:
+            not_started = ()
         if is_cut:
-            connections.forget(peer.endpoint)  # the others are no better, where the peer has been started again
+            # the others are no better, where the peer has been started again
+            connections.forget(peer.endpoint)
             if connection.has_answered and not not_started:
                 connections.of_one_reply.add(peer.endpoint)
         is_older = connection.may_speak_older(e)
@@ -275,7 +306,8 @@ class Peers:
 
     def _drop(self, peer):
         """Close the connection with a peer, and return it."""
-        connection, peer.connection = peer.connection, None
+        connection = peer.connection
+        peer.connection = None
         self._unwatch(peer)
         connection.close()
         self._asked.discard(peer)
@@ -284,7 +316,9 @@ class Peers:
 
     @staticmethod
     def _may_repeat(request, is_not_started):
-        """Whether a request whose connection was lost may be sent again; a change may not, unless the peer says that it has not begun."""
+        """Whether a request whose connection was lost may be sent again;
+        a change may not, unless the peer says that it has not begun.
+        """
         if is_not_started:
             return True
         request.retried += 1
@@ -304,15 +338,20 @@ class Peers:
     def _check_one(self, peer, now):
         is_over = self.session.is_over()
         if is_over:
-            failed, why = peer.connection.give_up_all(), session.NO_TIME
+            failed = peer.connection.give_up_all()
+            why = session.NO_TIME
         else:
-            failed, why = peer.overdue(now), None
+            failed = peer.overdue(now)
+            why = None
         for request in failed:
             silence = why or session.no_answer(request.seconds)
             if not is_over:
                 self.session.fall_silent(peer.endpoint, silence, request.sent)
             request.resume(None, errors.Silent(str(request.call.where), silence))
-        silence = session.NO_TIME if is_over else self.session.silence(peer.endpoint)
+        if is_over:
+            silence = session.NO_TIME
+        else:
+            silence = self.session.silence(peer.endpoint)
         if silence:  # as those may have shown
             self._fail_rest(peer, silence)
         if not peer.connection.requests:

@@ -1,9 +1,12 @@
-"""Our objects that components call, with our own ORB: the loop serves all who connect, and none of them can block it.
+"""Our objects that components call, with our own ORB: the loop serves all who connect, and none of them can
+block it.
 
-Who connects may send anything. So a message takes memory as it comes, not as it is announced; who never completes one, asks for
-nothing, or takes no answers, is closed after a while, or as soon as others need the room. A connection that has called a servant
-keeps its place, and is served first; of others there is a limit for each address, for a second, and for what they may ask.
+Who connects may send anything. So a message takes memory as it comes, not as it is announced; who never
+completes one, asks for nothing, or takes no answers, is closed after a while, or as soon as others need the
+room. A connection that has called a servant keeps its place, and is served first; of others there is a limit
+for each address, for a second, and for what they may ask.
 """
+
 import binascii
 import os
 import re
@@ -20,19 +23,26 @@ from rtshell_lite.net import loop
 MOST = 500  # connections
 MOST_OF_ADDRESS = 200  # of them that have called no servant yet
 MOST_NEW = 200  # connections that are accepted in a second; others wait
-MOST_ASKED = 500  # questions that need no servant, such as _non_existent, of a connection that has called none
+MOST_ASKED = (
+    500  # questions that need no servant, such as _non_existent, of a connection that has called none
+)
 MOST_PARTS = 8  # messages of a connection whose fragments are still coming
 MOST_OCTETS = 2 * messages.LARGEST  # of all messages that are still coming
-LONGEST_KEPT = 2048  # octets before its arguments up to which a request is kept, to compare the next one with; real ones have 150
+# octets before its arguments up to which a request is kept, to compare the next one with; real ones have 150
+LONGEST_KEPT = 2048
 ROOM = 4096  # octets that a connection can receive before it has sent any
-UNFINISHED, IDLE = 60.0, 180.0  # seconds until a connection is closed within a message, or between two; omniORB's is the same
+UNFINISHED = 60.0  # seconds until a connection is closed within a message, or between two
+IDLE = 180.0  # omniORB's is the same
 SWEEP = 5.0  # seconds between two looks for those
-PAUSE = 1.0  # seconds until connections are accepted again, where too many have come, or there are no files left
+PAUSE = (
+    1.0  # seconds until connections are accepted again, where too many have come, or there are no files left
+)
 _ENDPOINT = re.compile(r"giop:tcp:(\[[^]]*\]|[^:,]*):(\d{0,5})(?:,|\Z)")
 
 
 def serve(servant):
-    """Let others call a servant while the loop of this thread runs: the stringified reference to it, and a function that ends that.
+    """Let others call a servant while the loop of this thread runs: the stringified reference to it, and a
+    function that ends that.
 
     The reference has no host unless the user has set one. Raises Usage.
     """
@@ -50,25 +60,40 @@ def serve(servant):
 
 
 def _setting(name):
-    """(host or "", port or 0) of a setting of omniORB: in RTCTREE_ORB_ARGS, or in a variable. Others than giop:tcp: are ignored."""
+    """(host or "", port or 0) of a setting of omniORB: in RTCTREE_ORB_ARGS, or in a variable.
+    Others than giop:tcp: are ignored.
+    """
     words = os.environ.get("RTCTREE_ORB_ARGS", "").split(";")
     option = "-ORB" + name
-    text = words[words.index(option) + 1] if option in words[:-1] else os.environ.get("ORB" + name, "")
+    if option in words[:-1]:
+        text = words[words.index(option) + 1]
+    else:
+        text = os.environ.get("ORB" + name, "")
     found = _ENDPOINT.match(text)
     if not found:
         return "", 0
     return found.group(1).strip("[]"), int(found.group(2) or 0)
 
 
-# ---- connections ----------------------------------------------------------------------------------------------
+# ---- connections -------------------------------------------------------------------------------------------
+
 
 class Caller:
-    """A connection that somebody has made to us: what came of its messages, and answers that have not left yet."""
+    """A connection that somebody has made to us:
+    what came of its messages, and answers that have not left yet.
+    """
 
     def __init__(self, connection, host):
-        self.socket, self.host, self.minor, self.last = connection, host, 0, None
-        self.has_called, self.asked = False, 0  # a servant; how often it has asked what needs none
-        self.data, self.begin, self.end = bytearray(), 0, 0  # data[begin:end] has come; data never shrinks while it is in use
+        self.socket = connection
+        self.host = host
+        self.minor = 0
+        self.last = None
+        self.has_called = False  # a servant
+        self.asked = 0  # how often it has asked what needs none
+        # data[begin:end] has come; data never shrinks while it is in use
+        self.data = bytearray()
+        self.begin = 0
+        self.end = 0
         self.fragments = messages.Fragments()
         self.out = bytearray()
         self.since = time.monotonic()  # when the last message was complete
@@ -85,14 +110,17 @@ class Caller:
         """Take what has come. Raises OSError, EOFError."""
         if self.begin:
             self.end -= self.begin
-            self.data[:self.end] = self.data[self.begin:self.begin + self.end]
+            self.data[: self.end] = self.data[self.begin : self.begin + self.end]
             self.begin = 0
         if self.end == len(self.data):
-            wanted = messages.HEADER + messages.size(self.data) if self.end else 0
+            if self.end:
+                wanted = messages.HEADER + messages.size(self.data)
+            else:
+                wanted = 0
             grown = bytearray(max(ROOM, min(wanted, 2 * self.end)))
-            grown[:self.end] = self.data
+            grown[: self.end] = self.data
             self.data = grown
-        got = self.socket.recv_into(memoryview(self.data)[self.end:])
+        got = self.socket.recv_into(memoryview(self.data)[self.end :])
         if not got:
             raise EOFError
         self.end += got
@@ -100,7 +128,7 @@ class Caller:
     def message(self):
         """The next message that is complete, to be used at once, or None. Raises Garbled."""
         while self.end - self.begin >= messages.HEADER:
-            data = memoryview(self.data)[self.begin:self.end]
+            data = memoryview(self.data)[self.begin : self.end]
             size = messages.HEADER + messages.size(data)
             if len(data) < size:
                 return None
@@ -119,29 +147,39 @@ class Caller:
         return messages.LARGEST
 
     def request(self, data):
-        """The Request in a message; most differ from the last one only in their ids and arguments. Raises as Request does."""
+        """The Request in a message; most differ from the last one only in their ids and arguments.
+        Raises as Request does.
+        """
         if self.last is not None and self.last.again(data):
             return self.last
         found = requests.Request(data)
-        self.last = found if found.at and found.at <= LONGEST_KEPT else None
+        if found.at and found.at <= LONGEST_KEPT:
+            self.last = found
+        else:
+            self.last = None
         return found
 
     def send(self, data=b""):
         """Send an answer, and those before it, as far as the caller takes them. Raises OSError."""
         self.out += data
         try:
-            del self.out[:self.socket.send(self.out)]
+            del self.out[: self.socket.send(self.out)]
         except BlockingIOError:
             pass
 
 
 class Server:
-    """Listens, and serves `objects`, {key: (servant, id of its interface)}. Raises Usage where it cannot listen."""
+    """Listens, and serves `objects`, {key: (servant, id of its interface)}.
+    Raises Usage where it cannot listen.
+    """
 
     def __init__(self, of, host, port):
-        self.loop, self.session = of, session.current()
-        self.objects, self.callers = {}, set()
-        self.second, self.new = time.monotonic(), 0  # since when new connections are counted; how many
+        self.loop = of
+        self.session = session.current()
+        self.objects = {}
+        self.callers = set()
+        self.second = time.monotonic()  # since when new connections are counted
+        self.new = 0  # how many
         self.listening = _listening(host, port)
         self.port = self.listening.getsockname()[1]
         self._listen()
@@ -163,10 +201,13 @@ class Server:
         self.loop.call_later(PAUSE, self._listen)
 
     def accept(self):
-        """Take a new connection; where there is no room, one that has called no servant gives its place, or the new one."""
+        """Take a new connection; where there is no room, one that has called no servant gives its place,
+        or the new one.
+        """
         now = time.monotonic()
         if now - self.second >= 1:
-            self.second, self.new = now, 0
+            self.second = now
+            self.new = 0
         self.new += 1
         if self.new > MOST_NEW:
             self._pause()
@@ -195,7 +236,9 @@ class Server:
         self._watch(caller)
 
     def _watch(self, caller):
-        """Have the loop call when a connection can go on: those that have called a servant are attended first."""
+        """Have the loop call when a connection can go on:
+        those that have called a servant are attended first.
+        """
         may_send = bool(caller.out)
 
         def go_on():
@@ -203,6 +246,7 @@ class Server:
                 self.attend(caller, may_send)
             else:
                 self.loop.post(self.attend, caller, may_send)
+
         self.loop.unwatch(caller.socket.fileno())
         self.loop.watch(caller.socket.fileno(), select.POLLOUT if may_send else select.POLLIN, go_on)
 
@@ -236,20 +280,29 @@ class Server:
             self._watch(caller)
 
     def make_room(self):
-        """Take memory from who does not use it, and close who has not completed a message for longest, until all is within the limit."""
+        """Take memory from who does not use it, and close who has not completed a message for longest,
+        until all is within the limit.
+        """
         while sum(caller.held() for caller in self.callers) > MOST_OCTETS:
             unused = [caller for caller in self.callers if caller.data and caller.begin == caller.end]
             for caller in unused:
-                caller.data, caller.begin, caller.end = bytearray(), 0, 0
+                caller.data = bytearray()
+                caller.begin = 0
+                caller.end = 0
             if not unused:
-                self.turn_away([caller for caller in self.strangers() if caller.held()] or list(filter(Caller.held, self.callers)))
+                self.turn_away(
+                    [caller for caller in self.strangers() if caller.held()]
+                    or list(filter(Caller.held, self.callers))
+                )
 
     def strangers(self, host=None):
         """The connections, of a host or of all, that have called no servant."""
         return [caller for caller in self.callers if not caller.has_called and host in (None, caller.host)]
 
     def turn_away(self, callers):
-        """Close the one of some connections that has completed no message for longest; False if there are none."""
+        """Close the one of some connections that has completed no message for longest;
+        False if there are none.
+        """
         if not callers:
             return False
         self.session.turned_away += 1
@@ -265,7 +318,9 @@ class Server:
                 self.close(caller)
 
     def close(self, caller, last=messages.CLOSE):
-        """Close a connection with a last word: that what has not been answered has not been begun, or was not understood."""
+        """Close a connection with a last word:
+        that what has not been answered has not been begun, or was not understood.
+        """
         if caller in self.callers:
             self.callers.discard(caller)
             self.loop.unwatch(caller.socket.fileno())
@@ -279,7 +334,9 @@ class Server:
     # ---- requests ----
 
     def answered(self, caller, data):
-        """The answer to a message, octets, or None. Raises Garbled, struct.error, IndexError, EOFError at the last message."""
+        """The answer to a message, octets, or None.
+        Raises Garbled, struct.error, IndexError, EOFError at the last message.
+        """
         kind = data[7]
         if kind == requests.CANCEL:
             caller.fragments.forget(messages.number(data))
@@ -298,7 +355,9 @@ class Server:
             caller.has_called |= request.key in self.objects and request.operation not in _ASKED
         caller.asked += 1
         request.data = None  # its caller keeps the request
-        return answer if request.is_answered else None
+        if request.is_answered:
+            return answer
+        return None
 
     def called(self, request):
         """Call the servant: the answer."""
@@ -312,7 +371,12 @@ class Server:
         if not octets and len(request.data) > messages.LARGE:
             return requests.failed(request, "IMP_LIMIT")
         allowance.begin()
-        data, arguments, at = request.data if octets else bytes(request.data), [], request.at
+        if octets:
+            data = request.data
+        else:
+            data = bytes(request.data)
+        arguments = []
+        at = request.at
         try:
             for read in readers[request.little]:
                 value, at = read(data, at)
@@ -344,7 +408,9 @@ def _listening(host, port):
     """A socket that listens at an address, "" for all of this host, 0 for any port. Raises Usage."""
     for family in (socket.AF_INET, socket.AF_INET6) if host else (socket.AF_INET6, socket.AF_INET):
         try:
-            place = socket.getaddrinfo(host or None, 0, family, socket.SOCK_STREAM, 0, socket.AI_PASSIVE)[0][4]
+            place = socket.getaddrinfo(host or None, 0, family, socket.SOCK_STREAM, 0, socket.AI_PASSIVE)[0][
+                4
+            ]
             made = socket.socket(family, socket.SOCK_STREAM)
         except (OSError, UnicodeError):
             continue

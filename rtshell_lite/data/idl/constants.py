@@ -1,8 +1,20 @@
 """Constant expressions of IDL (CORBA 3.0, 3.10.2): numbers, texts and items of enums."""
+
 import operator
 
 from rtshell_lite.giop import descriptors
-from rtshell_lite.giop.descriptors import BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, RANGES, STRING, WCHAR, WSTRING, kind
+from rtshell_lite.giop.descriptors import (
+    BOOLEAN,
+    CHAR,
+    DOUBLE,
+    ENUM,
+    FLOAT,
+    RANGES,
+    STRING,
+    WCHAR,
+    WSTRING,
+    kind,
+)
 from rtshell_lite.data.idl import tokens
 from rtshell_lite.text import literal
 
@@ -24,7 +36,9 @@ def expression(parser, depth=0, level=0):
 
 def _operated(parser, token, left, right):
     whole = is_whole(left) and is_whole(right)
-    if not whole and not (all(is_whole(n) or isinstance(n, float) for n in (left, right)) and token.word in "+-*/"):
+    if not whole and not (
+        all(is_whole(n) or isinstance(n, float) for n in (left, right)) and token.word in "+-*/"
+    ):
         raise parser.fault(f"{token.word} does not go with these", token)
     try:
         value = OPERATORS[token.word](left, right)
@@ -45,6 +59,7 @@ def _shift(shift):
         if not 0 <= b < 64:
             raise ValueError(b)
         return shift(a, b)
+
     return shifted
 
 
@@ -55,8 +70,18 @@ def _quotient(a, b):
     return abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
 
 
-OPERATORS = {"|": operator.or_, "^": operator.xor, "&": operator.and_, "<<": _shift(operator.lshift), ">>": _shift(operator.rshift),
-             "+": operator.add, "-": operator.sub, "*": operator.mul, "/": _quotient, "%": lambda a, b: a - b * _quotient(a, b)}
+OPERATORS = {
+    "|": operator.or_,
+    "^": operator.xor,
+    "&": operator.and_,
+    "<<": _shift(operator.lshift),
+    ">>": _shift(operator.rshift),
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": _quotient,
+    "%": lambda a, b: a - b * _quotient(a, b),
+}
 
 
 def _unary(parser, depth):
@@ -67,7 +92,11 @@ def _unary(parser, depth):
         value = _unary(parser, depth + 1)
         if not (is_whole(value) or isinstance(value, float) and token.word != "~"):
             raise parser.fault(f"{token.word} does not go with this", token)
-        return -value if token.word == "-" else ~value if token.word == "~" else value
+        if token.word == "-":
+            return -value
+        if token.word == "~":
+            return ~value
+        return value
     if parser.is_mark("("):
         parser.advance()
         value = expression(parser, depth + 1)
@@ -108,14 +137,19 @@ def _number(parser, token):
     if len(word) > tokens.LONGEST_NUMBER:
         raise parser.fault("too long a number", token)
     try:
-        return tokens.whole(word) if tokens.is_whole(word) else float(word.rstrip("dD"))
+        if tokens.is_whole(word):
+            return tokens.whole(word)
+        return float(word.rstrip("dD"))
     except ValueError:
         raise parser.fault(f"not a number: {word}", token)
 
 
 def text(parser, token):
     """The text of a literal; apart from a few escapes, Python spells it as C and IDL do."""
-    word = token.word[1:] if token.word[0] == "L" else token.word
+    if token.word[0] == "L":
+        word = token.word[1:]
+    else:
+        word = token.word
     try:
         return literal(word.replace("\\?", "?"))
     except ValueError as e:
@@ -137,7 +171,13 @@ def check(parser, descriptor, value, token):
         return float(value)
     if sort == BOOLEAN and isinstance(value, bool):
         return value
-    if sort in (CHAR, WCHAR) and isinstance(value, str) and len(value) == 1 or sort in (STRING, WSTRING) and isinstance(value, str):
+    if (
+        sort in (CHAR, WCHAR)
+        and isinstance(value, str)
+        and len(value) == 1
+        or sort in (STRING, WSTRING)
+        and isinstance(value, str)
+    ):
         return value
     if sort == ENUM and value in descriptors.items(switch):
         return value

@@ -1,4 +1,5 @@
 """The grammar of the data part of IDL (CORBA 3.0, 3.4), from tokens to descriptors."""
+
 import re
 
 from rtshell_lite import errors
@@ -16,8 +17,8 @@ _QUOTED = re.compile(r'"([^"]*)"\s*\Z')
 def parse_file(path, include=()):
     """The types that an IDL file and its includes define: {repository id: descriptor}, typedefs as aliases.
 
-    `include` are directories for #include; OpenRTM's own IDL files need none. Raises BadIdl with file, line and column, and
-    errors.Failed for a file that cannot be read.
+    `include` are directories for #include; OpenRTM's own IDL files need none. Raises BadIdl with file, line
+    and column, and errors.Failed for a file that cannot be read.
     """
     return Parser(tokens.tokens(path, include)).types()
 
@@ -26,10 +27,12 @@ class Parser:
     """Reads tokens and collects the types that they define."""
 
     def __init__(self, tokens):
-        self.tokens, self.at = tokens, 0
+        self.tokens = tokens
+        self.at = 0
         self.file_scope = self.scope = Scope("", None)
         self.made = {}  # identity of an Entry → (repository id, descriptor)
-        self.announced, self.prefixes = [], []  # Entries of structs and unions; prefixes of the files around this place
+        self.announced = []  # Entries of structs and unions
+        self.prefixes = []  # prefixes of the files around this place
         self.weights = {}  # identity of a descriptor → (types in it, depth)
         self.kept = []  # the objects of these identities, which must live as long
         self._go()
@@ -43,7 +46,7 @@ class Parser:
                 raise self.fault(f"{entry.name} is announced, but not described", entry.token)
         return {type_id: descriptor for type_id, descriptor in self.made.values()}
 
-    # ---- tokens -----------------------------------------------------------------------------------------------
+    # ---- tokens --------------------------------------------------------------------------------------------
 
     def _go(self):
         """Go to the next token of the grammar, past pragmas and ends of files."""
@@ -104,7 +107,12 @@ class Parser:
             return
         word, _, value = rest.strip().partition(" ")
         quoted = _QUOTED.match(value.strip())
-        if name == "ID" and quoted is None or name == "version" and not re.match(r"\d+\.\d+\Z", value.strip()):
+        if (
+            name == "ID"
+            and quoted is None
+            or name == "version"
+            and not re.match(r"\d+\.\d+\Z", value.strip())
+        ):
             raise self.fault(f"#pragma {name} cannot be read", token)
         entry = self._of_pragma(word)
         if entry is None:
@@ -116,9 +124,15 @@ class Parser:
 
     def _of_pragma(self, name):
         parts = [part for part in name.split("::") if part]
-        found = self.scope.seen(parts[0]) if parts else None
+        if parts:
+            found = self.scope.seen(parts[0])
+        else:
+            found = None
         for part in parts[1:]:
-            found = found.what.own(part) if found and isinstance(found.what, Scope) else None
+            if found and isinstance(found.what, Scope):
+                found = found.what.own(part)
+            else:
+                found = None
         return found
 
     def _rename(self, entry, type_id):
@@ -132,7 +146,7 @@ class Parser:
                 entry.hole[0] = entry.what
             self.made[id(entry)] = (type_id, entry.what)
 
-    # ---- names ------------------------------------------------------------------------------------------------
+    # ---- names ---------------------------------------------------------------------------------------------
 
     def name(self, what):
         """An identifier that is declared, without an escaping _. Raises BadIdl for a keyword."""
@@ -162,8 +176,13 @@ class Parser:
     def twice(self, name, old, token):
         """The BadIdl for a name whose Entry is there already."""
         other = old.token and old.token.file != token.file
-        where = f", in {printable(old.token.file)}:{old.token.line}; leave one of the two out" if other else ""
-        return self.fault(f"{name} is declared already{'' if old.name == name else ' as ' + old.name}{where}", token)
+        if other:
+            where = f", in {printable(old.token.file)}:{old.token.line}; leave one of the two out"
+        else:
+            where = ""
+        return self.fault(
+            f"{name} is declared already{'' if old.name == name else ' as ' + old.name}{where}", token
+        )
 
     def look_up(self):
         """The Entry of the scoped name that comes next. Raises BadIdl."""
@@ -205,7 +224,7 @@ class Parser:
         """The repository id of what is declared here under a name (CORBA 3.0, 10.7.1)."""
         return f"IDL:{'/'.join(filter(None, [self.scope.prefix, name]))}:1.0"
 
-    # ---- definitions ------------------------------------------------------------------------------------------
+    # ---- definitions ---------------------------------------------------------------------------------------
 
     def definition(self, depth):
         """One definition with its semicolon."""
@@ -214,11 +233,19 @@ class Parser:
         if self.is_mark(";"):  # one too many, as people write
             self.advance()
             return
-        word = self.token.word if self.token.kind == "name" else ""
+        if self.token.kind == "name":
+            word = self.token.word
+        else:
+            word = ""
         if word in ("module", "interface", "local", "abstract"):
             self._opening(word, depth)
         elif word in ("typedef", "const", "native", "exception"):
-            {"typedef": self._typedef, "const": self._const, "native": self._native, "exception": self._exception}[word](depth)
+            {
+                "typedef": self._typedef,
+                "const": self._const,
+                "native": self._native,
+                "exception": self._exception,
+            }[word](depth)
         elif word in ("struct", "union", "enum"):
             types.constructed(self, depth)
         elif word in ("valuetype", "custom", "component", "home", "eventtype"):
@@ -242,22 +269,42 @@ class Parser:
         name = self.name("a " + word if word == "module" else "an interface")
         entry = self.scope.names.get(name.lower())
         announced = word == "interface" and self.is_mark(";")  # before its definition, or again after it
-        reopened = entry is not None and entry.sort == word and entry.name == name and (
-            word == "module" or announced or not entry.what.names and not entry.what.bases)
+        reopened = (
+            entry is not None
+            and entry.sort == word
+            and entry.name == name
+            and (word == "module" or announced or not entry.what.names and not entry.what.bases)
+        )
         if not reopened:
-            entry = self.declare(Entry(name, word, Scope(name, self.scope), self.new_id(name), token=first), token)
+            entry = self.declare(
+                Entry(name, word, Scope(name, self.scope), self.new_id(name), token=first), token
+            )
         entry.what.prefix = "/".join(filter(None, [self.scope.prefix, name]))
         if announced:
             return
         if word == "interface" and self.is_mark(":"):
             self._bases(entry)
         self.take("{")
-        outer, self.scope = self.scope, entry.what
+        outer = self.scope
+        self.scope = entry.what
         while not self.is_mark("}"):
             if self.token.kind == "end":
                 raise self.fault(f"{word} {name} has no end", token)
-            if word == "module" or self.is_word("typedef", "const", "exception", "struct", "union", "enum", "native", "typeid",
-                                                "typeprefix") or self.is_mark(";"):
+            if (
+                word == "module"
+                or self.is_word(
+                    "typedef",
+                    "const",
+                    "exception",
+                    "struct",
+                    "union",
+                    "enum",
+                    "native",
+                    "typeid",
+                    "typeprefix",
+                )
+                or self.is_mark(";")
+            ):
                 self.definition(depth + 1)
             else:
                 self._skip()
@@ -274,12 +321,25 @@ class Parser:
 
     def _skip(self):
         """Skip everything up to the next semicolon outside all brackets."""
-        start, open_marks = self.token, []
+        start = self.token
+        open_marks = []
         while open_marks or not self.is_mark(";"):
             token = self.token
-            if token.kind == "end" or token.kind == "mark" and token.word in "})]" and (not open_marks or open_marks[-1] != token.word):
-                raise self.fault(f"expected {open_marks[-1] if open_marks else ';'}, not {printable(token.word)}",
-                                 start if token.kind == "end" else token)
+            if (
+                token.kind == "end"
+                or token.kind == "mark"
+                and token.word in "})]"
+                and (not open_marks or open_marks[-1] != token.word)
+            ):
+                if open_marks:
+                    wanted = open_marks[-1]
+                else:
+                    wanted = ";"
+                if token.kind == "end":
+                    place = start
+                else:
+                    place = token
+                raise self.fault(f"expected {wanted}, not {printable(token.word)}", place)
             if token.kind == "mark" and token.word in BRACKETS:
                 open_marks.append(BRACKETS[token.word])
             elif open_marks and token.kind == "mark" and token.word == open_marks[-1]:
@@ -348,14 +408,18 @@ class Parser:
                 return
             self.advance()
 
-    # ---- bounds -----------------------------------------------------------------------------------------------
+    # ---- bounds --------------------------------------------------------------------------------------------
 
     def weight(self, descriptor):
         """(types in it, depth) of a descriptor."""
-        return self.weights.get(id(descriptor), (1, 1)) if isinstance(descriptor, tuple) else (1, 1)
+        if isinstance(descriptor, tuple):
+            return self.weights.get(id(descriptor), (1, 1))
+        return (1, 1)
 
     def weigh(self, descriptor, weight, depth):
-        """The descriptor; `weight` and `depth` are those of its parts. Raises BadIdl when they are too large."""
+        """The descriptor; `weight` and `depth` are those of its parts.
+        Raises BadIdl when they are too large.
+        """
         if weight > descriptors.LARGEST or depth > descriptors.DEEPEST:
             raise self.fault("a type too large or nested too deep")
         self.weights[id(descriptor)] = (weight + 1, depth + 1)
@@ -365,4 +429,6 @@ class Parser:
     def weighed(self, descriptor, inner):
         """The descriptor, weighed by its `inner` parts."""
         weights = [self.weight(part) for part in inner]
-        return self.weigh(descriptor, sum(weight for weight, _ in weights), max(depth for _, depth in weights))
+        return self.weigh(
+            descriptor, sum(weight for weight, _ in weights), max(depth for _, depth in weights)
+        )

@@ -1,10 +1,14 @@
 """The names of an IDL file: their meanings, scopes and repository ids."""
 
 DEEPEST = 40  # scopes in scopes, types in types
-# Words that cannot be names. Those of CORBA 3 (component, home, uses, …) can, as in omniidl: real files have them.
-KEYWORDS = frozenset("""abstract any attribute boolean case char const context custom default double enum exception factory
-false fixed float in inout interface local long module native object octet oneway out private public raises readonly sequence
-short string struct supports switch true truncatable typedef union unsigned valuebase valuetype void wchar wstring""".split())
+# Words that cannot be names. Those of CORBA 3 (component, home, uses, …) can, as in omniidl: real files have
+# them.
+KEYWORDS = frozenset(
+    """abstract any attribute boolean case char const context custom default double enum exception factory
+false fixed float in inout interface local long module native object octet oneway out private public raises
+readonly sequence short string struct supports switch true truncatable typedef union unsigned valuebase
+valuetype void wchar wstring""".split()
+)
 
 
 class Entry:
@@ -16,19 +20,28 @@ class Entry:
     """
 
     def __init__(self, name, sort, what=None, type_id=None, hole=None, token=None):
-        self.name, self.sort, self.what, self.type_id, self.hole, self.token = name, sort, what, type_id, hole, token
+        self.name = name
+        self.sort = sort
+        self.what = what
+        self.type_id = type_id
+        self.hole = hole
+        self.token = token
 
 
 class Scope:
     """A module, interface, struct or union, or the whole file: the names in it."""
 
     def __init__(self, name, parent, prefix=""):
-        self.name, self.parent, self.prefix = name, parent, prefix
-        self.names, self.bases = {}, []
+        self.name = name
+        self.parent = parent
+        self.prefix = prefix
+        self.names = {}
+        self.bases = []
 
     def own(self, name):
         """The Entry of a name declared here or in an interface that this one inherits from, or None."""
-        todo, seen = [self], set()
+        todo = [self]
+        seen = set()
         while todo:
             scope = todo.pop(0)
             if id(scope) in seen:

@@ -1,4 +1,5 @@
 """IDL text as tokens, preprocessed, without comments."""
+
 import collections
 import os
 import re
@@ -7,7 +8,8 @@ import rtshell_lite
 from rtshell_lite import errors, files
 from rtshell_lite.text import printable
 
-# kind: name, number, string, char, mark, pragma, file (an included file begins or ends), end; word: as written
+# kind: name, number, string, char, mark, pragma, file (an included file begins or ends), end; word: as
+# written
 Token = collections.namedtuple("Token", "kind word file line column")
 
 LARGEST = 1 << 22  # bytes of a file
@@ -19,7 +21,8 @@ MACRO = 1000  # tokens that a macro may grow to
 OWN = os.path.join(os.path.dirname(os.path.abspath(rtshell_lite.__file__)), "idl_stubs", "idl")
 OF_ORBS = ("orb.idl", "omg.idl", "corba.idl")  # built into every ORB
 
-_TOKEN = re.compile(r"""
+_TOKEN = re.compile(
+    r"""
     (?P<space>[ \t\r\f\v\n\x1a]+|\\\r?\n)
   | (?P<comment>//[^\n]*|/\*.*?\*/)
   | (?P<directive>\#(?:\\\r?\n|/\*.*?\*/|(?!/[/*])[^\n])*)
@@ -27,27 +30,44 @@ _TOKEN = re.compile(r"""
   | (?P<char>L?'(?:[^'\\\n]|\\[^\n])[^'\n]{0,8}')
   | (?P<number>(?:0[xX][0-9a-fA-F]+|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[dD]?)(?![A-Za-z0-9_.]))
   | (?P<name>[A-Za-z_][A-Za-z0-9_]*)
-  | (?P<mark>::|<<|>>|/(?!\*)|[][(){}<>,;:=+\-*%|&^~])""", re.VERBOSE | re.DOTALL)
-_SKIPPED = re.compile(r"(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<directive>\#(?:\\\r?\n|/\*.*?\*/|(?!/[/*])[^\n])*)|"
-                      r"(?P<string>\"(?:[^\"\\\n]|\\.)*\")|(?P<other>\s+|(?!/\*)\S)", re.DOTALL)
+  | (?P<mark>::|<<|>>|/(?!\*)|[][(){}<>,;:=+\-*%|&^~])""",
+    re.VERBOSE | re.DOTALL,
+)
+_SKIPPED = re.compile(
+    r"(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<directive>\#(?:\\\r?\n|/\*.*?\*/|(?!/[/*])[^\n])*)|"
+    r"(?P<string>\"(?:[^\"\\\n]|\\.)*\")|(?P<other>\s+|(?!/\*)\S)",
+    re.DOTALL,
+)
 _COMMENT = re.compile(r"/\*.*?\*/|\\\r?\n", re.DOTALL)
 _DIRECTIVE = re.compile(r"#\s*([A-Za-z]*)\s*(.*)", re.DOTALL)
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
-_CONDITION = re.compile(r"\s*(?:(defined)\s*(?:\(\s*([A-Za-z_]\w*)\s*\)|([A-Za-z_]\w*))|([A-Za-z_]\w*)|(0[xX][0-9a-fA-F]+|\d+)[uUlL]*|"
-                        r"(&&|\|\||==|!=|<=|>=|[!()<>+-]))", re.ASCII)
+_CONDITION = re.compile(
+    r"\s*(?:(defined)\s*(?:\(\s*([A-Za-z_]\w*)\s*\)|([A-Za-z_]\w*))|([A-Za-z_]\w*)|(0[xX][0-9a-fA-F]+|\d+)[uUlL]*|"
+    r"(&&|\|\||==|!=|<=|>=|[!()<>+-]))",
+    re.ASCII,
+)
 
 
 def tokens(path, include=()):
-    """The tokens of an IDL file and of what it includes; the last is of kind `end`. Raises BadIdl, errors.Failed."""
+    """The tokens of an IDL file and of what it includes; the last is of kind `end`.
+    Raises BadIdl, errors.Failed.
+    """
     source = _Source(list(include))
     source.file(path, 0)
-    last = source.found[-1] if source.found else Token("", "", path, 1, 1)
-    return source.found + [last._replace(kind="end", word="the end of the file", column=last.column + len(last.word))]
+    if source.found:
+        last = source.found[-1]
+    else:
+        last = Token("", "", path, 1, 1)
+    return source.found + [
+        last._replace(kind="end", word="the end of the file", column=last.column + len(last.word))
+    ]
 
 
 class _Source:
     def __init__(self, include):
-        self.include, self.macros, self.found = include, {}, []
+        self.include = include
+        self.macros = {}
+        self.found = []
         self.files = 0
 
     def file(self, path, depth):
@@ -72,21 +92,29 @@ class _File:
     """Turns a file into tokens."""
 
     def __init__(self, source, path, text, depth):
-        self.source, self.path, self.text, self.depth = source, path, text, depth
-        self.at, self.line, self.line_start = 0, 1, 0
+        self.source = source
+        self.path = path
+        self.text = text
+        self.depth = depth
+        self.at = 0
+        self.line = 1
+        self.line_start = 0
         self.conditions = []  # for each open #if: [taken now, taken once, line, #else seen]
 
     def fault(self, why):
         return errors.BadIdl(printable(self.path), self.line, self.at - self.line_start + 1, why)
 
     def scan(self):
-        found, fresh = self.source.found, True  # fresh: only blanks on this line so far
+        # fresh: only blanks on this line so far
+        found = self.source.found
+        fresh = True
         while self.at < len(self.text):
             active = all(condition[0] for condition in self.conditions)
             match = (_TOKEN if active else _SKIPPED).match(self.text, self.at)
             if match is None:
                 raise self.fault(self._unreadable())
-            kind, word = match.lastgroup, match.group()
+            kind = match.lastgroup
+            word = match.group()
             if kind == "directive" and fresh:
                 self._directive(_COMMENT.sub(" ", word), active)
             elif kind == "directive" and active:
@@ -108,12 +136,12 @@ class _File:
             raise errors.BadIdl(printable(self.path), self.conditions[-1][2], 1, "#if without #endif")
 
     def _unreadable(self):
-        rest = self.text[self.at:self.at + 2]
+        rest = self.text[self.at : self.at + 2]
         if rest == "/*":
             return "a comment without its end"
         if rest[0] in "\"'":
             return "a string or character without its end"
-        return "cannot be read: " + printable(self.text[self.at:self.at + 12].split("\n")[0])
+        return "cannot be read: " + printable(self.text[self.at : self.at + 12].split("\n")[0])
 
     def _token(self, token):
         """Add a token, or the expansion of the macro of its name."""
@@ -123,10 +151,14 @@ class _File:
             self.source.found.append(token)
 
     def _expanded(self, token):
-        words, used = [(token.kind, token.word, frozenset())], []
+        words = [(token.kind, token.word, frozenset())]
+        used = []
         while words:
             kind, word, seen = words.pop(0)
-            body = self.source.macros.get(word) if kind == "name" and word not in seen else None
+            if kind == "name" and word not in seen:
+                body = self.source.macros.get(word)
+            else:
+                body = None
             if body is None:
                 used.append(Token(kind, word, token.file, token.line, token.column))
             elif isinstance(body, str):
@@ -137,7 +169,7 @@ class _File:
                 raise self.fault(f"a macro that grows too large: {token.word}")
         return used
 
-    # ---- preprocessor lines ------- ---------------------------------------------------------------------------
+    # ---- preprocessor lines ------- ------------------------------------------------------------------------
 
     def _directive(self, line, active):
         name, rest = _DIRECTIVE.match(line).groups()
@@ -176,11 +208,12 @@ class _File:
         word = _NAME.match(rest)
         if word is None:
             raise self.fault("#define needs a name")
-        body = rest[word.end():]
+        body = rest[word.end() :]
         if body[:1] == "(":
             self.source.macros[word.group()] = "("
             return
-        parts, at = [], 0
+        parts = []
+        at = 0
         while at < len(body):
             match = _TOKEN.match(body, at)
             if match is None:
@@ -214,10 +247,17 @@ class _File:
         self.source.found.append(Token("file", "end", self.path, self.line, 1))
 
     def _included(self, name, beside):
-        """The path of a file to include: beside this one, in the directories given, among our own; or None."""
-        own = [os.path.join(OWN, part) for part in sorted(os.listdir(OWN))] if os.path.isdir(OWN) else []
+        """The path of a file to include: beside this one, in the directories given, among our own;
+        or None.
+        """
+        if os.path.isdir(OWN):
+            own = [os.path.join(OWN, part) for part in sorted(os.listdir(OWN))]
+        else:
+            own = []
         places = [os.path.dirname(self.path)] * beside + self.source.include + [OWN]
-        for path in [os.path.join(place, name) for place in places] + [os.path.join(o, os.path.basename(name)) for o in own]:
+        for path in [os.path.join(place, name) for place in places] + [
+            os.path.join(o, os.path.basename(name)) for o in own
+        ]:
             if os.path.isfile(path):
                 return path
         return None
@@ -227,7 +267,9 @@ class _Condition:
     """The expression of an #if: numbers, defined(NAME), ! && || comparisons and brackets."""
 
     def __init__(self, file, text):
-        self.file, self.words, at = file, [], 0
+        self.file = file
+        self.words = []
+        at = 0
         while text[at:].strip():
             match = _CONDITION.match(text, at)
             if match is None or len(self.words) > 200:
@@ -244,7 +286,9 @@ class _Condition:
         if bracketed or bare:
             return int((bracketed or bare) in macros)
         try:
-            return whole(number) if number else _of_macro(macros.get(name))
+            if number:
+                return whole(number)
+            return _of_macro(macros.get(name))
         except ValueError as e:
             raise self.file.fault(f"a condition that cannot be read: {e}")
 
@@ -272,12 +316,21 @@ class _Condition:
         return value
 
     def _comparison(self, depth):
-        value, mark = self._one(depth), self._next("==", "!=", "<=", ">=", "<", ">")
+        value = self._one(depth)
+        mark = self._next("==", "!=", "<=", ">=", "<", ">")
         if mark is None:
             return value
         other = self._one(depth)
-        return int({"==": value == other, "!=": value != other, "<=": value <= other, ">=": value >= other,
-                    "<": value < other, ">": value > other}[mark])
+        return int(
+            {
+                "==": value == other,
+                "!=": value != other,
+                "<=": value <= other,
+                ">=": value >= other,
+                "<": value < other,
+                ">": value > other,
+            }[mark]
+        )
 
     def _one(self, depth):
         if depth > DEEPEST or not self.words:
@@ -290,7 +343,11 @@ class _Condition:
             return found
         if mark:
             found = self._one(depth + 1)
-            return int(not found) if mark == "!" else -found if mark == "-" else found
+            if mark == "!":
+                return int(not found)
+            if mark == "-":
+                return -found
+            return found
         word = self.words.pop()
         if isinstance(word, str):
             raise self.file.fault("a condition that cannot be read")
@@ -299,8 +356,13 @@ class _Condition:
 
 def _of_macro(body):
     """The number that a macro means in a condition; 0, as in C, for anything else. Raises ValueError."""
-    word = body[0][1] if isinstance(body, list) and len(body) == 1 and body[0][0] == "number" else "0"
-    return whole(word) if is_whole(word) else 0
+    if isinstance(body, list) and len(body) == 1 and body[0][0] == "number":
+        word = body[0][1]
+    else:
+        word = "0"
+    if is_whole(word):
+        return whole(word)
+    return 0
 
 
 def is_whole(word):

@@ -1,4 +1,5 @@
 """Types of an IDL file as descriptors: the words for basic ones, sequences, structs, unions and enums."""
+
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, WSTRING
@@ -6,7 +7,9 @@ from rtshell_lite.data.idl import constants
 from rtshell_lite.data.idl.scopes import DEEPEST, Entry, Scope
 from rtshell_lite.text import printable
 
-BASIC = {words: kind for kind, words in descriptors.NAMES.items() if kind > 1 and kind != descriptors.PRINCIPAL}
+BASIC = {
+    words: kind for kind, words in descriptors.NAMES.items() if kind > 1 and kind != descriptors.PRINCIPAL
+}
 MOST_DIGITS = 31  # of a number of type fixed
 WORDS = ("unsigned", "short", "long", "float", "double", "char", "wchar", "boolean", "octet", "any")
 
@@ -14,7 +17,8 @@ WORDS = ("unsigned", "short", "long", "float", "double", "char", "wchar", "boole
 def declarator(parser, descriptor, what):
     """(token, name, descriptor) of a name with its array bounds."""
     token = parser.token
-    name, lengths = parser.name(what), []
+    name = parser.name(what)
+    lengths = []
     if _incomplete(parser, descriptor):
         raise parser.fault("of a type that is announced, but not described yet", token)
     while parser.is_mark("["):
@@ -30,7 +34,7 @@ def declarator(parser, descriptor, what):
 
 
 def _positive(parser):
-    return _within(parser, 1, 2 ** 32 - 1, "above 0")
+    return _within(parser, 1, 2**32 - 1, "above 0")
 
 
 def _within(parser, least, most, words):
@@ -99,7 +103,9 @@ def _of_corba(parser):
     parser.advance()
     parser.take("::")
     name = parser.plain()
-    return descriptors.TYPECODE if name == "TypeCode" else (OBJECT, f"IDL:omg.org/CORBA/{name}:1.0", name)
+    if name == "TypeCode":
+        return descriptors.TYPECODE
+    return (OBJECT, f"IDL:omg.org/CORBA/{name}:1.0", name)
 
 
 def _bound(parser):
@@ -113,7 +119,8 @@ def _bound(parser):
 def _sequence(parser, depth):
     parser.advance()
     parser.take("<")
-    element, bound = type_spec(parser, depth), 0
+    element = type_spec(parser, depth)
+    bound = 0
     if parser.is_mark(","):
         bound = _bound(parser)
     else:
@@ -139,7 +146,8 @@ def constructed(parser, depth):
     """A struct, union or enum: its descriptor, None for one that is only announced."""
     if depth > DEEPEST:
         raise parser.fault("nested too deep")
-    word, token = parser.advance().word, parser.token
+    word = parser.advance().word
+    token = parser.token
     name = parser.name("a " + word if word != "enum" else "an enum")
     if word == "enum":
         return _enum(parser, name, token)
@@ -150,7 +158,9 @@ def constructed(parser, depth):
         raise parser.twice(name, entry, token)
     if word == "struct" or not parser.is_word("switch"):
         parser.take("{")
-    made = within(parser, entry, lambda: (_struct if word == "struct" else _union)(parser, entry, name, depth))
+    made = within(
+        parser, entry, lambda: (_struct if word == "struct" else _union)(parser, entry, name, depth)
+    )
     parser.take("}")
     entry.sort, entry.what, entry.hole[0] = "type", made, made
     parser.made[id(entry)] = (descriptors.type_id(made), made)
@@ -187,7 +197,8 @@ def _struct(parser, entry, name, depth):
 
 def members(parser, depth):
     """Read the members of a struct up to its closing brace: [(name, descriptor)]. Raises BadIdl."""
-    found, names = [], set()
+    found = []
+    names = set()
     while not parser.is_mark("}"):
         descriptor = type_spec(parser, depth + 1)
         while True:
@@ -217,7 +228,10 @@ def _union(parser, entry, name, depth):
         raise parser.fault(f"a union cannot be switched by {descriptors.words(switch)}", token)
     parser.take(")")
     parser.take("{")
-    cases, default, labels, names = [], -1, set(), set()
+    cases = []
+    default = -1
+    labels = set()
+    names = set()
     while not parser.is_mark("}"):
         found = _labels(parser, switch, labels)
         descriptor = type_spec(parser, depth + 1)
@@ -232,8 +246,9 @@ def _union(parser, entry, name, depth):
         raise parser.fault(f"a union without members: {name}", entry.token)
     if default >= 0:
         cases[default] = (_unused(parser, switch, labels, entry.token),) + cases[default][1:]
-    return parser.weighed(descriptors.union(entry.type_id, name, switch, cases, default),
-                          [switch] + [case[2] for case in cases])
+    return parser.weighed(
+        descriptors.union(entry.type_id, name, switch, cases, default), [switch] + [case[2] for case in cases]
+    )
 
 
 def _labels(parser, switch, labels):
@@ -258,7 +273,10 @@ def _labels(parser, switch, labels):
 def _label(parser, switch):
     """The value of a case label; items of the switch's enum need no scope."""
     inner = descriptors.target(switch)
-    items = descriptors.items(inner) if descriptors.kind(inner) == descriptors.ENUM else ()
+    if descriptors.kind(inner) == descriptors.ENUM:
+        items = descriptors.items(inner)
+    else:
+        items = ()
     if parser.token.kind == "name" and parser.scope.seen(parser.token.word) is None:
         for item in items:
             if item._n == parser.token.word:
@@ -277,7 +295,10 @@ def _unused(parser, switch, labels, token):
     elif kind == descriptors.ENUM:
         candidates = descriptors.items(inner)
     else:
-        candidates = (False, True) if kind == descriptors.BOOLEAN else map(chr, range(256))
+        if kind == descriptors.BOOLEAN:
+            candidates = (False, True)
+        else:
+            candidates = map(chr, range(256))
     for candidate in candidates:
         if candidate not in labels:
             return candidate
@@ -286,7 +307,8 @@ def _unused(parser, switch, labels, token):
 
 def _enum(parser, name, token):
     parser.take("{")
-    items, tokens = [], []
+    items = []
+    tokens = []
     while True:
         tokens.append(parser.token)
         items.append(parser.name("an item"))

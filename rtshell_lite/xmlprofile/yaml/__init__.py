@@ -1,1 +1,3 @@
-"""RtsProfile files in YAML: text to nodes (reader, document, scalars), nodes to the model and back (form), data to text (writer)."""
+"""RtsProfile files in YAML: text to nodes (reader, document, scalars), nodes to the model and back (form),
+data to text (writer).
+"""

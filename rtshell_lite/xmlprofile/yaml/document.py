@@ -1,4 +1,5 @@
 """A YAML document while it is read: its text, positions in it, limits, errors."""
+
 import re
 
 from rtshell_lite import errors
@@ -13,7 +14,9 @@ _MARKER = re.compile(rf"(?:---|\.\.\.)(?=[ \0{BREAK}])")
 
 
 class Node:
-    """A value and its position: str, list of Node, or dict of str to Node. `tag`: the type of text, None for plain text."""
+    """A value and its position: str, list of Node, or dict of str to Node.
+    `tag`: the type of text, None for plain text.
+    """
 
     __slots__ = "value", "pos", "tag", "height"
 
@@ -72,4 +75,6 @@ class Document:
     def here(self, pos):
         """The column of the token at `pos`; -1 at the end of the document."""
         column = self.column(pos)
-        return -1 if self.text[pos] == "\0" or column == 0 and _MARKER.match(self.text, pos) else column
+        if self.text[pos] == "\0" or column == 0 and _MARKER.match(self.text, pos):
+            return -1
+        return column

@@ -1,17 +1,21 @@
 """RtsProfile files in YAML: from the nodes of reader.py to the model, and from the model to plain data.
 
-A file is a mapping with the key rtsProfile. Parts that the schema does not have are kept under keys of our own:
+A file is a mapping with the key rtsProfile. Parts that the schema does not have are kept under keys of our
+own:
 
     xml::attributes: {'{namespace}name': text}
     xml::elements: [{element: '{namespace}name', attributes: {...}, content: [text or element]}]
 """
+
 import re
 
 from rtshell_lite.xmlprofile import fields, model, names, values
 from rtshell_lite.xmlprofile.yaml import document, reader, scalars, writer
 
 ROOT = "rtsProfile"
-DEEPEST_XML = 64  # elements below elements, as in xml.py: what is read here can be written as XML and read again
+DEEPEST_XML = (
+    64  # elements below elements, as in xml.py: what is read here can be written as XML and read again
+)
 
 _DATE = re.compile(r"(\d{4})-(\d\d)-(\d\d)T(\d\d):(\d\d):(\d\d)(\.\d+)?(Z|[-+]\d\d:\d\d)?\Z", re.ASCII)
 _DATE_KEYS = ("year", "month", "day", "hour", "minute", "second")
@@ -33,7 +37,8 @@ def write(profile):
     return writer.write({ROOT: _data(profile)})
 
 
-# ---- reading ----------------------------------------------------------------------------------------------------
+# ---- reading -----------------------------------------------------------------------------------------------
+
 
 def _element(doc, node, cls, depth):
     if _is_null(node):
@@ -43,7 +48,8 @@ def _element(doc, node, cls, depth):
     if depth > DEEPEST_XML:
         doc.fail(node.pos, "more than %d levels of elements" % DEEPEST_XML)
     table = names.table(cls)
-    found, others = {}, []
+    found = {}
+    others = []
     for key, value in _pairs(doc, node, table):
         field = table.keys.get(key)
         if field:
@@ -94,8 +100,10 @@ def _set(doc, found, field, node, depth):
             return
         if not isinstance(node.value, list):
             doc.fail(node.pos, "a list is needed here")
-        found[field.name] = [_text(doc, item) if field.kind == fields.TEXT else _element(doc, item, field.kind, depth + 1)
-                             for item in node.value]
+        found[field.name] = [
+            _text(doc, item) if field.kind == fields.TEXT else _element(doc, item, field.kind, depth + 1)
+            for item in node.value
+        ]
     elif field.child:
         if not _is_null(node) or field.kind is model.MessageSending:
             found[field.name] = _element(doc, node, field.kind, depth + 1)
@@ -106,7 +114,9 @@ def _set(doc, found, field, node, depth):
 
 
 def _value(doc, field, node):
-    """The value of a field that is not an element. Text stays as it is spelt: `id: 010` and `name: no` are text here."""
+    """The value of a field that is not an element.
+    Text stays as it is spelt: `id: 010` and `name: no` are text here.
+    """
     text = _text(doc, node)
     try:
         if field.kind in (fields.BOOLEAN, fields.INTEGER, fields.NUMBER):
@@ -135,7 +145,9 @@ def _plain(doc, node):
 
 
 def _date(doc, node):
-    """The text of a date that is a mapping of six whole numbers, as in rtsprofile, and perhaps fraction and zone."""
+    """The text of a date that is a mapping of six whole numbers, as in rtsprofile,
+    and perhaps fraction and zone.
+    """
     parts = {key: _plain(doc, value) for key, value in node.value.items()}
     numbers = [parts.pop(key, 0) for key in _DATE_KEYS]
     rest = "".join(str(parts.pop(key, "")) for key in ("fraction", "zone"))
@@ -148,7 +160,8 @@ def _date(doc, node):
     return text
 
 
-# ---- reading foreign parts --------------------------------------------------------------------------------------
+# ---- reading foreign parts ---------------------------------------------------------------------------------
+
 
 def _foreign(found):
     if "foreign" not in found:
@@ -160,7 +173,11 @@ def _attributes(doc, node, table=None):
     if not isinstance(node.value, dict):
         doc.fail(node.pos, "a mapping is needed here")
     for name, value in node.value.items():
-        if not names.is_clark(name) or table and (names.raw(name) in table.attributes or names.raw(name) == names.TYPE):
+        if (
+            not names.is_clark(name)
+            or table
+            and (names.raw(name) in table.attributes or names.raw(name) == names.TYPE)
+        ):
             doc.fail(value.pos, f"{values.shown(name)} cannot be an attribute here")
     return {name: _text(doc, value) for name, value in node.value.items()}
 
@@ -173,28 +190,51 @@ def _elements(doc, node, table, depth):
 
 
 def _foreign_element(doc, node, table, depth):
-    parts = dict(node.value) if isinstance(node.value, dict) else {}
+    if isinstance(node.value, dict):
+        parts = dict(node.value)
+    else:
+        parts = {}
     tag = parts.pop("element", None)
-    tag, place = (_text(doc, tag), tag) if tag else ("", node)
-    attributes = _attributes(doc, parts.pop("attributes")) if "attributes" in parts else {}
+    if tag:
+        tag, place = (_text(doc, tag), tag)
+    else:
+        tag = ""
+        place = node
+    if "attributes" in parts:
+        attributes = _attributes(doc, parts.pop("attributes"))
+    else:
+        attributes = {}
     content = parts.pop("content", None)
-    if not names.is_clark(tag) or parts or depth > DEEPEST_XML or content and not isinstance(content.value, list):
+    if (
+        not names.is_clark(tag)
+        or parts
+        or depth > DEEPEST_XML
+        or content
+        and not isinstance(content.value, list)
+    ):
         doc.fail(place.pos, "an element is needed here: its name, attributes and content")
     known = table and table.children.get(names.raw(tag))
     if known and known.kind != fields.TEXT:
         doc.fail(place.pos, f"{values.shown(tag)} is not a foreign element")
-    items = [_foreign_element(doc, item, None, depth + 1) if isinstance(item.value, dict) else _text(doc, item)
-             for item in (content.value if content else [])]
+    items = []
+    if content:
+        for item in content.value:
+            is_element = isinstance(item.value, dict)
+            items.append(_foreign_element(doc, item, None, depth + 1) if is_element else _text(doc, item))
     return fields.ForeignElement(tag, attributes, fields.tidy(items))
 
 
-# ---- writing ----------------------------------------------------------------------------------------------------
+# ---- writing -----------------------------------------------------------------------------------------------
+
 
 def _data(element):
     data = {}
     for field in element.FIELDS:
         value = getattr(element, field.name)
-        target = data if field.within is None else data.setdefault(field.within, {})
+        if field.within is None:
+            target = data
+        else:
+            target = data.setdefault(field.within, {})
         if field.many:
             if value:
                 target[field.key] = [item if field.kind == fields.TEXT else _data(item) for item in value]
@@ -202,8 +242,12 @@ def _data(element):
             if value is not None:
                 target[field.key] = _data(value)
         elif value is not None and (field.always or value != field.default):
-            target[field.key] = _date_data(value) if field.kind == fields.DATE else \
-                float(value) if field.kind == fields.NUMBER else value
+            if field.kind == fields.DATE:
+                target[field.key] = _date_data(value)
+            elif field.kind == fields.NUMBER:
+                target[field.key] = float(value)
+            else:
+                target[field.key] = value
     if element.foreign:
         data.update(element.foreign.keys)
         if element.foreign.attributes:

@@ -1,12 +1,13 @@
 """Reads a subset of YAML 1.1: what PyYAML writes for a profile, and what people write by hand.
 
-Supported: block and flow collections; plain, quoted, literal and folded text; comments; anchors and aliases; tags of plain
-types; one document. Everything else is refused with line and column, also what is legal but a trap: duplicate keys and
-anchors, merge keys, several documents. Nothing is ever evaluated.
+Supported: block and flow collections; plain, quoted, literal and folded text; comments; anchors and aliases;
+tags of plain types; one document. Everything else is refused with line and column, also what is legal but a
+trap: duplicate keys and anchors, merge keys, several documents. Nothing is ever evaluated.
 
-Most functions take a document and a position and return where they ended and a node: (doc, pos) -> (pos, Node). Functions for
-block style end at the next token, those for flow style at the end of the node.
+Most functions take a document and a position and return where they ended and a node: (doc, pos) -> (pos,
+Node). Functions for block style end at the next token, those for flow style at the end of the node.
 """
+
 import re
 
 from rtshell_lite.xmlprofile.yaml import scalars
@@ -24,7 +25,9 @@ _ANCHOR = re.compile(r"([&*])([\w-]+)", re.ASCII)
 _TAG = re.compile(rf"!(?:<tag:yaml\.org,2002:(\w+)>|!(\w+)|(?=[ \0{BREAK}]))", re.ASCII)
 _FORBIDDEN = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
 # Most lines of a profile: `key: value`, or `key:` alone. Reading them at once saves two thirds of the time.
-_SIMPLE = re.compile(r"([A-Za-z][\w:]*):( (?:([\w/.+][!\"$-~]*(?<!:))|'([^'%s\t]*)'))?\n( *)(?=[!-\"$-~])" % BREAK, re.ASCII)
+_SIMPLE = re.compile(
+    r"([A-Za-z][\w:]*):( (?:([\w/.+][!\"$-~]*(?<!:))|'([^'%s\t]*)'))?\n( *)(?=[!-\"$-~])" % BREAK, re.ASCII
+)
 
 
 def parse(text, name):
@@ -34,7 +37,10 @@ def parse(text, name):
         doc.fail(0, "more than %d MiB" % (MOST_CHARACTERS >> 20))
     if isinstance(text, bytes):
         text = _decoded(doc, text)
-    text = text[1:] if text.startswith("\ufeff") else text
+    if text.startswith("\ufeff"):
+        text = text[1:]
+    else:
+        text = text
     doc.text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\x85", "\n")
     if doc.text.count("\n") > MOST_LINES:
         doc.fail(0, "more than %d lines" % MOST_LINES)
@@ -47,11 +53,14 @@ def parse(text, name):
 
 
 def _decoded(doc, data):
-    encoding = "utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8"
+    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        encoding = "utf-16"
+    else:
+        encoding = "utf-8"
     try:
         return data.decode(encoding)
     except UnicodeDecodeError as e:
-        doc.text = data[:e.start].decode(encoding, "replace")
+        doc.text = data[: e.start].decode(encoding, "replace")
         doc.fail(len(doc.text), f"not {encoding.upper()} ({e.reason})")
 
 
@@ -62,7 +71,10 @@ def _document(doc):
     begins = column < 0 and doc.text.startswith("---", pos)
     if column < 0 and doc.text[pos] == ".":
         doc.fail(pos, "the end of a document that has not begun")
-    pos, node = _value(doc, pos + 3, -1, 0, False) if begins else _value(doc, pos, -1, 0, True)
+    if begins:
+        pos, node = _value(doc, pos + 3, -1, 0, False)
+    else:
+        pos, node = _value(doc, pos, -1, 0, True)
     while doc.text.startswith("...", pos) and doc.here(pos) < 0:
         pos = _line_end(doc, pos + 3)
     if doc.text[pos] != "\0":
@@ -74,12 +86,18 @@ def _line_end(doc, pos):
     """Check that nothing follows on this line; the position of the next token."""
     if not _END_OF_LINE.match(doc.text, pos):
         pos = _BLANKS.match(doc.text, pos).end()
-        doc.fail(pos, {":": "a colon and a blank inside text: put quotes around it, or mend the indentation", "\t": scalars.TAB}
-                 .get(doc.text[pos], "this does not belong to the value before it"))
+        doc.fail(
+            pos,
+            {
+                ":": "a colon and a blank inside text: put quotes around it, or mend the indentation",
+                "\t": scalars.TAB,
+            }.get(doc.text[pos], "this does not belong to the value before it"),
+        )
     return doc.next_token(pos)[0]
 
 
-# ---- block style ------------------------------------------------------------------------------------------------
+# ---- block style -------------------------------------------------------------------------------------------
+
 
 def _value(doc, pos, indent, depth, compact, dashes=False):
     """The value after `key:` or `- ` at column `indent`, and the next token.
@@ -102,14 +120,17 @@ def _value(doc, pos, indent, depth, compact, dashes=False):
 
 
 def _check_below(doc, pos, column, indent, anchor, tag):
-    """Refuse a second anchor or tag on lines below the first; an anchor may follow a tag there, and the other way round."""
+    """Refuse a second anchor or tag on lines below the first;
+    an anchor may follow a tag there, and the other way round.
+    """
     while (anchor or tag) and column > indent and not _is_key(doc, pos):
         end, second_anchor, second_tag = _properties(doc, pos)
         if anchor and second_anchor or tag and second_tag:
             doc.fail(pos, "a second anchor or tag")
         if not (second_anchor or second_tag) or not _END_OF_LINE.match(doc.text, end):
             return
-        anchor, tag = anchor or second_anchor, tag or second_tag
+        anchor = anchor or second_anchor
+        tag = tag or second_tag
         pos, column = doc.next_token(end)
 
 
@@ -159,8 +180,11 @@ def _mapping(doc, pos, column, depth):
                 here = doc.here(pos)
                 continue
             if len(blanks) <= column:
-                items[key] = doc.node(quoted or "" if value is None else value, simple.start(2) + 1, depth + 1,
-                                      "str" if value is None else None)
+                tag = None
+                if value is None:
+                    value = quoted or ""
+                    tag = "str"
+                items[key] = doc.node(value, simple.start(2) + 1, depth + 1, tag)
                 pos = simple.end()
                 here = len(blanks) or doc.here(pos)
                 continue
@@ -190,7 +214,9 @@ def _key(doc, pos, depth):
     if not _is_key(doc, pos):
         end = scalars.key_end(doc, pos) or pos
         tab = doc.text.startswith(":\t", end)
-        doc.fail(end + 1 if tab else pos, scalars.TAB if tab else "a key and a colon are needed here")
+        if tab:
+            doc.fail(end + 1, scalars.TAB)
+        doc.fail(pos, "a key and a colon are needed here")
     start, (pos, anchor, tag) = pos, _properties(doc, pos)
     if doc.text.startswith("<<", pos) and _COLON.match(doc.text, pos + 2):
         doc.fail(pos, "merge keys are not supported here")
@@ -217,19 +243,33 @@ def _inline(doc, pos, indent, depth, tag):
     return _line_end(doc, end), node
 
 
-# ---- both styles ------------------------------------------------------------------------------------------------
+# ---- both styles -------------------------------------------------------------------------------------------
+
 
 def _properties(doc, pos):
-    """The anchor and the tag in front of a node: (pos, anchor, tag). The tag is a name such as str, or "!"."""
+    """The anchor and the tag in front of a node: (pos, anchor, tag).
+    The tag is a name such as str, or "!".
+    """
     anchor = tag = None
     while True:
         start = _BLANKS.match(doc.text, pos).end()
         c = doc.text[start]
-        found = _ANCHOR.match(doc.text, start) if c == "&" and not anchor else \
-            _TAG.match(doc.text, start) if c == "!" and not tag else None
+        if c == "&" and not anchor:
+            found = _ANCHOR.match(doc.text, start)
+        elif c == "!" and not tag:
+            found = _TAG.match(doc.text, start)
+        else:
+            found = None
         if not found:
             if c in "&!":
-                doc.fail(start, "a tag that is not supported here" if c == "!" else "an anchor without a name, or a second one")
+                doc.fail(
+                    start,
+                    (
+                        "a tag that is not supported here"
+                        if c == "!"
+                        else "an anchor without a name, or a second one"
+                    ),
+                )
             return pos, anchor, tag
         if c == "&":
             anchor = found.group(2)
@@ -253,14 +293,22 @@ def _anchored(doc, anchor, count, result):
 def _measure(node):
     """Set and return the height of a node; a node is visited once, however often it is used."""
     if not node.height:
-        children = node.value.values() if isinstance(node.value, dict) else node.value
-        node.height = 1 + (0 if isinstance(children, str) else max([_measure(child) for child in children] or [0]))
+        if isinstance(node.value, dict):
+            children = node.value.values()
+        else:
+            children = node.value
+        node.height = 1 + (
+            0 if isinstance(children, str) else max([_measure(child) for child in children] or [0])
+        )
     return node.height
 
 
 def _alias(doc, pos, depth):
     found = _ANCHOR.match(doc.text, pos)
-    name = found.group(2) if found else ""
+    if found:
+        name = found.group(2)
+    else:
+        name = ""
     if name not in doc.anchors:
         doc.fail(pos, "an alias of nothing that was anchored before")
     node, count = doc.anchors[name]
@@ -271,7 +319,12 @@ def _alias(doc, pos, depth):
 
 def _tagged(doc, pos, node, tag):
     """`node` with its tag."""
-    wanted = "map" if isinstance(node.value, dict) else "seq" if isinstance(node.value, list) else None
+    if isinstance(node.value, dict):
+        wanted = "map"
+    elif isinstance(node.value, list):
+        wanted = "seq"
+    else:
+        wanted = None
     if not tag or tag in (wanted, "!"):
         return node
     if wanted or tag in ("map", "seq"):
@@ -295,19 +348,26 @@ def _scalar(doc, pos, depth, tag, indent=-1, key=False, flow=False):
     if tag in ("map", "seq"):
         doc.fail(pos, f"the tag !!{tag} does not fit")
     if tag == "!":
-        tag, quotes = None, False  # PyYAML's reading of a tag without a name
+        # PyYAML's reading of a tag without a name
+        tag = None
+        quotes = False
     return end, doc.node(text, pos, depth, tag or ("str" if quotes else None))
 
 
-# ---- flow style -------------------------------------------------------------------------------------------------
+# ---- flow style --------------------------------------------------------------------------------------------
+
 
 def _flow(doc, pos, depth, tag):
     """[...] or {...}: (pos after it, node)."""
     mapping = doc.text[pos] == "{"
-    items = {} if mapping else []
+    if mapping:
+        items = {}
+    else:
+        items = []
     node = doc.node(items, pos, depth)
     _tagged(doc, pos, node, tag)
-    start, pos = pos, doc.skip(pos + 1)
+    start = pos
+    pos = doc.skip(pos + 1)
     while doc.text[pos] != ("}" if mapping else "]"):
         if doc.text[pos] == "\0":
             doc.fail(start, "this bracket is never closed")

@@ -1,7 +1,9 @@
-"""Scalars of YAML: how text is quoted, folded and escaped, and what plain text means (YAML 1.1, as in PyYAML).
+"""Scalars of YAML: how text is quoted, folded and escaped, and what plain text means (YAML 1.1, as in
+PyYAML).
 
 The functions take a Document and a position and return where the value ends and its text.
 """
+
 import binascii
 import re
 
@@ -20,29 +22,42 @@ _MARKER = re.compile(rf"[{BREAK}](?:---|\.\.\.)(?=[ \0{BREAK}])")
 _ALIAS = re.compile(r"\*[\w-]+", re.ASCII)
 
 
-# ---- text without quotes ----------------------------------------------------------------------------------------
+# ---- text without quotes -----------------------------------------------------------------------------------
+
 
 def key_end(doc, pos):
     """Where text that may be a key ends on this line; None if it cannot be a key."""
     c = doc.text[pos]
     if c in "'\"":
         end = _closing(doc, pos)
-        return end if not _has_break(doc.text[pos:end]) else None
+        if not _has_break(doc.text[pos:end]):
+            return end
+        return None
     if c == "*":
         alias = _ALIAS.match(doc.text, pos)
         return alias and alias.end()
-    return None if _NOT_FIRST.match(doc.text, pos) else _STOP.search(doc.text, pos).start()
+    if _NOT_FIRST.match(doc.text, pos):
+        return None
+    return _STOP.search(doc.text, pos).start()
 
 
 def bare(doc, pos, indent, flow, key):
     """Plain text. Unless it is a key, it continues on lines that are indented by more than `indent`."""
-    text, stop = doc.text, _STOP_IN_FLOW if flow else _STOP
-    if (_NOT_FIRST_IN_FLOW if flow else _NOT_FIRST).match(text, pos):
-        doc.fail(pos, TAB if text[pos] == "\t" else
-                 "a value is needed here" if text[pos] in ",]}\0" else
-                 "a value cannot begin like this; put quotes around it")
-    piece = text[pos:stop.search(text, pos).start()].rstrip(" ")
-    pieces, end = [piece], pos + len(piece)
+    text = doc.text
+    stop = _STOP
+    not_first = _NOT_FIRST
+    if flow:
+        stop = _STOP_IN_FLOW
+        not_first = _NOT_FIRST_IN_FLOW
+    if not_first.match(text, pos):
+        if text[pos] == "\t":
+            doc.fail(pos, TAB)
+        if text[pos] in ",]}\0":
+            doc.fail(pos, "a value is needed here")
+        doc.fail(pos, "a value cannot begin like this; put quotes around it")
+    piece = text[pos : stop.search(text, pos).start()].rstrip(" ")
+    pieces = [piece]
+    end = pos + len(piece)
     while not key:
         start = _SPACE.match(text, end).end()
         fold = text[end:start]
@@ -50,7 +65,7 @@ def bare(doc, pos, indent, flow, key):
             break
         if not flow and doc.column(start) <= indent:
             break
-        piece = text[start:stop.search(text, start).start()].rstrip(" ")
+        piece = text[start : stop.search(text, start).start()].rstrip(" ")
         if not piece:
             break
         pieces += [folded(fold), piece]
@@ -64,9 +79,13 @@ def _has_break(text):
 
 
 def folded(space):
-    """The meaning of blanks and line ends inside a text: a single line end is a blank, each further one an empty line."""
+    """The meaning of blanks and line ends inside a text:
+    a single line end is a blank, each further one an empty line.
+    """
     breaks = "".join(c for c in space if c in BREAK)
-    return breaks if breaks[0] != "\n" else breaks[1:] or " "
+    if breaks[0] != "\n":
+        return breaks
+    return breaks[1:] or " "
 
 
 def _check_length(doc, pos, end):
@@ -74,19 +93,40 @@ def _check_length(doc, pos, end):
         doc.fail(pos, "a text of more than %d MiB" % (LONGEST_TEXT >> 20))
 
 
-# ---- text in quotes ---------------------------------------------------------------------------------------------
+# ---- text in quotes ----------------------------------------------------------------------------------------
 
 _ANY_SPACE = re.compile(f"[ \t{BREAK}]+")
-_ESCAPE = re.compile(r"\\(?:x([0-9A-Fa-f]{2})|u([0-9A-Fa-f]{4})|U([0-9A-Fa-f]{8})|([%s])([ \t%s]*)|(.))|[ \t%s]+"
-                     % (BREAK, BREAK, BREAK), re.DOTALL)
-_ESCAPED = {"0": "\0", "a": "\a", "b": "\b", "t": "\t", "\t": "\t", "n": "\n", "v": "\v", "f": "\f", "r": "\r",
-            "e": "\x1b", " ": " ", '"': '"', "\\": "\\", "/": "/", "N": "\x85", "_": "\xa0", "L": "\u2028", "P": "\u2029"}
+_ESCAPE = re.compile(
+    r"\\(?:x([0-9A-Fa-f]{2})|u([0-9A-Fa-f]{4})|U([0-9A-Fa-f]{8})|([%s])([ \t%s]*)|(.))|[ \t%s]+"
+    % (BREAK, BREAK, BREAK),
+    re.DOTALL,
+)
+_ESCAPED = {
+    "0": "\0",
+    "a": "\a",
+    "b": "\b",
+    "t": "\t",
+    "\t": "\t",
+    "n": "\n",
+    "v": "\v",
+    "f": "\f",
+    "r": "\r",
+    "e": "\x1b",
+    " ": " ",
+    '"': '"',
+    "\\": "\\",
+    "/": "/",
+    "N": "\x85",
+    "_": "\xa0",
+    "L": "\u2028",
+    "P": "\u2029",
+}
 
 
 def quoted(doc, pos):
     """Text in single or double quotes."""
     end = _closing(doc, pos)
-    raw = doc.text[pos + 1:end - 1]
+    raw = doc.text[pos + 1 : end - 1]
     if _has_break(raw) and _MARKER.search(doc.text, pos, end):
         doc.fail(_MARKER.search(doc.text, pos, end).start() + 1, "the end of the document inside quotes")
     if doc.text[pos] == "'":
@@ -104,18 +144,25 @@ def quoted(doc, pos):
             doc.fail(pos + 1 + found.start(), "an escape that does not exist")
         if line:  # an escaped line end is dropped
             return "".join(c for c in lines if c in BREAK)
-        return chr(number) if byte or short or long else _meant_space(found)
+        if byte or short or long:
+            return chr(number)
+        return _meant_space(found)
+
     return end, _ESCAPE.sub(meant, raw)
 
 
 def _meant_space(found):
     space = found.group()
-    return folded(space) if _has_break(space) else space
+    if _has_break(space):
+        return folded(space)
+    return space
 
 
 def _closing(doc, pos):
     """The position after the quote that closes the one at `pos`."""
-    quote, text, end = doc.text[pos], doc.text, pos
+    quote = doc.text[pos]
+    text = doc.text
+    end = pos
     while True:
         end = text.find(quote, end + 1)
         if end < 0:
@@ -131,7 +178,7 @@ def _closing(doc, pos):
             return end + 1
 
 
-# ---- literal and folded text ------------------------------------------------------------------------------------
+# ---- literal and folded text -------------------------------------------------------------------------------
 
 _HEADER = re.compile(rf"([|>])(?:([-+])([1-9])?|([1-9])([-+])?)?(?: +#[^{BREAK}\0]*| *)(?=[{BREAK}\0])")
 _LINE = re.compile(f"[^{BREAK}\x00]*")
@@ -142,9 +189,12 @@ def block(doc, pos, indent):
     header = _HEADER.match(doc.text, pos)
     if not header:
         doc.fail(pos, f"only digits, + and - may follow {doc.text[pos]}")
-    text, folds = doc.text, header.group(1) == ">"
-    keep, digit = header.group(2) or header.group(5), header.group(3) or header.group(4)
-    start, pos = pos, header.end()
+    text = doc.text
+    folds = header.group(1) == ">"
+    keep = header.group(2) or header.group(5)
+    digit = header.group(3) or header.group(4)
+    start = pos
+    pos = header.end()
     pos += text[pos] != "\0"
     width = max(indent + 1, 1)
     if digit:
@@ -153,14 +203,18 @@ def block(doc, pos, indent):
         blanks = _SPACE.match(text, pos).group()
         width = max([width] + [len(line) for line in re.split(f"[{BREAK}]", blanks)])
     pos, empty, here = _empty_lines(text, pos, width)
-    pieces, ending = [], ""
+    pieces = []
+    ending = ""
     while here == width and text[pos] != "\0":
         pieces += empty
         more = text[pos] not in " \t"
         line = _LINE.match(text, pos)
         pieces.append(line.group())
         pos = line.end()
-        ending = "" if text[pos] == "\0" else text[pos]
+        if text[pos] == "\0":
+            ending = ""
+        else:
+            ending = text[pos]
         pos, empty, here = _empty_lines(text, pos + len(ending), width)
         _check_length(doc, start, pos)
         if here != width or text[pos] == "\0":
@@ -192,30 +246,44 @@ def _empty_lines(text, pos, width):
         pos += 1
 
 
-# ---- what text means --------------------------------------------------------------------------------------------
+# ---- what text means ---------------------------------------------------------------------------------------
 
 _BOOLEAN = re.compile(r"(?:(yes|Yes|YES|true|True|TRUE|on|On|ON)|no|No|NO|false|False|FALSE|off|Off|OFF)\Z")
 NULLS = ("", "~", "null", "Null", "NULL")
-_INTEGER = re.compile(r"[-+]?(?:(?P<two>0b[01_]+)|(?P<eight>0[0-7_]+)|0|[1-9][0-9_]*|(?P<sixteen>0x[0-9a-fA-F_]+))\Z")
-_FLOAT = re.compile(r"""(?:[-+]?[0-9][0-9_]*\.[0-9_]*(?:[eE][-+][0-9]+)?
+_INTEGER = re.compile(
+    r"[-+]?(?:(?P<two>0b[01_]+)|(?P<eight>0[0-7_]+)|0|[1-9][0-9_]*|(?P<sixteen>0x[0-9a-fA-F_]+))\Z"
+)
+_FLOAT = re.compile(
+    r"""(?:[-+]?[0-9][0-9_]*\.[0-9_]*(?:[eE][-+][0-9]+)?
                     |\.[0-9][0-9_]*(?:[eE][-+][0-9]+)?
                     |(?P<sign>[-+]?)\.(?:inf|Inf|INF)
-                    |(?P<nan>\.(?:nan|NaN|NAN)))\Z""", re.VERBOSE)
-_BASE_60 = re.compile(r"[-+]?[0-9][0-9_]*(?::[0-5]?[0-9])+(?:\.[0-9_]*)?\Z")  # 1:30, a number for PyYAML, but text here
-_DATE = re.compile(r"""[0-9]{4}-(?:[0-9]{2}-[0-9]{2}|[0-9]{1,2}-[0-9]{1,2}(?:[Tt]|[ \t]+)[0-9]{1,2}:[0-9]{2}:[0-9]{2}
-                   (?:\.[0-9]*)?(?:[ \t]*(?:Z|[-+][0-9]{1,2}(?::[0-9]{2})?))?)\Z""", re.VERBOSE)
+                    |(?P<nan>\.(?:nan|NaN|NAN)))\Z""",
+    re.VERBOSE,
+)
+# 1:30, a number for PyYAML, but text here
+_BASE_60 = re.compile(r"[-+]?[0-9][0-9_]*(?::[0-5]?[0-9])+(?:\.[0-9_]*)?\Z")
+_DATE = re.compile(
+    r"""[0-9]{4}-(?:[0-9]{2}-[0-9]{2}|[0-9]{1,2}-[0-9]{1,2}(?:[Tt]|[ \t]+)[0-9]{1,2}:[0-9]{2}:[0-9]{2}
+                   (?:\.[0-9]*)?(?:[ \t]*(?:Z|[-+][0-9]{1,2}(?::[0-9]{2})?))?)\Z""",
+    re.VERBOSE,
+)
 
 
 def is_text(text):
-    """Whether plain text is text for every reader of YAML 1.1: not a number, date, boolean, null and the like."""
+    """Whether plain text is text for every reader of YAML 1.1:
+    not a number, date, boolean, null and the like.
+    """
     if len(text) > LONGEST_NUMBER:
         return text[0] not in "-+.0123456789"
     return text not in NULLS + ("=", "<<") and not any(
-        pattern.match(text) for pattern in (_BOOLEAN, _INTEGER, _FLOAT, _BASE_60, _DATE))
+        pattern.match(text) for pattern in (_BOOLEAN, _INTEGER, _FLOAT, _BASE_60, _DATE)
+    )
 
 
 def plain(node):
-    """The data of a node: None, bool, int, float, str (also for keys and dates), bytes, list, dict. Raises ValueError."""
+    """The data of a node: None, bool, int, float, str (also for keys and dates), bytes, list, dict.
+    Raises ValueError.
+    """
     value = node.value
     if isinstance(value, dict):
         return {key: plain(item) for key, item in value.items()}
@@ -249,8 +317,18 @@ def _null(text):
 
 def _integer(text):
     found = _matched(_INTEGER, text, "whole number").groupdict()
-    sign = -1 if text[0] == "-" else 1
-    base = 2 if found["two"] else 8 if found["eight"] else 16 if found["sixteen"] else 10
+    if text[0] == "-":
+        sign = -1
+    else:
+        sign = 1
+    if found["two"]:
+        base = 2
+    elif found["eight"]:
+        base = 8
+    elif found["sixteen"]:
+        base = 16
+    else:
+        base = 10
     return sign * int(text.lstrip("-+").replace("_", ""), base)  # int() accepts 0b and 0x
 
 
@@ -272,7 +350,9 @@ def as_float(number):
 
 
 def _number(text):
-    return as_float(_integer(text)) if len(text) <= LONGEST_NUMBER and _INTEGER.match(text) else _float(text)
+    if len(text) <= LONGEST_NUMBER and _INTEGER.match(text):
+        return as_float(_integer(text))
+    return _float(text)
 
 
 def _bytes(text):
@@ -282,4 +362,12 @@ def _bytes(text):
         raise ValueError("not base64")
 
 
-_TAGGED = {"str": str, "timestamp": str, "int": _integer, "float": _number, "bool": _boolean, "null": _null, "binary": _bytes}  # type: dict
+_TAGGED = {
+    "str": str,
+    "timestamp": str,
+    "int": _integer,
+    "float": _number,
+    "bool": _boolean,
+    "null": _null,
+    "binary": _bytes,
+}  # type: dict

@@ -1,4 +1,7 @@
-"""Writes plain data as YAML in PyYAML's default style: block style, keys sorted, ASCII; but lines are not folded."""
+"""Writes plain data as YAML in PyYAML's default style: block style, keys sorted, ASCII;
+but lines are not folded.
+"""
+
 import binascii
 import re
 
@@ -6,9 +9,24 @@ from rtshell_lite.xmlprofile.yaml import scalars
 
 _PLAIN = re.compile(r"(?=[!-~])(?:[^-?:,\[\]{}#&*!|>'\"%@`]|[-?:](?=[!-~]))[ -~]*\Z")
 _UNSAFE = re.compile(r": | #|:\Z| \Z|\A(?:---|\.\.\.)")
-_DOUBLE = re.compile(r'[^ !#-\[\]-~]')
-_ESCAPES = {"\0": "0", "\a": "a", "\b": "b", "\t": "t", "\n": "n", "\v": "v", "\f": "f", "\r": "r", "\x1b": "e",
-            '"': '"', "\\": "\\", "\x85": "N", "\xa0": "_", "\u2028": "L", "\u2029": "P"}
+_DOUBLE = re.compile(r"[^ !#-\[\]-~]")
+_ESCAPES = {
+    "\0": "0",
+    "\a": "a",
+    "\b": "b",
+    "\t": "t",
+    "\n": "n",
+    "\v": "v",
+    "\f": "f",
+    "\r": "r",
+    "\x1b": "e",
+    '"': '"',
+    "\\": "\\",
+    "\x85": "N",
+    "\xa0": "_",
+    "\u2028": "L",
+    "\u2029": "P",
+}
 
 
 def write(data):
@@ -48,7 +66,9 @@ def scalar(value):
     if value is None:
         return "null"
     if isinstance(value, bool):
-        return "true" if value else "false"
+        if value:
+            return "true"
+        return "false"
     if isinstance(value, float):
         return _float(value)
     if isinstance(value, str):
@@ -57,13 +77,21 @@ def scalar(value):
         return f"!!binary \"{binascii.b2a_base64(value).decode('ascii').strip()}\""
     if isinstance(value, int):
         digits = str(value)
-        return digits if len(digits) <= scalars.LONGEST_NUMBER else hex(value)  # it was read like that
-    return "{}" if isinstance(value, dict) else "[]"
+        # it was read like that
+        if len(digits) <= scalars.LONGEST_NUMBER:
+            return digits
+        return hex(value)
+    if isinstance(value, dict):
+        return "{}"
+    return "[]"
 
 
 def _float(value):
     text = {"inf": ".inf", "-inf": "-.inf", "nan": ".nan"}.get(repr(value), repr(value))
-    return text.replace("e", ".0e", 1) if "e" in text and "." not in text else text  # 1e20 would be text
+    # 1e20 would be text
+    if "e" in text and "." not in text:
+        return text.replace("e", ".0e", 1)
+    return text
 
 
 def _text(value):
@@ -77,4 +105,10 @@ def _text(value):
 def _escape(found):
     c = found.group()
     n = ord(c)
-    return "\\" + (_ESCAPES.get(c) or (f"x{n:02X}" if n < 0x100 else f"u{n:04X}" if n < 0x10000 else f"U{n:08X}"))
+    if c in _ESCAPES:
+        return "\\" + _ESCAPES[c]
+    if n < 0x100:
+        return f"\\x{n:02X}"
+    if n < 0x10000:
+        return f"\\u{n:04X}"
+    return f"\\U{n:08X}"
