@@ -71,7 +71,7 @@ def printable(s):
     """
     if is_plain(s) and "\\" not in s:
         return s
-    return "".join(c if plain and c != "\\" else _escape(c) for c, plain in judged(s))
+    return "".join(c if plain and c != "\\" else _escape(c) for c, plain in printable_flags(s))
 
 
 def safe(s):
@@ -80,15 +80,17 @@ def safe(s):
     """
     if is_plain(s):
         return s
-    return "".join(c if plain else _escape(c) for c, plain in judged(s))
+    return "".join(c if plain else _escape(c) for c, plain in printable_flags(s))
 
 
 def is_plain(s):
     """True where nothing in `s` but backslashes has to be escaped."""
-    return s.isprintable() and (_is_ascii(s) or max(s) < "\u0300" or all(plain for _, plain in judged(s)))
+    return s.isprintable() and (
+        _is_ascii(s) or max(s) < "\u0300" or all(plain for _, plain in printable_flags(s))
+    )
 
 
-def judged(s):
+def printable_flags(s):
     """Each character of `s`, and whether it can be printed as it is."""
     from unicodedata import category
 
@@ -227,7 +229,7 @@ def shell_word(s):
         return s
     pieces = [
         (plain, "".join(c for c, _ in piece))
-        for plain, piece in itertools.groupby(judged(s), lambda pair: pair[1] or pair[0] == "\n")
+        for plain, piece in itertools.groupby(printable_flags(s), lambda pair: pair[1] or pair[0] == "\n")
     ]
     return "".join(_quoted(piece) if plain else _by_printf(piece) for plain, piece in pieces) or "''"
 

@@ -172,7 +172,7 @@ class Connection:
         """Whether the connector can be removed without harm; may wait until it can."""
         return True
 
-    async def look(self):
+    async def check(self):
         """Check that the port exists and has the connector. Raises errors.Error."""
         connector = self.connector
         if connector and not await self.is_there(connector):
@@ -201,7 +201,7 @@ class Connection:
         return "the connection has been removed"
 
     def is_due(self):
-        """Whether it is time for a look()."""
+        """Whether it is time for a check()."""
         return False
 
     async def defaults(self):
@@ -359,7 +359,7 @@ class Connections:
         for connection, result in zip(connections, results):
             if isinstance(result, errors.Error):
                 connection.failure = connection.failure or result
-            elif isinstance(connection.failure, errors.Silent) and step == "look":
+            elif isinstance(connection.failure, errors.Silent) and step == "check":
                 connection.failure = None
 
     async def _watch(self):
@@ -367,7 +367,7 @@ class Connections:
             if await self._stop.wait(LOOK):
                 await self._step_aside()
             else:
-                await self._each("look", [connection for connection in self.live() if connection.is_due()])
+                await self._each("check", [connection for connection in self.live() if connection.is_due()])
 
     async def _step_aside(self):
         await loop.finish(self._each("close", self.connections))

@@ -271,10 +271,10 @@ class Reader(Connection):
             self.failure = None  # it was silent, but values have come
         return self.dataflow != "pull" and seen == self.count or self._is_too_heavy()
 
-    async def look(self):
+    async def check(self):
         if self.connector and self._is_too_heavy():
             await loop.finish(self._reopen())
-        await super().look()
+        await super().check()
 
     def _is_too_heavy(self):
         """Whether a full queue of the largest values would take too much of the component's memory."""

@@ -121,7 +121,7 @@ class Flow:
             self._both("ages", (received - stamp) / 1e9)
             self._order(stamp)
 
-    def look(self):
+    def take_recent(self):
         """The Stretch since the last look."""
         recent = self.recent
         self.recent = Stretch()

@@ -13,7 +13,7 @@ import sys
 
 from rtshell_lite import errors
 from rtshell_lite.data import build_value, literals
-from rtshell_lite.text import judged, printable
+from rtshell_lite.text import printable_flags, printable
 
 Expression = literals.Expression
 build = build_value.build
@@ -157,7 +157,7 @@ def _constructor(value):
         return "-Infinity"
     if isinstance(value, str):
         return "'%s'" % "".join(
-            c if plain and c not in "\\'{}" else _escaped(c) for c, plain in judged(value)
+            c if plain and c not in "\\'{}" else _escaped(c) for c, plain in printable_flags(value)
         )
     if sort == "scalar":
         return repr(value)

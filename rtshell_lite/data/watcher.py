@@ -18,10 +18,10 @@ class Watcher:
     async def watch(self):
         """Look again and again."""
         while True:
-            await self.look()
+            await self.report_news()
             await loop.sleep(TICK)
 
-    async def look(self):
+    async def report_news(self):
         """Report what is new."""
         news = [report for connection in self.connections for report in self._news(connection)]
         if news:  # on a thread, as a terminal may take nothing while components need our answers

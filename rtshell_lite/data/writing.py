@@ -64,7 +64,7 @@ class Audience:
         self.where = where
         self.rate = None
 
-    async def look(self):
+    async def why_not_reading(self):
         """None when the component reads the port; else (why it does not, the commands that change it).
         Raises errors.Error.
         """
@@ -246,7 +246,7 @@ class Writer(Connection):
 
     async def open(self):
         if self.audience:
-            why = await self.audience.look()
+            why = await self.audience.why_not_reading()
             if why:
                 raise errors.Failed(
                     self.where,
@@ -359,11 +359,11 @@ class Writer(Connection):
     def is_due(self):
         return isinstance(self.failure, errors.Silent) or self.audience is not None
 
-    async def look(self):
+    async def check(self):
         if isinstance(self.failure, errors.Silent):
-            await super().look()
+            await super().check()
         try:
-            why = self.audience and self.connector and await self.audience.look()
+            why = self.audience and self.connector and await self.audience.why_not_reading()
         except (errors.Gone, errors.ConnectionRefused) as e:
             raise self.component_ended(e)
         if why:
@@ -395,11 +395,11 @@ class Writer(Connection):
 
     async def judge(self):
         """Look, in the end, whether all values have been read.
-        Raises errors.Unread, and what look() raises.
+        Raises errors.Unread, and what check() raises.
         """
         if not self.taken:
             return
-        await self.look()
+        await self.check()
         if self.alone:
             connected = (await ports.port(self.port.node, self.port.ref)).connectors
             self.alone = all(connector.id == self.connector.id for connector in connected)

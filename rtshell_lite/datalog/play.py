@@ -191,7 +191,7 @@ class Playing:
             async with loop.background(watch.watch()):
                 is_complete = await self._send(entries, absolute, opened)
                 await writing.linger(opened.live(), linger)
-            await watch.look()
+            await watch.report_news()
         watch.count(self.tally)
         return is_complete
 

@@ -8,7 +8,7 @@ import time
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb, session
-from rtshell_lite.doctor import addresses, here, limits, remedies
+from rtshell_lite.doctor import addresses, limits, local, remedies
 from rtshell_lite.doctor.finding import warn
 from rtshell_lite.robot import tree
 
@@ -47,7 +47,7 @@ async def examine(tops=(), compare=None, seconds=0):
 
 
 async def _steps(tops, compare, seconds):
-    found = await here.findings()
+    found = await local.findings()
     yield found
     if any(finding.check in ("ORB", "limit") and finding.level == "fail" for finding in found):
         return
@@ -63,7 +63,7 @@ async def _steps(tops, compare, seconds):
 
 async def _name_servers():
     """The Paths of the name servers with valid addresses; the others have been reported."""
-    return [path.parse("/" + address) for address in tree.servers() if not await here.fault(address)]
+    return [path.parse("/" + address) for address in tree.servers() if not await local.fault(address)]
 
 
 async def _robot(tops, seconds, stated):

@@ -85,7 +85,7 @@ async def _owned_contexts(node):
 async def _rates(profile):
     """Findings on execution contexts whose rates differ from those in the file, which the components have."""
     found = []
-    answers = await capture.look(profile, _owned_contexts)
+    answers = await capture.ask_each(profile, _owned_contexts)
     for component, owned in zip(profile.components, answers):
         if isinstance(owned, errors.Error):
             continue  # reported before

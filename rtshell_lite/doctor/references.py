@@ -4,7 +4,7 @@ where it leads, whether it can be reached, whether its object lives.
 
 from rtshell_lite import errors
 from rtshell_lite.corba import liveness, orb, session
-from rtshell_lite.doctor import addresses, here, limits, networks, remedies
+from rtshell_lite.doctor import addresses, limits, local, networks, remedies
 from rtshell_lite.doctor.finding import fail, ok, published, reason, warn
 from rtshell_lite.text import printable, shell_word
 
@@ -86,7 +86,7 @@ async def _dead(visit, node, shown):
 async def _silent(visit, node, offered, shown):
     """An object that does not answer: because of its host, the network, its process, or itself."""
     where = str(node.path)
-    rule = here.transport_rule()
+    rule = local.transport_rule()
     if node.error is not None and node.error.why == session.NO_TIME:
         return limits.late("reference", where)
     if _out_of_reach(visit, offered):

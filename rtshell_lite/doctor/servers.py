@@ -7,7 +7,7 @@ import time
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb, session
-from rtshell_lite.doctor import addresses, here, networks, references, remedies
+from rtshell_lite.doctor import addresses, local, networks, references, remedies
 from rtshell_lite.doctor.finding import counted, fail, listed, ok, reason, warn
 from rtshell_lite.robot import aliases, manager, tree
 from rtshell_lite.text import printable, shell_word
@@ -222,7 +222,7 @@ async def _other_port(visit, port, used):
 async def _is_there(where, ref):
     endpoint = orb.endpoint(ref)
     port = endpoint[1]
-    rule = here.transport_rule()
+    rule = local.transport_rule()
     try:
         gone = await orb.call(where, ref, "_non_existent")
     except errors.Gone:

@@ -29,7 +29,7 @@ class _Seen:
 async def begin(node, kinds):
     """A Poll of a component, with a first look. Raises what remote calls raise."""
     poll = Poll(node, kinds)
-    await poll.look()
+    await poll.changes()
     return poll
 
 
@@ -47,7 +47,7 @@ class Poll:
         self.configuration = None
         self._thorough = None  # when everything was last looked at
 
-    async def look(self):
+    async def changes(self):
         """The Events since the last look, none at the first.
         One call a context, and a few more once a second.
         """

@@ -121,9 +121,9 @@ class Watched:
         """Look at it five times a second, until it refuses to be watched."""
         while not self.given_up:
             await loop.sleep(component.POLL)
-            await self.look()
+            await self.look_for_changes()
 
-    async def look(self):
+    async def look_for_changes(self):
         """Look for what it does not report itself."""
         now = time.monotonic()
         try:
@@ -133,7 +133,7 @@ class Watched:
                     await self._return()
                 return
             if self.poll is not None:
-                for item in await self.poll.look():
+                for item in await self.poll.changes():
                     self.watch.put(self, item)
             elif self._in_doubt(now):
                 self.looked = now

@@ -20,7 +20,7 @@ _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "H")) for order in
 
 
 class Request:
-    """A Request (it `asks`) or LocateRequest, given whole: its id, its operation, the key of its object (None
+    """A Request (it `is_request`) or LocateRequest, given whole: its id, its operation, the key of its object (None
     where the caller names it otherwise), where the arguments begin in `data`. Raises Garbled, struct.error,
     IndexError.
     """
@@ -31,15 +31,15 @@ class Request:
         self.minor = data[5]
         self.little = data[6] & messages.LITTLE
         self.one, short = _ORDERS[self.little]
-        self.asks = data[7] == REQUEST
+        self.is_request = data[7] == REQUEST
         self.operation = ""
         self.is_answered = True
         at = messages.HEADER
-        if self.asks and self.minor < 2:
+        if self.is_request and self.minor < 2:
             at = messages.after_contexts(data, at, self.one)
         (self.id,) = self.one.unpack_from(data, at)
         at += 4
-        if self.asks:
+        if self.is_request:
             self.is_answered = bool(data[at] & 1)
             if self.minor:
                 at += 4
@@ -51,7 +51,7 @@ class Request:
                 return
             at += 2
         self.key, at = self._octets(at)
-        if self.asks:
+        if self.is_request:
             name, at = self._octets(at)
             self.operation = name[:-1].decode("latin-1")
             self.at = self._arguments(at)
@@ -108,7 +108,7 @@ def failed(request, name, completed=NO):
 
 def needs_key(request):
     """The answer to who names an object by a profile or a reference."""
-    if request.asks:
+    if request.is_request:
         out = answer(request, messages.NEEDS_ADDRESSING_MODE)
     else:
         out = located(request, messages.NEEDS_ADDRESSING_MODE)

@@ -93,7 +93,7 @@ async def ask(refs, joining):
     """
     end = time.monotonic() + PATIENCE * session.current().timeout
 
-    async def look(ref):
+    async def one_port(ref):
         if time.monotonic() > end:
             raise errors.Late(orb.at_address(ref), session.NO_TIME)
         port = await ports.port(tree.Node(orb.at_address(ref), "component", ref), ref)
@@ -101,7 +101,7 @@ async def ask(refs, joining):
         joined = {connector.id: connector for connector in reversed(port.connectors) if connector.id in ids}
         return port._replace(connectors=list(joined.values()))
 
-    return iter(await orb.each(refs, look))
+    return iter(await orb.each(refs, one_port))
 
 
 async def _placed(port, places, known):

@@ -456,7 +456,7 @@ def port_of(end):
 # ---- what is running of a profile --------------------------------------------------------------------------
 
 
-async def look(profile, function=ask):
+async def ask_each(profile, function=ask):
     """function(node) for each component of a profile;
     an errors.Error in the place of one that is not there or fails.
     """
@@ -474,7 +474,7 @@ async def look(profile, function=ask):
 
 async def states(profile):
     """The state of each component of a profile, as `look` gives it."""
-    return await look(profile, component.state)
+    return await ask_each(profile, component.state)
 
 
 def state(found):

@@ -61,7 +61,7 @@ async def compare(profile, state, tell=lambda line: None, extra=False):
     `extra`: report, too, what the system has beyond the profile.
     """
     listed = sites.of(profile)
-    await sites.look(listed, functools.partial(capture.ask, brief=True))
+    await sites.find(listed, functools.partial(capture.ask, brief=True))
     result = Result()
     result.failures = [site.error for site in listed if _is_silent(site)]
     result.asked = len(listed) - len(result.failures)

@@ -33,7 +33,7 @@ async def restoring(profile, options):
     pending, done already, or known not to be possible.
     """
     listed = _sites(profile)
-    await sites.look(listed)
+    await sites.find(listed)
     locate = capture.locator(profile, options.strict)
     outcomes = [await _presence(site) for site in listed]
     if options.create:
@@ -255,7 +255,7 @@ async def tearing_down(profile, options):
     failure.
     """
     listed = _sites(profile)
-    await sites.look(listed, _ports_only)
+    await sites.find(listed, _ports_only)
     lost = [site for site in listed if site.error is not None]
     some = not listed or any(site.error is None or site.error.where == site.where for site in listed)
     outcomes = [await _presence(site) for site in lost if not (some and sites.is_gone(site.error))]

@@ -49,16 +49,16 @@ class Run:
 
     # ---- before anything is changed ----
 
-    async def check(self, profile, tell=lambda line: None):
+    async def check(self, profile, on_required=lambda line: None):
         """Find the components and their contexts, and check that they are those of the profile.
 
-        Returns the errors of required components: after any of these, nothing is to be started. `tell` is
+        Returns the errors of required components: after any of these, nothing is to be started. `on_required` is
         called with a line for each of them.
         """
         failures = []
         for wanted, answer in zip(profile.components, await self._look(profile, _ask)):
             if wanted.is_required:
-                tell(
+                on_required(
                     'Checking for required component %s with ID "%s" and instance name "%s"'
                     % (capture.shown_path(wanted), printable(wanted.id), printable(wanted.instance_name))
                 )
@@ -103,10 +103,10 @@ class Run:
                 self._found[id(wanted)] = (answer, None)
 
     async def _look(self, profile, function):
-        """capture.look; when an exception interrupts it, all actions are reported as not tried."""
+        """capture.ask_each; when an exception interrupts it, all actions are reported as not tried."""
         interrupted = True
         try:
-            answers = await capture.look(profile, function)
+            answers = await capture.ask_each(profile, function)
             interrupted = False
         except errors.Error:  # nobody can be asked at all
             interrupted = False

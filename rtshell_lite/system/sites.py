@@ -71,7 +71,7 @@ def of(profile):
     return [Site(component) for component in profile.components]
 
 
-async def look(sites, ask=capture.ask):
+async def find(sites, ask=capture.ask):
     """Find the components of Sites, and what `ask(node)`, which returns a Found, says of each;
     `error` where that fails.
     """

@@ -47,7 +47,7 @@ class _Entry:
         """Look at everything again, as something has been done to it."""
         self._again = self._contexts_due = self._ports_due = 0.0
 
-    async def look(self):
+    async def ask(self):
         """Ask it; False when it was not its time. Raises Silent."""
         now = time.monotonic()
         if now < self._again:
@@ -243,7 +243,7 @@ class Top:
         silent = []
         for entry in sorted(entries, key=lambda entry: entry.silenced):
             try:
-                heard = await entry.look() or heard
+                heard = await entry.ask() or heard
             except errors.Silent as e:
                 entry.silenced = time.monotonic()
                 entry.fail("silent", e)

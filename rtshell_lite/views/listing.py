@@ -67,7 +67,7 @@ async def _resolved(path):
     raise errors.WrongKind(str(path), "directory or component", "port; rtcat shows it")
 
 
-async def look(nodes, long=False):
+async def figures(nodes, long=False):
     """(Node, figures or None) of each node: one liveness call a component, with `long` its figures instead.
 
     The figures of a component take 4 calls (its contexts, state, ports) and one a port.

@@ -188,7 +188,7 @@ class Board:
         figures = []
         for key, channel in enumerate(self.channels):
             dropped, self.dropped[key] = self.box.dropped[key] - self.dropped[key], self.box.dropped[key]
-            figures.append(channel.flow.look().summary(now - self.shown, dropped))
+            figures.append(channel.flow.take_recent().summary(now - self.shown, dropped))
         self.shown = now
         self._write(figures, "")
 

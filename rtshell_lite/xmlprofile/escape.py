@@ -6,7 +6,7 @@ Other formats in XML have the same spelling. Other text stays as it is, unless i
 
 import re
 
-from rtshell_lite.text import is_plain, judged
+from rtshell_lite.text import is_plain, printable_flags
 
 _ILLEGAL = "\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff"
 _SPELT = "(?:00(?:0[0-8BCEF]|1[0-9A-F]|5F)|D[89A-F][0-9A-F]{2}|FFF[EF])"
@@ -39,7 +39,7 @@ def marked(text):
         text = text
     if is_plain(text):
         return text
-    return "".join(c if plain or c < "\u0300" else "&#%d;" % ord(c) for c, plain in judged(text))
+    return "".join(c if plain or c < "\u0300" else "&#%d;" % ord(c) for c, plain in printable_flags(text))
 
 
 def is_legal(text):

@@ -54,7 +54,7 @@ class Connection:
         await self.strike("close again")
         self.connector = None
 
-    async def look(self):
+    async def check(self):
         self.is_looking.ring()
         while not self.is_closing:
             await loop.sleep(0.01)

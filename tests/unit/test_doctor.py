@@ -10,7 +10,7 @@ import worlds
 from rtshell_lite import errors, path
 from loops import asynchronous, wait_for
 from rtshell_lite.corba import orb, session
-from rtshell_lite.doctor import (components, connections, finding, here, limits, profile, rates, references, remedies, servers, started,
+from rtshell_lite.doctor import (components, connections, finding, limits, local, profile, rates, references, remedies, servers, started,
                                  waiting)
 from rtshell_lite.robot import component, places, ports, snapshot, tree
 from rtshell_lite.xmlprofile import model
@@ -21,9 +21,9 @@ class Mounts(unittest.TestCase):
         """Nothing interrupts the kernel's question."""
         stopped = threading.Event()
         self.addCleanup(stopped.set)
-        with mock.patch.object(here.kernel, "mounted", lambda: ["/robot"]), \
-                mock.patch.object(here.kernel, "is_stale", lambda place: stopped.wait(worlds.LIMIT)):
-            self.assertEqual(wait_for(here._mounts(), 0.2), [])
+        with mock.patch.object(local.kernel, "mounted", lambda: ["/robot"]), \
+                mock.patch.object(local.kernel, "is_stale", lambda place: stopped.wait(worlds.LIMIT)):
+            self.assertEqual(wait_for(local._mounts(), 0.2), [])
 
 
 class Connections(unittest.TestCase):
@@ -138,24 +138,24 @@ class Profile(unittest.TestCase):
         for rate, number in ((30.0003, 0), (29.99, 0), (31.0, 1)):
             owned = [component.Context(0, None, "Periodic", rate, True, None, (), ())]
             with self.subTest(rate=rate), mock.patch(
-                    "rtshell_lite.system.capture.look", asynchronous(lambda *_: [owned])):
+                    "rtshell_lite.system.capture.ask_each", asynchronous(lambda *_: [owned])):
                 self.assertEqual(len(wait_for(profile._rates(mock.Mock(components=[listed])))), number)
 
 
 class Here(unittest.TestCase):
     def test_an_old_omniorb(self):
         with mock.patch.object(orb, "version", lambda: "omniORBpy 3.7.1"), mock.patch.object(orb, "start"):
-            finding, = here._programs()
+            finding, = local._programs()
         self.assertEqual(finding.level, "warn")
         self.assertIn("omniORBpy 3.7.1: older than 4.0, untried", finding.message)
 
     def test_no_omniorb(self):
         with mock.patch.object(orb, "version", side_effect=errors.MissingOmniORB):
-            finding, = here._programs()
+            finding, = local._programs()
         self.assertEqual((finding.level, finding.check), ("fail", "ORB"))
 
     def test_addresses_of_name_servers(self):
-        self.assertEqual([wait_for(here.fault(address)) for address in ("robot1:2810", "robot1,robot2", "a b")],
+        self.assertEqual([wait_for(local.fault(address)) for address in ("robot1:2810", "robot1,robot2", "a b")],
                          [""] + 2 * ["several are separated by semicolons"])
 
 

@@ -132,11 +132,11 @@ class Looks(Checked):
         found = statistics.Flow()
         for number in range(20):
             found.add(BEGIN + number * PERIOD, bytes(4), BEGIN + number * PERIOD)
-        self.check(found.look().summary(1.0, 0), values=20, bytes=80, absent=0, rate=100.0)
+        self.check(found.take_recent().summary(1.0, 0), values=20, bytes=80, absent=0, rate=100.0)
         for number in (22, 23):
             found.add(BEGIN + number * PERIOD, bytes(4), BEGIN + number * PERIOD)
-        self.check(found.look().summary(1.0, 0), values=2, bytes=8, absent=2, gap_max=0.03, gap_min=0.01)
-        self.check(found.look().summary(1.0, 0), values=0, absent=None)
+        self.check(found.take_recent().summary(1.0, 0), values=2, bytes=8, absent=2, gap_max=0.03, gap_min=0.01)
+        self.check(found.take_recent().summary(1.0, 0), values=0, absent=None)
         self.check(found.total.summary(2.0, 0), values=22, bytes=88, absent=2)
 
 

@@ -120,7 +120,7 @@ class Readers(unittest.TestCase):
         async def rate_of(ref):
             return ref
         audience._cycles, audience._rate = known, rate_of
-        return loop.run(audience.look()), audience.rate
+        return loop.run(audience.why_not_reading()), audience.rate
 
     def test_an_active_one_reads_in_the_fastest_context_that_runs(self):
         self.assertEqual(self.look(("Active", True, 100.0), ("Active", True, 500.0), ("Active", True, None)), (None, 500.0))
