@@ -20,6 +20,7 @@ import unittest
 
 import real
 import worlds
+from loops import wait_for
 from rtshell_lite.data import reading
 from rtshell_lite.robot import component, ports
 
@@ -151,6 +152,16 @@ def words(line, robot, number=0):
     return re.sub(r"\b(%s)\b" % "|".join(places), lambda found: places[found.group()], line).split()
 
 
+async def _states(node):
+    owned, participating = await component.context_refs(node)
+    return await component.states(node, owned + participating)
+
+
+async def _read(port):
+    async with reading.Reader(port, lambda message: None):
+        pass
+
+
 class Real(unittest.TestCase):
     def each_robot(self, function):
         """Call function(robot, …) for all robots at the same time; each returns a line of figures."""
@@ -255,19 +266,16 @@ class Real(unittest.TestCase):
 
     def has_states(self, robot, part, wanted):
         """That a part has these states in its execution contexts, in the order of -e."""
-        owned, participating = component.context_refs(robot.nodes[part])
-        states = component.states(robot.nodes[part], owned + participating)
+        states = wait_for(_states(robot.nodes[part]))
         if states != wanted:
             raise AssertionError("%s %s: %s, not %s" % (robot.label, part, states, wanted))
 
     def test_6_bare_calls(self):
         """The same connections from one process, one after the other, while values go through."""
         def bare(robot):
-            port, = [each for each in ports.ports(robot.nodes["Sensor"]) if each.name.endswith("out")]
+            port, = [each for each in wait_for(ports.ports(robot.nodes["Sensor"])) if each.name.endswith("out")]
             for number in range(ROUNDS):
-                reader = reading.Reader(port, lambda message: None)
-                with reader:
-                    pass
+                wait_for(_read(port))
                 self.unharmed(robot, "%d bare push connections" % (number + 1))
             return "%d bare push connections without harm, near misses until now: %d" % (ROUNDS, robot.near_misses())
         self.each_robot(bare)

@@ -10,6 +10,7 @@ import sys
 import tempfile
 import time
 
+from loops import wait_for
 from rtshell_lite import errors
 from rtshell_lite.robot import component, ports, tree
 
@@ -37,6 +38,14 @@ logger.log_level: ERROR
 exec_cxt.periodic.rate: %(rate)g
 %(more)s
 """
+
+
+async def _answer(path):
+    """The Node of a component, which has to answer with its ports and its state."""
+    node = await tree.component(path)
+    await ports.ports(node)
+    await component.state(node)
+    return node
 
 
 class Cplusplus:
@@ -103,10 +112,10 @@ class Robot:
                 if implementation.command(part):
                     self.processes[part] = self._start(part, name_server)
             self.nodes.update((part, self._node(part)) for part in self.processes)
+            self.connected = self.connectors()
         except BaseException:
             self.close()
             raise
-        self.connected = self.connectors()
         self.active = ()  # the parts that are to stay Active
         self.feeder = None  # the process that sends values through it
 
@@ -125,10 +134,7 @@ class Robot:
         end = time.monotonic() + START_LIMIT
         while True:
             try:
-                node = tree.component(self.path(part))
-                ports.ports(node)
-                component.state(node)
-                return node
+                return wait_for(_answer(self.path(part)))
             except errors.Error as e:
                 if self.processes[part].poll() is not None:
                     raise AssertionError(self.ending(part)) from None
@@ -172,7 +178,7 @@ class Robot:
     def connectors(self):
         """The ids of the connectors of each port."""
         return {"%s:%s" % (part, port.name): sorted(connector.id for connector in port.connectors)
-                for part, node in self.nodes.items() for port in ports.ports(node)}
+                for part, node in self.nodes.items() for port in wait_for(ports.ports(node))}
 
     def wrong(self):
         """What has changed: processes that have ended, ports with other connectors."""
@@ -190,7 +196,7 @@ class Robot:
                 if state != "Active"]
 
     def state(self, part):
-        return component.state(self.nodes[part])
+        return wait_for(component.state(self.nodes[part]))
 
     def close(self):
         for process in self.processes.values():
