@@ -217,9 +217,11 @@ async def _names(snapshot, how):
     async def name_of(identity):
         return await component.instance_name(snapshot.node, refs[identity])
 
-    return dict(
-        zip(others, await session.each(others, name_of, lambda identity: (identity[:2], snapshot.where)))
-    )
+    found = await session.each(others, name_of, lambda identity: (identity[:2], snapshot.where))
+    return {
+        identity: "Unknown" if isinstance(name, errors.Error) else name
+        for identity, name in zip(others, found)
+    }
 
 
 async def _profile(snapshot, how):
