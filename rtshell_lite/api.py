@@ -103,7 +103,7 @@ def _raised(number, handler):
 
 
 def set_timeout(seconds):
-    """Let a peer stay silent for so many seconds (default: 3). Raises ValueError."""
+    """Give up after `seconds` without an answer (default: 3). Raises ValueError."""
     if not 0 < seconds < math.inf:
         raise ValueError(f"not a number of seconds above 0: {seconds!r}")
     _session.timeout = float(seconds)

@@ -22,9 +22,8 @@ class LookUp:
             self.found = None
         else:
             self.found = OSError(0, "no address of IIOP in its reference")
-        # the latter is the LookUp whose thread asks
         self._host = host
-        self._asking = None
+        self._asking = None  # the LookUp whose thread asks
         if self.found:
             return
         self._ask(0 if host == "localhost" else _socket.AI_NUMERICHOST)

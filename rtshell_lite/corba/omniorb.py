@@ -16,7 +16,7 @@ from rtshell_lite.net import loop
 from rtshell_lite.text import from_wire, printable, to_wire
 
 PROBING = 4  # a host has a quarter of the timeout to refuse a connection
-CONNECTIONS = 5  # omniORB opens at most so many to one process (maxGIOPConnectionPerServer)
+CONNECTIONS = 5  # the most that omniORB opens to one process (maxGIOPConnectionPerServer)
 IN_FLIGHT = 4  # calls to a process at a time, each on a thread
 HANDOVER = 5.0  # s that a caller of a servant waits at most for the loop
 
@@ -448,7 +448,7 @@ def _not_connected(where, endpoint):
         socket.create_connection(endpoint, _deadline / PROBING).close()
     except ConnectionRefusedError:
         pass
-    except (OSError, ValueError) as e:  # the latter: no name of a host
+    except (OSError, ValueError) as e:  # ValueError: not a host name
         if isinstance(e, OSError) and _session is not None:
             _session.note_shortage(e, endpoint[0])
         why = getattr(e, "strerror", None)

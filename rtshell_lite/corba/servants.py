@@ -31,7 +31,7 @@ class InPortCdr:
 
 
 class DataPushService:
-    """Receives what an out port pushes by data_service, likewise."""
+    """Receives what an out port pushes by data_service, as InPortCdr does."""
 
     interface = "RTC.DataPushService"
 

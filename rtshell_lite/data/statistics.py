@@ -7,7 +7,7 @@ import time
 # times the usual gap between timestamps: in a longer one cycles are absent, a shorter one makes up for one
 LONG = 1.5
 SHORT = 0.5
-PAUSE = 20  # a gap of so many usual ones, and of at least 1 s, is a pause
+PAUSE = 20  # a gap this many times the usual one, and of at least 1 s, is a pause
 PAUSE_LEAST = 10**9  # the usual gap is then found anew
 FIRST = 10  # gaps from which the usual one is found
 

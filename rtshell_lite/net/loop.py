@@ -22,7 +22,7 @@ import select
 import sys
 import time
 from _heapq import heappop, heappush
-from _thread import _local as Local, allocate_lock  # which `threading` is made of, likewise
+from _thread import _local as Local, allocate_lock  # which `threading` is made of
 
 from rtshell_lite import errors
 
@@ -392,7 +392,7 @@ class _End:
 
 
 async def sleep(seconds):
-    """Let others go on for so many seconds."""
+    """Let other tasks go on for `seconds`."""
     wait = Wait()
     timer = current().call_later(seconds, wait.done)
     try:
@@ -417,7 +417,7 @@ class Bell:
             self._wait.done()
 
     async def wait(self, seconds=None):
-        """Wait until it rings, for at most so many seconds: whether it has."""
+        """Wait until it rings, for at most `seconds`: whether it has."""
         if not self._rings and (seconds is None or seconds > 0):
             self._wait = Wait()
             if seconds is None:
@@ -541,9 +541,9 @@ class Loop:
     running   the Task that runs now
     before_waiting, at_end  functions that are called before the loop waits, to send at once what has
                             gathered, and at its end
-    alone, idle  function that waits for a moment and takes what comes, which saves a poll while all that is
-               watched besides are so many descriptors at which nothing is expected, and at most one timer;
-               None
+    alone     function that waits a moment for the one busy descriptor, which saves a poll, or None. It is
+              called while at most one timer runs
+    idle      number of the watched descriptors at which nothing is expected then
     on_return  function(seconds), called when the loop was away for so long: that is no silence of a peer
     session   what `run` was given
     """
@@ -556,9 +556,10 @@ class Loop:
         self.on_return = None
         self.alone = None
         self.idle = 0
-        self.session = self.peers = self.server = (
-            None  # the latter are what an ORB keeps: of those it asks, and of its own objects
-        )
+        self.session = None
+        # what an ORB keeps: of the processes that it asks, and of its own objects
+        self.peers = None
+        self.server = None
         self._main = None
         self.is_closed = False
         self._timers = []
@@ -571,19 +572,17 @@ class Loop:
         self._signals = {}
         self._heard = {}
         self._struck = collections.deque()
-        # the former: where Python rang at signals before
-        self._outer_bell = -1
+        self._outer_bell = -1  # where Python rang at signals before
         self.is_guest = False
-        # the latter: it was a signal that ends the process
         self._last_strike = -BOUNCE
-        self._is_ending = False
+        self._is_ending = False  # whether the last signal was one that ends the process
         self._overdue = None  # what a signal raised that was not cleaned up after
         self._deadline = None  # the Timer for that
 
     # ---- for tasks ----
 
     def call_later(self, seconds, function):
-        """Call function() in so many seconds; returns its Timer."""
+        """Call function() in `seconds`; returns its Timer."""
         self._timer_count += 1
         timer = Timer(time.monotonic() + seconds, self._timer_count, function)
         heappush(self._timers, timer)

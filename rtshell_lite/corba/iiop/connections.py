@@ -116,7 +116,7 @@ class Connection:
         return not self.waits_for and not self._out
 
     def wanted(self):
-        """(file descriptor, events that a poll is to look for); the former is None while there is none."""
+        """(file descriptor or None, events that a poll is to look for)."""
         if self._socket is None:
             return None, 0
         if self.waits_for:
@@ -182,9 +182,8 @@ class Connection:
     def _connected(self):
         self._socket.setblocking(True)
         _limit(self._socket, session.TICK)
-        # the latter holds the first request, and so its answer
         self.waits_for = None
-        self._candidates = None
+        self._candidates = None  # it holds the first request, and so its answer
         if self._via != self.endpoint:  # where objects may have other keys
             self._not_begun = {
                 number: self.requests[number].octets(number, self._version, self._via)
@@ -197,7 +196,7 @@ class Connection:
     # ---- sending ----
 
     def send(self, request):
-        """Add a request to what is to be sent, see `flush`; what is wrong with it is told to it."""
+        """Add a request to what is to be sent, see `flush`; its callback gets the error."""
         self._number += 1
         try:
             octets = request.octets(self._number, self._version, self._via)
@@ -249,7 +248,7 @@ class Connection:
         return self.requests.pop(number)
 
     def give_up_all(self):
-        """All requests that wait for replies, likewise."""
+        """Give up all requests that wait for replies, and return them."""
         return [self.give_up(number) for number in list(self.requests)]
 
     def not_started(self):
