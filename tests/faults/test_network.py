@@ -100,6 +100,11 @@ def kill(process):
     process.wait()
 
 
+PROFILE = """<rts:RtsProfile xmlns:rts="http://www.openrtp.org/namespaces/rts" rts:id="RTSystem:Me:Named:0" rts:version="0.2">
+  <rts:Components rts:id="RTC:Mock:test:ConsoleIn:1.0" rts:pathUri="{path}" rts:instanceName="ConsoleIn0" rts:isRequired="true"/>
+</rts:RtsProfile>"""
+
+
 def tearDownModule():
     around.close()
     unbuild()
@@ -362,6 +367,12 @@ class Network(unittest.TestCase):
         world("master", "robot1", ["manager11"], "--port", "2810")
         self.assertIn("%s: has no names, though a manager at port 2810 of its host has 2 components (ConsoleIn0 and ConsoleOut0)" % where,
                       doctor("laptop", where))
+        call_hosts(robot1=[HOSTS["robot1"]])
+        profile = os.path.join(around.top, "named.rtsys")
+        with open(profile, "w") as file:
+            file.write(PROFILE.format(path=where[1:] + "/robot1.host_cxt/ConsoleIn0.rtc"))
+        self.assertIn("/robot1.host_cxt/ConsoleIn0.rtc: Required component missing, but it lives: the manager "
+                      "corbaloc::robot1:2810/manager has it", doctor("laptop", "--profile", profile, where))
 
 
 if __name__ == "__main__":
