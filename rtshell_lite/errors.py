@@ -12,6 +12,9 @@ class Error(Exception):
     """{}"""
 
     status = 1
+    # of the system exception that an operation of a user's IDL raised: its name, whether the operation was
+    # completed (0: yes, 1: no, 2: maybe)
+    exception = None  # type: object
 
     def __str__(self):
         return self.__doc__.format(*self.args)
@@ -137,6 +140,10 @@ class Unreachable(Error):
     status = 4
 
 
+class ConnectionLost(Unreachable):
+    """{}: connection lost"""
+
+
 class Garbled(Unreachable):
     """{}: garbled answer ({})"""  # what is in it that must not be used
 
@@ -189,6 +196,18 @@ class Refused(Error):
         """
         super().__init__(where, why)
         self.name = name
+
+
+class Raised(Error):
+    """{}: {}"""
+
+    status = 6
+
+    def __init__(self, where, name, value, shown=""):
+        """`name` is that of an exception of the IDL, `value` has its members as attributes, `shown` them as text."""
+        super().__init__(where, name + shown)
+        self.name = name
+        self.value = value
 
 
 class LeftAlone(Error):

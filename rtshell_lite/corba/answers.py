@@ -27,11 +27,26 @@ def invoke(where, ref, operation, args):
     guarded = _guarded(type(ref), operation)  # type: ignore  # a class is hashable
     if guarded is None:
         return getattr(ref, operation)(*args)
-    _seen.fault = None
+    begin()
     result = ref._obj.invoke(operation, guarded, args)
+    check(where)
+    return result
+
+
+def begin():
+    """Another answer is read on this thread."""
+    _seen.fault = None
+
+
+def fault(why):
+    """What is read must not be used."""
+    _seen.fault = why
+
+
+def check(where):
+    """Raise Garbled if what has been read must not be used."""
     if _seen.fault:
         raise errors.Garbled(str(where), _seen.fault)
-    return result
 
 
 @functools.lru_cache(maxsize=None)
@@ -77,9 +92,9 @@ def _taker(type_id):
         try:
             return made(type_id, *profiles)
         except ValueError as e:
-            _seen.fault = str(e)
+            fault(str(e))
         except CORBA.SystemException:
-            _seen.fault = "a reference that is none"
+            fault("a reference that is none")
         return None
 
     return take
@@ -91,7 +106,7 @@ def _holder(made):
 
     def hold(name, value):
         if type(value._v) is not str and not _is_shallow(value):  # almost all are texts
-            _seen.fault = "%s: values inside values, deeper than %d" % (printable(from_wire(name)), DEEPEST)
+            fault("%s: values inside values, deeper than %d" % (printable(from_wire(name)), DEEPEST))
             value = None
         return made(name, value)
 

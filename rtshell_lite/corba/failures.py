@@ -5,7 +5,11 @@ from rtshell_lite.text import from_wire, printable
 
 
 def may_repeat(operation):
-    """Whether an operation changes nothing, so that it can be asked again when its answer is lost."""
+    """Whether an operation changes nothing, so that it can be asked again when its answer is lost;
+    of a Schema that is not known.
+    """
+    if not isinstance(operation, str):
+        return False
     return operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
 
 
@@ -18,7 +22,7 @@ def system(where, name, label):
     if name == "TRANSIENT":
         return errors.Unreachable(where, f"cannot be reached now ({label})")
     if name == "COMM_FAILURE":
-        return errors.Unreachable(where, "connection lost")
+        return errors.ConnectionLost(where)
     if name in ("MARSHAL", "INV_OBJREF"):
         return errors.Unreachable(where, f"garbled answer ({label})")
     return errors.Refused(where, label, name=name)

@@ -12,6 +12,7 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.corba import answers, failures, session, stubs
 from rtshell_lite.giop import idl, ior
+from rtshell_lite.giop.operations import Schema
 from rtshell_lite.net import loop
 from rtshell_lite.text import from_wire, printable, to_wire
 
@@ -192,6 +193,8 @@ class _Item:
     def __init__(self, call, now):
         self.call = call
         self.seconds = max(call.seconds or 0, now.timeout)
+        if call.seconds and isinstance(call.operation, Schema):
+            self.seconds = call.seconds
         self.has_answered = self.is_withdrawn = False
         self.begun = None
         self.wait = loop.Wait()
@@ -331,7 +334,7 @@ class _Worker:
 
 def _made(item):
     """The result of a call, made on this thread,
-    with a deadline of its `seconds` where that is more than the timeout.
+    with a deadline of its `seconds` where that is not the timeout.
     """
     from omniORB import CORBA
 
@@ -340,13 +343,15 @@ def _made(item):
     ref = call.ref
     operation = call.operation
     args = call.args
-    if item.seconds > _deadline:
+    if item.seconds != _deadline:
         import omniORB
 
         omniORB.setClientCallTimeout(ref, int(_milliseconds(item.seconds)))
     try:
         if not failures.may_repeat(operation) and address(ref)[1:3] in _of_one_reply:
             _use_up_connections(ref)
+        if isinstance(operation, Schema):
+            return _by_schema(item)
         try:
             return answers.invoke(where, ref, operation, args)
         except CORBA.COMM_FAILURE as e:
@@ -354,7 +359,22 @@ def _made(item):
                 _check_version(str(where), address(ref)[1:3])
             return _asked_again(e, item)
     except CORBA.Exception as e:
-        raise _error(str(where), e, item.seconds, ref)
+        error = _error(str(where), e, item.seconds, ref)
+        if isinstance(operation, Schema) and isinstance(e, CORBA.SystemException):
+            error.exception = type(e).__name__, e.completed._v
+        raise error
+
+
+def _by_schema(item):
+    """The result of a call of an operation that a user's IDL describes; it is made once."""
+    import omniORB
+    from rtshell_lite.corba import schemas
+
+    call = item.call
+    try:
+        return schemas.invoke(start(), str(call.where), call.ref, call.operation, call.args)
+    finally:
+        omniORB.setClientCallTimeout(call.ref, 0)  # as all other calls have it
 
 
 def _asked_again(failure, item):

@@ -190,7 +190,8 @@ class Call:
 async def call(where, ref, operation, *args, seconds=None):
     """The result of `operation` of `ref`; `where`, a Path or text, names the object in errors.
 
-    `seconds` is a longer deadline for an operation that may take its time. Raises Silent, Gone, Unreachable
+    `operation` is the name of one of the IDL, or an operations.Schema, which is asked once, whatever happens.
+    `seconds` is a longer deadline for an operation that may take its time; of a Schema it is the deadline. Raises Silent, Gone, Unreachable
     or Refused; made with a nil reference, Garbled: a peer has sent that in place of an object.
 
     In a task that asks one process, see session.each, the silence of another is raised as Unreachable: it

@@ -49,7 +49,7 @@ class Any:
 
 
 class Maker(cdr.Maker):
-    """Readers and writers of one byte order; `depth` counts the values around, each in an any."""
+    """Readers and writers of one byte order, for the operations of the tables; `depth` counts the values around, each in an any."""
 
     forms = dict(cdr.FORMS)
     forms.update(
@@ -257,10 +257,25 @@ class Maker(cdr.Maker):
                 return Any(descriptor, None), at
             if self.depth == descriptors.DEEPEST:
                 raise Fault("values inside values, deeper than %d" % descriptors.DEEPEST)
-            value, at = Maker(order, self.depth + 1).reader(descriptor)(data, at)
+            value, at = type(self)(order, self.depth + 1).reader(descriptor)(data, at)
             return Any(descriptor, value), at
 
         return read
+
+    def write_any(self, _):
+        order = self.order
+        kind = type(self)
+
+        def write(out, value):
+            from rtshell_lite.giop import typecodes
+
+            if self.depth == descriptors.DEEPEST:
+                raise Fault("values inside values, deeper than %d" % descriptors.DEEPEST)
+            typecodes.write(out, value.descriptor, order)
+            if value.descriptor not in (0, 1):
+                kind(order, self.depth + 1).writer(value.descriptor)(out, value.content)
+
+        return write
 
     def read_typecode(self, _):
         order = self.order
@@ -272,7 +287,26 @@ class Maker(cdr.Maker):
 
         return read
 
+    def write_typecode(self, _):
+        order = self.order
+
+        def write(out, value):
+            from rtshell_lite.giop import typecodes
+
+            typecodes.write(out, value, order)
+
+        return write
+
     def read_rare(self, descriptor):
         from rtshell_lite.giop import rare
 
         return rare.reader(descriptor, self.order)
+
+
+class ValueMaker(Maker):
+    """Readers and writers for operations of a user's IDL: values as data ports have them, with text in UTF-8."""
+
+    read_string = cdr.Maker.read_string
+    write_string = cdr.Maker.write_string
+    read_sequence = cdr.Maker.read_sequence
+    write_sequence = cdr.Maker.write_sequence

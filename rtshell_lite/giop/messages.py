@@ -10,6 +10,7 @@ ERROR = 6
 FRAGMENT = 7
 # what a reply says
 NO_EXCEPTION, USER_EXCEPTION, SYSTEM_EXCEPTION, FORWARD, FORWARD_PERM, NEEDS_ADDRESSING_MODE = range(6)
+ANSWERED = 3  # response flags of a request whose reply is waited for (CORBA 3.0, 15.4.2.1)
 KEY, PROFILE, REFERENCE = range(3)  # how a request names its object
 HEADER = 12  # octets
 LARGEST = 32 << 20  # octets of a message, as we let omniORB take
@@ -54,16 +55,18 @@ def _named(operation, is_new):
     return name + (_CODE_SETS if is_new else bytes(4))
 
 
-def request(number, version, mode, target, operation, arguments):
+def request(number, version, mode, target, operation, arguments, is_oneway=False):
     """A request as a bytearray, to a `target` in the octets of that mode; before GIOP 1.2, the mode is KEY.
 
-    `arguments`: (function that appends to it in little endian, value) pairs.
+    `arguments`: (function that appends to it in little endian, value) pairs. Of `is_oneway` no reply comes.
     """
     is_new = version >= (1, 2)
     if is_new:
-        out = bytearray(_START.pack(b"GIOP\1\2\1\0", 0, number, 3, mode, 0))
+        flags = 0 if is_oneway else ANSWERED
+        out = bytearray(_START.pack(b"GIOP\1\2\1\0", 0, number, flags, mode, 0))
     else:
-        out = bytearray(b"GIOP" + bytes(version) + b"\1\0" + bytes(8) + _LENGTH.pack(number) + b"\1\0\0\0")
+        is_answered = b"\0\0\0\0" if is_oneway else b"\1\0\0\0"
+        out = bytearray(b"GIOP" + bytes(version) + b"\1\0" + bytes(8) + _LENGTH.pack(number) + is_answered)
     out += target + _PADDING[len(target) & 3] + _named(operation, is_new)
     if arguments:
         if is_new:

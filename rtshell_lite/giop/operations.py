@@ -1,4 +1,4 @@
-"""Operations of the interfaces of the IDL: how their arguments and results are written and read."""
+"""Operations of interfaces: how their arguments and results are written and read."""
 
 import functools
 
@@ -7,6 +7,7 @@ from rtshell_lite.giop.descriptors import BOOLEAN, OCTET, SEQUENCE, STRING, plai
 from rtshell_lite.giop import marshal
 
 _MAKERS = [marshal.Maker(">"), marshal.Maker("<")]
+_OF_SCHEMAS = [marshal.ValueMaker(">"), marshal.ValueMaker("<")]
 # every object has these
 _COMMON = {"_non_existent": ((), (BOOLEAN,), ()), "_is_a": ((STRING,), (BOOLEAN,), ())}
 
@@ -22,28 +23,72 @@ def writer(descriptor):
 
 
 class Operation:
-    """How an operation is called: writers of its arguments, readers of its results by byte order, its
+    """How an operation is called: writers of its arguments, readers of its results by byte order, those of its
     exceptions by their ids.
 
     carries_data: among its results are octets, of any number; all others are made of small parts, which take
-    long to read.
+    long to read. takes_values: it is one of a user's IDL, whose results may be large.
     """
 
-    def __init__(self, given, returned, raised):
-        self.arguments = [_MAKERS[1].writer(idl.descriptor(word)) for word in given]
-        self.results = [[maker.reader(idl.descriptor(word)) for word in returned or ()] for maker in _MAKERS]
+    def __init__(self, given, returned, raised, makers=_MAKERS):
+        self.arguments = [makers[1].writer(idl.descriptor(word)) for word in given]
+        self.results = [[maker.reader(idl.descriptor(word)) for word in returned or ()] for maker in makers]
         self.raised = raised
+        self._makers = makers
+        self.takes_values = makers is _OF_SCHEMAS
         self.carries_data = any(
             plain(idl.descriptor(word))[:2] == (SEQUENCE, OCTET)
             for word in returned or ()
             if isinstance(plain(idl.descriptor(word)), tuple)
         )
 
+    def exception_reader(self, type_id, little):
+        """read(data, at) of one of its exceptions, without the id that comes before it."""
+        return self._makers[little].reader(idl.descriptor(self.raised[type_id]))
+
+
+class Schema:
+    """An operation that IDL of a user describes, for orb.call in place of a name.
+
+    name      as requests have it; of an attribute `speed`: _get_speed, _set_speed
+    given     descriptors of what is sent: in and inout parameters in their order
+    returned  descriptors of what comes back: the result unless it is void, then out and inout parameters in
+              their order; None for oneway
+    raised    {repository id: descriptor} of its exceptions
+
+    Texts are sent and come as UTF-8, a reference is a references.Reference, an `any` a marshal.Any,
+    with both ORBs. A request by a Schema is sent at most once, and oneway waits for no answer.
+    """
+
+    __slots__ = ("name", "given", "returned", "raised", "_operation")
+
+    def __init__(self, name, given, returned, raised):
+        self.name = name
+        self.given = tuple(given)
+        self.returned = returned
+        self.raised = raised
+        self._operation = None
+
+    def __str__(self):
+        return self.name
+
+    @property
+    def is_oneway(self):
+        return self.returned is None
+
+    @property
+    def operation(self):
+        """Its Operation, for our own ORB."""
+        if self._operation is None:
+            self._operation = Operation(self.given, self.returned, self.raised, _OF_SCHEMAS)
+        return self._operation
+
 
 @functools.lru_cache(maxsize=None)
 def operation(interface, name):
     """The Operation of an interface or one of those that it inherits. Raises KeyError."""
-    return Operation(*_COMMON.get(name) or idl.operation(interface, name))
+    given, returned, raised = _COMMON.get(name) or idl.operation(interface, name)
+    return Operation(given, returned, {type_id: type_id for type_id in raised})
 
 
 @functools.lru_cache(maxsize=None)

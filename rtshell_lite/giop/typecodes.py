@@ -1,4 +1,5 @@
-"""TypeCodes as descriptors (CORBA 3.0, 15.3.5.1), read from what a peer sends: every part is bounded.
+"""TypeCodes as descriptors (CORBA 3.0, 15.3.5.1), read from what a peer sends, where every part is bounded, and
+written.
 
 What is read first has no classes for its values; descriptors.adopted checks it, and makes them.
 """
@@ -27,6 +28,18 @@ from rtshell_lite.giop import allowance
 INDIRECTION = 0xFFFFFFFF
 # those of which the kind says all: null to Principal, long long to wchar
 PLAIN = tuple(range(OBJECT)) + (23, 24, 25, 26)
+# how the labels of a union are written, by the kind of its discriminator
+LABELS = {
+    descriptors.SHORT: "h",
+    descriptors.USHORT: "H",
+    descriptors.LONG: "i",
+    descriptors.ULONG: "I",
+    ENUM: "I",
+    descriptors.LONGLONG: "q",
+    descriptors.ULONGLONG: "Q",
+    descriptors.BOOLEAN: "B",
+    descriptors.CHAR: "B",
+}
 
 
 def read(data, at, order):
@@ -138,17 +151,7 @@ class _Reader:
         switch = self.typecode(known, depth)
         default = self.number("i")
         sort = descriptors.kind(descriptors.plain(switch))
-        code = {
-            descriptors.SHORT: "h",
-            descriptors.USHORT: "H",
-            descriptors.LONG: "i",
-            descriptors.ULONG: "I",
-            ENUM: "I",
-            descriptors.LONGLONG: "q",
-            descriptors.ULONGLONG: "Q",
-            descriptors.BOOLEAN: "B",
-            descriptors.CHAR: "B",
-        }.get(sort)
+        code = LABELS.get(sort)
         if code is None:
             raise Fault("a union that is switched by what cannot switch one")
         cases = []
@@ -177,3 +180,101 @@ class _Reader:
             cases[default] if default >= 0 else None,
             None,
         )
+
+
+# ---- writing -----------------------------------------------------------------------------------------------
+
+
+def write(out, descriptor, order):
+    """Append the TypeCode of a checked descriptor to a message. Raises Fault for what has none."""
+    _Writer(out, order, 0, {}).typecode(descriptor)
+
+
+class _Writer:
+    """Appends to `out`; `base` is where alignment counts from, `known` {repository id: place} is for types inside
+    themselves.
+    """
+
+    def __init__(self, out, order, base, known):
+        self.out = out
+        self.order = order
+        self.base = base
+        self.known = known
+
+    def number(self, value, code="I"):
+        form = struct.Struct(self.order + code)
+        self.out += b"\0" * (-(len(self.out) - self.base) % form.size) + form.pack(value)
+
+    def text(self, value):
+        octets = value.encode("latin-1") + b"\0"
+        self.number(len(octets))
+        self.out += octets
+
+    def typecode(self, descriptor):
+        kind = descriptors.kind(descriptor)
+        if kind == INDIRECT:
+            return self.indirection(descriptors.type_id(descriptor))
+        self.number(kind)
+        if kind in (STRING, WSTRING):
+            self.number(descriptors.bound(descriptor))
+        elif kind == FIXED:
+            self.number(descriptor[1], "H")
+            self.number(descriptor[2], "h")
+        elif kind not in PLAIN:
+            self.encapsulated(descriptor, len(self.out) - 4)
+
+    def indirection(self, type_id):
+        if type_id not in self.known:
+            raise Fault(f"a type inside itself that is not known: {type_id}")
+        self.number(INDIRECTION)
+        self.number(self.known[type_id] - len(self.out), "i")
+
+    def encapsulated(self, descriptor, place):
+        self.number(0)
+        start = len(self.out)
+        self.out += b"\1" if self.order == "<" else b"\0"
+        inner = _Writer(self.out, self.order, start, self.known)
+        if descriptors.kind(descriptor) in (STRUCT, UNION):
+            self.known[descriptors.type_id(descriptor)] = place
+        inner.parts(descriptor)
+        struct.pack_into(self.order + "I", self.out, start - 4, len(self.out) - start)
+
+    def parts(self, descriptor):
+        kind = descriptors.kind(descriptor)
+        if kind in (SEQUENCE, ARRAY):
+            self.typecode(descriptors.element(descriptor))
+            return self.number(descriptors.length(descriptor))
+        self.text(descriptors.type_id(descriptor))
+        self.text(descriptors.words(descriptor))
+        if kind == ALIAS:
+            self.typecode(descriptors.aliased(descriptor))
+        elif kind == ENUM:
+            self.number(len(descriptors.items(descriptor)))
+            for item in descriptors.items(descriptor):
+                self.text(item._n)
+        elif kind == STRUCT:
+            self.number(len(descriptors.members(descriptor)))
+            for name, inner in descriptors.members(descriptor):
+                self.text(name)
+                self.typecode(inner)
+        elif kind == UNION:
+            self.union(descriptor)
+        elif kind != OBJECT:
+            raise Fault(f"a type of kind {kind}")
+
+    def union(self, descriptor):
+        switch = descriptors.discriminator(descriptor)
+        code = LABELS[descriptors.kind(descriptors.target(switch))]
+        self.typecode(switch)
+        self.number(descriptors.default_index(descriptor), "i")
+        self.number(len(descriptors.cases(descriptor)))
+        for case in descriptors.cases(descriptor):
+            self.number(_label_number(case.label), code)
+            self.text(case.member)
+            self.typecode(case.type)
+
+
+def _label_number(label):
+    if isinstance(label, str):
+        return ord(label)
+    return int(getattr(label, "_v", label))

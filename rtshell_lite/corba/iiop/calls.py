@@ -21,6 +21,10 @@ class Request:
     """An orb.Call on its way; in the end, resume(value, None) or resume(None, error) is called.
 
     ref        whom it is sent to: another object than at first where that has forwarded it
+    name       of its operation
+    is_oneway  nobody answers it
+    is_idempotent  it changes nothing, as far as its name shows
+    is_once    it is an operation of a Schema, and must not be sent twice, whatever happens
     seconds    how long its answer may take
     sent       time.monotonic() when it was sent
     retried    how often it has been sent again, as a connection was lost, here or by the peer, that may have
@@ -31,7 +35,11 @@ class Request:
         "call",
         "resume",
         "ref",
+        "name",
         "operation",
+        "is_oneway",
+        "is_idempotent",
+        "is_once",
         "seconds",
         "sent",
         "retried",
@@ -44,8 +52,14 @@ class Request:
         self.call = call
         self.resume = resume
         self.ref = call.ref
-        self.operation = operations.operation(call.ref.interface, call.operation)
-        self.seconds = max(call.seconds or 0, session.current().timeout)
+        if isinstance(call.operation, operations.Schema):
+            self._of_schema(call)
+        else:
+            self.name = call.operation
+            self.operation = operations.operation(call.ref.interface, self.name)
+            self.is_oneway = self.is_once = False
+            self.is_idempotent = failures.may_repeat(self.name)
+            self.seconds = max(call.seconds or 0, session.current().timeout)
         self.sent = None
         self.retried = 0
         self._forwards = 0
@@ -57,15 +71,18 @@ class Request:
         """(host, port) of the process that is asked."""
         return self.ref.address[1:3]
 
-    @property
-    def is_idempotent(self):
-        """True if it changes nothing."""
-        return failures.may_repeat(self.call.operation)
+    def _of_schema(self, call):
+        self.name = call.operation.name
+        self.operation = call.operation.operation
+        self.is_oneway = call.operation.is_oneway
+        self.is_once = True
+        self.is_idempotent = False
+        self.seconds = call.seconds or session.current().timeout
 
     @property
     def max_reply(self):
         """Octets that its reply may have."""
-        if self.operation.carries_data:
+        if self.operation.carries_data or self.operation.takes_values:
             return messages.HEADER + messages.LARGEST
         return messages.LARGE
 
@@ -84,12 +101,18 @@ class Request:
         arguments = list(zip(self.operation.arguments, self.call.args))
         try:
             return messages.request(
-                number, version if version < latest else latest, mode, target, self.call.operation, arguments
+                number,
+                version if version < latest else latest,
+                mode,
+                target,
+                self.name,
+                arguments,
+                self.is_oneway,
             )
         except marshal.Unsendable as e:
             raise errors.Refused(str(self.call.where), f"cannot be asked: {e}", name="BAD_PARAM")
         except (ValueError, StructError) as e:
-            raise TypeError(f"{self.call.operation}: {e}")
+            raise TypeError(f"{self.name}: {e}")
 
     def answered(self, status, data, at, little):
         """Take the reply; True if the request is to be sent again, to `ref`,
@@ -103,13 +126,15 @@ class Request:
             if status == messages.NO_EXCEPTION:
                 value = _values(self.operation.results[little], data, at)
             elif status == messages.SYSTEM_EXCEPTION:
-                name, label = _system_exception(data, at, little)
+                name, label, completed = _system_exception(data, at, little)
                 if (
                     name == "COMM_FAILURE" and self.is_idempotent and not self.retried
                 ):  # the peer has lost a connection of its own
                     self.retried = 1
                     return True
                 error = failures.system(str(self.call.where), name, label)
+                if self.is_once:
+                    error.exception = name, completed
             elif status == messages.USER_EXCEPTION:
                 error = self._user_exception(data, at, little)
             else:
@@ -143,10 +168,12 @@ class Request:
         type_id, start = operations.reader(marshal.TEXT, little)(data, at)
         if type_id not in self.operation.raised:
             return failures.system(str(self.call.where), "UNKNOWN", "CORBA.UNKNOWN")
-        raised, _ = operations.reader(idl.descriptor(type_id), little)(data, start)
-        return failures.user(
-            str(self.call.where), type_id.split(":")[1].rpartition("/")[2], getattr(raised, "description", "")
-        )
+        raised, _ = self.operation.exception_reader(type_id, little)(data, start)
+        where = str(self.call.where)
+        name = type_id.split(":")[1].rpartition("/")[2]
+        if self.is_once:
+            return errors.Raised(where, name, raised)
+        return failures.user(where, name, getattr(raised, "description", ""))
 
     def failed(self, e):
         """It ends with an errors.Error for an exception."""
@@ -155,7 +182,7 @@ class Request:
     def _error(self, e):
         where = str(self.call.where)
         if isinstance(e, connections.Closed):
-            return errors.Unreachable(where, "connection lost")
+            return errors.ConnectionLost(where)
         if isinstance(e, ConnectionRefusedError):
             return errors.ConnectionRefused(where)
         if isinstance(e, gaierror):
@@ -180,16 +207,18 @@ def _words(e):
 
 
 def _system_exception(data, at, little):
-    """(name, label) of a system exception, which is sent as its id, its minor code,
-    and whether the operation was completed.
+    """(name, label, whether the operation was completed) of a system exception, which is sent as its id, its
+    minor code, and that: 0 for yes, 1 for no, 2 for maybe.
     """
     name, at = operations.reader(marshal.TEXT, little)(data, at)
     minor, at = operations.reader(descriptors.ULONG, little)(data, at)
+    completed, at = operations.reader(descriptors.ULONG, little)(data, at)
     if name.count(":") == 2:
         name = name.split(":")[1].rpartition("/")[2]
     else:
         name = "UNKNOWN"
-    return name, idl.MINORS.get(name, {}).get(minor) or "CORBA." + printable(name[:LONGEST_NAME])
+    label = idl.MINORS.get(name, {}).get(minor) or "CORBA." + printable(name[:LONGEST_NAME])
+    return name, label, completed
 
 
 def _values(readers, data, at):

@@ -104,6 +104,7 @@ class Connection:
         self._socket, self._candidates, self._error = None, self._all_candidates(others), None
         self._out = bytearray()  # what is to be sent
         self._not_begun = {}  # requests until there is a connection, by number
+        self._oneway = []  # numbers of those that are over when they have been sent
         self._pieces = []
         self._have = 0
         self._need = messages.HEADER
@@ -204,6 +205,8 @@ class Connection:
             return request.failed(e)
         request.sent = time.monotonic()
         self.requests[self._number] = request
+        if request.is_oneway:
+            self._oneway.append(self._number)
         if self.waits_for:
             self._not_begun[self._number] = octets
         else:
@@ -218,6 +221,10 @@ class Connection:
         except BlockingIOError:
             return
         del self._out[:sent]
+        while self._oneway and not self._out:
+            request = self.requests.pop(self._oneway.pop(), None)
+            if request is not None:
+                request.resume(None, None)
 
     def is_stray(self, number):
         """Whether nobody waits, or has waited, for a reply with this number: some peers repeat replies.

@@ -319,6 +319,8 @@ class Peers:
         """Whether a request whose connection was lost may be sent again;
         a change may not, unless the peer says that it has not begun.
         """
+        if request.is_once:
+            return False
         if is_not_started:
             return True
         request.retried += 1
