@@ -22,6 +22,7 @@ from rtshell_lite.giop.descriptors import (
     STRING,
     STRUCT,
     UNION,
+    VALUE,
     WSTRING,
     kind,
 )
@@ -49,8 +50,10 @@ def plain(descriptor, seen=None):
         ]
     if sort == ALIAS:
         return ["alias", descriptor[1], descriptor[2], plain(descriptors.aliased(descriptor), seen)]
-    if sort in (OBJECT, FIXED):
-        return ["object" if sort == OBJECT else "fixed", descriptor[1], descriptor[2]]
+    if sort == FIXED:
+        return ["fixed", descriptor[1], descriptor[2]]
+    if sort in (OBJECT, VALUE):
+        return ["object", descriptor[1], descriptor[2]]
     identifier = descriptors.type_id(descriptor)
     if identifier in seen:
         return ["see", identifier]

@@ -12,6 +12,10 @@ a number                                    a basic type, its CORBA::TCKind
                                             case}) a case is (label, member, type); the class is called with
                                             label and value
 (INDIRECT, [struct or union])               a type inside itself
+(EXCEPTION, class, id, name, member, type, …)
+(FIXED, digits, scale)
+(OBJECT, id, name)                          a reference to an object of this interface
+(VALUE, id, name)                           a valuetype, native, abstract or local interface: never sent
 """
 
 import operator
@@ -48,6 +52,7 @@ from rtshell_lite import errors
     WSTRING,
     FIXED,
 ) = range(2, 29)
+VALUE = 29
 INDIRECT = -1
 
 NAMES = {
@@ -158,6 +163,11 @@ def struct(type_id, name, members):
     return (STRUCT, made, type_id, name) + tuple(part for member in members for part in member)
 
 
+def exception(type_id, name, members):
+    """The descriptor of an exception, as that of a struct; it may have no members."""
+    return (EXCEPTION,) + struct(type_id, name, members)[1:]
+
+
 def union(type_id, name, switched_by, given, default=-1):
     """The descriptor of a union with a class of its own;
     `given`: (label, member, descriptor) triples, `default` an index.
@@ -186,7 +196,9 @@ def enum(type_id, name, items):
 
 
 def renamed(descriptor, type_id):
-    """The same struct, union, enum or alias by another repository id."""
+    """The same type by another repository id: a struct, exception, union, enum or alias."""
+    if kind(descriptor) == EXCEPTION:
+        return exception(type_id, descriptor[3], members(descriptor))
     if kind(descriptor) == STRUCT:
         return struct(type_id, descriptor[3], members(descriptor))
     if kind(descriptor) == UNION:
@@ -297,9 +309,9 @@ def type_id(descriptor):
         descriptor = around(descriptor)
     else:
         descriptor = descriptor
-    if kind(descriptor) in (STRUCT, UNION):
+    if kind(descriptor) in (STRUCT, UNION, EXCEPTION):
         return descriptor[2]
-    if kind(descriptor) in (ALIAS, ENUM, OBJECT):
+    if kind(descriptor) in (ALIAS, ENUM, OBJECT, VALUE):
         return descriptor[1]
     return ""
 
@@ -339,11 +351,11 @@ def words(descriptor):
         )
     if sort == ARRAY:
         return _array_words(descriptor)
-    if sort in (STRUCT, UNION):
+    if sort in (STRUCT, UNION, EXCEPTION):
         return descriptor[3]
     if sort == INDIRECT:
         return words(around(descriptor))
-    if sort in (ALIAS, ENUM, OBJECT):
+    if sort in (ALIAS, ENUM, OBJECT, VALUE):
         return descriptor[2]
     if sort == FIXED:
         return "fixed"
@@ -376,7 +388,7 @@ def _within(descriptor, where):
         return [(where + "[]", element(descriptor))]
     if sort == ALIAS:
         return [(where, aliased(descriptor))]
-    if sort == STRUCT:
+    if sort in (STRUCT, EXCEPTION):
         return [(f"{where}.{member}", inner) for member, inner in members(descriptor)]
     if sort == UNION:
         return [(where, discriminator(descriptor))] + [

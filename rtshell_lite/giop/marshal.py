@@ -302,6 +302,11 @@ class Maker(cdr.Maker):
 
         return rare.reader(descriptor, self.order)
 
+    def write_rare(self, descriptor):
+        from rtshell_lite.giop import rare
+
+        return rare.writer(descriptor, self.order)
+
 
 class ValueMaker(Maker):
     """Readers and writers for operations of a user's IDL: values as data ports have them, with text in UTF-8."""

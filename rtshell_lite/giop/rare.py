@@ -1,8 +1,9 @@
 """Values of types that robots hardly ever use:
-fixed, long double, Principal (CORBA 3.0, 15.3.1.4, 15.3.2.8); only read.
+fixed, long double, Principal (CORBA 3.0, 15.3.1.4, 15.3.2.8); the last is only read.
 """
 
 import math
+import re
 import struct
 
 from rtshell_lite.giop.descriptors import FIXED, LONGDOUBLE, kind
@@ -18,6 +19,37 @@ def reader(descriptor, order):
     if kind(descriptor) == LONGDOUBLE:
         return _long_double(order)
     return _principal(order)
+
+
+def writer(descriptor, order):
+    """write(out, value) of a fixed (a text) or a long double (a float)."""
+    if kind(descriptor) == FIXED:
+        return _fixed_writer(*descriptor[1:])
+    if kind(descriptor) == LONGDOUBLE:
+        return _long_double_writer(order)
+    raise Fault("a Principal is not sent")
+
+
+def fixed_digits(text, digits, scale):
+    """(sign, all digits as one text) of a fixed. Raises Fault for what is no number, or does not fit."""
+    match = re.match(r"([-+]?)(\d+)(?:\.(\d*))?\Z", text, re.ASCII)
+    if match is None:
+        raise Fault("not a decimal number")
+    sign, whole, fraction = match.group(1), match.group(2).lstrip("0"), (match.group(3) or "").rstrip("0")
+    if len(fraction) > scale or len(whole) > digits - scale:
+        raise Fault(f"more than {digits} digits, {scale} of them after the point")
+    return sign, whole + fraction.ljust(scale, "0")
+
+
+def _fixed_writer(digits, scale):
+    def write(out, text):
+        sign, number = fixed_digits(text, digits, scale)
+        last = "c"
+        if sign == "-" and number.strip("0"):
+            last = "d"
+        out += bytes.fromhex(number.rjust(digits // 2 * 2 + 1, "0") + last)
+
+    return write
 
 
 def _fixed(digits, scale):
@@ -63,6 +95,35 @@ def _long_double(order):
         return (-value if high >> 63 else value), at + 16
 
     return read
+
+
+def _long_double_writer(order):
+    pair = struct.Struct(order + "QQ")
+
+    def write(out, value):
+        out += b"\0" * (-len(out) & 7)
+        high, low = _quadruple(float(value))
+        if order == "<":
+            out += pack_pair(low, high)
+        else:
+            out += pack_pair(high, low)
+
+    pack_pair = pair.pack
+    return write
+
+
+def _quadruple(value):
+    """The two halves of a float as a long double of 128 bits, sign and exponent in the first."""
+    high = 1 << 63 if math.copysign(1, value) < 0 else 0
+    if math.isnan(value):
+        return high | 0x7FFF8 << 44, 0
+    if math.isinf(value):
+        return high | 0x7FFF << 48, 0
+    if value == 0:
+        return high, 0
+    fraction, exponent = math.frexp(abs(value))  # 0.5 <= fraction < 1
+    number = int(math.ldexp(fraction, 53)) - (1 << 52) << 60
+    return high | (exponent + 16382) << 48 | number >> 64, number & (1 << 64) - 1
 
 
 def _scaled(number, exponent):

@@ -191,8 +191,8 @@ def write(out, descriptor, order):
 
 
 class _Writer:
-    """Appends to `out`; `base` is where alignment counts from, `known` {repository id: place} is for types inside
-    themselves.
+    """Appends to `out`; `base` is where alignment counts from, `known` {identity of a struct or union: place} is for
+    types inside themselves.
     """
 
     def __init__(self, out, order, base, known):
@@ -213,7 +213,12 @@ class _Writer:
     def typecode(self, descriptor):
         kind = descriptors.kind(descriptor)
         if kind == INDIRECT:
-            return self.indirection(descriptors.type_id(descriptor))
+            descriptor = descriptors.around(descriptor)
+            kind = descriptors.kind(descriptor)
+        if id(descriptor) in self.known:
+            self.number(INDIRECTION)
+            self.number(self.known[id(descriptor)] - len(self.out), "i")
+            return
         self.number(kind)
         if kind in (STRING, WSTRING):
             self.number(descriptors.bound(descriptor))
@@ -223,20 +228,15 @@ class _Writer:
         elif kind not in PLAIN:
             self.encapsulated(descriptor, len(self.out) - 4)
 
-    def indirection(self, type_id):
-        if type_id not in self.known:
-            raise Fault(f"a type inside itself that is not known: {type_id}")
-        self.number(INDIRECTION)
-        self.number(self.known[type_id] - len(self.out), "i")
-
     def encapsulated(self, descriptor, place):
         self.number(0)
         start = len(self.out)
         self.out += b"\1" if self.order == "<" else b"\0"
         inner = _Writer(self.out, self.order, start, self.known)
         if descriptors.kind(descriptor) in (STRUCT, UNION):
-            self.known[descriptors.type_id(descriptor)] = place
+            self.known[id(descriptor)] = place
         inner.parts(descriptor)
+        self.known.pop(id(descriptor), None)
         struct.pack_into(self.order + "I", self.out, start - 4, len(self.out) - start)
 
     def parts(self, descriptor):

@@ -1,11 +1,12 @@
-"""The grammar of the data part of IDL (CORBA 3.0, 3.4), from tokens to descriptors."""
+"""The grammar of IDL (CORBA 3.0, 3.4), from tokens to descriptors and interfaces."""
 
 import re
 
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import ALIAS
-from rtshell_lite.data.idl import constants, tokens, types
+from rtshell_lite.data.idl import constants, exports, tokens, types
+from rtshell_lite.data.idl.interfaces import Interface
 from rtshell_lite.data.idl.scopes import DEEPEST, KEYWORDS, Entry, Scope
 from rtshell_lite.text import printable
 
@@ -20,11 +21,27 @@ def parse_file(path, include=()):
     `include` are directories for #include; OpenRTM's own IDL files need none. Raises BadIdl with file, line
     and column, and errors.Failed for a file that cannot be read.
     """
-    return Parser(tokens.tokens(path, include)).types()
+    return read_file(path, include).types
+
+
+def read_file(path, include=()):
+    """The Contents of an IDL file and its includes. Raises what `parse_file` raises."""
+    return Parser(tokens.tokens(path, include)).contents()
+
+
+class Contents:
+    """What an IDL file and its includes define, each {repository id: …}: `types` are descriptors, typedefs as
+    aliases; `interfaces` are Interfaces; `exceptions` are descriptors.
+    """
+
+    def __init__(self, types, interfaces, exceptions):
+        self.types = types
+        self.interfaces = interfaces
+        self.exceptions = exceptions
 
 
 class Parser:
-    """Reads tokens and collects the types that they define."""
+    """Reads tokens and collects the types and interfaces that they define."""
 
     def __init__(self, tokens):
         self.tokens = tokens
@@ -32,19 +49,27 @@ class Parser:
         self.file_scope = self.scope = Scope("", None)
         self.made = {}  # identity of an Entry → (repository id, descriptor)
         self.announced = []  # Entries of structs and unions
+        self.interfaces = {}  # identity of the Entry of each interface that is defined → that Entry
+        self.exceptions = []  # Entries
         self.prefixes = []  # prefixes of the files around this place
         self.weights = {}  # identity of a descriptor → (types in it, depth)
         self.kept = []  # the objects of these identities, which must live as long
         self._go()
 
-    def types(self):
-        """{repository id: descriptor} of everything that the tokens define. Raises BadIdl."""
+    def contents(self):
+        """The Contents of everything that the tokens define. Raises BadIdl."""
         while self.token.kind != "end":
             self.definition(0)
         for entry in self.announced:
             if entry.hole[0] is None:
                 raise self.fault(f"{entry.name} is announced, but not described", entry.token)
-        return {type_id: descriptor for type_id, descriptor in self.made.values()}
+        for entry in self.interfaces.values():
+            entry.what.interface.repository_id = entry.type_id  # a pragma may have come after it
+        return Contents(
+            {type_id: descriptor for type_id, descriptor in self.made.values()},
+            {entry.type_id: entry.what.interface for entry in self.interfaces.values()},
+            {entry.type_id: entry.what for entry in self.exceptions},
+        )
 
     # ---- tokens --------------------------------------------------------------------------------------------
 
@@ -67,6 +92,14 @@ class Parser:
             self.at += 1
             self._go()
         return token
+
+    def place(self):
+        """Where the parser is, for go_back."""
+        return self.at, list(self.prefixes), self.scope.prefix
+
+    def go_back(self, place):
+        self.at, self.prefixes, self.scope.prefix = place
+        self._go()
 
     def fault(self, why, token=None):
         """The BadIdl for a token (default: the current one)."""
@@ -138,6 +171,8 @@ class Parser:
     def _rename(self, entry, type_id):
         """Give a declared type another repository id."""
         entry.type_id = type_id
+        if entry.sort == "exception":
+            entry.what = descriptors.renamed(entry.what, type_id)
         if entry.sort == "type" and id(entry) in self.made:
             old = entry.what
             entry.what = descriptors.renamed(old, type_id)
@@ -203,6 +238,13 @@ class Parser:
             self._same_case(found, written, start)
         return found
 
+    def names_corba(self):
+        """Whether CORBA or ::CORBA comes next, and is not declared."""
+        token = self.token
+        if token.kind == "mark" and token.word == "::":
+            token = self.tokens[self.at + 1]
+        return token.kind == "name" and token.word == "CORBA" and self.scope.seen("CORBA") is None
+
     def plain(self):
         """The name that comes next, without scopes. Raises BadIdl for anything else, keywords included."""
         token = self.token
@@ -253,14 +295,16 @@ class Parser:
         elif word in ("typeprefix", "typeid"):
             self._typed_pragma(word)
         elif word == "import":
-            self._skip()
+            self.skip()
         else:
             raise self.fault(f"expected a definition, not {printable(self.token.word)}")
         self.take(";")
 
     def _opening(self, word, depth):
         first = self.advance()
+        kind = ""
         if word in ("local", "abstract"):
+            kind = word
             if self.is_word("valuetype", "eventtype"):
                 return self._unread()
             self.take("interface")
@@ -273,15 +317,19 @@ class Parser:
             entry is not None
             and entry.sort == word
             and entry.name == name
-            and (word == "module" or announced or not entry.what.names and not entry.what.bases)
+            and (word == "module" or announced or id(entry) not in self.interfaces)
         )
         if not reopened:
             entry = self.declare(
                 Entry(name, word, Scope(name, self.scope), self.new_id(name), token=first), token
             )
         entry.what.prefix = "/".join(filter(None, [self.scope.prefix, name]))
+        if word == "interface" and entry.what.interface is None:
+            entry.what.interface = Interface(entry.what.path(), entry.type_id, kind)
         if announced:
             return
+        if word == "interface":
+            self.interfaces[id(entry)] = entry
         if word == "interface" and self.is_mark(":"):
             self._bases(entry)
         self.take("{")
@@ -307,7 +355,7 @@ class Parser:
             ):
                 self.definition(depth + 1)
             else:
-                self._skip()
+                exports.export(self, entry.what.interface, depth + 1)
                 self.take(";")
         self.scope = outer
         self.take("}")
@@ -318,11 +366,14 @@ class Parser:
             base = self.look_up()
             if isinstance(base.what, Scope):
                 entry.what.bases.append(base.what)
+            if isinstance(base.what, Scope) and base.what.interface:
+                entry.what.interface.bases.append(base.what.interface)
 
-    def _skip(self):
-        """Skip everything up to the next semicolon outside all brackets."""
+    def skip(self):
+        """Skip everything up to the next semicolon outside all brackets; returns these tokens, with it."""
         start = self.token
         open_marks = []
+        skipped = []
         while open_marks or not self.is_mark(";"):
             token = self.token
             if (
@@ -344,7 +395,8 @@ class Parser:
                 open_marks.append(BRACKETS[token.word])
             elif open_marks and token.kind == "mark" and token.word == open_marks[-1]:
                 open_marks.pop()
-            self.advance()
+            skipped.append(self.advance())
+        return skipped + [self.token]
 
     def _unread(self):
         """A valuetype, component or home: only its name is read."""
@@ -353,8 +405,8 @@ class Parser:
         token = self.token
         name = self.name("a type")
         if name.lower() not in self.scope.names:  # it may have been announced
-            self.declare(Entry(name, "unknown"), token)
-        self._skip()
+            self.declare(Entry(name, "unknown", type_id=self.new_id(name)), token)
+        self.skip()
 
     def _typed_pragma(self, word):
         self.advance()
@@ -373,16 +425,19 @@ class Parser:
     def _native(self, depth):
         self.advance()
         token = self.token
-        self.declare(Entry(self.name("a type"), "unknown"), token)
+        name = self.name("a type")
+        self.declare(Entry(name, "unknown", type_id=self.new_id(name)), token)
 
     def _exception(self, depth):
         """An exception is read like a struct, but is not a data type."""
         self.advance()
         token = self.token
         name = self.name("an exception")
-        entry = self.declare(Entry(name, "unknown", type_id=self.new_id(name)), token)
+        entry = self.declare(Entry(name, "exception", type_id=self.new_id(name)), token)
         self.take("{")
-        types.within(self, entry, lambda: types.members(self, depth + 1))
+        found = types.within(self, entry, lambda: types.members(self, depth + 1))
+        entry.what = descriptors.exception(entry.type_id, name, found)
+        self.exceptions.append(entry)
         self.take("}")
 
     def _const(self, depth):

@@ -12,9 +12,10 @@ valuetype void wchar wstring""".split()
 
 
 class Entry:
-    """The meaning of a name: `sort` is module, interface, type, struct (only announced), item, constant or unknown.
+    """The meaning of a name: `sort` is module, interface, type, exception, struct (only announced), item, constant or
+    unknown: a valuetype or native.
 
-    `what` is the Scope of a module or interface, the descriptor of a type, the value of a constant, the item of an enum.
+    `what` is the Scope of a module or interface, the descriptor of a type or exception, the value of a constant, the item of an enum.
     `type_id` is its repository id or None; `token` is where it was declared. `hole`, a list of one element, is where descriptors
     look for a struct or union that has been announced: it holds None until that is defined.
     """
@@ -29,7 +30,9 @@ class Entry:
 
 
 class Scope:
-    """A module, interface, struct or union, or the whole file: the names in it."""
+    """A module, interface, struct or union, or the whole file: the names in it; `interface` is the Interface
+    that has this body.
+    """
 
     def __init__(self, name, parent, prefix=""):
         self.name = name
@@ -37,6 +40,13 @@ class Scope:
         self.prefix = prefix
         self.names = {}
         self.bases = []
+        self.interface = None
+
+    def path(self):
+        """Its name from the outside: RTC::PortService."""
+        if self.parent is None or not self.parent.name:
+            return self.name
+        return f"{self.parent.path()}::{self.name}"
 
     def own(self, name):
         """The Entry of a name declared here or in an interface that this one inherits from, or None."""

@@ -2,7 +2,7 @@
 
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
-from rtshell_lite.giop.descriptors import FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, WSTRING
+from rtshell_lite.giop.descriptors import FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, VALUE, WSTRING
 from rtshell_lite.data.idl import constants
 from rtshell_lite.data.idl.scopes import DEEPEST, Entry, Scope
 from rtshell_lite.text import printable
@@ -67,9 +67,12 @@ def type_spec(parser, depth):
         return _fixed(parser)
     if parser.is_word(*WORDS):
         return _basic(parser)
-    if parser.is_word("Object", "ValueBase"):
+    if parser.is_word("Object"):
         parser.advance()
         return (OBJECT, "", token.word)  # without an id, as in stubs
+    if parser.is_word("ValueBase"):
+        parser.advance()
+        return (VALUE, "", token.word)
     return _named(parser)
 
 
@@ -86,20 +89,24 @@ def _basic(parser):
 
 def _named(parser):
     token = parser.token
-    if token.kind == "name" and token.word == "CORBA" and parser.scope.seen("CORBA") is None:
+    if parser.names_corba():
         return _of_corba(parser)
     entry = parser.look_up()
     if entry.sort in ("struct", "type"):
         return entry.what
+    if entry.sort == "interface" and entry.what.interface.kind:
+        return (VALUE, entry.type_id, entry.name)
     if entry.sort == "interface":
         return (OBJECT, entry.type_id, entry.name)
     if entry.sort == "unknown":
-        return (OBJECT, parser.new_id(entry.name), entry.name)
+        return (VALUE, entry.type_id or parser.new_id(entry.name), entry.name)
     raise parser.fault(f"not a type: {entry.name}", token)
 
 
 def _of_corba(parser):
     """CORBA::TypeCode and the like, which no file declares."""
+    if parser.is_mark("::"):
+        parser.advance()
     parser.advance()
     parser.take("::")
     name = parser.plain()

@@ -1,0 +1,132 @@
+"""Operations and attributes in the body of an interface (CORBA 3.0, 3.12, 3.13), from tokens to interfaces.py.
+
+One that cannot be read, as it names what is not declared, fails itself and not its file: what is wrong is
+its `fault`.
+"""
+
+from rtshell_lite import errors
+from rtshell_lite.data.idl import constants, types
+from rtshell_lite.data.idl.interfaces import Attribute, Operation, Parameter
+from rtshell_lite.text import printable
+
+DIRECTIONS = ("in", "out", "inout")
+
+
+def export(parser, interface, depth):
+    """Read one operation, or one line of attributes, without its semicolon."""
+    start = parser.place()
+    is_attribute = parser.is_word("attribute", "readonly")
+    try:
+        if is_attribute:
+            _attributes(parser, interface, depth)
+        else:
+            interface.operations.append(_operation(parser, depth))
+        if not parser.is_mark(";"):
+            raise parser.fault(f"expected ;, not {printable(parser.token.word)}")
+    except errors.BadIdl as e:
+        parser.go_back(start)
+        _unreadable(parser, interface, is_attribute, str(e))
+
+
+def _unreadable(parser, interface, is_attribute, fault):
+    """Skip what could not be read; only its name is kept."""
+    name = ""
+    after = ";" if is_attribute else "("
+    for token in parser.skip():
+        if token.kind == "mark" and token.word == after:
+            break
+        if token.kind == "name":
+            name = token.word.lstrip("_")
+    if is_attribute:
+        known, made = interface.attributes, Attribute(name, 1)
+    else:
+        known, made = interface.operations, Operation(name)
+    made.fault = fault
+    known[:] = [each for each in known if each.name != name] + [made]
+
+
+def _operation(parser, depth):
+    oneway = parser.is_word("oneway")
+    if oneway:
+        parser.advance()
+    result = None
+    if parser.is_word("void"):
+        parser.advance()
+    else:
+        result = types.type_spec(parser, depth)
+    operation = Operation(parser.name("an operation"), result, oneway=oneway)
+    parser.take("(")
+    while not parser.is_mark(")"):
+        operation.parameters.append(_parameter(parser, operation, depth))
+        if not parser.is_mark(")"):
+            parser.take(",")
+    parser.take(")")
+    operation.raises = _raised(parser, "raises")
+    if parser.is_word("context"):
+        parser.advance()
+        operation.contexts = _texts(parser)
+    return operation
+
+
+def _parameter(parser, operation, depth):
+    if not parser.is_word(*DIRECTIONS):
+        raise parser.fault(f"expected in, out or inout, not {printable(parser.token.word)}")
+    direction = parser.advance().word
+    descriptor = types.type_spec(parser, depth)
+    token = parser.token
+    name = parser.name("a parameter")
+    if name.lower() in [each.name.lower() for each in operation.parameters]:
+        raise parser.fault(f"a second parameter of the name {name}", token)
+    return Parameter(direction, name, descriptor)
+
+
+def _attributes(parser, interface, depth):
+    readonly = parser.is_word("readonly")
+    if readonly:
+        parser.advance()
+    parser.take("attribute")
+    descriptor = types.type_spec(parser, depth)
+    names = [parser.name("an attribute")]
+    while parser.is_mark(","):
+        parser.advance()
+        names.append(parser.name("an attribute"))
+    if readonly:
+        raises, set_raises = _raised(parser, "raises"), []
+    else:
+        raises, set_raises = _raised(parser, "getraises"), _raised(parser, "setraises")
+    for name in names:
+        interface.attributes.append(Attribute(name, descriptor, readonly, raises, set_raises))
+
+
+def _raised(parser, word):
+    """The types of the exceptions in a clause that begins with `word`, if it comes next."""
+    found = []
+    if not parser.is_word(word):
+        return found
+    parser.advance()
+    parser.take("(")
+    while True:
+        token = parser.token
+        entry = parser.look_up()
+        if entry.sort != "exception":
+            raise parser.fault(f"not an exception: {entry.name}", token)
+        found.append(entry.what)
+        if not parser.is_mark(","):
+            break
+        parser.advance()
+    parser.take(")")
+    return found
+
+
+def _texts(parser):
+    """The texts in brackets."""
+    parser.take("(")
+    found = []
+    while not parser.is_mark(")"):
+        if parser.token.kind != "string":
+            raise parser.fault("expected a text in quotes")
+        found.append(constants.text(parser, parser.advance()))
+        if not parser.is_mark(")"):
+            parser.take(",")
+    parser.take(")")
+    return found
