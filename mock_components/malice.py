@@ -35,7 +35,7 @@ def _properties(pairs):
 
 
 def _port(peer, name=b"Evil0.out", ends=0, more=()):
-    """A PortProfile, of an out port with one connector that has so many ends."""
+    """A PortProfile, of an out port with one connector with that many ends."""
     here = Raw(reference(peer.port, PORT))
     kinds = _strings(b"DataOutPort", b"IDL:RTC/TimedLong:1.0")
     given = list(zip((b"port.port_type", b"dataport.data_type"), kinds)) + list(more)

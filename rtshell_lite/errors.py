@@ -5,7 +5,7 @@ the terminal. The last says why, without naming a path.
 """
 
 NO_USABLE_ADDRESS = "host name not known"  # or no address that the settings of omniORB let us use
-BAD_ENDPOINT = "this machine cannot be reached at the address that ORBendPoint tells"
+BAD_ENDPOINT = "this machine cannot be reached at the address that ORBendPoint names"
 
 
 class Error(Exception):
@@ -89,7 +89,7 @@ class Usage(Error):
 
 
 class BadPath(Error):
-    """{}: {}"""  # as it was typed, why it is none
+    """{}: {}"""  # as it was typed, what is wrong with it
 
     status = 2
 

@@ -94,7 +94,7 @@ def _taker(type_id):
         except ValueError as e:
             fault(str(e))
         except CORBA.SystemException:
-            fault("a reference that is none")
+            fault("an unusable reference")
         return None
 
     return take

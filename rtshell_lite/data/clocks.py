@@ -16,7 +16,7 @@ def is_stamped(port):
 
 
 def seconds(message):
-    """The seconds in the time that a reading.Message begins with; 0 is none, as many components set none."""
+    """The seconds in the time that a reading.Message begins with; 0 where a component sets no time, as many do."""
     if len(message.data) < 8:
         return 0
     return struct.unpack_from("<L" if message.little else ">L", message.data)[0]

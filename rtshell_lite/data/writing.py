@@ -5,8 +5,8 @@
         await linger(opened.live(), seconds)
 
 A value that a port accepts waits in its buffer. The component reads it in a later cycle, while it is Active
-and the port has a connector; what is unread when the last connector goes is read at the next connection,
-whoever makes it. The port has one buffer for all its connectors, and keeps the length and policy that the
+and the port has a connector; values left unread when the last connector goes are read at the next
+connection, of any program. The port has one buffer for all its connectors, and keeps the length and policy that the
 last one asked for; asking for a length empties it. (Seen with C++ 2.1 and Python 2.1: InPort::isNew,
 RingBuffer::length.)
 """

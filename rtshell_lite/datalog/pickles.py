@@ -197,7 +197,7 @@ class Machine:
             self.push(Class(module, name))
         else:
             raise Refused(
-                f"{printable(module)}.{printable(name)} is none of the classes that a log holds; "
+                f"{printable(module)}.{printable(name)} is not a class that a log holds; "
                 "-m MODULE names a module of your own"
             )
 

@@ -168,7 +168,7 @@ def _text(value):
 
 
 class _Plain:
-    """Turns records into dicts, with at most so many values and characters."""
+    """Turns records into dicts, within a limit of values and characters."""
 
     def __init__(self, most):
         self.left = most

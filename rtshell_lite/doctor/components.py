@@ -136,7 +136,7 @@ async def _stopped_answering(snapshot, hung):
             remedies.words("others first", path=shell_word(snapshot.where)),
         )
     if isinstance(e, errors.Refused) and e.name in ("BAD_OPERATION", "NO_IMPLEMENT"):
-        message = "somebody else's: it is registered as a component, but is none"
+        message = "somebody else's: it is registered as a component, but is not one"
         return fail(
             "reference",
             snapshot.where,

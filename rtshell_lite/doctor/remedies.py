@@ -37,7 +37,7 @@ WORDS = {
     "newer omniORBpy": "pip install -U jeteve-omniorb, or set RTSHELL_ORB=builtin",
     "correct settings": "correct or remove it",
     "correct file": "remove it from {file}",
-    "raise limit": "raise the limit in this shell ({command}), or end what uses so many {what} here",
+    "raise limit": "raise the limit in this shell ({command}), or end the programs that use most {what} here",
     "name of host": "give it its real address in /etc/hosts",
     "localhost": "write into /etc/hosts: 127.0.0.1 localhost",
     "correct addresses": "write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'",

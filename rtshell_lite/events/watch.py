@@ -10,7 +10,7 @@ from rtshell_lite.events.observer import BEAT, Event
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, tree
 
-LATE = 1.5 * BEAT  # after so many seconds without a heartbeat a component is asked whether it lives
+LATE = 1.5 * BEAT  # seconds; after that long without a heartbeat a component is asked whether it lives
 LOST = 3 * BEAT  # after these a missing heartbeat is reported
 LOOK = 1.0  # seconds between questions whether a component lives, or is back
 RATE = 1 / component.POLL  # Hz

@@ -187,7 +187,7 @@ def octets(type_id, profiles):
 
 
 def check(type_id, profiles):
-    """Raise BadReference if a reference, given likewise, must not reach omniORB;
+    """Raise BadReference if a reference, given in the same form, must not reach omniORB;
     returns how its octets start.
     """
     if len(profiles) > MOST_PROFILES:

@@ -32,7 +32,7 @@ def _is_nvlist(descriptor):
 
 
 class Unsendable(Fault):
-    """A text that CORBA cannot send, whoever it comes from."""
+    """A text that CORBA cannot send, of a user or of a peer."""
 
 
 class Any:
@@ -216,7 +216,7 @@ class Maker(cdr.Maker):
             if (
                 not interface and not ref.address.host and ior.IIOP in dict(profiles)
             ):  # what a name is bound to
-                raise ior.BadReference("a reference that is none")
+                raise ior.BadReference("an unusable reference")
             return ref, at
 
         return read

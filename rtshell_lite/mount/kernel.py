@@ -199,7 +199,7 @@ def hold(directory):
 
 async def is_released(directory, seconds):
     """Whether all processes that have mounted at a directory, where nothing is mounted now,
-    end in so many seconds.
+    end within that many seconds.
     """
     try:
         fd = os.open(directory, os.O_RDONLY)

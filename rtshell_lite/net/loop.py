@@ -449,7 +449,7 @@ async def ready(fd, events):
 
 
 async def on_thread(function, *args):
-    """The result of a function that blocks, run on a thread; raises Shortage where there is none.
+    """The result of a function that blocks, run on a thread; raises Shortage if no thread can be started.
 
     A cancelled task does not wait for it; the thread goes on, as nothing can end it.
     """

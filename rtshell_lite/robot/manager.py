@@ -188,7 +188,7 @@ def component_id(properties):
 async def create(node, argument, wait=None):
     """Create a component and return its instance name. `argument` is MODULE[?key=value[&key=value…]].
 
-    `wait`: so many seconds until it is initialised and the manager lists it. Raises Refused with what is
+    `wait`: the seconds until it is initialised and the manager lists it. Raises Refused with what is
     known of the reason.
     """
     before = await components(node)

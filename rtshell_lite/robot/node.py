@@ -115,7 +115,7 @@ class Node:
 
 
 def no_name_server(node):
-    """The error for an object that answers at the address of a name server, but is none."""
+    """The error for an object that answers at the address of a name server, but is not a name server."""
     return errors.WrongKind(str(node.path), "name server", "CORBA process of another kind")
 
 

@@ -271,7 +271,7 @@ async def _parameters(_, positional):
 
 
 async def _files(word, _):
-    return await loop.on_thread(_listed, word)  # a directory of a hung file server is none of our business
+    return await loop.on_thread(_listed, word)  # a file server may hang: it must not stop the loop
 
 
 def _listed(word):

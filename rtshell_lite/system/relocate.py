@@ -78,7 +78,7 @@ def _refuse_unclear(targets, components, names):
         if not target.property(capture.PATH_ID) and len(called.get(key, ())) > 1:
             raise errors.Failed(
                 f"{printable(key[1])} ({printable(key[0])})",
-                f"there are several, of which --map renames some (the property {capture.PATH_ID} tells which is meant)",
+                f"there are several, of which --map renames some (the property {capture.PATH_ID} decides which is meant)",
             )
 
 

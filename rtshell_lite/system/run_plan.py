@@ -30,7 +30,7 @@ class Run:
     """A plan being carried out."""
 
     def __init__(self, actions, transition, progress, wait=None):
-        """`progress` is told: starting(action, line), ended(Result), skipped(Result).
+        """`progress` has the methods starting(action, line), ended(Result), skipped(Result).
 
         `wait`: how long a component may take to reach its state, in seconds (default: the timeout).
         """

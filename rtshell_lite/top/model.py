@@ -16,7 +16,7 @@ from rtshell_lite.top.rows import Row
 from rtshell_lite.views import describe
 
 IN_FLIGHT = 4  # monitors that ask more at a time have disturbed real-time threads
-DOUBTFUL = 2  # of these, at most so many to processes that have not answered (yet): they must not take all
+DOUBTFUL = 2  # of these, at most this many to processes that have not answered (yet): they must not take all
 WALK = 5.0  # seconds between looks at what is bound
 CONTEXTS = 5.0  # seconds between looks at execution contexts and their rates
 PORTS = 10.0  # seconds between looks at connections: each makes a component check the far ends
@@ -262,7 +262,7 @@ class Top:
     # ---- what it looks like ----
 
     async def wait(self, seconds):
-        """Wait until everything has been looked at, at most so many seconds."""
+        """Wait until everything has been looked at, at most `seconds`."""
         end = time.monotonic() + seconds
         while not self._is_complete() and time.monotonic() < end:
             await loop.sleep(0.02)

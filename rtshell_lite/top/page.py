@@ -195,7 +195,7 @@ class Page:
         return key
 
     async def _character(self, seconds):
-        """The next one; None where none comes for so many seconds."""
+        """The next one; None if none comes within `seconds`."""
         while True:
             with contextlib.suppress(curses.error):
                 return self.window.get_wch()

@@ -129,7 +129,7 @@ async def batches(box, opened, seconds=math.inf, rate=None):
     """Yield lists of (key, Message) from an Inbox, as they come; until `seconds` are over or no connection of
     `opened` is left.
 
-    With a rate, so many times a second, and only the newest of each key. At least every TICK a list, maybe
+    With a rate, that many times a second, and only the newest of each key. At least every TICK a list, maybe
     empty, is yielded.
     """
     end = time.monotonic() + seconds

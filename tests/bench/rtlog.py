@@ -3,7 +3,7 @@
     python3 tests/bench/rtlog.py [rate | block | cpu | memory] [MESSAGES]     TMPDIR says which disk
 
 TimedLong: a mock component sends as fast as its port takes values (flush: each put is waited for), to rtlog and to the bare
-servant. Octets, 1 MB each: likewise to the bare servant; to rtlog at lower and lower rates, until nothing is dropped.
+servant. Octets, 1 MB each: also to the bare servant; to rtlog at lower and lower rates, until nothing is dropped.
 """
 import os
 import resource

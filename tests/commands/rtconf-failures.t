@@ -55,7 +55,7 @@ Metadata cannot be activated:
   rtconf: /localhost:$PORT/cpp.host_cxt/ConfigSample0.rtc: configuration set __widget__ holds metadata and cannot be active
   [6]
 
-A number that is none is taken by the component all the same; it is text to the wire:
+A value that is not a number is taken by the component all the same; it is text to the wire:
 
   $ rtconf ConfigSample0.rtc set int_param0 many; rtconf ConfigSample0.rtc get int_param0
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: many is no number, as the present value is (-999)

@@ -257,7 +257,7 @@ What it costs: nothing is asked twice, and the profile comes last.
   1 get_profile
   1 is_running
 
-A name server that is not there, a path that is none, a file that cannot be written; the old file stays:
+A name server that is not there, a path that is malformed, a file that cannot be written; the old file stays:
 
   $ rtcryo localhost:1 -o arm.rtsys
   rtcryo: /localhost:1: connection refused; is the name server running?

@@ -74,7 +74,7 @@ Inside itself, and twice inside what goes, is not elsewhere:
   $ rtls /localhost:$PORT
   test.host_cxt/
 
-A name server that does not answer, or whose address is none, has no say:
+A name server that does not answer, or whose address is unusable, has no say:
 
   $ mock two
   $ export RTCTREE_NAMESERVERS="http://laptop;127.0.0.1:$PORT;localhost:1"

@@ -52,7 +52,7 @@ Other questions refused; what has none of a component's operations; a context of
   $ ctl @these fail get_ports 1 NO_PERMISSION; doctor -q ../many.host_cxt/A0.rtc | grep A0
   fail  /localhost:$PORT/many.host_cxt/A0.rtc: does not report its ports (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
   $ ctl @these fail get_ports 1 BAD_OPERATION; doctor -q ../many.host_cxt/A0.rtc | grep A0
-  fail  /localhost:$PORT/many.host_cxt/A0.rtc: somebody else's: it is registered as a component, but is none; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/many.host_cxt/A0.rtc
+  fail  /localhost:$PORT/many.host_cxt/A0.rtc: somebody else's: it is registered as a component, but is not one; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/many.host_cxt/A0.rtc
   $ mock these Mock:Guest0 --context guest.host_cxt/%n.rtc; mock these Mock:Host0 --context host.host_cxt/%n.rtc
   $ rtec ../host.host_cxt/Host0.rtc attach ../guest.host_cxt/Guest0.rtc; kill-mock these5; doctor -q ../guest.host_cxt | grep context
   warn  /localhost:$PORT/guest.host_cxt/Guest0.rtc: its execution context 1 belongs to another component, which does not answer; try: look at its contexts: rtec /localhost:$PORT/guest.host_cxt/Guest0.rtc

@@ -146,5 +146,5 @@ An end point that cannot be bound:
 Out of what a process needs here: nobody else is to blame:
 
   $ (ulimit -n 16; doctor -q)
-  fail  here: out of files here (Too many open files, at 16): nothing can be judged; try: raise the limit in this shell (ulimit -n 1024), or end what uses so many files here
+  fail  here: out of files here (Too many open files, at 16): nothing can be judged; try: raise the limit in this shell (ulimit -n 1024), or end the programs that use most files here
   [1]

@@ -15,7 +15,7 @@ orb: omniorb
 It needs threads:
 
   $ (ulimit -v 80000; rtdoctor -q)
-  fail  here: out of threads here (can't start new thread): nothing can be judged; try: raise the limit in this shell (ulimit -u, ulimit -v), or end what uses so many threads here
+  fail  here: out of threads here (can't start new thread): nothing can be judged; try: raise the limit in this shell (ulimit -u, ulimit -v), or end the programs that use most threads here
   [1]
 
 When omniORB cannot be started, that is all that can be said:

@@ -82,14 +82,14 @@ Cut off in the middle, and with something else inside, what is whole is read:
   rtlog: cut.rtlog: the last 83 octets cannot be read and are left out: it does not end
   $ (cat old.rtlog; printf 'cos\nsystem\n(S"touch /tmp/x"\ntR.') > evil.rtlog; rtlog -d --json -f evil.rtlog
   {"channels": [{"entries": 3, "name": "numbers", "sources": ["/localhost/Src0.rtc:out.numbers"], "type": "IDL:RTC/TimedLong:1.0", "typecode": false}], "closed": true, "damaged": 0, "entries": 3, "file": "evil.rtlog", "first": 1795247464.7500002, "form": "simpkl", "last": 1795247464.77, "size": 1134, "started": 1795247464.7500002, "torn": 31}
-  rtlog: evil.rtlog: the last 31 octets cannot be read and are left out: os.system is none of the classes that a log holds; -m MODULE names a module of your own
+  rtlog: evil.rtlog: the last 31 octets cannot be read and are left out: os.system is not a class that a log holds; -m MODULE names a module of your own
 
 Classes of other modules than the standard ones are taken when their module is named, or an IDL file with their types; nothing
 is imported:
 
   $ sed 's/rtctree.rtc.RTC/robot.mods2.Arm/g; s,IDL:RTC/,IDL:Arm/,g' old.rtlog > own.rtlog
   $ rtlog --csv -f own.rtlog
-  rtlog: own.rtlog: its header cannot be read: robot.mods2.Arm.TimedLong is none of the classes that a log holds; -m MODULE names a module of your own
+  rtlog: own.rtlog: its header cannot be read: robot.mods2.Arm.TimedLong is not a class that a log holds; -m MODULE names a module of your own
   [1]
   $ rtlog --csv -m robot.mods2.Arm -f own.rtlog
   number,received,port,tm.sec,tm.nsec,data
@@ -126,7 +126,7 @@ Not logs:
   rtlog: x: its header is not that of a log
   [1]
   $ printf '\200\004cos\nsystem\n.' > x; rtlog -d -f x
-  rtlog: x: its header cannot be read: os.system is none of the classes that a log holds; -m MODULE names a module of your own
+  rtlog: x: its header cannot be read: os.system is not a class that a log holds; -m MODULE names a module of your own
   [1]
   $ printf '\211RTLOG\r\n' > x; rtlog -d -f x
   rtlog: x: its header is damaged, nothing can be read

@@ -37,7 +37,7 @@ Python adds .py to a name:
   rtmgr: /localhost:$PORT/py2.host_cxt/manager.mgr: no such loaded module: SeqIn
   [3]
 
-What is in the middle of a name is none:
+Digits in the middle of a name are not a number:
 
   $ rtmgr -u .so $S
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr/manager: no such loaded module: .so

@@ -65,7 +65,7 @@ Where components cannot reach us, they drop the connection at their first value;
   $ rtprint --pull -n 2 Source0.rtc:number | wc -l
   2
   $ RTCTREE_ORB_ARGS='-ORBendPoint;giop:tcp:192.0.2.222:' rtprint Source0.rtc:number
-  rtprint: this machine cannot be reached at the address that ORBendPoint tells (see --help)
+  rtprint: this machine cannot be reached at the address that ORBendPoint names (see --help)
   [2]
   $ export RTCTREE_ORB_ARGS=
 

@@ -87,7 +87,7 @@ The profile can name the manager: by paths below it, or with the property MANAGE
   $ rtresurrect --create -v -m old=localhost:$PORT --manager manager.mgr c.xml 2>&1 | grep -c done; same
   6
 
-A manager that is none, or does not know how; one that binds its components elsewhere:
+A manager that is not one, or cannot create; one that binds its components elsewhere:
 
   $ gone; rtresurrect --create --manager ConsoleIn0.rtc a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not a manager (it is a component)

@@ -43,7 +43,7 @@ Whom the file names must stay clear:
   $ rtcryo -q --all localhost:$PORT localhost:$PORT2 > all.xml; rtcheck --dry-run -m $O/ConsoleIn0.rtc=$O/Left.rtc all.xml | grep -c $O/Left.rtc:out
   1
   $ sed /COMPONENT_PATH_ID/d all.xml | rtcheck --dry-run -m $O/ConsoleIn0.rtc=$O/Left.rtc
-  rtcheck: ConsoleIn0 (RTC:Shinji Kurihara:example:ConsoleIn:1.0): there are several, of which --map renames some (the property COMPONENT_PATH_ID tells which is meant)
+  rtcheck: ConsoleIn0 (RTC:Shinji Kurihara:example:ConsoleIn:1.0): there are several, of which --map renames some (the property COMPONENT_PATH_ID decides which is meant)
   [1]
 
 What cannot be meant:

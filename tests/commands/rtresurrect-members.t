@@ -28,7 +28,7 @@ It keeps the ports that it exports, and connections of them that the file has as
   Inactive  2/1  1/0  1/1  0/0  composite0.rtc
   $ rtcheck -s inactive $M a.xml && rtcheck -s inactive $M b.xml
 
-A map that takes two components to one place is none, for whichever command:
+A map that takes two components to one place is refused by every command:
 
   $ rtstart --dry-run a.xml -m Sensor0.rtc=Motor0.rtc
   rtstart: /localhost:$PORT/test.host_cxt/Motor0.rtc: the file has two components here

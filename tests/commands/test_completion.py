@@ -18,7 +18,7 @@ from rtshell_lite.corba import orb
 
 HOSTILE = ["$(touch canary)", "`touch canary`", ";touch canary;", "q\"uo'te !", "a&&touch canary", "w*?~[a]", "日本 語", "=ls", "~root",
            "#no", "{a,b}", "-e", "b\\$x", "co:lon", "new\nline", "sl/ash", "e\x1b[31m", "two words\\"]
-PART = 8  # one in so many of its tests in a short run
+PART = 8  # a short run takes one in PART of its tests
 ONCE = "three shells are tried: one Python is enough"
 LIMIT = 1.0  # seconds from TAB to the next key, with a name server that hangs
 

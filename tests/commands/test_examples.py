@@ -28,7 +28,7 @@ from worlds import Server, World
 from rtshell_lite.corba import orb
 from rtshell_lite.data import datatypes, values
 
-PART = 16  # one in so many of its tests in a short run
+PART = 16  # a short run takes one in PART of its tests
 ONCE = "each example is run by the tests of its command on all Pythons, in other words"
 
 ROBOT = ["ConsoleIn:ConsoleIn0", "ConsoleOut:ConsoleOut0", "Sensor:Sensor0", "Controller:Controller0", "Motor:Motor0",

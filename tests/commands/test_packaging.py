@@ -17,7 +17,7 @@ import zipfile
 
 import invocations
 
-PART = 3  # one in so many of its tests in a short run
+PART = 3  # a short run takes one in PART of its tests
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WHEEL, OMNIORB_WHEEL = (os.environ.get(name) and os.path.abspath(os.environ[name])
                         for name in ("RTSHELL_WHEEL", "RTSHELL_OMNIORB_WHEEL"))

@@ -28,7 +28,7 @@ from rtshell_lite.doctor import finding, remedies
 from rtshell_lite.robot import tree
 from rtshell_lite.system import capture
 
-PART = 10  # one in so many of its tests in a short run
+PART = 10  # a short run takes one in PART of its tests
 ONCE = "what commands do is the same for every Python"
 PROGRAMS = set(os.listdir(worlds.COMMANDS)) & {name for name in os.listdir(worlds.COMMANDS) if name.startswith("rt")} | {"unset"}
 SETTLED = ("dataport.data_type", "dataport.dataflow_type", "dataport.interface_type", "dataport.subscription_type")

@@ -17,7 +17,7 @@ import worlds
 
 import rtshell_lite
 
-PART = 3  # one in so many of its tests in a short run
+PART = 3  # a short run takes one in PART of its tests
 ONCE = "it runs commands that other tests run on all Pythons"
 
 # A Python whose installation of packages does nothing, and one that cannot make environments

@@ -7,7 +7,7 @@ import unittest
 import invocations
 import running
 
-PART = 12  # one in so many of its tests in a short run
+PART = 12  # one in this many of its tests in a short run
 ONCE = "what is asked of whom does not depend on the Python"
 BOTH = "each ORB has crowds of its own"
 ALONE = "it measures times"

@@ -19,7 +19,7 @@ try:
 except ImportError:
     raise unittest.SkipTest("needs omniORBpy")
 
-PART = 12  # one in so many of its tests in a short run
+PART = 12  # one in this many of its tests in a short run
 ONCE = "what is printed does not depend on the Python"
 BOTH = "each ORB reads names in its own way"
 

@@ -14,7 +14,7 @@ import unittest
 import running
 import tools
 
-PART = 12  # one in so many of its tests in a short run
+PART = 12  # one in this many of its tests in a short run
 ONCE = "what a network does is the same for every Python"
 BOTH = "each ORB connects in its own way"
 ALONE = "it measures times"
@@ -169,7 +169,7 @@ def firewall(name, how):
 
 @contextlib.contextmanager
 def hole(name, most):
-    """What a host sends is lost where it is larger than so many octets, as where an MTU on the way is too small and ICMP is dropped."""
+    """What a host sends is lost where it is larger than `size` octets, as where an MTU on the way is too small and ICMP is dropped."""
     if not shutil.which("nft"):
         raise unittest.SkipTest("needs nft (nftables)")
     rules = "table ip hole { chain outbound { type filter hook output priority 0; oif lo accept; meta length > %d drop; }; }" % most

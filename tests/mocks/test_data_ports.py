@@ -11,7 +11,7 @@ import worlds
 from worlds import connector, eventually, nvlist, outcome, raised, value
 
 OVER = 0.1  # seconds after which a get() of a moment ago is certainly over
-PART = 8  # one in so many of its tests in a short run
+PART = 8  # a short run takes one in PART of its tests
 ONCE = "mocks are used by the transcripts on every Python"
 try:
     import omniORB

@@ -10,7 +10,7 @@ import threading
 import time
 import unittest
 
-PART = 5  # one in so many of its tests in a short run
+PART = 5  # a short run takes one in PART of its tests
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.append(ROOT)
 

@@ -8,7 +8,7 @@ import unittest
 import worlds
 from worlds import connector, eventually, outcome, raised, value
 
-PART = 5  # one in so many of its tests in a short run
+PART = 5  # a short run takes one in PART of its tests
 ONCE = "mocks are used by the transcripts on every Python"
 try:
     import omniORB

@@ -9,7 +9,7 @@ import processes
 import worlds
 from worlds import connector, eventually, outcome, raised, value
 
-PART = 8  # one in so many of its tests in a short run
+PART = 8  # a short run takes one in PART of its tests
 ONCE = "mocks are used by the transcripts on every Python"
 try:
     import CosNaming

@@ -23,7 +23,7 @@ except ImportError:
 TYPE = b"IDL:RTC/X:1.0\0"
 TIMEOUT = "3"
 
-PART = 6  # one in so many of its tests in a short run
+PART = 6  # a short run takes one in PART of its tests
 ALONE = "it measures times"
 BOTH = "each ORB reads answers in its own way"
 IS_BUILTIN = os.environ.get("RTSHELL_ORB") != "omniorb"
@@ -53,7 +53,7 @@ class Commands(unittest.TestCase):
 
     def test_a_reference_that_ends_omniorb_costs_its_own_line(self):
         for mode, why in (("bad-type", "a reference whose type is no text"), ("bad-profiles", "a reference of 10000 profiles"),
-                          ("bad-body", "a reference that is none")):
+                          ("bad-body", "an unusable reference")):
             with self.subTest(mode):
                 self.says(mode, 4, "SERVER/Evil0.rtc: garbled answer (%s)" % why, "rtcat", "SERVER/Evil0.rtc")
                 self.assertIn("?Evil0.rtc", self.says(mode, 4, "1 of 1 did not answer", "rtls", "SERVER"))

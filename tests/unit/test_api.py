@@ -15,7 +15,7 @@ from rtshell_lite import api, errors
 from rtshell_lite.net import loop
 from rtshell_lite.robot import contexts, tree
 
-PART = 3  # one in so many of its tests in a short run
+PART = 3  # a short run takes one in PART of its tests
 ROOT = processes.ROOT
 DOCS = os.path.join(ROOT, "docs")
 PUBLIC = ["rtshell_lite.api", "rtshell_lite.xmlprofile.model", "rtshell_lite.xmlprofile.fields"]

@@ -9,7 +9,7 @@ from unittest import mock
 
 from rtshell_lite import cli, notes, options
 
-PART = 3  # one in so many of its tests in a short run
+PART = 3  # a short run takes one in PART of its tests
 COMMAND = '''\
 """Do something for a test.
 

@@ -15,7 +15,7 @@ from rtshell_lite import __version__, errors
 from rtshell_lite.datalog import blocks, logfile, records, textlog, writer
 from rtshell_lite.datalog.index import POINTS, STRIDE, Index
 
-PART = 6  # one in so many of its tests in a short run
+PART = 6  # a short run takes one in PART of its tests
 LONG = "IDL:RTC/TimedLong:1.0"
 CHANNELS = [records.Channel("a", LONG, b"\1\2", ("/x:a",)), records.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y:b"))]
 START = 1700000000 * 10 ** 9

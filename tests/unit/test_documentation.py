@@ -12,7 +12,7 @@ import unittest
 import transcripts
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-PART = 3  # one in so many of its tests in a short run
+PART = 3  # a short run takes one in PART of its tests
 ONCE = "what is written does not depend on the Python"
 
 

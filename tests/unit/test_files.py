@@ -16,7 +16,7 @@ from rtshell_lite.datalog import textlog, writer
 from rtshell_lite.datalog.records import Channel
 from rtshell_lite.shell import unpack
 
-PART = 3  # one in so many of its tests in a short run
+PART = 3  # a short run takes one in PART of its tests
 CHANNELS = [Channel("input0", "IDL:RTC/TimedLong:1.0", b"", ("/a.rtc:out",))]
 STRANGER = 12345        # a user that nobody here is
 

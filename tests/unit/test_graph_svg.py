@@ -13,7 +13,7 @@ import test_xmlprofile
 from rtshell_lite.views import graph, graph_svg, graph_text
 from rtshell_lite.xmlprofile import model, rtsprofile
 
-PART = 6  # one in so many of its tests in a short run
+PART = 6  # a short run takes one in PART of its tests
 SVG = "{http://www.w3.org/2000/svg}"
 
 

@@ -18,7 +18,7 @@ from rtshell_lite.giop import descriptors
 from rtshell_lite.data import type_json
 from rtshell_lite.data.idl import parser, tokens
 
-PART = 12  # one in so many of its tests in a short run
+PART = 12  # one in this many of its tests in a short run
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 DATA = os.path.join(TESTS, "data", "idl")
 OMNIIDL = os.path.join(os.path.dirname(sys.executable), "omniidl")
@@ -77,7 +77,7 @@ def union(discriminator, default, label):
 
 
 def wide(count):
-    """A type in a log file: a struct of so many members."""
+    """A type in a log file: a struct of that many members."""
     return '["struct","IDL:S:1.0","S",[%s]]' % ",".join('["a%x","long"]' % number for number in range(count))
 
 

@@ -14,7 +14,7 @@ from rtshell_lite.giop import messages, requests
 
 whole = messages.whole
 
-PART = 3  # one in so many of its tests in a short run
+PART = 3  # a short run takes one in PART of its tests
 
 
 class Hostile(Served):

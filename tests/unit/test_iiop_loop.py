@@ -14,7 +14,7 @@ from rtshell_lite.corba import hosts, orb
 from rtshell_lite.corba.iiop import calls, client, connections
 from rtshell_lite.giop import messages
 
-PART = 3  # one in so many of its tests in a short run
+PART = 3  # a short run takes one in PART of its tests
 
 
 class Loop(Calls):

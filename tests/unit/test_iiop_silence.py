@@ -11,7 +11,7 @@ from rtshell_lite.giop import descriptors
 from rtshell_lite.net import loop
 from rtshell_lite.giop import marshal, messages
 
-PART = 3  # one in so many of its tests in a short run
+PART = 3  # a short run takes one in PART of its tests
 
 
 class Silence(Calls):

@@ -12,7 +12,7 @@ import simpkl_files as files
 from rtshell_lite import errors
 from rtshell_lite.datalog import logfile, pickles, records
 
-PART = 3  # one in so many of its tests in a short run
+PART = 3  # a short run takes one in PART of its tests
 FIRST = 1795247464750000000
 
 
@@ -71,7 +71,7 @@ class Files(Case):
         own = files._class("mine", "Own")
         specs = [files.spec("a", "IDL:mine/Own:1.0", own)]
         data = files.log([files.make(own, x=1)], specs=specs, classes=files.CLASSES + (own,))
-        with self.assertRaisesRegex(errors.Failed, "mine.Own is none of the classes"):
+        with self.assertRaisesRegex(errors.Failed, "mine.Own is not a class"):
             self.read(data)
         self.assertEqual(self.read(data, ["mine"])[1][0].value, {"x": 1})
 
@@ -170,7 +170,7 @@ class Hostile(Case):
         for hostile in self.CALLS + self.FAULTS[1:]:
             log, found = self.read(data + hostile)
             self.assertEqual((len(found), log.torn), (2, len(hostile)), hostile)
-        with self.assertRaisesRegex(errors.Failed, "os.system is none of the classes"):
+        with self.assertRaisesRegex(errors.Failed, "os.system is not a class"):
             self.read(b"\x80\x04" + self.CALLS[1])
 
     def test_attributes_are_inert(self):

@@ -17,7 +17,7 @@ from rtshell_lite.giop import descriptors, idl
 from rtshell_lite.data import type_json
 from rtshell_lite.data.idl import parser, tokens
 
-PART = 3  # one in so many of its tests in a short run
+PART = 3  # a short run takes one in PART of its tests
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 STUBS = os.path.join(ROOT, "rtshell_lite", "idl_stubs")
 OMNIIDL = os.path.join(os.path.dirname(sys.executable), "omniidl")

@@ -11,7 +11,7 @@ import unittest
 import processes
 import transcripts
 
-PART = 3  # one in so many of its tests in a short run
+PART = 3  # a short run takes one in PART of its tests
 SETTING = transcripts.Setting()
 
 

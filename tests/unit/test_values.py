@@ -16,7 +16,7 @@ from rtshell_lite import errors
 from rtshell_lite.data import datatypes, values
 from rtshell_lite.data.idl import tokens
 
-PART = 8  # one in so many of its tests in a short run
+PART = 8  # a short run takes one in PART of its tests
 OWN = os.path.join(os.path.dirname(tokens.OWN), "idl")
 TRICKY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "data", "idl", "valid")
 FILES = sorted(glob.glob(os.path.join(glob.escape(OWN), "data", "*.idl")))

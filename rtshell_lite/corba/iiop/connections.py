@@ -1,4 +1,4 @@
-"""Connections to processes. Nothing here waits, but `replies` where it is told to, for a moment;
+"""Connections to processes. Nothing here waits, but `replies`, for a moment, if asked to;
 what comes is bounded.
 """
 
