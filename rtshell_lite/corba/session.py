@@ -35,6 +35,7 @@ class Session:
                  component, does not cost one more
     turned_away  how many connections to this command were turned away
     name_servers endpoints of name servers, which firewalls often let through
+    on_end       function(endpoint), called when a connection with a process has ended, or None
     answered     {endpoint: when it last answered}, by time.monotonic(); of all commands of this process,
                  which keeps connections
     """
@@ -49,6 +50,7 @@ class Session:
         self.turned_away = 0
         self.silent = {}
         self.name_servers = set()
+        self.on_end = None
 
     def is_over(self):
         """True when its `end` has passed."""

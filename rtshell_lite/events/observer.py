@@ -149,9 +149,9 @@ class Subscription:
         return orb.at_address(self.reference)
 
 
-def observer(node, interface, kinds, heard):
+def observer(node, interface, kinds, heard, beat=BEAT, more=()):
     """A Subscription of an observer of the kind `interface` to events of these `kinds` (of KINDS),
-    and to the component's end.
+    and to the component's end; it beats every `beat` seconds. `more` are further (property, value).
     """
     if len(kinds) == len(KINDS):
         wanted = "ALL"
@@ -167,9 +167,9 @@ def observer(node, interface, kinds, heard):
         OBSERVER: ["heartbeat"],
         FSM_OBSERVER: ["rtc_heartbeat"] + ["ec_heartbeat"] * ("HEARTBEAT" in kinds),
     }[interface]
-    properties = [("observed_status", wanted)]
-    for beat in beats:
-        properties += [(beat + ".enable", "YES"), (beat + ".interval", f"{BEAT:g}")]
+    properties = [("observed_status", wanted), *more]
+    for name in beats:
+        properties += [(name + ".enable", "YES"), (name + ".interval", f"{beat:g}")]
     return Subscription(node, interface, properties, heard)
 
 

@@ -22,7 +22,7 @@ MANAGER = (
 DATA_FIELDS = ("data_type", "interface_type", "dataflow_type", "subscription_type")
 
 # What is asked of one component. `owned` are Contexts, `states` {handle: state} over all of its contexts,
-# None if not asked, `sets` configuration.Sets, hidden ones too, `members` (name, reference) of those that it
+# empty if not asked, `sets` configuration.Sets, hidden ones too, `members` (name, reference) of those that it
 # is composed of.
 Found = collections.namedtuple("Found", "node ports owned states sets active members profile")
 
@@ -55,6 +55,14 @@ async def ask(node, brief=False, states=True):
     shown = await snapshot.of(
         node, ports=detail, owned=FULL, **in_contexts, configuration=FULL, organisations=FULL, profile=detail
     )
+    return found_in(shown, brief)
+
+
+def found_in(shown, brief=False):
+    """The Found of a component by a snapshot.Snapshot of it.
+    Raises Unreachable where a context of its own does not answer.
+    """
+    node = shown.node
     contexts = shown.owned
     if any(context.handle is None for context in contexts):
         raise errors.Unreachable(str(node.path), "one of its execution contexts does not answer")
@@ -70,7 +78,7 @@ async def ask(node, brief=False, states=True):
         node,
         ports.in_system(shown.ports),
         contexts,
-        {context.handle: state for context, state in zip(shown.contexts, shown.states)} if states else None,
+        {context.handle: state for context, state in zip(shown.contexts, shown.states)},
         sets,
         active,
         [member for each in shown.organisations for member in each.members],

@@ -12,9 +12,11 @@ class Incomplete(errors.Refused):
     """{}: {}"""  # of a connection that some ends lack, or that joins other ports than it should
 
 
-def connecting(profile, site_of):
-    """A Connect, or Unplaced, for each connector of a profile; `site_of` as sites.finder makes it."""
-    return _placed(profile, site_of, Connect)
+def connecting(profile, site_of, only=None):
+    """A Connect, or Unplaced, for each connector of a profile, or of those in the list `only`; `site_of` as
+    sites.finder makes it.
+    """
+    return _placed(profile, site_of, Connect, only)
 
 
 def disconnecting(profile, site_of):
@@ -22,10 +24,10 @@ def disconnecting(profile, site_of):
     return _placed(profile, site_of, Disconnect)
 
 
-def _placed(profile, site_of, kind):
+def _placed(profile, site_of, kind, only=None):
     ids = {connector.connector_id for connector in profile.connectors}
     steps_of_all = []
-    for connector in profile.connectors:
+    for connector in profile.connectors if only is None else only:
         ends = [(site_of(end), capture.port_of(end)) for end in connector.ends]
         is_lost = any(site is None for site, _ in ends)
         steps_of_all.append(Unplaced(connector, ends) if is_lost else kind(connector, ends, ids))

@@ -229,6 +229,29 @@ def _optional_before_required(actions):
     ]
 
 
+def dependents(actions, numbers):
+    """The actions that are not tried where those with these numbers fail, in the order to expect."""
+    lost = set(numbers)
+    known = {action.number: action for action in actions}
+    while True:
+        more = {
+            action.number
+            for action in actions
+            if action.number not in lost and any(_depends(action, known[number]) for number in lost)
+        }
+        if not more:
+            return [action for action in in_order(actions) if action.number in lost - set(numbers)]
+        lost |= more
+
+
+def _depends(action, other):
+    """Whether an action is not tried where another one fails."""
+    is_step = other.required and other.order is not None and not _waits(other)
+    if is_step and action.order is not None and other.order < action.order:
+        return True
+    return any(after.number == other.number and (after.sync or other.required) for after in action.after)
+
+
 def _once(items):
     return list(collections.OrderedDict.fromkeys(items))
 
@@ -343,9 +366,11 @@ class Schedule:
                 self.armed = now
                 break
             self._step = self._steps.popleft()
-            found += [self._judged(action, self._obstacle(action)) for action in self._step]
+            fresh = [action for action in self._step if action.number not in self.ended]
+            found += [self._judged(action, self._obstacle(action)) for action in fresh]
         while self.armed is not None:
-            judged = [(action, self._verdict(action, now)) for action in self._waiting]
+            fresh = [action for action in self._waiting if action.number not in self.ended]
+            judged = [(action, self._verdict(action, now)) for action in fresh]
             self._waiting = [action for action, verdict in judged if verdict == "wait"]
             new = [self._judged(action, verdict) for action, verdict in judged if verdict != "wait"]
             found += new

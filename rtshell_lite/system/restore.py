@@ -15,7 +15,7 @@ from rtshell_lite.text import printable
 Options = collections.namedtuple("Options", "create manager strict")
 
 
-def _sites(profile):
+def places(profile):
     """sites.of a profile. Raises Failed for two components at one place."""
     listed = sites.of(profile)
     taken = {}
@@ -32,21 +32,30 @@ async def restoring(profile, options):
     """The apply.Outcomes of the steps that restore a profile:
     pending, done already, or known not to be possible.
     """
-    listed = _sites(profile)
+    listed = places(profile)
     await sites.find(listed)
     locate = capture.locator(profile, options.strict)
-    outcomes = [await _presence(site) for site in listed]
+    outcomes = [await presence(site) for site in listed]
     if options.create:
-        outcomes = await _creations(profile, outcomes, options, locate)
+        outcomes = await creations(profile, outcomes, options, locate)
     site_of = sites.finder(locate, listed)
+    outcomes += await parts(listed, site_of)
+    return outcomes + await connections(connect_steps.connecting(profile, site_of))
+
+
+async def parts(listed, site_of):
+    """The outcomes of the steps that restore components, Sites, without their connections:
+    members of composites first.
+    """
+    outcomes = []
     for site in listed:
-        outcomes += await _memberships(site, site_of)
+        outcomes += await memberships(site, site_of)
     for site in listed:
         outcomes += await _configurations(site) + await _rates(site) + await _participations(site, site_of)
-    return outcomes + await _connections(profile, site_of)
+    return outcomes
 
 
-async def _presence(site):
+async def presence(site):
     """Whether a component is there, and the one that is meant; nothing can be done with any other."""
     outcome = await apply.assess(steps.Present(site))
     if outcome.error is not None:
@@ -55,8 +64,8 @@ async def _presence(site):
     return outcome
 
 
-async def _creations(profile, outcomes, options, locate):
-    """The outcomes of `_presence`, with a Create in the place of each component that is missing."""
+async def creations(profile, outcomes, options, locate):
+    """The outcomes of `presence`, with a Create in the place of each component that is missing."""
     named = _named_managers(profile, locate)
     creators = {}
     result = []
@@ -143,7 +152,7 @@ def _above(where):
 # ---- components --------------------------------------------------------------------------------------------
 
 
-async def _memberships(site, site_of):
+async def memberships(site, site_of):
     """Whether a composite has its members; those that are not there are reported apart from the others."""
     members = steps.members(site, site_of)
     parts = [member for member in members if member.error is None], [
@@ -203,9 +212,11 @@ async def _participations(site, site_of):
 # ---- connections -------------------------------------------------------------------------------------------
 
 
-async def _connections(profile, site_of):
-    """Whether the connections are there; what is left of one that has lost an end is removed first."""
-    outcomes = [await apply.assess(step) for step in connect_steps.connecting(profile, site_of)]
+async def connections(connecting):
+    """Whether the connections of Connect steps are there; what is left of one that has lost an end is removed
+    first.
+    """
+    outcomes = [await apply.assess(step) for step in connecting]
     broken = [outcome for outcome in outcomes if isinstance(outcome.error, connect_steps.Incomplete)]
     strange = [_strange_ends(outcome.step) for outcome in broken]
     answers = iter(
@@ -254,11 +265,11 @@ async def tearing_down(profile, options):
     Where one end is gone, the others are freed. That not even the directories of components are there is a
     failure.
     """
-    listed = _sites(profile)
+    listed = places(profile)
     await sites.find(listed, _ports_only)
     lost = [site for site in listed if site.error is not None]
     some = not listed or any(site.error is None or site.error.where == site.where for site in listed)
-    outcomes = [await _presence(site) for site in lost if not (some and sites.is_gone(site.error))]
+    outcomes = [await presence(site) for site in lost if not (some and sites.is_gone(site.error))]
     notes = [str(site.error) for site in lost if some and sites.is_gone(site.error)]
     site_of = sites.finder(capture.locator(profile, options.strict), listed)
     removals = connect_steps.disconnecting(profile, site_of)

@@ -102,6 +102,14 @@ class Run:
             else:
                 self._found[id(wanted)] = (answer, None)
 
+    def take(self, nodes, ended):
+        """Have only the actions done whose components are in `nodes`, {id of a model.Component: Node};
+        `ended` is {number: outcome} of all others.
+        """
+        for number, outcome in ended.items():
+            self._schedule.end(number, outcome)
+        self._found = {key: (node, None) for key, node in nodes.items()}
+
     async def _look(self, profile, function):
         """capture.ask_each; when an exception interrupts it, all actions are reported as not tried."""
         interrupted = True

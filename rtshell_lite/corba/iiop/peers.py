@@ -301,6 +301,8 @@ class Peers:
                 peer.waiting.append(request)
             else:
                 request.failed(connections.Closed() if is_cut else e)
+        if self.session.on_end is not None and connection.has_answered:
+            self.session.on_end(peer.endpoint)
         if not peer.waiting:  # a loop that runs for long meets many
             self.known.pop(peer.endpoint, None)
 

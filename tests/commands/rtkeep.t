@@ -1,0 +1,106 @@
+rtkeep brings a system to what its RtsProfile says, stays, and mends what changes.
+
+world: these ConsoleIn ConsoleOut Motor ConfigSample
+world: these ConsoleOut:Plain0 --flavour cpp2
+
+  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
+  $ said() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/test.host_cxt/,,g' "$@"; }
+  $ rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcon -i two ConsoleIn0.rtc:out Plain0.rtc:in
+  $ rtcryo --all -o a.xml localhost:$PORT; rtdis ConsoleIn0.rtc; rtconf ConfigSample0.rtc set int_param0 7
+
+At boot: the commands that would do it; then it is done once. What is not so in time is the status.
+
+  $ rtkeep --dry-run a.xml | said | sed 's/ -p .* / … /'
+  rtconf ConfigSample0.rtc -s mode1 set int_param0=-999
+  rtcon -n outin -i one … ConsoleOut0.rtc:in
+  rtcon -n outin -i two … Plain0.rtc:in
+  rtact --wait ConfigSample0.rtc
+  rtact --wait ConsoleIn0.rtc
+  rtact --wait ConsoleOut0.rtc
+  rtact --wait Motor0.rtc
+  rtact --wait Plain0.rtc
+  $ rtkeep --once a.xml | said | sort
+  ConfigSample0.rtc: Active
+  ConfigSample0.rtc: restored configuration set mode1
+  ConsoleIn0.rtc: Active
+  ConsoleIn0.rtc: restored connection one
+  ConsoleIn0.rtc: restored connection two
+  ConsoleOut0.rtc: Active
+  Motor0.rtc: Active
+  Plain0.rtc: Active
+  $ rtcheck a.xml; rtkeep --once a.xml
+  $ sed 's/Motor0/Motor9/' a.xml > other.xml; rtkeep --once --within 1 other.xml
+  rtkeep: /localhost:$PORT/test.host_cxt/Motor9.rtc: no such path; did you mean Motor0.rtc?
+  [3]
+
+It stays, and mends: a connection, an Error, a component that was killed and is there again; one that hangs is left alone.
+
+  $ rtkeep a.xml >> out 2>&1 & keep=$!
+  $ soon 'ctl observers Motor0 | grep Obs'; soon 'ctl observers ConsoleIn0 | grep Obs'
+  $ rtdis -i one ConsoleIn0.rtc:out; soon 'grep "connection one" out'
+  $ ctl error Motor0; soon 'grep Motor0.*Active out'
+  $ kill-mock these2; soon 'grep gone out'; mock these ConsoleOut:Plain0 --flavour cpp2
+  $ soon 'grep Plain0.*Active out'; soon 'grep "connection two" out'; rtcheck a.xml
+  $ hang these3; soon 'grep "left alone" out'; resume these3; soon 'grep again out'; soon 'rtcheck a.xml'
+  $ said out | sort
+  ConsoleIn0.rtc: restored connection one
+  ConsoleIn0.rtc: restored connection two
+  Motor0.rtc: Active
+  Motor0.rtc: in Error: reset
+  Plain0.rtc: Active
+  Plain0.rtc: answers again
+  Plain0.rtc: its process is gone
+  Plain0.rtc: no answer within 3s: left alone
+
+What a person does is reported, and left alone.
+
+  $ : > out; rtdeact Motor0.rtc; rtconf ConfigSample0.rtc set int_param0 9; rtec Motor0.rtc rate 500
+  $ soon '[ $(grep -c "by hand" out) = 3 ]'; ctl state Motor0; rtconf ConfigSample0.rtc get int_param0
+  INACTIVE
+  9
+  $ rtact Motor0.rtc; soon 'grep Active.again out'; said out | sort
+  ConfigSample0.rtc: configuration set mode1 was changed by hand: left alone
+  Motor0.rtc: is Active again
+  Motor0.rtc: rate of execution context 0 was changed by hand: left alone
+  Motor0.rtc: was made Inactive by hand: left alone
+
+At rest nobody is called who reports by himself: a question each --look seconds goes to the others. At the end no observer stays.
+
+  $ sleep 1; ctl reset; ctl @these3 reset; sleep 2.5; ctl calls | grep -v put; ctl @these3 calls | awk '!/put/ {n += $1} END {print (n <= 2)}'
+  1
+  $ kill $keep; wait $keep
+  [143]
+  $ ctl observers Motor0; ctl observers ConsoleIn0
+
+With --strict all is as in the file.
+
+  $ rtkeep --strict a.xml > out 2>&1 & keep=$!
+  $ soon 'grep rate.of out'; soon 'ctl observers Motor0 | grep Obs'; rtdeact Motor0.rtc; soon 'grep Motor0.*Active out'
+  $ soon 'rtcheck a.xml'; kill $keep; wait $keep
+  [143]
+
+What cannot be meant:
+
+  $ rtkeep --within 5 a.xml
+  rtkeep: --within is for --once (see --help)
+  [2]
+  $ rtkeep --manager x a.xml
+  rtkeep: --manager is for --create (see --help)
+  [2]
+  $ rtkeep --restart never a.xml
+  rtkeep: argument --restart: not one of always, on-error, no: never (see --help)
+  [2]
+  $ rtkeep --burst 5 a.xml
+  rtkeep: argument --burst: not NUMBER/SECONDS: 5 (see --help)
+  [2]
+  $ rtkeep --delay 5 a.xml
+  rtkeep: argument --delay: not FIRST-MOST: 5 (see --help)
+  [2]
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: --once --within 1 FILE
+looking: --dry-run FILE
+lasting: FILE
+broken component: 5
+examples: endless
