@@ -1,7 +1,7 @@
 """Data types by name, and their values as bytes.
 
-A type is looked up among the standard types, in the IDL files and compiled stubs that the user names, and in
-the component.
+A type is looked up among the standard types, in the IDL files and compiled stubs that the user names, in IDL files
+in known directories (idl/library.py), and in the component.
 """
 
 import importlib
@@ -96,7 +96,8 @@ class Types:
 
     `modules` are names of stubs to import, `path` directories to look in first, `idl` IDL files, `include`
     directories of files that these include. They are read when a type is not a standard one, and IDL files in
-    any case: what they define counts before the standard type of that name.
+    any case: what they define counts before the standard type of that name. What none of them has is looked for in
+    the known directories.
     """
 
     def __init__(self, modules=(), path=(), idl=(), include=()):
@@ -106,6 +107,8 @@ class Types:
         self.include = list(include)
         self._known = {}
         self._users = None
+        self._interfaces = {}
+        self._library = None
 
     def load(self):
         """Read the user's files now, so that faults in them are reported first. Raises BadIdl, NoSuch."""
@@ -115,7 +118,9 @@ class Types:
                 from rtshell_lite.data.idl import parser
 
                 for file in self.idl:
-                    self._users.update(parser.parse_file(file, self.include))
+                    contents = parser.read_file(file, self.include)
+                    self._users.update(contents.types)
+                    self._interfaces.update(contents.interfaces)
             for name in self.modules:
                 self._users.update(_of_module(_imported(name, self.path)))
         return self
@@ -132,8 +137,36 @@ class Types:
         """
         found = self._find(name)
         if found is None:
-            raise errors.NoSuch(printable(name) or "''", "data type", REMEDY)
+            raise errors.NoSuch(printable(name) or "''", "data type", self._with_fault(REMEDY))
         return found
+
+    def interface(self, type_id):
+        """The idl.interfaces.Interface of a repository id: in the user's IDL files, among OpenRTM's own, in the known
+        directories; None where it is not known. Raises BadIdl, NoSuch.
+        """
+        self.load()
+        if type_id in self._interfaces:
+            return self._interfaces[type_id]
+        if type_id in idl.INTERFACES:
+            from rtshell_lite.data.idl import library, tokens
+
+            return library.Library([tokens.OWN]).interface(type_id)
+        return self.library.interface(type_id)
+
+    @property
+    def library(self):
+        """The idl.library.Library of the known directories."""
+        if self._library is None:
+            from rtshell_lite.data.idl import library
+
+            self._library = library.Library(library.places() + [""], self.include)
+        return self._library
+
+    def _with_fault(self, remedy):
+        """A remedy for what is not known, with what is wrong with an IDL file that may declare it."""
+        if self._library and self._library.faults:
+            return f"{self._library.faults[0]}; {remedy}"
+        return remedy
 
     async def of_port(self, port):
         """The Type of a data Port: by its name, else as the component itself describes it.
@@ -152,7 +185,10 @@ class Types:
                 ports.label(port),
                 "data type known",
                 "%s; %s"
-                % (printable(name) or "none given", SOURCES if port.type == "DataInPort" else REMEDY),
+                % (
+                    printable(name) or "none given",
+                    self._with_fault(SOURCES if port.type == "DataInPort" else REMEDY),
+                ),
             )
         return found
 
@@ -165,9 +201,17 @@ class Types:
                     own = self._users.get(descriptors.type_id(descriptor))
                 else:
                     own = _best(self._users, name)
-                descriptor = own or descriptor
+                descriptor = own or descriptor or self._in_library(name)
             self._known[name] = descriptor and Type(descriptor)
         return self._known[name]
+
+    def _in_library(self, name):
+        if name.startswith("IDL:"):
+            return self.library.type(name)
+        parts = _parts(name)
+        if not parts:
+            return None
+        return _best(self.library.types(parts[-1]), name)
 
 
 def _parts(name):

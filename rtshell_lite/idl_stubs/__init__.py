@@ -5,6 +5,7 @@ manager     RTM                        managers
 dataport    OpenRTM, RTC               being a data port: corba_cdr, data_service
 observer    OpenRTM, RTC               observers and loggers that a component calls back
 fsm         RTC                        state machine components
+naming      CosNaming                  the name service
 data        RTC, Img                   what travels over data ports
 
 giop/idl.py reads the tables. A user's IDL files may include ours.

@@ -1,6 +1,6 @@
 """Print tables.py: what the stubs in a directory say, as plain tuples.
 
-Called by generate.py, which lets omniidl make the stubs; needs omniORBpy. CosNaming's come from omniORBpy itself.
+Called by generate.py, which lets omniidl make the stubs; needs omniORBpy.
 """
 import gc
 import importlib
@@ -9,7 +9,6 @@ import sys
 import types
 
 import omniORB
-import CosNaming  # noqa: F401: its types are wanted
 from omniORB import CORBA
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import ALIAS, ARRAY, ENUM, EXCEPTION, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING

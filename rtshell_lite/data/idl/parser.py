@@ -24,9 +24,11 @@ def parse_file(path, include=()):
     return read_file(path, include).types
 
 
-def read_file(path, include=()):
-    """The Contents of an IDL file and its includes. Raises what `parse_file` raises."""
-    return Parser(tokens.tokens(path, include)).contents()
+def read_file(path, include=(), find=None):
+    """The Contents of an IDL file and its includes; find(name) gives the path of one that is in no place that
+    `include` names, or None. Raises what `parse_file` raises.
+    """
+    return Parser(tokens.tokens(path, include, find)).contents()
 
 
 class Contents:

@@ -48,11 +48,12 @@ _CONDITION = re.compile(
 )
 
 
-def tokens(path, include=()):
-    """The tokens of an IDL file and of what it includes; the last is of kind `end`.
+def tokens(path, include=(), find=None):
+    """The tokens of an IDL file and of what it includes; the last is of kind `end`. `include` and `find` say
+    where that is, as of parser.read_file.
     Raises BadIdl, errors.Failed.
     """
-    source = _Source(list(include))
+    source = _Source(list(include), find)
     source.file(path, 0)
     if source.found:
         last = source.found[-1]
@@ -64,8 +65,9 @@ def tokens(path, include=()):
 
 
 class _Source:
-    def __init__(self, include):
+    def __init__(self, include, find):
         self.include = include
+        self.find = find
         self.macros = {}
         self.found = []
         self.files = 0
@@ -260,7 +262,7 @@ class _File:
         ]:
             if os.path.isfile(path):
                 return path
-        return None
+        return self.source.find and self.source.find(name)
 
 
 class _Condition:
