@@ -142,7 +142,7 @@ class Spec:
         """(kind, name, type name or interfaces) of each port."""
         ports = []
         for kind, name, what in self.port_list:
-            ports.append((kind, name, [(what,) + flavour.service] if kind == "service" else what))
+            ports.append((kind, name, [(what,) + flavour.service] if what in ("provided", "required") else what))
         return ports
 
     def sets(self, flavour):
@@ -198,6 +198,9 @@ SPECS = {spec.type_name: spec for spec in (
     Spec("Microwave", "A state machine", [("event", "event", "TimedLong")], play=StateMachine, version="1.0"),
     Spec("Source", "Sends fast or much", [("out", "number", "TimedLong"), ("out", "block", "TimedOctetSeq")], play=Source,
          category="test"),
+    Spec("Robot", "Provides services of every kind", [("service", "svc", [("provided", "arm", "Mock::Robot"),
+                                                                          ("provided", "tally", "Mock::Counter")]),
+                                                      ("out", "out", "TimedLong")], category="test"),
     Spec("Mock", "Does nothing", [("in", "in", "TimedLong"), ("out", "out", "TimedLong")], category="test"),
     Spec("Err", "Goes to Error in its first cycle", [("out", "out", "TimedLong")], play=Failing, category="test"),
     Spec("ErrStart", "Goes to Error instead of Active", play=Unwilling, category="test"),

@@ -38,7 +38,7 @@ TABLE = {
     "data_value":        (True,          False,         False,         False,         True,          False),
     "service":           (_PY_SERVICE,   _PY_SERVICE,   _CPP_SERVICE,  _PY_SERVICE,   _PY_SERVICE,   _PY_SERVICE),
     # a provider's object exists only while its component is active
-    "service_sleeps":    (True,          True,          True,          False,         False,         False),
+    "service_sleeps":    (True,          True,          True,          True,          False,         False),
     # connecting
     "uuid":              ("random",      "random",      "random",      "time",        "random",      "random"),
     "duplicates":        ("accept",      "refuse",      "refuse",      "refuse",      "ask peers",   "one"),

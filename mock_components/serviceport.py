@@ -44,6 +44,13 @@ class MyService(PortableServer.Servant):
 MyService._omni_skeleton = MyService    # omniORB aborts the process without it
 
 
+def _servant(type_name):
+    if not type_name.startswith("Mock::"):
+        return MyService()
+    from . import robotservice          # few need it
+    return robotservice.SERVANTS[type_name]()
+
+
 class ServicePort(Port):
     """`interfaces` are (polarity, instance name, type name), the polarity `provided` or `required`."""
 
@@ -55,13 +62,15 @@ class ServicePort(Port):
         self.services = {}              # instance name -> reference of a provided interface
         self.found = {}                 # (connector id, instance name) -> reference for a required one
         self.servants = []
-        for polarity, instance, _ in interfaces:
+        for polarity, instance, type_name in interfaces:
             if polarity == "provided":
-                self.servants.append(MyService())
-                self.services[instance] = self.process.serve(self.servants[-1], component.instance_name, self._awake)
+                servant = _servant(type_name)
+                self.servants.append(servant)
+                servant.reference = self.process.serve(servant, component.instance_name, self._awake)
+                self.services[instance] = servant.reference
 
     def _awake(self):
-        """Objects of C++ providers exist only while their component is active."""
+        """Objects of C++ and Python providers exist only while their component is active."""
         return not self.flavour.service_sleeps or self.component.active()
 
     def component_keys(self, with_names):

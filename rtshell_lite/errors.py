@@ -222,6 +222,10 @@ class Uncertain(Unreachable):
     """{}: {}; whether it has been done is not known"""
 
 
+class MayBeDone(Unreachable):
+    """{}: {}; it may have been done, or be going on"""
+
+
 class Unread(Error):
     """{}: {}"""
 

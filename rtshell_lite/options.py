@@ -360,6 +360,13 @@ def limits(parser, what):
     )
 
 
+def count(value):
+    """An option type: a whole number above 0."""
+    if not re.match(r"[0-9]{1,9}\Z", value) or not int(value):
+        raise argparse.ArgumentTypeError(f"not a whole number above 0: {text.printable(value)}")
+    return int(value)
+
+
 def _duration(value):
     try:
         if float(value) < 0:
@@ -408,8 +415,13 @@ def types(parser, *path_options):
         metavar="DIR",
         help="where Python modules are; may be repeated",
     )
+    idl(parser, "data types")
+
+
+def idl(parser, what):
+    """--idl and -I: args.idl and args.include, lists."""
     parser.add_argument(
-        "--idl", action="append", default=[], metavar="FILE", help="IDL file with data types; may be repeated"
+        "--idl", action="append", default=[], metavar="FILE", help=f"IDL file with {what}; may be repeated"
     )
     parser.add_argument(
         "-I",

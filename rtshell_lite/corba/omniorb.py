@@ -360,7 +360,7 @@ def _made(item):
             return _asked_again(e, item)
     except CORBA.Exception as e:
         error = _error(str(where), e, item.seconds, ref)
-        if isinstance(operation, Schema) and isinstance(e, CORBA.SystemException):
+        if isinstance(operation, Schema) and not isinstance(e, (CORBA.COMM_FAILURE, CORBA.UserException)):
             error.exception = type(e).__name__, e.completed._v
         raise error
 

@@ -8,20 +8,22 @@ import base64
 import binascii
 import collections
 import math
+import re
 import struct
 
 from rtshell_lite import errors
+from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import (
     ALIAS,
+    ANY,
     ARRAY,
     BOOLEAN,
     CHAR,
     DOUBLE,
     ENUM,
-    FIXED,
     FLOAT,
     INDIRECT,
-    LONGDOUBLE,
+    OBJECT,
     OCTET,
     RANGES,
     SEQUENCE,
@@ -53,16 +55,21 @@ Call = collections.namedtuple("Call", "name positional keywords")
 Word = collections.namedtuple("Word", "name")  # RTC.GRIPPER_STATE_OPEN
 
 DEEPEST = 100  # values inside values
+# types by the names that an `any` is written with
+BASIC = {"string": (STRING, 0), "wstring": (WSTRING, 0)}  # type: dict
+BASIC.update((descriptors.NAMES[number], number) for number in descriptors.VALUES + (0, 1, ANY))
 NUMBERS = {"NaN": float("nan"), "Infinity": float("inf"), "-Infinity": float("-inf")}  # not numbers in JSON
 
 
-def build(descriptor, written, where, json=False, now=None):
+def build(descriptor, written, where, json=False, now=None, find=None):
     """The value of a type for what was `written`; `where` names it in errors: RTC.TimedLong.
 
     A text for octets is base64 with `json`, else text in UTF-8. `now`, (seconds, nanoseconds), is used for a
-    timestamp that was left out or is the Word {time}; None is 0. Raises BadValue.
+    timestamp that was left out or is the Word {time}; None is 0. An `any` is written {"_type": …, "_value": …},
+    where find(name) gives the descriptor of its type, a reference as an IOR or {"_ior": …}, nil as None. Raises
+    BadValue, and what `find` raises.
     """
-    return _Builder(json, now or (0, 0)).build(descriptor, written, where, DEEPEST)
+    return _Builder(json, now or (0, 0), find).build(descriptor, written, where, DEEPEST)
 
 
 def timed(descriptor):
@@ -81,9 +88,10 @@ def is_time(descriptor):
 
 
 class _Builder:
-    def __init__(self, json, now):
+    def __init__(self, json, now, find):
         self.json = json
         self.now = now
+        self.find = find
 
     def build(self, descriptor, written, where, depth):
         if kind(descriptor) in (ALIAS, INDIRECT):
@@ -95,7 +103,7 @@ class _Builder:
         sort = kind(descriptor)
         if sort in RANGES:
             return self._whole(descriptor, written, where)
-        if sort in (FLOAT, DOUBLE, LONGDOUBLE):
+        if sort in (FLOAT, DOUBLE):
             return self._real(descriptor, written, where)
         if sort == BOOLEAN:
             if isinstance(written, int) and written in (0, 1):
@@ -105,8 +113,6 @@ class _Builder:
             return self._character(descriptor, written, where)
         if sort in (STRING, WSTRING):
             return self._string(descriptor, written, where)
-        if sort == FIXED:
-            return self._fixed(descriptor, written, where)
         if sort == ENUM:
             return self._item(descriptor, written, where)
         if sort in (SEQUENCE, ARRAY):
@@ -115,6 +121,10 @@ class _Builder:
             return self._struct(descriptor, written, where, depth)
         if sort == UNION:
             return self._union(descriptor, written, where, depth)
+        if sort == ANY and self.find is not None:
+            return self._any(descriptor, written, where, depth)
+        if sort == OBJECT and self.find is not None:
+            return self._reference(descriptor, written, where)
         raise errors.BadValue(where, f"values of {words(descriptor)} cannot be made")
 
     def _whole(self, descriptor, written, where):
@@ -140,17 +150,6 @@ class _Builder:
         except OverflowError:
             raise errors.BadValue(where, f"out of range for {_a(descriptor)}: {_shown(written)}")
         return number
-
-    def _fixed(self, descriptor, written, where):
-        """A number, or a text for one with many digits."""
-        if isinstance(written, bool) or not isinstance(written, (int, float, str)):
-            _unfit(descriptor, written, where)
-        from rtshell_lite.giop import rare
-
-        try:
-            return rare.fixed(str(written), *descriptor[1:])
-        except ValueError as e:
-            raise errors.BadValue(where, f"{e}: {_shown(written)}")
 
     def _character(self, descriptor, written, where):
         if kind(descriptor) == CHAR:
@@ -313,6 +312,48 @@ class _Builder:
         if not given or given[0] not in (case.member, "_v"):
             raise errors.BadValue(where, f"with discriminator {label} it holds {case.member}")
         return make(label, self.build(case.type, written[given[0]], f"{where}.{case.member}", depth - 1))
+
+    def _any(self, descriptor, written, where, depth):
+        from rtshell_lite.giop.marshal import Any
+
+        if isinstance(written, Any):
+            return written
+        if not isinstance(written, dict) or set(written) != {"_type", "_value"}:
+            _unfit(descriptor, written, where, ': write {"_type": "long", "_value": 42}')
+        if not isinstance(written["_type"], str):
+            _unfit(descriptor, written["_type"], where + " _type")
+        inner = _type(written["_type"].strip(), self.find, DEEPEST)
+        if inner in (0, 1):
+            return Any(inner, None)
+        return Any(inner, self.build(inner, written["_value"], where, depth - 1))
+
+    def _reference(self, descriptor, written, where):
+        from rtshell_lite.giop import ior, references
+
+        if isinstance(written, references.Reference) or written is None:
+            return written
+        if isinstance(written, dict) and "_ior" in written:
+            written = written["_ior"]
+        if isinstance(written, Word):
+            written = written.name
+        if not isinstance(written, str):
+            _unfit(descriptor, written, where, ": an IOR is wanted")
+        try:
+            return references.from_text(ior.checked(written.strip()))
+        except ior.BadReference as e:
+            raise errors.BadValue(where, str(e))
+
+
+def _type(name, find, depth):
+    """The descriptor of the type of an `any` by its name: of a basic type, of a sequence of such, or as find(name)
+    knows it.
+    """
+    if name in BASIC:
+        return BASIC[name]
+    inner = re.match(r"sequence<(.*)>\Z", name)
+    if inner and depth:
+        return (SEQUENCE, _type(inner.group(1).strip(), find, depth - 1), 0)
+    return find(name)
 
 
 def fits(name, descriptor):

@@ -13,6 +13,7 @@ import sys
 
 from rtshell_lite import errors
 from rtshell_lite.data import build_value, literals
+from rtshell_lite.giop import descriptors, marshal, references
 from rtshell_lite.text import printable_flags, printable
 
 Expression = literals.Expression
@@ -30,6 +31,8 @@ def _sort(value):
         return "scalar"
     if isinstance(value, (list, tuple)):
         return "list"
+    if isinstance(value, (marshal.Any, references.Reference)):
+        return "any" if isinstance(value, marshal.Any) else "reference"
     members = vars(value)
     if "_n" in members:
         return "enum"
@@ -126,7 +129,16 @@ def _text(value, limit):
         return f"(_d={_text(value._d, limit)})"
     if sort == "enum":
         return value._n
+    if sort == "any":
+        return f"({_type_name(value)}={_text(value.content, limit)})"
+    if sort == "reference":
+        return value.text()
     return "None"
+
+
+def _type_name(value):
+    """The name of the type that an `any` holds, as `build_value` reads it."""
+    return descriptors.type_id(value.descriptor) or descriptors.words(value.descriptor)
 
 
 def _cut(shown, size, limit, between, count):
@@ -188,7 +200,8 @@ def _escaped(c):
 
 def json(value):
     """The value for json.dumps: structs as objects, enums by name, octets in base64, unions as {"_d": label,
-    member: value}.
+    member: value}, an `any` as {"_type": name, "_value": value}, a reference as {"_ior": text, "_type": its
+    repository id}, nil as None.
 
     NaN and the infinities, which JSON lacks, are "NaN", "Infinity" and "-Infinity".
     """
@@ -221,6 +234,10 @@ def _json(value):
         return {"_d": _json(value._d)}
     if sort == "enum":
         return value._n
+    if sort == "any":
+        return {"_type": _type_name(value), "_value": _json(value.content)}
+    if sort == "reference":
+        return {"_type": value.address.type_id, "_ior": value.text()}
     return value
 
 

@@ -95,7 +95,7 @@ class Py2:
     empty_id, bad_activate, number, set_creates = "UNKNOWN", "InternalError", "5", False
     no_set, cannot_activate = "No such ConfigurationSet", "Configuration.activate_configuration_set()"
     parameter = "BAD_PARAM"
-    service, service_sleeps = ("myservice0", "MyService"), False
+    service, service_sleeps = ("myservice0", "MyService"), True
     dead_port, dead_component = "TRANSIENT", "TRANSIENT"
 
 

@@ -48,7 +48,8 @@ def run(request):
     os.environ["SESSION"] = top  # where the functions below keep their files
     keep_alive()
     environment = surroundings(top, home, request["commands"], dict(asked).get("orb", request["orb"]))
-    substitutions = [(re.escape(home), "$TMP"), (re.escape(top), "$SESSION"), (UUID, "$UUID")]
+    environment["MOCKS"] = os.path.join(processes.ROOT, "mock_components")  # which has IDL files
+    substitutions = [(re.escape(home), "$TMP"), (re.escape(top), "$SESSION"), (re.escape(environment["MOCKS"]), "$MOCKS"), (UUID, "$UUID")]
     try:
         environment["PORT"] = str(processes.nameserver.free_port()) if pure else processes.start_name_server("names")
         start_peers(asked, environment)

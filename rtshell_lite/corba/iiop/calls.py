@@ -142,6 +142,8 @@ class Request:
                 return True
         except _GARBLED as e:
             error = self._error(e)
+            if self.is_once and status == messages.NO_EXCEPTION:
+                error.exception = "MARSHAL", 0
         self.resume(value, error)
         return False
 

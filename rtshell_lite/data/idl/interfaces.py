@@ -14,15 +14,17 @@ class Interface:
     name           as IDL spells it: SimpleService::MyService
     repository_id  IDL:SimpleService/MyService:1.0
     kind           "", or "abstract" or "local", of which no object can be called
+    file           where it is declared
     bases          the Interfaces that it inherits
     operations     its own Operations, in the order of the file
     attributes     its own Attributes, likewise
     """
 
-    def __init__(self, name, repository_id, kind=""):
+    def __init__(self, name, repository_id, kind="", file=""):
         self.name = name
         self.repository_id = repository_id
         self.kind = kind
+        self.file = file
         self.bases = []
         self.operations = []
         self.attributes = []

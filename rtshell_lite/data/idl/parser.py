@@ -327,7 +327,7 @@ class Parser:
             )
         entry.what.prefix = "/".join(filter(None, [self.scope.prefix, name]))
         if word == "interface" and entry.what.interface is None:
-            entry.what.interface = Interface(entry.what.path(), entry.type_id, kind)
+            entry.what.interface = Interface(entry.what.path(), entry.type_id, kind, first.file)
         if announced:
             return
         if word == "interface":

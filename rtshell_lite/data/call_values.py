@@ -1,0 +1,202 @@
+"""Arguments of an operation as people write them, and what it returns as text and JSON.
+
+An argument is written as rtinject reads values, a constant or JSON; a text, an item of an enum and a reference
+need no quotes. Everything is checked against the IDL before anything is sent.
+"""
+
+import re
+import time
+
+from rtshell_lite import errors, text
+from rtshell_lite.data import build_value
+from rtshell_lite.giop import descriptors
+from rtshell_lite.giop.descriptors import CHAR, ENUM, OBJECT, STRING, WCHAR, WSTRING
+
+_NAMED = re.compile(r"([A-Za-z_]\w*)=(.*)\Z", re.ASCII | re.DOTALL)
+TEXTS = (STRING, WSTRING, CHAR, WCHAR)
+RESULT = "result"  # the key of what an operation returns, beside its out parameters
+
+
+# ---- arguments ---------------------------------------------------------------------------------------------
+
+
+def of_words(operation, words, find):
+    """The values of an Operation's in and inout parameters, in their order, from words that are positional or
+    NAME=VALUE. `find(name)` gives the descriptor of a type. Raises BadValue, Usage, NoSuch.
+    """
+    given = operation.given()
+    written = {}
+    position = 0
+    for word in words:
+        named = _NAMED.match(word)
+        if named:
+            parameter = _parameter(operation, named.group(1))
+            word = named.group(2)
+        elif position < len(given):
+            parameter = given[position]
+            position += 1
+        else:
+            raise errors.Usage(_too_many(operation, words))
+        if parameter.name in written:
+            raise errors.Usage(f"{operation.name}: {parameter.name} is given twice")
+        written[parameter.name] = _parsed(parameter.type, word)
+    return _built(operation, written, find)
+
+
+def of_json(operation, given, find):
+    """The same from a text: a JSON object of all arguments."""
+    import json
+
+    try:
+        written = json.loads(given, parse_constant=lambda word: build_value.NUMBERS[word])
+    except (ValueError, RecursionError) as e:
+        raise errors.BadValue(operation.name, f"not JSON ({e})")
+    if not isinstance(written, dict):
+        raise errors.BadValue(operation.name, "not a JSON object of its arguments, {…}")
+    return _built(
+        operation, {_parameter(operation, name).name: (value, True) for name, value in written.items()}, find
+    )
+
+
+def of_values(operation, values, named, find):
+    """The same from values of a program, positional and by name."""
+    given = operation.given()
+    if len(values) > len(given):
+        raise errors.Usage(_too_many(operation, values))
+    written = {parameter.name: (value, False) for parameter, value in zip(given, values)}
+    for name, value in named.items():
+        parameter = _parameter(operation, name)
+        if parameter.name in written:
+            raise errors.Usage(f"{operation.name}: {parameter.name} is given twice")
+        written[parameter.name] = (value, False)
+    return _built(operation, written, find)
+
+
+def _parameter(operation, name):
+    """The parameter of this name that is sent."""
+    given = operation.given()
+    for parameter in given:
+        if parameter.name == name:
+            return parameter
+    known = [parameter.name for parameter in given]
+    if name in [parameter.name for parameter in operation.parameters]:
+        why = f"{name} is an out parameter: it is not given"
+    elif known:
+        why = f"no parameter {text.printable(name)}{text.candidates(name, known)}"
+    else:
+        why = f"it takes no arguments, not {text.printable(name)}"
+    raise errors.BadValue(operation.name, why)
+
+
+def _too_many(operation, words):
+    names = ", ".join(parameter.name for parameter in operation.given())
+    if not names:
+        return f"{operation.name} takes no arguments"
+    count = len(operation.given())
+    return f"{operation.name} takes {count} argument{'s' * (count > 1)} ({names}), not {len(words)}"
+
+
+def _parsed(descriptor, word):
+    """(what a word says, whether as JSON) for a type."""
+    kind = descriptors.kind(descriptors.target(descriptor))
+    word = text.typed(word)
+    if kind in TEXTS and word[:1] not in ('"', "'"):
+        return word, False
+    if kind == ENUM and re.match(r"[A-Za-z_]\w*\Z", word, re.ASCII):
+        return build_value.Word(word), False
+    if kind == OBJECT and word[:4].upper() == "IOR:":
+        return word, False
+    try:
+        return int(word), False  # most are numbers: the module json need not be imported
+    except ValueError:
+        from rtshell_lite.data import literals
+
+        return literals.parse(word)
+
+
+def _built(operation, written, find):
+    """The values in the order of the parameters."""
+    missing = [parameter.name for parameter in operation.given() if parameter.name not in written]
+    if missing:
+        raise errors.BadValue(operation.name, f"{missing[0]} is missing: {operation.idl()}")
+    now = divmod(int(time.time() * 1e9), 10**9)
+    values = []
+    for parameter in operation.given():
+        value, is_json = written[parameter.name]
+        where = f"{operation.name}: {parameter.name}"
+        values.append(build_value.build(parameter.type, value, where, is_json, now, find))
+    return values
+
+
+# ---- results -----------------------------------------------------------------------------------------------
+
+
+def as_dict(operation, value):
+    """What a call has returned as {"result": …, name of an out parameter: …}, for text.json_line."""
+    from rtshell_lite.data import values
+
+    return {name: values.json(part) for name, part in _parts(operation, value)}
+
+
+def as_text(operation, value):
+    """What a call has returned for people, '' for nothing: a text as it is, another single value as JSON or a
+    number, several as an object.
+    """
+    parts = _parts(operation, value)
+    if not parts:
+        return ""
+    if len(parts) > 1:
+        return text.json_line(as_dict(operation, value))
+    part = parts[0][1]
+    if isinstance(part, str):
+        return part
+    if isinstance(part, (int, float)) and not isinstance(part, bool):
+        return str(part)
+    from rtshell_lite.data import values
+
+    plain = values.json(part)
+    if isinstance(plain, str):
+        return plain
+    return text.json_line(plain)
+
+
+def _parts(operation, value):
+    """[(name, value)] of what a call has returned."""
+    names = [parameter.name for parameter in operation.returned()]
+    if operation.result is not None:
+        names.insert(0, RESULT if RESULT not in names else "_" + RESULT)
+    if operation.oneway or not names:
+        return []
+    if len(names) == 1:
+        return [(names[0], value)]
+    return list(zip(names, value))
+
+
+def exception(e):
+    """An errors.Raised as {"exception": name, "members": {…}}, for text.json_line."""
+    from rtshell_lite.data import values
+
+    return {"exception": e.name, "members": values.json(e.value)}
+
+
+def shown_exception(e):
+    """An errors.Raised whose message has the members of the exception."""
+    from rtshell_lite.data import values
+
+    members = ", ".join(
+        f"{name}={values.text(part) if not isinstance(part, str) else repr(part)}"
+        for name, part in vars(e.value).items()
+    )
+    return errors.Raised(e.where, e.name, e.value, f"({members})" if members else "")
+
+
+def command(where, operation, values, options):
+    """The rtcall command that calls an Operation with these values; `options` are words of it."""
+    from rtshell_lite.data import values as data_values
+
+    words = ["rtcall"] + list(options) + [where, operation.name]
+    given = operation.given()
+    if given:
+        written = {parameter.name: data_values.json(value) for parameter, value in zip(given, values)}
+        words += ["-d", text.json_line(written)]
+    return " ".join(map(text.shell_word, words))
